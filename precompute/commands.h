@@ -1,0 +1,12 @@
+// The commands of `fiatlux`, one file each (<name>_command.cpp). Each adds its subcommand and options to the command line.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace fiatlux {
+
+// Each registers a callback that throws CommandError on failure; main prints it and exits with status 2.
+
+}  // namespace fiatlux

@@ -1,0 +1,21 @@
+// What a person may say about how a glTF becomes a room; one to one with the options of `fiatlux precompute`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fiatlux {
+
+struct RoomOptions {
+  double patch = 0;                       // m, edge of a patch; 0: so that n is about 25 000
+  std::uint32_t cluster = 4;              // patches on a cluster's edge
+  std::vector<std::string> mounts;        // names of nodes or surfaces where luminaires may hang (besides extras.mount)
+  double siteSpacing = 0;                 // m; 0: what the extras say, else a sensible default
+  double siteSize = 0;                    // m, side of a site's square; 0: the spacing
+  std::vector<std::string> measures;      // names of measuring planes (besides extras.measure)
+  double scale = 1;                       // metres per unit of the file
+  double memory = 4;                      // GB, refused above
+};
+
+}  // namespace fiatlux
