@@ -1,0 +1,7 @@
+// TypeScript by the compiler that Vite itself uses; Wasm and ES modules as they are shipped.
+export default {
+  testEnvironment: 'node',
+  testMatch: ['<rootDir>/tests/{web,wasm,rooms,scripts}/**/*.test.{ts,tsx,mjs}'],
+  extensionsToTreatAsEsm: ['.ts', '.tsx'],
+  transform: { '\\.tsx?$': '<rootDir>/tests/transform.mjs' },
+};

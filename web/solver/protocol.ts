@@ -1,0 +1,162 @@
+/**
+ * The worker protocol: two discriminated unions. The page asks, the worker answers; every request that may be
+ * superseded carries a `revision`, and only the latest revision's answers are shown (latest wins).
+ */
+import type { Constraint, Goal, Layout, Luminaires, Quantity } from '../document/types.ts';
+
+/** What the core is asked for: goals and constraints with names resolved to leaf surface indices by the worker. */
+export interface Intentions {
+  readonly luminaires: Luminaires;
+  readonly goals: readonly Goal[];
+  readonly constraints: readonly Constraint[];
+  readonly quantity: Quantity;
+}
+
+/** What a scene file tells of its room. Indices of `surfaces` are leaf surfaces; receivers are measuring planes. */
+export interface SceneInfo {
+  readonly identity: string; // 16 hex digits
+  readonly patches: number; // n
+  readonly receivers: number;
+  readonly clusters: number; // k
+  readonly surfaces: readonly {
+    readonly name: string;
+    readonly area: number; // m2
+    readonly patches: number;
+    readonly reflectance: number;
+    readonly measuring: boolean;
+    readonly lost: number; // share 0..1
+  }[];
+  /** m x 3 position (m), m x 3 normal, m x 3 axis (unit), m sizes (m). */
+  readonly sites: {
+    readonly position: Float32Array;
+    readonly normal: Float32Array;
+    readonly axis: Float32Array;
+    readonly size: Float32Array;
+  };
+  readonly surfaceOfPatch: Uint32Array; // n + receivers
+  readonly patchArea: Float32Array; // n + receivers, m2
+  readonly patchCenter: Float32Array; // (n + receivers) x 3, m
+  readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
+}
+
+export interface SurfaceResult {
+  readonly name: string;
+  readonly area: number; // m2
+  readonly mean: number; // lx (or lm/m2), as are sigma, min, max
+  readonly sigma: number;
+  readonly min: number; // over the patches
+  readonly max: number;
+}
+
+/** One constraint or goal as it stands: the value reached, and for constraints whether it is met. */
+export interface IntentionResult {
+  readonly value: number; // mu - alpha sigma (or mu + alpha sigma) for chebyshev
+  readonly met: boolean; // true for goals
+  readonly violation: number; // relative, 0 when met
+}
+
+/** A layout and its light: everything that the page shows. Buffers are transferred. */
+export interface Shown {
+  readonly layout: Layout;
+  readonly illuminance: Float32Array; // n + receivers, lx
+  readonly surfaces: readonly SurfaceResult[]; // one a leaf, then 'all' last; in the quantity asked for
+  readonly goals: readonly IntentionResult[];
+  readonly constraints: readonly IntentionResult[];
+  readonly goal: number; // the weighted objective, relative to the start layout
+  readonly violation: number; // 0 = every constraint is met
+}
+
+export interface AlphaStep {
+  readonly iteration: number;
+  readonly alpha: number;
+  readonly region: 'I' | 'II' | 'III';
+  readonly interval: readonly [number, number]; // (alpha_a, alpha_b) after this iteration
+  readonly mean: number; // of the guarded surface
+  readonly sigma: number;
+  readonly minimum: number; // true, over its patches
+  readonly goal: number; // Phi
+}
+
+export type ToWorker =
+  /** Opens a scene file -> 'opened' or 'failed'. The buffer is transferred. */
+  | { readonly type: 'open'; readonly revision: number; readonly bytes: ArrayBuffer }
+  /**
+   * Searches layouts for intentions, from `start` when given -> 'improved' at once (the first within some
+   * milliseconds), again on every improvement, then 'settled'. Supersedes any running search.
+   */
+  | {
+      readonly type: 'solve';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly start: Layout | null;
+      readonly seed: number;
+      readonly askedAt: number; // performance.timeOrigin + event.timeStamp, ms; echoed for drag_to_layout
+    }
+  /** Shows exactly this layout (a link, a luminaire under the hand) -> 'improved' once, nothing searched. */
+  | {
+      readonly type: 'show';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly layout: Layout;
+    }
+  /** The alpha-search of the paper's section 4 -> 'alphaStep'*, then 'alphaDone' (or 'failed'). */
+  | {
+      readonly type: 'alpha';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly seed: number;
+    }
+  /** A provable bound on the goal -> 'bounded', possibly several times, tighter each time. */
+  | { readonly type: 'bound'; readonly revision: number; readonly intentions: Intentions }
+  /** Recomputes every surface of a layout from the patches -> 'checked'. */
+  | {
+      readonly type: 'check';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly layout: Layout;
+    }
+  /** Stops whatever runs; the incumbent stays shown. */
+  | { readonly type: 'stop' };
+
+export type FromWorker =
+  | { readonly type: 'ready' } // the module is loaded
+  | {
+      readonly type: 'opened';
+      readonly revision: number;
+      readonly scene: SceneInfo;
+      readonly room: ArrayBuffer; // display .glb, transferred
+    }
+  | {
+      readonly type: 'improved' | 'settled';
+      readonly revision: number;
+      readonly shown: Shown;
+      readonly evaluations: number;
+      readonly milliseconds: number; // of search
+      readonly askedAt: number;
+      readonly postedAt: number; // performance.timeOrigin + performance.now()
+    }
+  | { readonly type: 'alphaStep'; readonly revision: number; readonly step: AlphaStep }
+  | {
+      readonly type: 'alphaDone';
+      readonly revision: number;
+      readonly alpha: number | null; // the smallest alpha found, null where there is none
+      readonly verdict: string; // one sentence for a designer
+      readonly shown: Shown | null;
+      readonly feasibleBound: number | null; // where infeasible: the largest bound that some layout meets
+    }
+  | {
+      readonly type: 'bounded';
+      readonly revision: number;
+      readonly bound: number; // the goal cannot be better than this, proved
+      readonly gap: number; // (incumbent - bound) / |incumbent|, >= 0
+      readonly done: boolean;
+    }
+  | {
+      readonly type: 'checked';
+      readonly revision: number;
+      readonly largestDifference: number; // relative, statistics against patches
+      readonly surface: string; // where
+      readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative
+    }
+  /** One readable line: what, where, the cure. The last good layout stays. */
+  | { readonly type: 'failed'; readonly revision: number; readonly message: string };

@@ -1,0 +1,59 @@
+/** What the app asks of the view; implemented by `createViewer` (viewer/viewer.ts). The viewer draws only on change. */
+import type { Camera, Layout } from '../document/types.ts';
+import type { SceneInfo } from '../solver/protocol.ts';
+
+export type ColorMap = 'viridis' | 'cividis' | 'inferno' | 'turbo';
+
+export interface Display {
+  readonly mode: 'realistic' | 'falseColor';
+  readonly exposure: number; // EV, realistic mode; 0 = automatic
+  readonly colorMap: ColorMap;
+  readonly steps: number; // 0 = continuous
+  readonly logarithmic: boolean;
+  readonly range: readonly [number, number]; // lx, ends of the legend
+  readonly isolux: boolean;
+  readonly quantity: 'illuminance' | 'exitance';
+  readonly cutAway: boolean; // do not draw walls between the eye and the room
+  readonly measuringPlanes: boolean; // draw them
+}
+
+export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
+
+export interface ViewerEvents {
+  /** A leaf surface under the pointer (null = none) and the light there. */
+  hovered(
+    surface: number | null,
+    at: { x: number; y: number; lux: number; point: [number, number, number] } | null,
+  ): void;
+  surfacePicked(surface: number | null): void;
+  luminairePicked(luminaire: number | null): void;
+  /** While a luminaire is dragged: each time it snaps to another free site. */
+  luminaireDragged(luminaire: number, site: number): void;
+  luminaireDropped(luminaire: number, site: number): void;
+  cameraMoved(camera: Camera): void;
+  /** The WebGL context is gone or back. */
+  contextLost(lost: boolean): void;
+}
+
+export interface Viewer {
+  /** Shows a room's display mesh; resolves when it can be drawn. Rejects with one readable line. */
+  open(glb: ArrayBuffer, scene: SceneInfo): Promise<void>;
+  /** Shows a plain .glb without light (a dropped file that still needs `fiatlux precompute`). */
+  preview(glb: ArrayBuffer): Promise<void>;
+  /** The light of a layout: n + receivers values, lx. Cheap: once per solver update. */
+  setLight(illuminance: Float32Array): void;
+  setLayout(layout: Layout, pinned: readonly number[]): void;
+  setSelection(surface: number | null, luminaire: number | null): void;
+  setExcluded(sites: readonly number[]): void;
+  setDisplay(display: Display): void;
+  setCamera(camera: Camera): void;
+  camera(): Camera;
+  view(name: ViewName): void;
+  fit(): void;
+  home(): void;
+  /** The present picture, drawn at once. */
+  png(): Promise<Blob>;
+  dispose(): void;
+}
+
+export type CreateViewer = (canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) => Viewer;
