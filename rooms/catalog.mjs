@@ -1,0 +1,23 @@
+// The sample rooms: what the gallery says about them and how fine the precompute cuts them.
+// precompute: command-line options for `fiatlux precompute`.
+
+export const catalog = [
+  {
+    id: 'e-corridor',
+    title: 'E corridor',
+    description: 'A corridor with three arms and one yellow wall to light evenly.',
+    precompute: ['--patch', '0.1875', '--cluster', '4'],
+  },
+  {
+    id: 'office',
+    title: 'Open office',
+    description: 'Twelve desks under a tiled ceiling, with a working plane at 0.75 m.',
+    precompute: ['--patch', '0.2', '--cluster', '4'],
+  },
+  {
+    id: 'box',
+    title: 'Box',
+    description: 'Two blocks between a red and a green wall, for a first look.',
+    precompute: ['--patch', '0.1', '--cluster', '4'],
+  },
+];

@@ -1,0 +1,13 @@
+// From a catalogue id to a finished room.
+import { makeBox } from './box.mjs';
+import { makeECorridor } from './e-corridor.mjs';
+import { makeOffice } from './office.mjs';
+
+const makers = {
+  'e-corridor': makeECorridor,
+  office: makeOffice,
+  box: makeBox,
+};
+
+/** The room of a catalogue id, ready to be written. */
+export const makeRoom = (id) => makers[id]();
