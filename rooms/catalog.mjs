@@ -15,6 +15,18 @@ export const catalog = [
     precompute: ['--patch', '0.2', '--cluster', '4'],
   },
   {
+    id: 'classroom',
+    title: 'Classroom',
+    description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
+    precompute: ['--patch', '0.16', '--cluster', '4'],
+  },
+  {
+    id: 'gallery',
+    title: 'Gallery',
+    description: 'Pictures on the walls, a free-standing wall and sculptures on plinths.',
+    precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.5'],
+  },
+  {
     id: 'box',
     title: 'Box',
     description: 'Two blocks between a red and a green wall, for a first look.',

@@ -36,7 +36,7 @@ export function swivelChair(fabric, plastic) {
     const spoke = turned((2 * Math.PI * i) / 5 + 0.3);
     const arm = [[0.045, 0.1, 0], [0.3, 0.07, 0]]; // prettier-ignore
     chair.add(new Shape().tube(plastic, arm, [0.024, 0.013], { segments: 6 }), spoke);
-    chair.add(new Shape().rod(plastic, [0.3, 0.028, -0.022], [0.3, 0.028, 0.022], 0.027, 10), spoke);
+    chair.add(new Shape().rod(plastic, [0.3, 0.028, -0.022], [0.3, 0.028, 0.022], 0.027, 8), spoke);
   }
   chair.lathe(plastic, [[0.04, 0.075], [0.04, 0.2], [0.028, 0.205], [0.028, 0.4]], 12); // prettier-ignore
   chair.box(plastic, [-0.13, 0.401, -0.12], [0.13, 0.425, 0.12]);
@@ -46,7 +46,7 @@ export function swivelChair(fabric, plastic) {
   chair.add(back, chain(leaned(Math.PI / 2 - 0.14), moved(0, 0.86, -0.235)));
   const spine = [[0, 0.41, -0.125], [0, 0.43, -0.235], [0, 0.72, -0.258]]; // prettier-ignore
   chair.tube(plastic, spine, 0.018, { segments: 6 });
-  const rest = new Shape().cushion(plastic, [0.07, 0.025, 0.24], 0.655, 0.03, 0.006, 2);
+  const rest = new Shape().cushion(plastic, [0.07, 0.025, 0.24], 0.655, 0.03, 0.006, 1);
   for (const side of [-1, 1]) {
     chair.add(rest, moved(side * 0.285, 0, -0.01));
     const bracket = [[side * 0.132, 0.412, -0.01], [side * 0.285, 0.43, -0.01], [side * 0.285, 0.654, -0.01]]; // prettier-ignore

@@ -59,6 +59,7 @@ export const materials = {
   },
   'white board': { colour: '#efeeea', reflectance: 0.75, roughness: 0.5 },
   'white lacquer': { colour: '#efece6', reflectance: 0.68, roughness: 0.5 },
+  'blue lacquer': { colour: '#3f6f96', reflectance: 0.15, roughness: 0.5 },
   'grey lacquer': { colour: '#a9adb0', reflectance: 0.4, roughness: 0.5 },
   'dark steel': { colour: '#3c3f43', reflectance: 0.06, roughness: 0.45, metallic: 0.2 },
   'pale steel': { colour: '#c3c6c8', reflectance: 0.5, roughness: 0.4, metallic: 0.2 },

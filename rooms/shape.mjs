@@ -122,14 +122,17 @@ export class Shape {
     return this.tube(material, [from, to], radius, { segments });
   }
 
-  /** A round tube along a path; loop: the path is closed. radius: a number or one a point. */
-  tube(material, path, radius, { segments = 8, loop = false } = {}) {
+  /**
+   * A round tube along a path; radius: a number, or one a point. A loop joins its ends and needs a guide:
+   * a direction for every point that is never along the path, so that the rings meet untwisted.
+   */
+  tube(material, path, radius, { segments = 8, loop = false, guide = null } = {}) {
     let side = null;
     const rings = path.map((point, i) => {
       const before = path[i - 1] ?? (loop ? path[path.length - 1] : point);
       const after = path[i + 1] ?? (loop ? path[0] : point);
       const along = unit(subtract(after, before));
-      const guess = side ?? (Math.abs(along[1]) > 0.9 ? [1, 0, 0] : [0, 1, 0]);
+      const guess = guide?.(point) ?? side ?? (Math.abs(along[1]) > 0.9 ? [1, 0, 0] : [0, 1, 0]);
       side = unit(subtract(guess, scale(along, dot(guess, along))));
       const up = cross(along, side);
       const r = Array.isArray(radius) ? radius[i] : radius;
