@@ -14,7 +14,8 @@ namespace fiatlux {
 /// (n x k) is only formed for the paper's formulation.
 class LowRankRadiosity {
  public:
-  /// Factorises I - V^T R U. An error where it is singular (reflectances must be below 1).
+  /// Factorises I - V^T R U. `factors` must outlive the result and stay where it is. An error where it is
+  /// singular (reflectances must be below 1).
   static Result<LowRankRadiosity> factorize(const FormFactors& factors, const Patches& patches);
   LowRankRadiosity(LowRankRadiosity&&) noexcept;
   LowRankRadiosity& operator=(LowRankRadiosity&&) noexcept;
@@ -24,6 +25,11 @@ class LowRankRadiosity {
   void solve(const float* e, std::uint32_t width, float* b) const;
   /// V^T e: k x width from n x width, row-major; V_qc = A_q / A_c.
   void reduce(const float* e, std::uint32_t width, float* x) const;
+  /// U (I - V^T R U)^-1 x: the irradiance (n x width) that reduced emissions x (k x width) cause; times -R it
+  /// is Y x.
+  void respond(const float* x, std::uint32_t width, float* irradiance) const;
+  /// (I - V^T R U)^-1, k x k row-major.
+  std::vector<double> coreInverse() const;
   /// The n x k matrix Y, row-major.
   std::vector<float> y() const;
 

@@ -1,0 +1,38 @@
+// Direct light of luminaires, never from hemisphere rays: the source's own form factor (Lambert's polygon, or
+// inverse square for a point) times its visible part by stratified shadow rays, averaged over the receiving
+// patch.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/luminaire.h"
+#include "precompute/patch_sampler.h"
+#include "precompute/ray_tracer.h"
+#include "precompute/room.h"
+
+namespace fiatlux {
+
+struct DirectLightOptions {
+  std::uint32_t coarse = 2;  // points on a patch's edge, far from the source
+  std::uint32_t fine = 4;    // within two patch edges of it
+  std::uint32_t split = 2;   // parts of the source's edge that shadow rays probe (twice as many in penumbra)
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: all cores
+  std::function<void(double)> progress;
+};
+
+/// Illuminance (lx) of every row by each luminaire at its own flux: column-major rows() x luminaires.
+std::vector<float> directLight(const Room& room, const RayTracer& tracer,
+                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options);
+
+/// Illuminance (lx) at a point by one luminaire, `split` x `split` shadow rays on the source (one for a point
+/// source).
+double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const Luminaire& luminaire,
+                     std::uint32_t split, std::uint64_t seed);
+
+/// A site as a luminaire of 1 lm.
+Luminaire luminaireOf(const Site& site);
+
+}  // namespace fiatlux
