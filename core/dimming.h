@@ -1,0 +1,43 @@
+// The common dimming t, solved exactly for a given layout: a statistic that scales with t is t times its
+// value at t = 1, so every constraint is an interval of t and the goal is linear in t. Nothing is searched.
+#pragma once
+
+#include <cstdint>
+
+namespace fiatlux {
+
+/// One side of a constraint: t value >= bound when `lower`, else t value <= bound. A bound that does not
+/// scale with the dimming (a ratio) has `scaleFree` set and reads value >= bound, value <= bound.
+struct DimmedBound {
+  double value = 0;  // of the statistic at t = 1
+  double bound = 0;
+  bool lower = true;
+  bool scaleFree = false;
+};
+
+/// What a layout is worth. Violations are compared before goals; both are better when smaller.
+struct Evaluation {
+  double violation = 0;  // sum of max(0, excess) / |bound|
+  double goal = 0;       // sum of weight x signed value / reference value
+  double dimming = 1;
+};
+
+/// Better by more than the rounding of the sums.
+inline bool isBetter(const Evaluation& a, const Evaluation& b) {
+  constexpr double kSame = 1e-10;
+  if (a.violation < b.violation - kSame) return true;
+  if (a.violation > b.violation + kSame) return false;
+  return a.goal < b.goal - kSame;
+}
+
+/// Violation at a given t: sum of max(0, excess) / |bound|, the excess itself where the bound is 0.
+double violationAt(const DimmedBound* bounds, std::uint32_t count, double t);
+
+/// The best t in [low, high], 0 <= low <= high, for goal(t) = goalConstant + goalSlope t: within the interval
+/// that meets all bounds the end that the goal prefers (the brighter one when it does not care); the t of
+/// least violation, exactly, when that interval is empty. Bounds that are scale-free add the same violation
+/// at any t.
+Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double goalConstant,
+                        double low, double high);
+
+}  // namespace fiatlux

@@ -1,0 +1,57 @@
+// The sums that the search spends its time in: paper (8) and (10) for a layout of N luminaires, and their
+// change when luminaires move. Plain loops over plain arrays, float storage, double sums, one fixed order:
+// the same bits natively and as Wasm. Each is small and never inlined, because V8 compiles a Wasm function
+// well only from its second call on.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__GNUC__) || defined(__clang__)
+#define FIATLUX_KERNEL __attribute__((noinline))
+#else
+#define FIATLUX_KERNEL
+#endif
+
+namespace fiatlux {
+
+/// One entry of a sparse change of the site fluxes: `flux` lm are added at `site`.
+struct FluxChange {
+  std::uint32_t site = 0;
+  double flux = 0;
+};
+
+/// mu = a x: N loads.
+FIATLUX_KERNEL double meanOf(const double* mean, const std::uint32_t* sites, const double* flux,
+                             std::uint32_t count);
+
+/// sigma^2 = x^T C x, C row-major m x m, symmetric: N (N + 1) / 2 loads.
+FIATLUX_KERNEL double varianceOf(const float* covariance, std::uint32_t m, const std::uint32_t* sites,
+                                 const double* flux, std::uint32_t count);
+
+/// row = C x (m entries), from nothing.
+FIATLUX_KERNEL void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites,
+                            const double* flux, std::uint32_t count, double* row);
+
+/// row += flux C[site, :].
+FIATLUX_KERNEL void addToRow(const float* covariance, std::uint32_t m, std::uint32_t site, double flux,
+                             double* row);
+
+/// x^T (C x) from the cached row: N loads.
+FIATLUX_KERNEL double varianceFromRow(const double* row, const std::uint32_t* sites, const double* flux,
+                                      std::uint32_t count);
+
+/// Means after moving `flux` lm from site `from` to each of `count` candidates: O(1) each.
+FIATLUX_KERNEL void movedMeans(const double* mean, double current, std::uint32_t from, double flux,
+                               const std::uint32_t* candidates, std::uint32_t count, double* out);
+
+/// Variances after moving `flux` lm from site `from` to each of `count` candidates: O(1) each by the cached
+/// row C x. `diagonal` holds the m entries C[i, i].
+FIATLUX_KERNEL void movedVariances(const float* covariance, const float* diagonal, std::uint32_t m,
+                                   const double* row, double current, std::uint32_t from, double flux,
+                                   const std::uint32_t* candidates, std::uint32_t count, double* out);
+
+/// Variance after any sparse change d: x^T C x + 2 d^T (C x) + d^T C d.
+FIATLUX_KERNEL double changedVariance(const float* covariance, std::uint32_t m, const double* row,
+                                      double current, const FluxChange* changes, std::uint32_t count);
+
+}  // namespace fiatlux
