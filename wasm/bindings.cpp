@@ -1,8 +1,249 @@
-// The only Emscripten code: binds the core's Session for the page's worker.
+// The only Emscripten code: binds the core's Session as one class for the page's worker. Conversions only;
+// every decision is in core/session.h. The TypeScript face with shapes and units is web/solver/core.ts.
+// Arrays are copied in and come back as fresh copies; an error comes back as one line, '' where all is well.
 #include <emscripten/bind.h>
+#include <emscripten/val.h>
 
-#include "core/patches.h"
+#include "core/session.h"
+
+namespace fiatlux {
+namespace {
+
+using emscripten::val;
+
+template <class T>
+val copied(const std::vector<T>& values) {
+  return val(emscripten::typed_memory_view(values.size(), values.data())).call<val>("slice");
+}
+
+template <class T>
+std::vector<T> vectorOf(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<T>(array);
+}
+
+template <class T>
+std::string errorOf(const Result<T>& result) {
+  return result ? std::string() : result.error().message;
+}
+
+Layout layoutOf(const val& sites, const val& flux, double dimming) {
+  return {vectorOf<std::uint32_t>(sites), vectorOf<double>(flux), dimming};
+}
+
+val valueOf(const Layout& layout) {
+  val result = val::object();
+  result.set("sites", copied(layout.sites));
+  result.set("flux", copied(layout.flux));
+  result.set("dimming", layout.dimming);
+  return result;
+}
+
+val valueOf(const Shown& shown) {
+  std::vector<double> surfaces, constraints;
+  for (const SurfaceReading& s : shown.surfaces)
+    surfaces.insert(surfaces.end(), {s.mean, s.sigma, s.minimum, s.maximum});
+  for (const ConstraintReading& c : shown.constraints)
+    constraints.insert(constraints.end(), {c.value, c.violation, c.margin});
+  val result = val::object();
+  result.set("layout", valueOf(shown.layout));
+  result.set("illuminance", copied(shown.illuminance));
+  result.set("surfaces", copied(surfaces));
+  result.set("goals", copied(shown.goals));
+  result.set("constraints", copied(constraints));
+  return result;
+}
+
+val valueOf(const Result<Shown>& shown) {
+  if (shown) return valueOf(*shown);
+  return val(shown.error().message);
+}
+
+// --- the scene
+// ------------------------------------------------------------------------------------------------------
+
+val sectionsOf(const Session& session) {
+  val sections = val::array();
+  const SceneTable& table = *session.table();
+  for (std::uint32_t i = 0; i < table.sections.size(); ++i) {
+    const SceneSection& section = table.sections[i];
+    val line = val::object();
+    line.set("index", i);
+    line.set("name", section.name);
+    line.set("offset", static_cast<double>(section.offset));
+    line.set("storedBytes", static_cast<double>(section.storedBytes));
+    line.set("inflatedBytes", static_cast<double>(section.inflatedBytes));
+    line.set("deflated", section.codec == Codec::kDeflate);
+    line.set("needed", session.needed(i));
+    sections.set(i, line);
+  }
+  return sections;
+}
+
+val openTable(Session& session, val file) {
+  const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(file);
+  const Result<Done> opened = session.openTable(bytes);
+  return opened ? sectionsOf(session) : val(opened.error().message);
+}
+
+std::string verify(const Session& session, std::uint32_t section, val bytes) {
+  return errorOf(session.verify(section, vectorOf<std::uint8_t>(bytes)));
+}
+
+std::string provide(Session& session, std::uint32_t section, val bytes) {
+  return errorOf(session.provide(section, vectorOf<std::uint8_t>(bytes)));
+}
+
+std::string finish(Session& session) { return errorOf(session.finish()); }
+
+val surfacesOf(const Scene& scene) {
+  val surfaces = val::array();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    val line = val::object();
+    line.set("name", surface.name);
+    line.set("area", surface.area);
+    line.set("patches", surface.patches);
+    line.set("reflectance", surface.reflectance);
+    line.set("measuring", surface.measuring);
+    line.set("lost", surface.lost);
+    surfaces.set(s, line);
+  }
+  return surfaces;
+}
+
+void append(std::vector<float>& to, const Vec3& v) {
+  to.insert(to.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+}
+
+val info(const Session& session) {
+  if (!session.scene()) return val::null();
+  const Scene& scene = *session.scene();
+  std::vector<float> position, normal, axis, size, center;
+  for (const Site& site : scene.sites) {
+    append(position, site.position);
+    append(normal, site.normal);
+    append(axis, site.axis);
+    size.push_back(static_cast<float>(site.size));
+  }
+  for (const Vec3& c : scene.patches.center) append(center, c);
+  val result = val::object();
+  result.set("identity", scene.identity);
+  result.set("patches", scene.patches.count);
+  result.set("receivers", scene.patches.rows() - scene.patches.count);
+  result.set("clusters", scene.patches.clusterCount);
+  result.set("surfaces", surfacesOf(scene));
+  result.set("sitePosition", copied(position));
+  result.set("siteNormal", copied(normal));
+  result.set("siteAxis", copied(axis));
+  result.set("siteSize", copied(size));
+  result.set("surfaceOfPatch", copied(scene.patches.surface));
+  result.set("patchArea", copied(std::vector<float>(scene.patches.area.begin(), scene.patches.area.end())));
+  result.set("patchCenter", copied(center));
+  return result;
+}
+
+// --- intentions
+// -----------------------------------------------------------------------------------------------------
+
+template <class E>
+E enumOf(const val& object, const char* key) {
+  return static_cast<E>(object[key].as<int>());
+}
+
+Goal goalOf(const val& v) {
+  return {enumOf<Statistic>(v, "statistic"), enumOf<Sense>(v, "sense"), v["weight"].as<double>(),
+          vectorOf<std::uint32_t>(v["surfaces"]), vectorOf<std::uint32_t>(v["over"])};
+}
+
+Constraint constraintOf(const val& v) {
+  return {enumOf<Statistic>(v, "statistic"),
+          v["lower"].as<double>(),
+          v["upper"].as<double>(),
+          v["alpha"].as<double>(),
+          vectorOf<std::uint32_t>(v["surfaces"]),
+          vectorOf<std::uint32_t>(v["over"])};
+}
+
+LuminaireRules rulesOf(const val& v) {
+  LuminaireRules rules;
+  rules.count = v["count"].as<std::uint32_t>();
+  rules.flux = vectorOf<double>(v["flux"]);
+  rules.dimmingLow = v["dimmingLow"].as<double>();
+  rules.dimmingHigh = v["dimmingHigh"].as<double>();
+  rules.pinned = vectorOf<std::uint32_t>(v["pinned"]);
+  rules.excluded = vectorOf<std::uint32_t>(v["excluded"]);
+  rules.minDistance = v["minDistance"].as<double>();
+  return rules;
+}
+
+std::string setIntentions(Session& session, val asked) {
+  Intentions intentions;
+  intentions.quantity = enumOf<Quantity>(asked, "quantity");
+  intentions.luminaires = rulesOf(asked["luminaires"]);
+  const val goals = asked["goals"], constraints = asked["constraints"];
+  for (unsigned i = 0, count = goals["length"].as<unsigned>(); i < count; ++i)
+    intentions.goals.push_back(goalOf(goals[i]));
+  for (unsigned i = 0, count = constraints["length"].as<unsigned>(); i < count; ++i)
+    intentions.constraints.push_back(constraintOf(constraints[i]));
+  return errorOf(session.setIntentions(intentions));
+}
+
+// --- search
+// ---------------------------------------------------------------------------------------------------------
+
+std::string start(Session& session, std::uint32_t seed) { return errorOf(session.start(seed, nullptr)); }
+
+std::string startFrom(Session& session, std::uint32_t seed, val sites, val flux, double dimming) {
+  const Layout layout = layoutOf(sites, flux, dimming);
+  return errorOf(session.start(seed, &layout));
+}
+
+val advance(Session& session, std::uint32_t evaluations) {
+  const SearchProgress progress = session.advance(evaluations);
+  val result = val::object();
+  result.set("evaluations", static_cast<double>(progress.evaluations));
+  result.set("foundAt", static_cast<double>(progress.foundAt));
+  result.set("violation", progress.evaluation.violation);
+  result.set("goal", progress.evaluation.goal);
+  return result;
+}
+
+val incumbent(Session& session) { return valueOf(session.incumbent()); }
+
+val show(Session& session, val sites, val flux, double dimming) {
+  return valueOf(session.show(layoutOf(sites, flux, dimming)));
+}
+
+val check(Session& session, val sites, val flux, double dimming) {
+  const Result<Shown> shown = session.show(layoutOf(sites, flux, dimming));
+  if (!shown) return val(shown.error().message);
+  const StatisticsCheck checked = checkStatistics(*session.scene(), session.intentions().quantity, *shown);
+  val result = val::object();
+  result.set("largestDifference", checked.largestDifference);
+  result.set("surface", checked.surface);
+  std::vector<double> margins;
+  for (const ConstraintReading& reading : shown->constraints) margins.push_back(reading.margin);
+  result.set("margins", copied(margins));
+  return result;
+}
+
+}  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
-  emscripten::constant("none", fiatlux::kNone);
+  emscripten::class_<Session>("Session")
+      .constructor<>()
+      .function("openTable", &openTable)
+      .function("verify", &verify)
+      .function("provide", &provide)
+      .function("finish", &finish)
+      .function("info", &info)
+      .function("setIntentions", &setIntentions)
+      .function("start", &start)
+      .function("startFrom", &startFrom)
+      .function("advance", &advance)
+      .function("incumbent", &incumbent)
+      .function("show", &show)
+      .function("check", &check);
 }
+
+}  // namespace fiatlux

@@ -1,0 +1,86 @@
+/** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
+import type { Layout } from '../document/types.ts';
+import { quantityCodes, senseCodes, statisticCodes, type CoreIntentions, type CoreShown } from './core.ts';
+import type { IntentionResult, Intentions, Shown } from './protocol.ts';
+import { resolveSurfaces, type NamedSurface } from './resolve-surfaces.ts';
+
+/** Throws one readable line where a name is not in the room. */
+export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
+  const surfaces = (of: { readonly surfaces: readonly string[]; readonly over?: readonly string[] }) => ({
+    surfaces: resolveSurfaces(of.surfaces, leaves),
+    over: resolveSurfaces(of.over ?? [], leaves),
+  });
+  const { luminaires } = asked;
+  return {
+    quantity: quantityCodes[asked.quantity],
+    luminaires: {
+      count: luminaires.count,
+      flux: Float64Array.of(luminaires.flux),
+      dimmingLow: luminaires.dimming[0],
+      dimmingHigh: luminaires.dimming[1],
+      pinned: Uint32Array.from(luminaires.pinned),
+      excluded: Uint32Array.from(luminaires.excluded),
+      minDistance: luminaires.minDistance,
+    },
+    goals: asked.goals.map((goal) => ({
+      statistic: statisticCodes[goal.statistic],
+      sense: senseCodes[goal.sense],
+      weight: goal.weight,
+      ...surfaces(goal),
+    })),
+    constraints: asked.constraints.map((constraint) => ({
+      statistic: statisticCodes[constraint.statistic],
+      lower: constraint.min ?? -Infinity,
+      upper: constraint.max ?? Infinity,
+      alpha: constraint.alpha ?? 1,
+      ...surfaces(constraint),
+    })),
+  };
+}
+
+/** The three arguments by which the core takes a layout. */
+export function coreLayout(layout: Layout): [Uint32Array, Float64Array, number] {
+  return [Uint32Array.from(layout.sites), Float64Array.from(layout.flux), layout.dimming];
+}
+
+// Rounding of the sums, and of bounds that are met exactly.
+const metUpTo = 1e-6;
+
+/** `goal`: the weighted objective of the search; violation is the sum over the constraints. */
+export function shownOf(
+  core: CoreShown,
+  goal: number,
+  leaves: readonly (NamedSurface & { area: number })[],
+): Shown {
+  const total = leaves.reduce((sum, leaf) => sum + (leaf.measuring ? 0 : leaf.area), 0);
+  const rows = [...leaves, { name: 'all', area: total }];
+  const constraints = triples(core.constraints);
+  return {
+    layout: {
+      sites: [...core.layout.sites],
+      flux: [...core.layout.flux],
+      dimming: core.layout.dimming,
+    },
+    illuminance: core.illuminance,
+    surfaces: rows.map(({ name, area }, s) => ({
+      name,
+      area,
+      mean: core.surfaces[4 * s] ?? 0,
+      sigma: core.surfaces[4 * s + 1] ?? 0,
+      min: core.surfaces[4 * s + 2] ?? 0,
+      max: core.surfaces[4 * s + 3] ?? 0,
+    })),
+    goals: Array.from(core.goals, (value) => ({ value, met: true, violation: 0 })),
+    constraints,
+    goal,
+    violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
+  };
+}
+
+function triples(numbers: Float64Array): IntentionResult[] {
+  return Array.from({ length: numbers.length / 3 }, (_, i) => {
+    const violation = numbers[3 * i + 1] ?? 0;
+    const met = violation <= metUpTo;
+    return { value: numbers[3 * i] ?? 0, met, violation: met ? 0 : violation };
+  });
+}

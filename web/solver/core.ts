@@ -1,0 +1,168 @@
+/**
+ * The TypeScript face of the Wasm module (wasm/bindings.cpp). One class, `Session`: a scene, the intentions, a search.
+ * Typed arrays are copied in and come back as fresh copies; nothing here is a view of the module's memory.
+ * Errors are one readable line, '' where all is well. tests/wasm checks every declared method against the built module.
+ */
+
+/** A line of the scene file's table that somebody has to inflate. */
+export interface Section {
+  readonly index: number;
+  readonly name: string;
+  readonly offset: number; // in the file, bytes
+  readonly storedBytes: number;
+  readonly inflatedBytes: number;
+  readonly deflated: boolean; // zlib format; otherwise the stored bytes are the bytes
+  readonly needed: boolean; // by finish(); the others may be verified
+}
+
+/** What is in the scene that is open. Lengths: rows = patches + receivers, m = sites. */
+export interface CoreInfo {
+  readonly identity: string;
+  readonly patches: number;
+  readonly receivers: number;
+  readonly clusters: number;
+  readonly surfaces: readonly {
+    readonly name: string;
+    readonly area: number; // m2
+    readonly patches: number;
+    readonly reflectance: number;
+    readonly measuring: boolean;
+    readonly lost: number; // share 0..1
+  }[];
+  readonly sitePosition: Float32Array; // 3m, m
+  readonly siteNormal: Float32Array; // 3m
+  readonly siteAxis: Float32Array; // 3m
+  readonly siteSize: Float32Array; // m, m
+  readonly surfaceOfPatch: Uint32Array; // rows
+  readonly patchArea: Float32Array; // rows, m2
+  readonly patchCenter: Float32Array; // 3 rows, m
+}
+
+export interface CoreLayout {
+  readonly sites: Uint32Array; // N
+  readonly flux: Float64Array; // N, lm
+  readonly dimming: number;
+}
+
+/** Where the search stands. */
+export interface Progress {
+  readonly evaluations: number; // since the start
+  readonly foundAt: number; // the count at which the incumbent was found; 0 = it is the start
+  readonly violation: number; // of the incumbent; 0 = every constraint is met
+  readonly goal: number; // of the incumbent: sum of weight x signed value / reference value
+}
+
+/** Everything that is shown of one layout. */
+export interface CoreShown {
+  readonly layout: CoreLayout;
+  readonly illuminance: Float32Array; // rows, lx
+  readonly surfaces: Float64Array; // 4 a leaf, then 4 of 'all': mean, sigma, min, max in the quantity asked for
+  readonly goals: Float64Array; // 1 each: the value
+  readonly constraints: Float64Array; // 3 each: value, violation, margin (relative; negative = not met)
+}
+
+export interface CoreCheck {
+  readonly largestDifference: number; // of a mean or sigma, statistics against patches, relative to the mean
+  readonly surface: number; // where: a leaf's index, or the number of leaves for 'all'
+  readonly margins: Float64Array; // 1 a constraint, relative; negative = not met
+}
+
+/** The order of core/intentions.h. */
+export const statisticCodes = {
+  mean: 0,
+  sigma: 1,
+  power: 2,
+  chebyshev: 3,
+  minimum: 4,
+  maximum: 5,
+  uniformity: 6,
+  contrast: 7,
+} as const;
+export const senseCodes = { min: 0, max: 1 } as const;
+export const quantityCodes = { illuminance: 0, exitance: 1 } as const;
+
+/** Surfaces are sorted leaf indices, none for 'all'. */
+export interface CoreGoal {
+  readonly statistic: number;
+  readonly sense: number;
+  readonly weight: number;
+  readonly surfaces: Uint32Array;
+  readonly over: Uint32Array; // contrast only
+}
+
+export interface CoreConstraint {
+  readonly statistic: number;
+  readonly lower: number; // -Infinity = none
+  readonly upper: number; // Infinity = none
+  readonly alpha: number; // chebyshev only
+  readonly surfaces: Uint32Array;
+  readonly over: Uint32Array;
+}
+
+export interface CoreIntentions {
+  readonly quantity: number;
+  readonly luminaires: {
+    readonly count: number;
+    readonly flux: Float64Array; // lm: one for all, or one each
+    readonly dimmingLow: number;
+    readonly dimmingHigh: number;
+    readonly pinned: Uint32Array; // sites
+    readonly excluded: Uint32Array;
+    readonly minDistance: number; // m
+  };
+  readonly goals: readonly CoreGoal[];
+  readonly constraints: readonly CoreConstraint[];
+}
+
+/** A value, or one readable line that says what is wrong. */
+export type OrError<T> = T | string;
+
+export interface Session {
+  /** Checks a whole .flux file and lists its sections; the scene that was open stays until finish(). */
+  openTable(file: Uint8Array): OrError<readonly Section[]>;
+  /** Checks the inflated bytes of a section against the table. */
+  verify(section: number, bytes: Uint8Array): string;
+  /** verify(), then keeps a copy for finish(). */
+  provide(section: number, bytes: Uint8Array): string;
+  /** Decodes the needed sections into the scene. */
+  finish(): string;
+  /** null while no scene is open. */
+  info(): CoreInfo | null;
+  /** Replaces what is asked and ends running searches; statistics of surface sets are kept. */
+  setIntentions(intentions: CoreIntentions): string;
+  /** Begins a search at random. `seed`: 32 bits. */
+  start(seed: number): string;
+  /** Begins a search from a layout, fitted to the rules. */
+  startFrom(seed: number, sites: Uint32Array, flux: Float64Array, dimming: number): string;
+  /** Spends that many evaluations (one = one trial layout). */
+  advance(evaluations: number): Progress;
+  /** Readings of the best layout so far. */
+  incumbent(): OrError<CoreShown>;
+  /** Readings of any layout. */
+  show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
+  /** Statistics of a layout against its patches. */
+  check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
+  /** Frees the session; nothing may be called after it. */
+  delete(): void;
+}
+
+/** The methods of `Session` with their numbers of arguments, for the test against the built module. */
+export const sessionMethods = {
+  openTable: 1,
+  verify: 2,
+  provide: 2,
+  finish: 0,
+  info: 0,
+  setIntentions: 1,
+  start: 1,
+  startFrom: 4,
+  advance: 1,
+  incumbent: 0,
+  show: 3,
+  check: 3,
+  delete: 0,
+} as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
+
+export interface CoreModule {
+  readonly Session: new () => Session;
+}
