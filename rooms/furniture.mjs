@@ -35,22 +35,22 @@ export function swivelChair(fabric, plastic) {
   for (let i = 0; i < 5; i++) {
     const spoke = turned((2 * Math.PI * i) / 5 + 0.3);
     const arm = [[0.045, 0.1, 0], [0.3, 0.07, 0]]; // prettier-ignore
-    chair.add(new Shape().tube(plastic, arm, [0.024, 0.013], { segments: 6 }), spoke);
-    chair.add(new Shape().rod(plastic, [0.3, 0.028, -0.022], [0.3, 0.028, 0.022], 0.027, 8), spoke);
+    chair.add(new Shape().tube(plastic, arm, [0.024, 0.013], { segments: 4 }), spoke);
+    chair.add(new Shape().rod(plastic, [0.3, 0.028, -0.022], [0.3, 0.028, 0.022], 0.027, 6), spoke);
   }
   chair.lathe(plastic, [[0.04, 0.075], [0.04, 0.2], [0.028, 0.205], [0.028, 0.4]], 12); // prettier-ignore
   chair.box(plastic, [-0.13, 0.401, -0.12], [0.13, 0.425, 0.12]);
-  chair.cushion(fabric, [0.48, 0.07, 0.46], 0.426, 0.1, 0.025);
+  chair.cushion(fabric, [0.48, 0.07, 0.46], 0.426, 0.1, 0.025, 2);
   // note: the cushion is made lying; leaning it by a quarter turn stands it up with its upper side to +z
-  const back = new Shape().cushion(fabric, [0.45, 0.055, 0.54], 0, 0.1, 0.02);
+  const back = new Shape().cushion(fabric, [0.45, 0.055, 0.54], 0, 0.1, 0.02, 2);
   chair.add(back, chain(leaned(Math.PI / 2 - 0.14), moved(0, 0.86, -0.235)));
   const spine = [[0, 0.41, -0.125], [0, 0.43, -0.235], [0, 0.72, -0.258]]; // prettier-ignore
-  chair.tube(plastic, spine, 0.018, { segments: 6 });
+  chair.tube(plastic, spine, 0.018, { segments: 4 });
   const rest = new Shape().cushion(plastic, [0.07, 0.025, 0.24], 0.655, 0.03, 0.006, 1);
   for (const side of [-1, 1]) {
     chair.add(rest, moved(side * 0.285, 0, -0.01));
     const bracket = [[side * 0.132, 0.412, -0.01], [side * 0.285, 0.43, -0.01], [side * 0.285, 0.654, -0.01]]; // prettier-ignore
-    chair.tube(plastic, bracket, 0.012, { segments: 6 });
+    chair.tube(plastic, bracket, 0.012, { segments: 4 });
   }
   return chair;
 }
@@ -59,8 +59,8 @@ export function swivelChair(fabric, plastic) {
 export function shellChair(seat, legs, scaleBy = 1) {
   const chair = new Shape();
   const seatHeight = 0.44 * scaleBy;
-  chair.cushion(seat, [0.42 * scaleBy, 0.022, 0.4 * scaleBy], seatHeight, 0.09, 0.006);
-  const back = new Shape().cushion(seat, [0.4 * scaleBy, 0.018, 0.24 * scaleBy], 0, 0.07, 0.005);
+  chair.cushion(seat, [0.42 * scaleBy, 0.022, 0.4 * scaleBy], seatHeight, 0.09, 0.006, 2);
+  const back = new Shape().cushion(seat, [0.4 * scaleBy, 0.018, 0.24 * scaleBy], 0, 0.07, 0.005, 2);
   chair.add(back, chain(leaned(Math.PI / 2 - 0.2), moved(0, seatHeight + 0.29 * scaleBy, -0.235 * scaleBy)));
   for (const side of [-1, 1]) {
     const x = side * 0.15 * scaleBy;
@@ -77,7 +77,7 @@ export function shellChair(seat, legs, scaleBy = 1) {
 /** A monitor on a foot; its screen looks towards +z, its foot stands on y = 0. */
 export function monitor(screen, plastic, width = 0.56, height = 0.33) {
   const shape = new Shape();
-  shape.cushion(plastic, [0.24, 0.012, 0.18], gap, 0.03, 0.003, 2);
+  shape.cushion(plastic, [0.24, 0.012, 0.18], gap, 0.03, 0.003, 1);
   shape.box(plastic, [-0.025, 0.014, -0.05], [0.025, 0.3, -0.036]);
   const [x, y0, y1, z] = [width / 2, 0.13, 0.13 + height, 0.008];
   shape.box(plastic, [-x, y0, -0.035], [x, y1, z], '+z');
@@ -92,7 +92,7 @@ export function monitor(screen, plastic, width = 0.56, height = 0.33) {
 export function keyboardAndMouse(plastic) {
   const shape = new Shape().cushion(plastic, [0.43, 0.014, 0.13], gap, 0.015, 0.004, 1);
   return shape.add(
-    new Shape().cushion(plastic, [0.06, 0.028, 0.1], gap, 0.028, 0.009, 2),
+    new Shape().cushion(plastic, [0.06, 0.028, 0.1], gap, 0.028, 0.009, 1),
     moved(0.31, 0, 0.01),
   );
 }

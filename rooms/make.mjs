@@ -1,22 +1,37 @@
-// Writes the sample rooms as binary glTF: node rooms/make.mjs [id ...] -> public/scenes/<id>.glb
+// Writes the sample rooms as binary glTF: node rooms/make.mjs [--folder FOLDER] [id ...]
+// Without ids all of them, without a folder into public/scenes.
 import { mkdir, rename, writeFile } from 'node:fs/promises';
+import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 import { catalog } from './catalog.mjs';
 import { makeRoom } from './index.mjs';
 
-const folder = fileURLToPath(new URL('../public/scenes/', import.meta.url));
 const known = catalog.map((room) => room.id);
-const wanted = process.argv.length > 2 ? process.argv.slice(2) : known;
-const unknown = wanted.filter((id) => !known.includes(id));
-if (unknown.length > 0) {
-  console.error(`make.mjs: no sample room is called "${unknown[0]}"; the rooms are ${known.join(', ')}`);
-  process.exit(2);
+
+function wishes() {
+  try {
+    const { values, positionals } = parseArgs({
+      options: { folder: { type: 'string' } },
+      allowPositionals: true,
+    });
+    const stranger = positionals.find((id) => !known.includes(id));
+    if (stranger !== undefined)
+      throw new Error(`no sample room is called "${stranger}"; there are ${known.join(', ')}`);
+    const folder = values.folder ?? fileURLToPath(new URL('../public/scenes/', import.meta.url));
+    return { folder, ids: positionals.length > 0 ? positionals : known };
+  } catch (error) {
+    console.error(`rooms/make.mjs: ${error.message}`);
+    process.exit(2);
+  }
 }
 
+const { folder, ids } = wishes();
 await mkdir(folder, { recursive: true });
-for (const id of wanted) {
+for (const id of ids) {
   const bytes = await makeRoom(id).bytes();
-  await writeFile(`${folder}${id}.glb.tmp`, bytes);
-  await rename(`${folder}${id}.glb.tmp`, `${folder}${id}.glb`);
+  const file = path.join(folder, `${id}.glb`);
+  await writeFile(`${file}.tmp`, bytes);
+  await rename(`${file}.tmp`, file);
   console.error(`${id}.glb  ${(bytes.length / 1024).toFixed(0)} KiB`);
 }

@@ -37,7 +37,7 @@ function shell(room) {
   panel(whiteboard, frames.west, 'white board', boardPane, 0.018);
   room.place('whiteboard', whiteboard);
 
-  [[0.9, 1.15, 1.9, 2.15], [2.25, 1.15, 3.25, 2.15]].forEach((rect, i) => {
+  [[4.75, 1.1, 5.75, 2.1], [6.1, 1.1, 7.1, 2.1]].forEach((rect, i) => {
     openings.east.push(rect);
     const material = room.defineMaterial(`painting ${i + 1}`, paintings[i](70 + i, 1));
     const [pane] = gridFrame(pictureFrames, frames.east, rect, { material: 'picture frame', bar: 0.02, at: 0.03, pane: 0.018 }); // prettier-ignore
@@ -146,7 +146,7 @@ function storageAndLounge(room) {
   const coffee = roundTable(0.4, 0.4, { board: 'oak veneer', metal: 'dark steel' });
   room.place('coffee table', coffee.top, { at: [1.75, 0, 6.1] });
   room.place('coffee table frame', coffee.body, { at: [1.75, 0, 6.1], fiatlux: { surface: 'desk frames' } });
-  const plants = [[0.45, 0.5, 1], [11.5, 0.55, 1.1], [3.7, 7.35, 1], [11.5, 7.3, 0.9]]; // prettier-ignore
+  const plants = [[0.45, 0.5, 1], [11.5, 0.55, 1.1], [3.7, 7.35, 1]]; // prettier-ignore
   plants.forEach(([x, z, size], i) => {
     const at = [x, 0, z];
     room.place(`plant ${i + 1}`, floorPlant(100 + i, size), { at, fiatlux: { surface: 'plants' } });

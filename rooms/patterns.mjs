@@ -91,9 +91,9 @@ export function linoleum(hex, seed) {
   const colour = linearFromHex(hex);
   return paintPicture(256, 256, (u, v) => {
     const warp = 0.05 * fractal(u, v, 4, 4, 3, seed + 8);
-    const cloud = fractal(fraction(u + warp), fraction(v - warp), 8, 16, 4, seed);
+    const cloud = fractal(fraction(u + warp), fraction(v - warp), 14, 26, 3, seed);
     const fleck = noise(u * 100, v * 128, 100, 128, seed + 4) > 0.7 ? 0.14 : 0;
-    return shade(colour, 1 + 0.22 * round(cloud, 14) + fleck);
+    return shade(colour, 1 + 0.13 * round(cloud, 14) + 0.7 * fleck);
   });
 }
 

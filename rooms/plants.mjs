@@ -3,7 +3,7 @@ import { createRandom } from './random.mjs';
 import { Shape, chain, leaned, moved, turned } from './shape.mjs';
 
 /** A blade along +y that bends towards +z; closed, widest at 40 % of its length. */
-function blade(material, length, width, bend, sections = 5) {
+function blade(material, length, width, bend, sections = 4) {
   const rings = [];
   for (let i = 0; i <= sections; i++) {
     const t = i / sections;
@@ -30,8 +30,8 @@ export function floorPlant(seed, size = 1) {
     const top = random.between(0.75, 1.2);
     const lean = random.between(0.06, 0.16);
     const path = [0, 0.4, 0.75, 1].map((t) => heading([0.03 + lean * t * t, 0.307 + top * t, 0]));
-    plant.tube('stem', path.map((p) => p.map((c) => c * size)), [0.012, 0.01, 0.008, 0.004].map((r) => r * size), { segments: 5 }); // prettier-ignore
-    const leaves = 8;
+    plant.tube('stem', path.map((p) => p.map((c) => c * size)), [0.012, 0.01, 0.008, 0.004].map((r) => r * size), { segments: 4 }); // prettier-ignore
+    const leaves = 7;
     for (let i = 0; i < leaves; i++) {
       const t = 0.35 + (0.65 * i) / (leaves - 1);
       const leaf = blade(

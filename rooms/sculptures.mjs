@@ -21,11 +21,11 @@ export function knot(material, base, size = 0.42) {
 
 /** A column of square section that turns as it rises and narrows. */
 export function twist(material, height = 0.75) {
-  const rings = Array.from({ length: 25 }, (_, i) => {
-    const t = i / 24;
-    const width = 0.2 * (1 - 0.45 * t) * (1 + 0.12 * Math.sin(Math.PI * t));
-    const ring = roundedRectangle(width, width, 0.22 * width, gap + height * t, 3);
-    return ring.map(turned(1.9 * t));
+  const rings = Array.from({ length: 33 }, (_, i) => {
+    const t = i / 32;
+    const width = 0.23 * (1 - 0.45 * t) * (1 + 0.12 * Math.sin(Math.PI * t));
+    const ring = roundedRectangle(width, width, 0.12 * width, gap + height * t, 3);
+    return ring.map(turned(3.4 * t));
   });
   return new Shape().loft(material, rings);
 }
