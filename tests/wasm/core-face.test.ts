@@ -1,0 +1,123 @@
+/** The TypeScript face (web/solver/core.ts) against the module as it was built. */
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { coreIntentions } from '../../web/solver/core-intentions.ts';
+import { sessionMethods, type Session } from '../../web/solver/core.ts';
+import { bytesOf, loadBuiltCore, openFile, syntheticFile } from './solver-module.ts';
+
+const core = await loadBuiltCore();
+let session: Session;
+
+beforeAll(() => {
+  session = new core.Session();
+  openFile(session, bytesOf(syntheticFile()));
+});
+afterAll(() => session.delete());
+
+const even = {
+  quantity: 'illuminance',
+  luminaires: { count: 3, flux: 1000, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+  goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }],
+  constraints: [{ statistic: 'mean', min: 1, surfaces: ['floor'] }],
+} as const;
+
+describe('every method', () => {
+  test('of the module is declared, and the other way round', () => {
+    // note: delete and friends are on Embind's own base class.
+    const built = Object.getOwnPropertyNames(core.Session.prototype).filter((name) => name !== 'constructor');
+    expect([...built, 'delete'].sort()).toEqual(Object.keys(sessionMethods).sort());
+  });
+
+  // Embind refuses a wrong number of arguments and says how many it takes.
+  for (const [name, count] of Object.entries(sessionMethods)) {
+    if (name === 'delete') continue;
+    test(`${name} takes ${count} arguments`, () => {
+      const method = Reflect.get(session, name) as (...args: unknown[]) => unknown;
+      const tooMany: unknown[] = Array.from({ length: count + 1 }, () => 0);
+      expect(() => method.apply(session, tooMany)).toThrow(`expected ${count} args`);
+    });
+  }
+});
+
+describe('values have the declared shapes', () => {
+  test('info', () => {
+    const info = session.info();
+    if (!info) throw new Error('no scene');
+    const rows = info.patches + info.receivers;
+    const sites = info.siteSize.length;
+    expect(info.identity).toMatch(/^[0-9a-f]{16}$/);
+    expect(info.surfaces.map(({ name, measuring }) => [name, measuring])).toEqual([
+      ['floor', false],
+      ['wall é', false],
+      ['desk plane', true],
+    ]);
+    expect(info.surfaceOfPatch).toBeInstanceOf(Uint32Array);
+    expect(info.surfaceOfPatch).toHaveLength(rows);
+    expect(info.patchArea).toHaveLength(rows);
+    expect(info.patchCenter).toHaveLength(3 * rows);
+    expect(sites).toBe(40);
+    for (const array of [info.sitePosition, info.siteNormal, info.siteAxis])
+      expect(array).toHaveLength(3 * sites);
+    const area = info.patchArea.reduce((sum, patch) => sum + patch, 0);
+    expect(area).toBeCloseTo(
+      info.surfaces.reduce((sum, surface) => sum + surface.area, 0),
+      3,
+    );
+  });
+
+  test('shown', () => {
+    const info = session.info();
+    if (!info) throw new Error('no scene');
+    expect(session.setIntentions(coreIntentions(even, info.surfaces))).toBe('');
+    expect(session.start(1)).toBe('');
+    const progress = session.advance(1000);
+    expect(progress.evaluations).toBe(1000);
+    const shown = session.incumbent();
+    if (typeof shown === 'string') throw new Error(shown);
+    expect(shown.layout.sites).toHaveLength(3);
+    expect([...shown.layout.flux]).toEqual([1000, 1000, 1000]);
+    expect(shown.illuminance).toHaveLength(info.patches + info.receivers);
+    expect(shown.surfaces).toHaveLength(4 * (info.surfaces.length + 1));
+    expect(shown.goals[0]).toBeCloseTo(shown.surfaces[4 * 3 + 1] ?? NaN, 3);
+    expect(shown.constraints[0]).toBeCloseTo(shown.surfaces[0] ?? NaN, 3);
+    const { sites, flux, dimming } = shown.layout;
+    expect(session.show(sites, flux, dimming)).toEqual(shown);
+    expect(session.check(sites, flux, dimming)).toMatchObject({ largestDifference: expect.any(Number) });
+  });
+
+  test('copies outlive the growth of the memory', () => {
+    const shown = session.incumbent();
+    if (typeof shown === 'string') throw new Error(shown);
+    const before = shown.illuminance.slice();
+    const another = new core.Session();
+    openFile(another, bytesOf(syntheticFile()));
+    another.delete();
+    expect(shown.illuminance).toEqual(before);
+    expect(shown.illuminance.buffer.byteLength).toBe(4 * before.length);
+  });
+});
+
+describe('errors are one readable line', () => {
+  const line = /^[^\n]{8,200}$/;
+  test('before anything is open', () => {
+    const empty = new core.Session();
+    expect(empty.info()).toBeNull();
+    for (const error of [
+      empty.start(1),
+      empty.finish(),
+      empty.incumbent(),
+      empty.show(Uint32Array.of(1), Float64Array.of(1), 1),
+    ])
+      expect(error).toMatch(line);
+    empty.delete();
+  });
+  test('a light outside the sites', () => {
+    expect(session.show(Uint32Array.of(40), Float64Array.of(1), 1)).toContain('no site 40');
+  });
+  test('more luminaires than sites', () => {
+    const asked = coreIntentions(
+      { ...even, luminaires: { ...even.luminaires, count: 41 } },
+      session.info()?.surfaces ?? [],
+    );
+    expect(session.setIntentions(asked)).toMatch(line);
+  });
+});

@@ -1,0 +1,128 @@
+// The native half of the test that a search takes the same path natively and as Wasm, bit by bit:
+//   session_trajectory write FILE           a small made-up scene as a .flux file, its sections deflated
+//   session_trajectory run FILE SEED LUX    searches of the wishes below; one JSON line an incumbent
+// tests/wasm/trajectory.test.ts asks the same of the Wasm module.
+#include <zlib.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "core/scene_sections.h"
+#include "core/session.h"
+#include "tests/core/synthetic_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+[[noreturn]] void fail(const std::string& message) {
+  std::fprintf(stderr, "session_trajectory: %s\n", message.c_str());
+  std::exit(2);
+}
+
+StoredSection deflated(PlainSection plain) {
+  uLongf size = compressBound(plain.bytes.size());
+  StoredSection stored{plain.section, Bytes(size)};
+  if (compress2(stored.bytes.data(), &size, plain.bytes.data(), plain.bytes.size(), 9) != Z_OK)
+    fail("deflate");
+  stored.bytes.resize(size);
+  stored.section.codec = Codec::kDeflate;
+  return stored;
+}
+
+PlainSection textSection(const char* name, const char* text) {
+  const auto size = static_cast<std::uint32_t>(std::strlen(text));
+  return plainSection(name, ElementType::kUint8, Encoding::kPlain, 1, size, Bytes(text, text + size));
+}
+
+void write(const char* path) {
+  const Scene scene = syntheticScene(64, 40);
+  auto sections = encodeScene(scene);
+  if (!sections) fail(sections.error().message);
+  std::vector<StoredSection> stored;
+  for (PlainSection& section : *sections) stored.push_back(deflated(std::move(section)));
+  stored.push_back(deflated(textSection("room", "glTF stands here")));
+  stored.push_back(deflated(textSection("provenance", "{\"rays\": 1024}")));
+  const Bytes file = assembleSceneFile(scene.identity, countsOf(scene), stored);
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(file.data()), file.size());
+}
+
+void open(Session& session, const char* path) {
+  std::ifstream stream(path, std::ios::binary);
+  const Bytes file{std::istreambuf_iterator<char>(stream), {}};
+  if (auto opened = session.openTable(file); !opened) fail(opened.error().message);
+  for (std::uint32_t i = 0; i < session.table()->sections.size(); ++i) {
+    if (!session.needed(i)) continue;
+    const SceneSection& section = session.table()->sections[i];
+    const auto bytes = storedBytes(file, section);
+    Bytes inflated(bytes.begin(), bytes.end());
+    if (section.codec == Codec::kDeflate) {
+      uLongf size = section.inflatedBytes;
+      inflated.resize(size);
+      if (uncompress(inflated.data(), &size, bytes.data(), bytes.size()) != Z_OK) fail(section.name);
+    }
+    if (auto kept = session.provide(i, std::move(inflated)); !kept) fail(kept.error().message);
+  }
+  if (auto finished = session.finish(); !finished) fail(finished.error().message);
+}
+
+/// The wishes of trajectory.test.ts: even light everywhere; much light on the first surface while the second
+/// stays within bounds; little power with a true minimum and a common dimming, on luminaires apart from each
+/// other.
+std::vector<Intentions> wishes(double lux) {
+  Intentions even, bright, thrifty;
+  even.luminaires = {4, {1000}, 1, 1, {}, {}, 0};
+  even.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {}, {}}};
+  bright.luminaires = {5, {800}, 1, 1, {3}, {0, 1}, 0};
+  bright.goals = {{Statistic::kMean, Sense::kMaximize, 1, {0}, {}}};
+  bright.constraints = {{Statistic::kMean, -kUnbounded, lux, 1, {1}, {}},
+                        {Statistic::kChebyshev, lux / 10, kUnbounded, 2, {1}, {}}};
+  thrifty.luminaires = {3, {2000}, 0.1, 1, {}, {}, 1};
+  thrifty.goals = {{Statistic::kPower, Sense::kMinimize, 1, {}, {}},
+                   {Statistic::kSigma, Sense::kMinimize, 0.5, {0}, {}}};
+  thrifty.constraints = {{Statistic::kMean, lux / 2, kUnbounded, 1, {0}, {}},
+                         {Statistic::kMinimum, lux / 20, kUnbounded, 1, {0}, {}}};
+  return {even, bright, thrifty};
+}
+
+void run(const char* path, std::uint32_t seed, double lux) {
+  Session session;
+  open(session, path);
+  int wish = 0;
+  for (const Intentions& intentions : wishes(lux)) {
+    if (auto set = session.setIntentions(intentions); !set) fail(set.error().message);
+    if (auto started = session.start(seed, nullptr); !started) fail(started.error().message);
+    for (std::uint32_t slice : {1u, 10u, 89u, 900u, 4000u, 5000u}) {
+      const SearchProgress progress = session.advance(slice);
+      const Shown shown = *session.incumbent();
+      std::printf("{\"wish\": %d, \"evaluations\": %" PRIu64 ", \"foundAt\": %" PRIu64
+                  ", \"violation\": %.17g, \"goal\": %.17g, \"dimming\": %.17g, \"sites\": [",
+                  wish, progress.evaluations, progress.foundAt, progress.evaluation.violation,
+                  progress.evaluation.goal, shown.layout.dimming);
+      const char* comma = "";
+      for (std::uint32_t site : shown.layout.sites) std::printf("%s%u", std::exchange(comma, ", "), site);
+      std::printf("]}\n");
+    }
+    ++wish;
+  }
+}
+
+}  // namespace
+}  // namespace fiatlux
+
+int main(int count, char** arguments) {
+  if (count == 3 && std::strcmp(arguments[1], "write") == 0)
+    fiatlux::write(arguments[2]);
+  else if (count == 5 && std::strcmp(arguments[1], "run") == 0)
+    fiatlux::run(arguments[2], std::strtoul(arguments[3], nullptr, 10), std::strtod(arguments[4], nullptr));
+  else
+    fiatlux::fail("usage: write FILE | run FILE SEED LUX");
+  return 0;
+}

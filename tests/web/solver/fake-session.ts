@@ -1,0 +1,104 @@
+/** A session of four patches whose search becomes better at given counts of evaluations, and a clock set by hand. */
+import type { CoreIntentions, CoreShown, Session } from '../../../web/solver/core.ts';
+import type { Intentions } from '../../../web/solver/protocol.ts';
+
+export class FakeClock {
+  now = 1_000;
+  readonly read = () => this.now;
+}
+
+export class FakeSession implements Session {
+  readonly calls: string[] = [];
+  asked: CoreIntentions | null = null;
+  evaluations = 0;
+  /** Counts of evaluations at which a better layout is found. */
+  improvesAt: number[] = [];
+  failure = '';
+
+  constructor(
+    readonly clock: FakeClock,
+    readonly evaluationsPerMillisecond = 10_000,
+  ) {}
+
+  openTable(file: Uint8Array) {
+    if (file[0] !== 1) return 'not a scene file';
+    const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false };
+    return [
+      { index: 0, name: 'sites', needed: true, ...at },
+      { index: 1, name: 'room', needed: false, ...at },
+    ];
+  }
+  verify = () => '';
+  provide = () => '';
+  finish() {
+    this.calls.push('finish');
+    return '';
+  }
+  info() {
+    const surface = { area: 2, patches: 2, reflectance: 0.5, lost: 0 };
+    return {
+      ...{ identity: '0'.repeat(16), patches: 2, receivers: 2, clusters: 1 },
+      surfaces: [
+        { name: 'floor', measuring: false, ...surface },
+        { name: 'plane', measuring: true, ...surface },
+      ],
+      ...{
+        sitePosition: new Float32Array(6),
+        siteNormal: new Float32Array(6),
+        siteAxis: new Float32Array(6),
+      },
+      ...{ siteSize: new Float32Array(2), surfaceOfPatch: Uint32Array.of(0, 0, 1, 1) },
+      ...{ patchArea: new Float32Array(4), patchCenter: new Float32Array(12) },
+    };
+  }
+  setIntentions(intentions: CoreIntentions) {
+    this.asked = intentions;
+    return this.failure;
+  }
+  start(seed: number) {
+    this.calls.push(`start ${seed}`);
+    this.evaluations = 0;
+    return '';
+  }
+  startFrom(seed: number, sites: Uint32Array) {
+    this.calls.push(`start ${seed} from ${[...sites].join(' ')}`);
+    this.evaluations = 0;
+    return '';
+  }
+  advance(evaluations: number) {
+    this.evaluations += evaluations;
+    this.clock.now += evaluations / this.evaluationsPerMillisecond;
+    const found = this.improvesAt.filter((count) => count <= this.evaluations);
+    return { evaluations: this.evaluations, foundAt: found.at(-1) ?? 0, violation: 0, goal: -found.length };
+  }
+  incumbent() {
+    return shown([0, 1]);
+  }
+  show(sites: Uint32Array) {
+    this.calls.push(`show ${[...sites].join(' ')}`);
+    return sites[0] === 9 ? 'layout: there is no site 9' : shown([...sites]);
+  }
+  check() {
+    return { largestDifference: 1e-5, surface: 0, margins: Float64Array.of(0.25) };
+  }
+  delete() {
+    this.calls.push('delete');
+  }
+}
+
+function shown(sites: number[]): CoreShown {
+  return {
+    layout: { sites: Uint32Array.from(sites), flux: Float64Array.from(sites, () => 100), dimming: 1 },
+    illuminance: Float32Array.of(1, 2, 3, 4),
+    surfaces: Float64Array.from({ length: 12 }, (_, i) => i),
+    goals: Float64Array.of(5),
+    constraints: Float64Array.of(30, 0.5, -0.5),
+  };
+}
+
+export const asked: Intentions = {
+  luminaires: { count: 2, flux: 100, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+  goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }],
+  constraints: [{ statistic: 'mean', min: 60, surfaces: ['floor'] }],
+  quantity: 'illuminance',
+};

@@ -1,0 +1,230 @@
+/** Messages in, answers out: the protocol, latest wins, pace. */
+import { beforeEach, describe, expect, test } from '@jest/globals';
+import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
+import { pace } from '../../../web/solver/search-job.ts';
+import { SessionDriver } from '../../../web/solver/session-driver.ts';
+import { asked, FakeClock, FakeSession } from './fake-session.ts';
+
+let clock: FakeClock;
+let session: FakeSession;
+let driver: SessionDriver;
+let answers: FromWorker[];
+let transferred: Transferable[];
+
+beforeEach(() => {
+  clock = new FakeClock();
+  session = new FakeSession(clock);
+  answers = [];
+  transferred = [];
+  driver = new SessionDriver(
+    session,
+    (message, transfer) => {
+      answers.push(message);
+      transferred.push(...transfer);
+    },
+    clock.read,
+  );
+});
+
+const open = (revision: number, ...bytes: number[]): ToWorker => ({
+  ...{ type: 'open', revision, bytes: Uint8Array.from(bytes).buffer },
+});
+const solve = (revision: number, more: Partial<Extract<ToWorker, { type: 'solve' }>> = {}): ToWorker => ({
+  ...{ type: 'solve', revision, intentions: asked, start: null, seed: 3, askedAt: clock.now, ...more },
+});
+const settle = () => {
+  while (driver.busy) driver.step();
+};
+const kinds = () => answers.map((answer) => `${answer.type} ${'revision' in answer ? answer.revision : ''}`);
+
+async function opened(): Promise<void> {
+  await driver.receive(open(1, 1, 7));
+  answers.length = transferred.length = 0;
+}
+
+describe('open', () => {
+  test('answers with the scene and transfers the room', async () => {
+    await driver.receive(open(1, 1, 7));
+    expect(answers).toMatchObject([{ type: 'opened', revision: 1, scene: { patches: 2, provenance: null } }]);
+    expect(transferred).toHaveLength(1);
+  });
+
+  test('the latest of several files wins; the others are not answered', async () => {
+    await Promise.all([
+      driver.receive(open(1, 1, 7)),
+      driver.receive(open(2, 1, 7)),
+      driver.receive(open(3, 1, 7)),
+    ]);
+    expect(kinds()).toEqual(['opened 3']);
+  });
+
+  test('a file that is refused leaves the scene that was open', async () => {
+    await opened();
+    await driver.receive(open(2, 0));
+    await driver.receive(solve(3));
+    driver.step();
+    expect(kinds()).toEqual(['failed 2', 'improved 3']);
+  });
+
+  test('requests that come meanwhile wait for it', async () => {
+    const opening = driver.receive(open(1, 1, 7));
+    await driver.receive(solve(2));
+    expect(driver.busy).toBe(false);
+    await opening;
+    driver.step();
+    expect(kinds()).toEqual(['opened 1', 'improved 2']);
+  });
+});
+
+describe('solve', () => {
+  test('without a scene is refused', async () => {
+    await driver.receive(solve(1));
+    driver.step();
+    expect(answers).toMatchObject([
+      { type: 'failed', revision: 1, message: expect.stringContaining('no scene') },
+    ]);
+    expect(driver.busy).toBe(false);
+  });
+
+  test('an unknown surface is refused by name', async () => {
+    await opened();
+    const goal = { statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['roof'] } as const;
+    await driver.receive(solve(2, { intentions: { ...asked, goals: [goal] } }));
+    driver.step();
+    expect(answers).toMatchObject([{ type: 'failed', message: expect.stringContaining('"roof"') }]);
+  });
+
+  test('answers at once, with everything that is shown, and echoes askedAt', async () => {
+    await opened();
+    await driver.receive(solve(2, { askedAt: 123.5 }));
+    driver.step();
+    expect(answers).toMatchObject([
+      {
+        ...{ type: 'improved', revision: 2, askedAt: 123.5, evaluations: pace.firstEvaluations },
+        shown: {
+          layout: { sites: [0, 1], flux: [100, 100], dimming: 1 },
+          surfaces: [
+            { name: 'floor', mean: 0, max: 3 },
+            { name: 'plane' },
+            { name: 'all', area: 2, mean: 8 },
+          ],
+          goals: [{ value: 5, met: true }],
+          constraints: [{ value: 30, met: false, violation: 0.5 }],
+          violation: 0.5,
+        },
+      },
+    ]);
+    const [answer] = answers;
+    if (answer?.type !== 'improved') throw new Error('no answer');
+    expect(answer.postedAt).toBe(clock.now);
+    expect(transferred).toEqual([answer.shown.illuminance.buffer]);
+  });
+
+  test('on a slow scene the first answer does not wait for all its evaluations', async () => {
+    session = new FakeSession(clock, 20);
+    driver = new SessionDriver(session, (message) => answers.push(message), clock.read);
+    await driver.receive(open(1, 1, 7));
+    const asking = clock.now;
+    await driver.receive(solve(2));
+    driver.step();
+    expect(answers.at(-1)).toMatchObject({ type: 'improved', revision: 2 });
+    expect(clock.now - asking).toBeLessThan(pace.firstMilliseconds + pace.probe / 20 + 1);
+  });
+
+  test('starts from the given layout', async () => {
+    await opened();
+    await driver.receive(solve(2, { start: { sites: [1, 0], flux: [100, 100], dimming: 1 } }));
+    driver.step();
+    expect(session.calls).toContain('start 3 from 1 0');
+  });
+
+  test('the latest wins: of a burst only the last is begun, and nothing old is answered', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    for (let revision = 3; revision <= 20; ++revision)
+      await driver.receive(solve(revision, { seed: revision }));
+    answers.length = 0;
+    settle();
+    expect(session.calls.filter((call) => call.startsWith('start'))).toEqual(['start 3', 'start 20']);
+    expect(new Set(answers.map((answer) => 'revision' in answer && answer.revision))).toEqual(new Set([20]));
+  });
+
+  test('then answers improvements only, a frame apart, and settles', async () => {
+    await opened();
+    session.improvesAt = [10_000, 40_000, 50_000, 60_000, 900_000];
+    await driver.receive(solve(2));
+    settle();
+    const times = answers.map((answer) => ('postedAt' in answer ? answer.postedAt : 0));
+    expect(kinds()).toEqual(['improved 2', 'improved 2', 'improved 2', 'settled 2']);
+    for (let i = 1; i < times.length; ++i)
+      expect((times[i] ?? 0) - (times[i - 1] ?? 0)).toBeGreaterThanOrEqual(pace.answerGap);
+    const last = answers.at(-1);
+    if (last?.type !== 'settled') throw new Error('not settled');
+    expect(last.evaluations).toBeGreaterThanOrEqual(900_000 + pace.fruitlessEvaluations);
+    expect(last.shown.goal).toBe(-5);
+  });
+
+  test('a slice never takes much longer than intended', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    for (let i = 0; i < 20 && driver.busy; ++i) {
+      const before = clock.now;
+      driver.step();
+      expect(clock.now - before).toBeLessThan(2 * pace.sliceMilliseconds);
+    }
+  });
+});
+
+describe('the other requests', () => {
+  test('show answers once and ends the search', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    await driver.receive({
+      type: 'show',
+      revision: 3,
+      intentions: asked,
+      layout: { sites: [1], flux: [5], dimming: 1 },
+    });
+    settle();
+    expect(kinds()).toEqual(['improved 2', 'improved 3']);
+  });
+
+  test('show refuses a layout that cannot be', async () => {
+    await opened();
+    await driver.receive({
+      type: 'show',
+      revision: 2,
+      intentions: asked,
+      layout: { sites: [9], flux: [5], dimming: 1 },
+    });
+    expect(answers).toEqual([{ type: 'failed', revision: 2, message: 'layout: there is no site 9' }]);
+  });
+
+  test('check says where statistics and patches differ most, and the margins', async () => {
+    await opened();
+    await driver.receive({
+      type: 'check',
+      revision: 2,
+      intentions: asked,
+      layout: { sites: [1], flux: [5], dimming: 1 },
+    });
+    expect(answers).toEqual([
+      {
+        ...{ type: 'checked', revision: 2, largestDifference: 1e-5, surface: 'floor' },
+        margins: [{ constraint: 0, margin: 0.25 }],
+      },
+    ]);
+  });
+
+  test('stop ends the search with what it has', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    await driver.receive({ type: 'stop' });
+    expect(driver.busy).toBe(false);
+    expect(kinds()).toEqual(['improved 2', 'settled 2']);
+  });
+});

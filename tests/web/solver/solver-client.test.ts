@@ -1,0 +1,117 @@
+/** Latest wins on the page's side, and a new worker where the old one dies. */
+import { beforeEach, describe, expect, test } from '@jest/globals';
+import type { FromWorker, SceneInfo, ToWorker } from '../../../web/solver/protocol.ts';
+import { createSolverClient, type SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
+import { asked } from './fake-session.ts';
+
+class FakeWorker implements WorkerLike {
+  readonly sent: ToWorker[] = [];
+  terminated = false;
+  onmessage: WorkerLike['onmessage'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  postMessage(message: ToWorker, transfer: Transferable[]) {
+    this.sent.push(structuredClone(message, { transfer: transfer as ArrayBuffer[] }));
+  }
+  terminate() {
+    this.terminated = true;
+  }
+  answer(data: FromWorker) {
+    this.onmessage?.({ data } as MessageEvent<FromWorker>);
+  }
+  die(message: string) {
+    this.onerror?.({ message, preventDefault: () => undefined } as ErrorEvent);
+  }
+}
+
+let workers: FakeWorker[];
+let received: FromWorker[];
+let client: SolverClient;
+const worker = () => workers.at(-1) as FakeWorker;
+const layout = { sites: [0], flux: [1], dimming: 1 };
+const file = () => Uint8Array.of(1, 2, 3).buffer;
+const opened = (revision: number): FromWorker => ({
+  ...{ type: 'opened', revision, scene: {} as SceneInfo, room: new ArrayBuffer(0) },
+});
+const bounded = (revision: number): FromWorker => ({
+  type: 'bounded',
+  revision,
+  bound: 1,
+  gap: 0,
+  done: true,
+});
+const failed = (revision: number): FromWorker => ({ type: 'failed', revision, message: 'no' });
+
+beforeEach(() => {
+  workers = [];
+  received = [];
+  client = createSolverClient(
+    () => {
+      workers.push(new FakeWorker());
+      return worker();
+    },
+    (message) => received.push(message),
+  );
+});
+
+describe('latest wins', () => {
+  test('answers to superseded wishes are dropped', () => {
+    const first = client.solve(asked, null, 1, 0);
+    const second = client.solve(asked, null, 1, 0);
+    worker().answer(failed(first));
+    worker().answer(failed(second));
+    expect(received).toEqual([failed(second)]);
+  });
+
+  test('a bound lives beside the search that it belongs to, not beyond it', () => {
+    const solve = client.solve(asked, null, 1, 0);
+    const bound = client.bound(asked);
+    worker().answer(bounded(bound));
+    worker().answer(failed(solve));
+    client.show(asked, layout);
+    worker().answer(bounded(bound));
+    expect(received).toEqual([bounded(bound), failed(solve)]);
+  });
+
+  test('another file makes every older answer stale', () => {
+    const solve = client.solve(asked, null, 1, 0);
+    const first = client.open(file());
+    const second = client.open(file());
+    for (const revision of [solve, first]) worker().answer(failed(revision));
+    worker().answer(opened(second));
+    expect(received).toEqual([opened(second)]);
+  });
+});
+
+describe('a worker that dies', () => {
+  test('is replaced; file and wish are sent again, and the page sees no second "opened"', () => {
+    const revision = client.open(file());
+    worker().answer(opened(revision));
+    const solve = client.solve(asked, layout, 1, 0);
+    worker().die('out of memory');
+    expect(workers).toHaveLength(2);
+    expect(workers[0]?.terminated).toBe(true);
+    expect(worker().sent).toMatchObject([
+      { type: 'open', revision, bytes: file() },
+      { type: 'solve', revision: solve },
+    ]);
+    worker().answer(opened(revision));
+    worker().answer(failed(solve));
+    expect(received).toEqual([opened(revision), failed(solve)]);
+  });
+
+  test('keeps the room that was open where a later file was refused', () => {
+    const good = client.open(file());
+    worker().answer(opened(good));
+    const bad = client.open(Uint8Array.of(9).buffer);
+    worker().answer(failed(bad));
+    worker().die('gone');
+    expect(worker().sent).toMatchObject([{ type: 'open', revision: good }]);
+  });
+
+  test('again and again without an answer is said, not retried for ever', () => {
+    for (let i = 0; i < 3; ++i) worker().die('no memory');
+    expect(workers).toHaveLength(3);
+    expect(received).toMatchObject([{ type: 'failed', message: expect.stringContaining('reload the page') }]);
+  });
+});
