@@ -34,6 +34,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   patches_.resize(count);
   trialMoments_.resize(count);
   trialExtremes_.resize(count);
+  extremes_.resize(count);
   means_.resize(count * kBlock);
   variances_.resize(count * kBlock);
   for (std::size_t s = 0; s < count; ++s) {
@@ -80,9 +81,14 @@ void Evaluator::refresh() {
       moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
     if (!set.needsExtremes) continue;
     patches_[s]->load(sites_.data(), flux_.data(), count);
-    trialExtremes_[s] = patches_[s]->current();
+    extremes_[s] = patches_[s]->current();
   }
-  current_ = objective_.judge(moments_.data(), trialExtremes_.data());
+  current_ = objective_.judge(moments_.data(), extremes_.data());
+}
+
+bool Evaluator::prefers(const Evaluation& a, const Evaluation& b) const {
+  if (penalty_ == 0) return isBetter(a, b);
+  return a.goal + penalty_ * a.violation < b.goal + penalty_ * b.violation - 1e-10;
 }
 
 /// With true extremes asked for: the trial's evaluation, by hope first and patches last. False when it cannot
@@ -93,7 +99,7 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
     for (std::size_t s = 0; s < patches_.size(); ++s)
       if (patches_[s]) trialExtremes_[s] = extremesOf(s);
     result = objective_.judge(trialMoments_.data(), trialExtremes_.data());
-    return isBetter(result, toBeat);
+    return prefers(result, toBeat);
   };
   return judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); }) &&
          judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes, count); }) &&
@@ -124,7 +130,7 @@ void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::
         if (!settleExtremes(changes, 2, best.evaluation, evaluation)) continue;
       } else {
         evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
-        if (!isBetter(evaluation, best.evaluation)) continue;
+        if (!prefers(evaluation, best.evaluation)) continue;
       }
       best = {{{i, block[k]}, {}}, 1, evaluation};
     }
@@ -162,7 +168,7 @@ void Evaluator::tryPair(const Move& a, const Move& b, Trial& best) {
     if (!settleExtremes(changes, count, best.evaluation, trial.evaluation)) return;
   } else {
     trial.evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
-    if (!isBetter(trial.evaluation, best.evaluation)) return;
+    if (!prefers(trial.evaluation, best.evaluation)) return;
   }
   best = trial;
 }

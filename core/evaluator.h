@@ -45,11 +45,19 @@ class Evaluator {
   /// Tries two moves at once; `best` as above. One evaluation.
   void tryPair(const Move& a, const Move& b, Trial& best);
 
+  /// Above 0, trials compare goal + penalty x violation instead of violation first: a walk through layouts
+  /// that break a bound a little. 0 restores the order of `isBetter`.
+  void setPenalty(double penalty) { penalty_ = penalty; }
+
   /// Makes the moves of a trial.
   void apply(const Trial& trial);
 
   /// The layout it stands at, with its dimming.
   Layout layout() const { return {sites_, flux_, current_.dimming}; }
+  /// Value of goal g in its own unit where it stands.
+  double goalValue(std::size_t g) const {
+    return objective_.goalValue(g, moments_.data(), extremes_.data(), current_.dimming);
+  }
   const Objective& objective() const { return objective_; }
   /// Mean and variance per objective set where it stands.
   const std::vector<Moments>& moments() const { return moments_; }
@@ -60,9 +68,11 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  bool prefers(const Evaluation& a, const Evaluation& b) const;
 
   PreparedScene& prepared_;
   std::uint32_t siteCount_ = 0;
+  double penalty_ = 0;
   std::vector<double> flux_;
   Objective objective_;
   std::vector<std::uint32_t> sites_;
@@ -70,6 +80,7 @@ class Evaluator {
   std::vector<Moments> moments_;
   std::vector<std::vector<double>> rows_;              // C x of each set that needs variances
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
+  std::vector<Extremes> extremes_;                     // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;                  // scratch, one per set
   std::vector<Extremes> trialExtremes_;                // scratch, one per set
   std::vector<double> means_, variances_;              // scratch, sets x block

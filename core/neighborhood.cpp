@@ -63,4 +63,21 @@ void Neighborhood::shake(std::vector<std::uint32_t>& sites, std::uint32_t streng
   }
 }
 
+void Neighborhood::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random) {
+  const auto movable = static_cast<std::uint32_t>(sites.size()) - firstMovable_;
+  const std::uint32_t center = random.below(prepared_.siteCount());
+  const std::uint32_t* near = prepared_.nearSites(center);
+  std::uint32_t next = 0;  // 0: the centre itself, then its neighbours
+  for (std::uint32_t k = 0; k < strength && movable > 0; ++k) {
+    const std::uint32_t i = firstMovable_ + random.below(movable);
+    for (; next <= prepared_.nearCount(); ++next) {
+      const std::uint32_t to = next == 0 ? center : near[next - 1];
+      if (to == sites[i] || !mayMove(sites[i], to)) continue;
+      relocate(sites[i], to);
+      sites[i] = to;
+      break;
+    }
+  }
+}
+
 }  // namespace fiatlux

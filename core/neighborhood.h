@@ -37,6 +37,10 @@ class Neighborhood {
   /// anywhere), and follows. A luminaire that finds no free site stays.
   void shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach, Random& random);
 
+  /// Relocates `strength` random movable luminaires (drawn with repetition) to the sites nearest to a random
+  /// one.
+  void gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random);
+
   /// Luminaires 0..firstMovable()-1 are pinned.
   std::uint32_t firstMovable() const { return firstMovable_; }
 

@@ -55,7 +55,9 @@ void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quan
   Term term{goal.statistic, 0, 0, goal.sense == Sense::kMinimize ? goal.weight : -goal.weight};
   if (goal.statistic != Statistic::kPower) term.set = setOf(prepared, quantity, goal.surfaces);
   if (goal.statistic == Statistic::kContrast) term.over = setOf(prepared, quantity, goal.over);
-  if (goal.statistic == Statistic::kSigma) sets_[term.set].needsVariance = true;
+  const bool extremes = goal.statistic == Statistic::kMinimum || goal.statistic == Statistic::kMaximum;
+  if (extremes) sets_[term.set].needsExtremes = needsExtremes_ = true;
+  if (goal.statistic == Statistic::kSigma || extremes) sets_[term.set].needsVariance = true;
   terms_.push_back(term);
 }
 
@@ -71,14 +73,19 @@ void Objective::scaleGoals(const Intentions& intentions, const Layout& reference
                        varianceOf(s.covariance.data(), m, reference.sites.data(), flux.data(), count)});
   }
   for (Term& term : terms_) {
-    double value = termValue(term, moments.data());
+    if (term.statistic == Statistic::kMinimum || term.statistic == Statistic::kMaximum) continue;
+    double value = termValue(term, moments.data(), nullptr);
     if (term.statistic != Statistic::kContrast) value *= dimmingHigh_;
     if (value > 1e-12) term.factor /= value;
   }
 }
 
-double Objective::termValue(const Term& term, const Moments* moments) const {
+double Objective::termValue(const Term& term, const Moments* moments, const Extremes* extremes) const {
   switch (term.statistic) {
+    case Statistic::kMinimum:
+      return extremes[term.set].minimumLow;
+    case Statistic::kMaximum:
+      return extremes[term.set].maximumHigh;
     case Statistic::kSigma:
       return sigmaOf(moments[term.set]);
     case Statistic::kPower:
@@ -116,7 +123,7 @@ double Objective::sideValue(const Side& side, const Moments* moments, const Extr
 Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) const {
   double slope = 0, constant = 0;
   for (const Term& term : terms_) {
-    const double part = term.factor * termValue(term, moments);
+    const double part = term.factor * termValue(term, moments, extremes);
     (term.statistic == Statistic::kContrast ? constant : slope) += part;
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -133,8 +140,8 @@ Extremes Objective::allowedBy(const Moments& moments) {
   return {mean, 0, kUnbounded, mean + spread};
 }
 
-double Objective::goalValue(std::size_t g, const Moments* moments, double t) const {
-  const double value = termValue(terms_[g], moments);
+double Objective::goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const {
+  const double value = termValue(terms_[g], moments, extremes);
   return terms_[g].statistic == Statistic::kContrast ? value : t * value;
 }
 

@@ -28,11 +28,14 @@ struct ObjectiveSet {
 class Objective {
  public:
   /// Goals are measured against their values for `reference` at the upper end of the dimming.
-  /// Precondition: checkIntentions(scene, intentions) passed.
+  /// Precondition: checkIntentions(scene, intentions) passed. Beyond what that allows to a person, a goal may
+  /// be the true minimum or maximum (with its margin), unscaled: the largest bound that is feasible is found
+  /// that way.
   Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
 
   const std::vector<ObjectiveSet>& sets() const { return sets_; }
   bool needsExtremes() const { return needsExtremes_; }
+  bool hasConstraints() const { return !sides_.empty(); }
 
   /// `moments` and `extremes`: one per set (extremes are read only where needed). With hoped-for extremes the
   /// result is a bound: no layout with these moments is better.
@@ -43,7 +46,7 @@ class Objective {
   static Extremes allowedBy(const Moments& moments);
 
   /// Value of goal g at dimming t, in its own unit.
-  double goalValue(std::size_t g, const Moments* moments, double t) const;
+  double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
 
  private:
   struct Side {  // one finite bound of a constraint
@@ -63,7 +66,7 @@ class Objective {
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(const Intentions& intentions, const Layout& reference);
   double sideValue(const Side& side, const Moments* moments, const Extremes* extremes) const;
-  double termValue(const Term& term, const Moments* moments) const;
+  double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   std::vector<ObjectiveSet> sets_;
   std::vector<Side> sides_;

@@ -2,17 +2,19 @@
 #include "core/vns.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/start_layout.h"
 
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kNearReach = 12;     // sites tried around a luminaire in the first neighbourhood
-constexpr std::uint32_t kPairReach = 8;      // and around each of two in the last
-constexpr std::uint32_t kShakeReach = 32;    // how far a near shake throws
-constexpr std::uint32_t kIdleSteps = 20000;  // steps without a single trial: no site is free to go to
-constexpr std::uint32_t kRoundsOnBase = 3;   // rounds in vain before the search restarts elsewhere
+constexpr std::uint32_t kNearReach = 12;      // sites tried around a luminaire in the first neighbourhood
+constexpr std::uint32_t kPairReach = 8;       // and around each of two in the last
+constexpr std::uint32_t kShakeReach = 16;     // how far a near shake throws
+constexpr double kPenalties[3] = {1, 4, 16};  // goals that a violation of 100 % is worth, in a walk
+constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kRoundsOnBase = 1;    // rounds in vain before the search restarts elsewhere
 
 std::vector<std::uint32_t> startSites(const PreparedScene& prepared, const LuminaireRules& rules,
                                       const Layout* start, Random& random) {
@@ -53,6 +55,7 @@ void Vns::begin(const std::vector<std::uint32_t>& sites) {
 
 void Vns::enter(Phase phase) {
   phase_ = phase;
+  if (phase != Phase::kWalk) evaluator_.setPenalty(0);
   fruitless_ = 0;
   scanning_ = false;
 }
@@ -80,7 +83,7 @@ void Vns::openScan() {
   found_ = {{}, 0, evaluator_.current()};
   position_ = 0;
   scanning_ = true;
-  if (phase_ == Phase::kNear) {
+  if (phase_ == Phase::kNear || phase_ == Phase::kWalk) {
     neighborhood_.nearMoves(evaluator_.sites()[luminaire_], kNearReach, candidates_);
   } else if (phase_ == Phase::kFar) {
     neighborhood_.farMoves(evaluator_.sites()[luminaire_], candidates_);
@@ -114,6 +117,7 @@ void Vns::closeScan() {
 }
 
 void Vns::nextPhase() {
+  if (phase_ == Phase::kWalk) return enter(Phase::kNear);
   if (phase_ == Phase::kNear && thorough_) return enter(Phase::kFar);
   if (phase_ != Phase::kSwap && phase_ != Phase::kPairs && differentFluxes_) return enter(Phase::kSwap);
   if (phase_ != Phase::kPairs && thorough_) return enter(Phase::kPairs);
@@ -157,7 +161,7 @@ void Vns::changeNeighborhood() {
     base_ = evaluator_.sites();
     baseEvaluation_ = evaluator_.current();
     level_ = roundsOnBase_ = 0;
-  } else if (++level_ >= 2 * movable) {
+  } else if (++level_ >= 3 * movable) {
     level_ = 0;
     ++fruitlessRounds_;
     if (++roundsOnBase_ >= kRoundsOnBase) {  // restart, now and then from the incumbent
@@ -172,13 +176,20 @@ void Vns::changeNeighborhood() {
   shake();
 }
 
-/// Levels alternate between near and far shakes of growing strength.
+/// Levels alternate between near shakes, far shakes and gatherings, of growing strength.
 void Vns::shake() {
   std::vector<std::uint32_t> sites = base_;
   neighborhood_.load(sites);
-  neighborhood_.shake(sites, 1 + level_ / 2, level_ % 2 == 0 ? kShakeReach : 0, random_);
+  const std::uint32_t movable = rules_.count - neighborhood_.firstMovable(), strength = 1 + level_ / 3;
+  if (level_ % 3 == 2)
+    neighborhood_.gather(sites, 2 + random_.below(2 * movable), random_);
+  else
+    neighborhood_.shake(sites, strength, level_ % 3 == 0 ? kShakeReach : 0, random_);
   thorough_ = false;
   begin(sites);
+  if (!evaluator_.objective().hasConstraints() || baseEvaluation_.violation > 0) return;
+  enter(Phase::kWalk);
+  evaluator_.setPenalty(std::abs(baseEvaluation_.goal) * kPenalties[random_.below(3)]);
 }
 
 }  // namespace fiatlux

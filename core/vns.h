@@ -35,7 +35,7 @@ class Vns {
   std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
 
  private:
-  enum class Phase : std::uint8_t { kNear, kFar, kSwap, kPairs };
+  enum class Phase : std::uint8_t { kWalk, kNear, kFar, kSwap, kPairs };
 
   void begin(const std::vector<std::uint32_t>& sites);
   std::uint32_t spend(std::uint32_t limit);
