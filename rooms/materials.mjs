@@ -45,6 +45,12 @@ export const materials = {
     reflectance: 0.42,
     roughness: 0.6,
   },
+  'oak door': {
+    paint: () => patterns.veneer('#c99f6c', 50, true),
+    tile: [0.8, 1.6],
+    reflectance: 0.38,
+    roughness: 0.6,
+  },
   'beech veneer': {
     paint: () => patterns.veneer('#e0bb8c', 52),
     tile: [1.4, 0.7],

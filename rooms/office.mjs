@@ -27,7 +27,7 @@ function shell(room) {
   }
   openings.south.push(
     door(doors, frames.south, [0.9, 0, 1.85, 2.1], {
-      material: 'oak veneer', frameMaterial: 'white lacquer', metal: 'dark steel',
+      material: 'oak door', frameMaterial: 'white lacquer', metal: 'dark steel',
     }), // prettier-ignore
   );
   const board = [2.4, 0.95, 5.0, 2.15];

@@ -74,11 +74,12 @@ export function planks(hex, seed) {
   });
 }
 
-/** A sheet of wood: long grain, no joints. */
-export function veneer(hex, seed) {
+/** A sheet of wood without joints; the grain runs across, or upright. */
+export function veneer(hex, seed, upright = false) {
   const colour = linearFromHex(hex);
   const dark = shade(colour, 0.68);
-  return paintPicture(256, 256, (u, v) => {
+  return paintPicture(256, 256, (x, y) => {
+    const [u, v] = upright ? [y, x] : [x, y];
     const wave = noise(u * 3, v * 6, 3, 6, seed);
     const grain = noise(u * 5, v * 48 + 3 * wave, 5, 48, seed + 1);
     const fine = noise(u * 24, v * 128, 24, 128, seed + 2);

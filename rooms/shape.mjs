@@ -122,20 +122,12 @@ export class Shape {
     return this.tube(material, [from, to], radius, { segments });
   }
 
-  /**
-   * A round tube along a path; radius: a number, or one a point. A loop joins its ends and needs a guide:
-   * a direction for every point that is never along the path, so that the rings meet untwisted.
-   */
-  tube(material, path, radius, { segments = 8, loop = false, guide = null } = {}) {
-    let side = null;
+  /** A round tube along a path; radius: a number, or one a point; loop: the ends meet. */
+  tube(material, path, radius, { segments = 8, loop = false } = {}) {
+    const frames = carriedFrames(path, loop);
     const rings = path.map((point, i) => {
-      const before = path[i - 1] ?? (loop ? path[path.length - 1] : point);
-      const after = path[i + 1] ?? (loop ? path[0] : point);
-      const along = unit(subtract(after, before));
-      const guess = guide?.(point) ?? side ?? (Math.abs(along[1]) > 0.9 ? [1, 0, 0] : [0, 1, 0]);
-      side = unit(subtract(guess, scale(along, dot(guess, along))));
-      const up = cross(along, side);
       const r = Array.isArray(radius) ? radius[i] : radius;
+      const { side, up } = frames[i];
       return Array.from({ length: segments }, (_, j) => {
         const angle = (2 * Math.PI * j) / segments;
         return add(point, add(scale(side, r * Math.cos(angle)), scale(up, r * Math.sin(angle))));
@@ -170,11 +162,31 @@ export class Shape {
   }
 }
 
+/** Two directions across a path at each point, carried along it without twist; on a loop the rest is spread out. */
+function carriedFrames(path, loop) {
+  const last = path.length - 1;
+  const along = path.map((point, i) => {
+    const before = path[i - 1] ?? (loop ? path[last] : point);
+    const after = path[i + 1] ?? (loop ? path[0] : point);
+    return unit(subtract(after, before));
+  });
+  const across = (direction, i) => unit(subtract(direction, scale(along[i], dot(direction, along[i]))));
+  const sides = [across(Math.abs(along[0][1]) > 0.9 ? [1, 0, 0] : [0, 1, 0], 0)];
+  for (let i = 1; i <= last; i++) sides.push(across(sides[i - 1], i));
+  const back = across(sides[last], 0);
+  const rest = loop ? Math.atan2(dot(sides[0], cross(along[0], back)), dot(sides[0], back)) : 0;
+  return sides.map((carried, i) => {
+    const angle = (rest * i) / path.length;
+    const side = add(scale(carried, Math.cos(angle)), scale(cross(along[i], carried), Math.sin(angle)));
+    return { side, up: cross(along[i], side) };
+  });
+}
+
 /**
  * Vertex arrays of one material of a shape, shared where position, normal and texture coordinate agree.
  * Normals are averaged over neighbours that turn by less than creaseDegrees; tile: texture size in metres.
  */
-export function vertexArrays(triangles, tile, creaseDegrees = 40) {
+export function vertexArrays(triangles, tile, creaseDegrees = 50) {
   const creaseCosine = Math.cos((creaseDegrees * Math.PI) / 180);
   const key = (p) => p.map((c) => Math.round(c * 1e5)).join();
   const faceNormals = triangles.map(({ points: [a, b, c] }) => cross(subtract(b, a), subtract(c, a)));
