@@ -16,6 +16,9 @@ struct RoomOptions {
   std::vector<std::string> measures;      // names of measuring planes (besides extras.measure)
   double scale = 1;                       // metres per unit of the file
   double memory = 4;                      // GB, refused above
+  std::uint32_t rays = 1024;              // per patch that will be cast later: only to foresee the memory
+  bool paper = false;                     // clusters stay exactly cluster x cluster, however many there are
+  bool requireSites = true;               // false: a room without a place to hang luminaires is fine
 };
 
 }  // namespace fiatlux

@@ -1,4 +1,4 @@
-// glTF file -> Room. The only door by which geometry enters; the file is not trusted.
+// SourceScene -> Room: the stages in order. The only door by which geometry enters the light.
 #pragma once
 
 #include <string>

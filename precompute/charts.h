@@ -1,0 +1,26 @@
+// Charts: pieces of a surface that are near enough to a plane to be cut by one grid.
+#pragma once
+
+#include <vector>
+
+#include "precompute/room.h"
+#include "precompute/surfaces.h"
+
+namespace fiatlux {
+
+/// A chart before its cells: frame and grid (Chart), and the faces that lie in it.
+struct ChartDraft {
+  Chart chart;
+  std::vector<Face> faces;
+  double area = 0;    // m2
+  bool flat = false;  // one plane: cells that are whole are exact rectangles
+};
+
+/// The edge (m) that cuts `area` (m2) into about 25 000 patches, kept within [0.05, 0.5].
+double defaultPatchSize(double area);
+
+/// Cuts each surface of `tree` into charts for patches of edge `patch`. Planes wider than a patch are charts by
+/// themselves; the rest grows together up to 35 degrees from its mean normal. Surface indices are shifted by `firstSurface`.
+std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch, std::uint32_t firstSurface);
+
+}  // namespace fiatlux

@@ -1,0 +1,324 @@
+// Region growing over faces that share an edge or a part of one.
+#include "precompute/flat_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <unordered_map>
+
+namespace fiatlux {
+namespace {
+
+constexpr double kSameNormal = 0.9986;  // cos 3 degrees
+
+/// Vertices of open edges in a lattice, to find those that lie on another open edge.
+class VertexLattice {
+ public:
+  VertexLattice(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& vertices, double cell)
+      : positions_(positions), cell_(cell) {
+    for (const std::uint32_t v : vertices) cells_[key(at(positions[v].x), at(positions[v].y), at(positions[v].z))].push_back(v);
+  }
+
+  /// Calls visit(v) for vertices near the segment (some more than once); returns how much work that was.
+  template <class Visit>
+  std::size_t alongSegment(const Vec3& a, const Vec3& b, double margin, Visit visit) const {
+    // March in steps of a cell and look at the cells around each step.
+    const double l = length(b - a);
+    const auto steps = static_cast<std::size_t>(std::ceil(l / cell_)) + 1;
+    std::size_t work = 0;
+    std::uint64_t seen[27];
+    int seenCount = 0;
+    for (std::size_t s = 0; s < steps; ++s) {
+      const Vec3 low = a + (l > 0 ? std::min(1.0, s * cell_ / l) : 0.0) * (b - a);
+      const Vec3 high = a + (l > 0 ? std::min(1.0, (s + 1) * cell_ / l) : 1.0) * (b - a);
+      const auto range = [&](double p, double q) {
+        return std::pair{at(std::min(p, q) - margin), at(std::max(p, q) + margin)};
+      };
+      const auto [x0, x1] = range(low.x, high.x);
+      const auto [y0, y1] = range(low.y, high.y);
+      const auto [z0, z1] = range(low.z, high.z);
+      std::uint64_t now[27];
+      int nowCount = 0;
+      for (auto x = x0; x <= x1; ++x)
+        for (auto y = y0; y <= y1; ++y)
+          for (auto z = z0; z <= z1; ++z) {
+            const std::uint64_t k = key(x, y, z);
+            if (nowCount < 27) now[nowCount++] = k;
+            if (std::find(seen, seen + seenCount, k) != seen + seenCount) continue;
+            ++work;
+            const auto found = cells_.find(k);
+            if (found == cells_.end()) continue;
+            work += found->second.size();
+            for (const std::uint32_t v : found->second) visit(v);
+          }
+      std::copy(now, now + nowCount, seen);
+      seenCount = nowCount;
+    }
+    return work;
+  }
+
+ private:
+  std::int64_t at(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return (static_cast<std::uint64_t>(x) & 0x1fffff) << 42 | (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 |
+           (static_cast<std::uint64_t>(z) & 0x1fffff);
+  }
+  const std::vector<Vec3>& positions_;
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+};
+
+bool edgeLess(const SubEdge& x, const SubEdge& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); }
+
+SubEdge makeEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face) {
+  return {std::min(from, to), std::max(from, to), face, from < to};
+}
+
+/// Replaces open edges by their pieces between the open vertices that lie on them.
+void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
+  std::vector<SubEdge> closed, open;
+  for (std::size_t i = 0, j; i < edges.size(); i = j) {
+    for (j = i + 1; j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j) {
+    }
+    auto& target = j - i == 1 ? open : closed;
+    target.insert(target.end(), edges.begin() + i, edges.begin() + j);
+  }
+  if (open.size() < 4) return;
+  std::vector<std::uint32_t> vertices;
+  std::vector<double> lengths;
+  double total = 0;
+  for (const SubEdge& edge : open) {
+    vertices.push_back(edge.a), vertices.push_back(edge.b);
+    lengths.push_back(length(mesh.positions[edge.b] - mesh.positions[edge.a]));
+    total += lengths.back();
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
+  const double cell = std::max({lengths[lengths.size() / 2], total / (16.0 * open.size()), 4 * mesh.tolerance});
+  const VertexLattice lattice(mesh.positions, vertices, cell);
+
+  const std::size_t budget = 20'000'000 + 500 * open.size();
+  std::size_t work = 0;
+  std::vector<std::pair<double, std::uint32_t>> cuts;
+  const double margin = 2 * mesh.tolerance;
+  for (const SubEdge& edge : open) {
+    const Vec3 a = mesh.positions[edge.a], d = mesh.positions[edge.b] - a;
+    const double l = length(d);
+    cuts.clear();
+    if (work < budget)
+      work += lattice.alongSegment(a, a + d, margin, [&](std::uint32_t v) {
+        if (v == edge.a || v == edge.b) return;
+        const Vec3 p = mesh.positions[v] - a;
+        const double t = dot(p, d) / l;
+        if (t > 0 && t < l && length(p - (t / l) * d) < margin) cuts.emplace_back(t, v);
+      });
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    std::uint32_t from = edge.a;
+    for (const auto& cut : cuts) {
+      SubEdge piece = makeEdge(from, cut.second, edge.face);
+      piece.forward = piece.forward == edge.forward;
+      closed.push_back(piece);
+      from = cut.second;
+    }
+    SubEdge piece = makeEdge(from, edge.b, edge.face);
+    piece.forward = piece.forward == edge.forward;
+    closed.push_back(piece);
+  }
+  edges = std::move(closed);
+  std::sort(edges.begin(), edges.end(), edgeLess);
+}
+
+/// A chain of boundary points -> its straight sides; calls side(from, to) for each.
+template <class Side>
+void straightSides(const std::vector<Vec3>& loop, double tolerance, Side side) {
+  const std::size_t n = loop.size();
+  if (n < 2) return;
+  // Start where the chain turns most, so that no side is cut in two by the start.
+  std::size_t start = 0;
+  double sharpest = 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double turn = dot(normalized(loop[i] - loop[(i + n - 1) % n]), normalized(loop[(i + 1) % n] - loop[i]));
+    if (turn < sharpest) sharpest = turn, start = i;
+  }
+  Vec3 from = loop[start], direction = normalized(loop[(start + 1) % n] - from), last = from;
+  for (std::size_t i = 1; i <= n; ++i) {
+    const Vec3 p = loop[(start + i) % n], d = p - from;
+    const bool onLine = length(d - dot(d, direction) * direction) < 4 * tolerance && dot(p - last, direction) > 0;
+    if (!onLine) {
+      side(from, last);
+      from = last;
+      direction = normalized(p - from);
+    } else if (length(d) > 0) {
+      direction = normalized(d);
+    }
+    last = p;
+  }
+  side(from, last);
+}
+
+}  // namespace
+
+FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
+  FaceSet set;
+  set.faces = std::move(faces);
+  set.edges.reserve(3 * set.faces.size());
+  for (std::uint32_t f = 0; f < set.faces.size(); ++f)
+    for (int i = 0; i < 3; ++i) set.edges.push_back(makeEdge(set.faces[f].vertex[i], set.faces[f].vertex[(i + 1) % 3], f));
+  std::sort(set.edges.begin(), set.edges.end(), edgeLess);
+  splitAtJunctions(mesh, set.edges);
+  set.faceEdgeOffset.assign(set.faces.size() + 1, 0);
+  for (const SubEdge& edge : set.edges) ++set.faceEdgeOffset[edge.face + 1];
+  for (std::size_t f = 0; f < set.faces.size(); ++f) set.faceEdgeOffset[f + 1] += set.faceEdgeOffset[f];
+  set.faceEdges.resize(set.edges.size());
+  std::vector<std::uint32_t> fill(set.faceEdgeOffset.begin(), set.faceEdgeOffset.end() - 1);
+  for (std::uint32_t e = 0; e < set.edges.size(); ++e) set.faceEdges[fill[set.edges[e].face]++] = e;
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
+    for (j = i + 1; j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b; ++j) {
+      // note: consecutive pairs keep a fan of many faces on one edge linear
+      pairs.emplace_back(set.edges[j - 1].face, set.edges[j].face);
+      pairs.emplace_back(set.edges[j].face, set.edges[j - 1].face);
+    }
+    if (j - i > 2) {
+      pairs.emplace_back(set.edges[i].face, set.edges[j - 1].face);
+      pairs.emplace_back(set.edges[j - 1].face, set.edges[i].face);
+      for (std::size_t k = i + 2; k < j && j - i < 16; ++k)
+        for (std::size_t m = i; m + 1 < k; ++m) {
+          pairs.emplace_back(set.edges[k].face, set.edges[m].face);
+          pairs.emplace_back(set.edges[m].face, set.edges[k].face);
+        }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  set.neighborOffset.assign(set.faces.size() + 1, 0);
+  for (const auto& pair : pairs) ++set.neighborOffset[pair.first + 1];
+  for (std::size_t f = 0; f < set.faces.size(); ++f) set.neighborOffset[f + 1] += set.neighborOffset[f];
+  for (const auto& pair : pairs) set.neighbors.push_back(pair.second);
+  return set;
+}
+
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set) {
+  const std::size_t n = set.faces.size();
+  const double planeTolerance = 10 * mesh.tolerance;
+  std::vector<Vec3> vectors(n);
+  std::vector<double> areas(n);
+  std::vector<std::uint32_t> order(n);
+  for (std::uint32_t f = 0; f < n; ++f) {
+    vectors[f] = areaVector(mesh.positions, set.faces[f].vertex);
+    areas[f] = length(vectors[f]);
+    order[f] = f;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return areas[a] > areas[b]; });
+  const auto centroidOf = [&](std::uint32_t f) {
+    const auto& v = set.faces[f].vertex;
+    return (1.0 / 3) * (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]);
+  };
+
+  std::vector<bool> taken(n, false);
+  std::vector<Region> regions;
+  for (const std::uint32_t seed : order) {
+    if (taken[seed]) continue;
+    Region region;
+    Vec3 sum{}, moment{};
+    const auto take = [&](std::uint32_t f) {
+      taken[f] = true;
+      region.faces.push_back(f);
+      sum += vectors[f];
+      moment += areas[f] * centroidOf(f);
+      region.area += areas[f];
+    };
+    take(seed);
+    for (std::size_t next = 0; next < region.faces.size(); ++next) {
+      const std::uint32_t at = region.faces[next];
+      for (std::uint32_t i = set.neighborOffset[at]; i < set.neighborOffset[at + 1]; ++i) {
+        const std::uint32_t f = set.neighbors[i];
+        if (taken[f]) continue;
+        const Vec3 normal = normalized(sum), center = (1 / region.area) * moment;
+        const auto& v = set.faces[f].vertex;
+        double off = 0, longest = 0;
+        for (int c = 0; c < 3; ++c) {
+          off = std::max(off, std::abs(dot(mesh.positions[v[c]] - center, normal)));
+          longest = std::max(longest, length(mesh.positions[v[(c + 1) % 3]] - mesh.positions[v[c]]));
+        }
+        // The direction of a narrow face is known only as well as its vertices are.
+        const double height = 2 * areas[f] / longest;
+        const double least = height > 40 * mesh.tolerance ? kSameNormal : 0.5;
+        if (off <= planeTolerance && dot(vectors[f], normal) >= least * areas[f]) take(f);
+      }
+    }
+    region.normal = normalized(sum);
+    region.centroid = (1 / region.area) * moment;
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces) {
+  // Boundary = sub-edges that the faces' turns do not cancel.
+  std::vector<SubEdge> pieces;
+  for (const std::uint32_t f : faces)
+    for (std::uint32_t i = set.faceEdgeOffset[f]; i < set.faceEdgeOffset[f + 1]; ++i) pieces.push_back(set.edges[set.faceEdges[i]]);
+  std::sort(pieces.begin(), pieces.end(), edgeLess);
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> nextOf;
+  for (std::size_t i = 0, j; i < pieces.size(); i = j) {
+    int balance = 0;
+    for (j = i; j < pieces.size() && pieces[j].a == pieces[i].a && pieces[j].b == pieces[i].b; ++j)
+      balance += pieces[j].forward ? 1 : -1;
+    for (; balance > 0; --balance) nextOf[pieces[i].a].push_back(pieces[i].b);
+    for (; balance < 0; ++balance) nextOf[pieces[i].b].push_back(pieces[i].a);
+  }
+  Outline outline;
+  double longest = 0;
+  const auto side = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 d = to - from;
+    const double l = length(d);
+    outline.perimeter += l;
+    if (l < longest * (1 - 1e-3) || l <= 0) return;
+    Vec3 unit = (1 / l) * d;
+    const double largest = std::max({std::abs(unit.x), std::abs(unit.y), std::abs(unit.z)});
+    const double lead = std::abs(unit.x) > largest - 1e-9 ? unit.x : std::abs(unit.y) > largest - 1e-9 ? unit.y : unit.z;
+    if (lead < 0) unit = -unit;
+    const auto rank = [](const Vec3& u) {
+      const auto rounded = [](double x) { return std::round(std::abs(x) * 1e4); };
+      return std::array{rounded(u.x), rounded(u.y), rounded(u.z)};
+    };
+    if (l > longest * (1 + 1e-3) || rank(unit) > rank(outline.longestDirection)) outline.longestDirection = unit;
+    longest = std::max(longest, l);
+  };
+  std::vector<std::uint32_t> starts;
+  for (const auto& entry : nextOf) starts.push_back(entry.first);
+  std::sort(starts.begin(), starts.end());
+  std::vector<Vec3> loop;
+  for (const std::uint32_t start : starts) {
+    while (!nextOf[start].empty()) {
+      loop.clear();
+      std::uint32_t at = start;
+      do {
+        loop.push_back(mesh.positions[at]);
+        auto& exits = nextOf[at];
+        if (exits.empty()) break;
+        // Where boundaries touch, go on as straight as possible.
+        std::size_t best = 0;
+        if (loop.size() > 1) {
+          const Vec3 incoming = normalized(loop.back() - loop[loop.size() - 2]);
+          double straightest = -2;
+          for (std::size_t e = 0; e < exits.size(); ++e) {
+            const double s = dot(incoming, normalized(mesh.positions[exits[e]] - mesh.positions[at]));
+            if (s > straightest) straightest = s, best = e;
+          }
+        }
+        const std::uint32_t next = exits[best];
+        exits.erase(exits.begin() + static_cast<std::ptrdiff_t>(best));
+        at = next;
+      } while (at != start);
+      straightSides(loop, mesh.tolerance, side);
+    }
+  }
+  return outline;
+}
+
+}  // namespace fiatlux
