@@ -1,5 +1,5 @@
-// Covariances in a file: packed, or factored as C = L^T L where few rows of L say it all (smooth light on a
-// small surface has a low rank).
+// Covariances in a file: as correlations in fixed point, or factored as C = L^T L where few rows of L say it
+// all (smooth light on a small surface has a low rank).
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@
 
 namespace fiatlux {
 
-/// A section for the symmetric positive semidefinite m x m matrix C (row-major): kFactored (rank x m floats)
-/// where that is smaller than kPacked (m (m + 1) / 2 x 1 floats, upper triangle by rows). The section's error
-/// bound e says |x^T C' x - x^T C x| <= e (sum of |x_i| sqrt(C_ii))^2; `tolerance` is what the factorisation
-/// may leave of it.
+/// A section for the symmetric positive semidefinite m x m matrix C (row-major).
+/// kPacked, m + m (m + 1) / 2 words: the square roots of the diagonal as floats, then the upper triangle of
+/// the correlations C_ij / sqrt(C_ii C_jj) by rows, in units of 2^-20, each as its difference to left + up -
+/// corner. kFactored, rank x m floats L, where that is smaller: the residual of every variance is at most
+/// `tolerance` of it. The section's error bound e says |x^T C' x - x^T C x| <= e (sum of |x_i| sqrt(C_ii))^2.
 PlainSection encodeCovariance(std::string name, std::span<const double> covariance, std::uint32_t m,
                               double tolerance);
 

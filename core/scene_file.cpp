@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "a scene file is littl
 // Like PNG's: a byte above 127 and line ends, so that transfer as text shows at once.
 constexpr std::uint8_t kMagic[8] = {0x89, 'F', 'L', 'U', 'X', '\r', '\n', 0x1a};
 constexpr std::size_t kHeaderBytes = 64, kEntryBytes = 80, kNameBytes = 32;
-constexpr std::uint32_t kMaxSections = 8192, kMaxCount = 1u << 24, kMaxSites = 1u << 14,
+constexpr std::uint32_t kMaxSections = 4096, kMaxCount = 1u << 21, kMaxSites = 1u << 14,
                         kMaxSurfaces = 1u << 16;
 constexpr const char* kRemedy = "the file is damaged: make it again with fiatlux precompute";
 

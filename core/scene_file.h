@@ -31,7 +31,7 @@ enum class Encoding : std::uint8_t {
   kDeltaPlanes = 1,  // 32-bit integers: differences down each column, zigzag, split into byte planes
   kFloatPlanes = 2,  // 32-bit floats split into byte planes
   kResponses = 3,    // quantised responses
-  kPacked = 4,       // symmetric matrix, upper triangle, byte planes of floats
+  kPacked = 4,       // symmetric matrix, upper triangle, in fixed point
   kFactored = 5,     // L (rank x m) with C = L^T L, byte planes of floats
 };
 

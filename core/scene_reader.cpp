@@ -187,9 +187,11 @@ void readSites(Sections& in, const SceneCounts& counts, Scene& scene) {
 /// The columns as stored, rows x counts.columns.
 std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Patches& patches) {
   const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
-  const std::vector<float> steps =
-      in.floats("responseSteps", Encoding::kFloatPlanes, counts.columns, counts.surfaces, 0, kHuge);
+  const std::vector<float> numbers =
+      in.floats("responseScales", Encoding::kFloatPlanes, counts.columns, 2 * counts.surfaces, 0, kHuge);
   if (!in.ok()) return {};
+  std::vector<ResponseScale> scales;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
   std::vector<float> columns(std::size_t{rows} * counts.columns);
   for (std::uint32_t first = 0, block = 0; first < counts.columns; first += perBlock, ++block) {
     const std::string name = numberedName("responses", block);
@@ -198,7 +200,7 @@ std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Pa
         in.take(name, ElementType::kUint8, Encoding::kResponses, Sections::kAnyRows, 1);
     if (!in.ok()) return {};
     const auto part =
-        std::span(steps).subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
+        std::span(scales).subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
     const std::string fault =
         decodeResponses(bytes, patches, part, width, &columns[std::size_t{first} * rows]);
     if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
@@ -286,10 +288,10 @@ Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
 
 bool SceneReader::needed(std::uint32_t section) const {
   constexpr std::string_view kNeeded[] = {
-      "surfaceNames",      "surfaces",      "patchCenters",          "patchNormals",      "patchAreas",
-      "patchReflectances", "patchSurfaces", "patchClusters",         "patchNeighbours",   "sites",
-      "responses",         "responseSteps", "responseOffsets",       "responseColumns",   "responseWeights",
-      "illuminanceMeans",  "exitanceMeans", "illuminanceCovariance", "exitanceCovariance"};
+      "surfaceNames",      "surfaces",       "patchCenters",          "patchNormals",      "patchAreas",
+      "patchReflectances", "patchSurfaces",  "patchClusters",         "patchNeighbours",   "sites",
+      "responses",         "responseScales", "responseOffsets",       "responseColumns",   "responseWeights",
+      "illuminanceMeans",  "exitanceMeans",  "illuminanceCovariance", "exitanceCovariance"};
   const std::string_view name = table_.sections[section].name;
   return std::find(std::begin(kNeeded), std::end(kNeeded), name.substr(0, name.find('.'))) !=
          std::end(kNeeded);

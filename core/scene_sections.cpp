@@ -110,7 +110,9 @@ void addSites(const std::vector<Site>& sites, std::vector<PlainSection>& out) {
 
 void addResponses(const Scene& scene, EncodedResponses& encoded, std::vector<PlainSection>& out) {
   const auto m = static_cast<std::uint32_t>(scene.sites.size());
-  out.push_back(floats("responseSteps", encoded.steps, static_cast<std::uint32_t>(scene.surfaces.size())));
+  std::vector<float> scales;
+  for (const ResponseScale& scale : encoded.scales) scales.insert(scales.end(), {scale.step, scale.floor});
+  out.push_back(floats("responseScales", scales, 2 * static_cast<std::uint32_t>(scene.surfaces.size())));
   const float bound = *std::max_element(encoded.errorBound.begin(), encoded.errorBound.end());
   for (std::uint32_t block = 0; block < encoded.blocks.size(); ++block) {
     const auto length = static_cast<std::uint32_t>(encoded.blocks[block].size());

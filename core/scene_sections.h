@@ -8,7 +8,7 @@
 //   patchClusters           n
 //   patchNeighbours         rows x 2  how many rows before is the left, the upper neighbour; 0 = none
 //   sites                   m x 10    position, normal, axis, size (m)
-//   responseSteps           c x S     lx per lm
+//   responseScales          c x 2S    step and floor on each surface, lx per lm
 //   responses[.1 ...]       bytes     quantised columns, in blocks (response_codec.h)
 //   responseOffsets         m + 1     site j is the sum of weight x column over entries [offset j, offset j +
 //   1) responseColumns, responseWeights  an entry each illuminanceMeans        S x m     lx per lm

@@ -45,6 +45,20 @@ std::vector<std::uint32_t> decodeDeltaPlanes(std::span<const std::uint8_t> bytes
   return values;
 }
 
+std::vector<std::uint8_t> encodePlanes(std::span<const std::uint32_t> values) {
+  std::vector<std::uint8_t> bytes(values.size() * 4);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    putPlanes(bytes.data(), values.size(), i, zigzag(values[i]));
+  return bytes;
+}
+
+std::vector<std::uint32_t> decodePlanes(std::span<const std::uint8_t> bytes) {
+  std::vector<std::uint32_t> values(bytes.size() / 4);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = unzigzag(getPlanes(bytes.data(), values.size(), i));
+  return values;
+}
+
 std::vector<std::uint8_t> encodeFloatPlanes(std::span<const float> values) {
   std::vector<std::uint8_t> bytes(values.size() * 4);
   for (std::size_t i = 0; i < values.size(); ++i) {

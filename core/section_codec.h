@@ -13,6 +13,11 @@ std::vector<std::uint8_t> encodeDeltaPlanes(std::span<const std::uint32_t> value
 /// The inverse; bytes.size() is a multiple of 4 x columns.
 std::vector<std::uint32_t> decodeDeltaPlanes(std::span<const std::uint8_t> bytes, std::uint32_t columns);
 
+/// 32-bit integers, small ones of either sign preferred -> zigzag, four byte planes, lowest first.
+std::vector<std::uint8_t> encodePlanes(std::span<const std::uint32_t> values);
+/// The inverse; bytes.size() is a multiple of 4.
+std::vector<std::uint32_t> decodePlanes(std::span<const std::uint8_t> bytes);
+
 /// Floats -> four byte planes, lowest first.
 std::vector<std::uint8_t> encodeFloatPlanes(std::span<const float> values);
 /// The inverse; bytes.size() is a multiple of 4.
