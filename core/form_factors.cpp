@@ -1,49 +1,70 @@
-// F b by the rays themselves: row p collects the exitance of the patch that each of its rays met.
+// F b in two parts: whole clusters by one thin product, and nearby what the rays tell about the light within
+// them.
 #include "core/form_factors.h"
 
-#include <algorithm>
+#include <Eigen/Dense>
 
 namespace fiatlux {
 
 namespace {
 
-/// One row of F b for `width` columns known at compile time, so that the sums stay in registers.
+using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Adds weight x (sum of the hits' rows of `detail`) to `out`, kWidth columns known to the compiler.
 template <std::uint32_t kWidth>
-void gatherRow(const std::uint32_t* hits, std::uint32_t rays, const float* b, float* out) {
+void addHits(const std::uint32_t* hits, std::uint32_t rays, float weight, const float* detail, float* out) {
   float sums[kWidth] = {};
   for (std::uint32_t i = 0; i < rays && hits[i] != kNone; ++i) {
-    const float* source = b + std::size_t{hits[i]} * kWidth;
+    const float* source = detail + std::size_t{hits[i]} * kWidth;
     for (std::uint32_t j = 0; j < kWidth; ++j) sums[j] += source[j];
   }
-  const float share = 1.0f / static_cast<float>(rays);
-  for (std::uint32_t j = 0; j < kWidth; ++j) out[j] = sums[j] * share;
+  for (std::uint32_t j = 0; j < kWidth; ++j) out[j] += weight * sums[j];
 }
 
-void gatherRow(const std::uint32_t* hits, std::uint32_t rays, const float* b, std::uint32_t width,
-               float* out) {
-  std::fill(out, out + width, 0.0f);
+void addHits(const std::uint32_t* hits, std::uint32_t rays, float weight, const float* detail,
+             std::uint32_t width, float* out) {
   for (std::uint32_t i = 0; i < rays && hits[i] != kNone; ++i) {
-    const float* source = b + std::size_t{hits[i]} * width;
-    for (std::uint32_t j = 0; j < width; ++j) out[j] += source[j];
+    const float* source = detail + std::size_t{hits[i]} * width;
+    for (std::uint32_t j = 0; j < width; ++j) out[j] += weight * source[j];
   }
-  const float share = 1.0f / static_cast<float>(rays);
-  for (std::uint32_t j = 0; j < width; ++j) out[j] *= share;
 }
 
 }  // namespace
 
-void gather(const FormFactors& factors, const float* b, std::uint32_t width, std::uint32_t firstRow,
-            std::uint32_t lastRow, float* out) {
-  for (std::uint32_t p = firstRow; p < lastRow; ++p) {
-    // note: lost rays (kNone) sort last, so a row ends at the first of them.
+void reduce(const FormFactors& factors, const float* e, std::uint32_t width, float* x) {
+  RowMatrixD sums = RowMatrixD::Zero(factors.clusters, width);
+  for (std::uint32_t q = 0; q < factors.count; ++q) {
+    const Eigen::Map<const Eigen::RowVectorXf> row(e + std::size_t{q} * width, width);
+    sums.row(factors.cluster[q]) += factors.share[q] * row.cast<double>();
+  }
+  Eigen::Map<RowMatrixF>(x, factors.clusters, width) = sums.cast<float>();
+}
+
+void irradiance(const FormFactors& factors, const float* b, std::uint32_t width, float* out) {
+  std::vector<float> x(std::size_t{factors.clusters} * width);
+  reduce(factors, b, width, x.data());
+  Eigen::Map<RowMatrixF>(out, factors.rows, width).noalias() =
+      Eigen::Map<const RowMatrixF>(factors.u.data(), factors.rows, factors.clusters) *
+      Eigen::Map<const RowMatrixF>(x.data(), factors.clusters, width);
+
+  // What V smears: each patch's difference from its cluster's mean.
+  std::vector<float> detail(std::size_t{factors.count} * width);
+  for (std::uint32_t q = 0; q < factors.count; ++q) {
+    const float* mean = x.data() + std::size_t{factors.cluster[q]} * width;
+    for (std::uint32_t j = 0; j < width; ++j) {
+      detail[std::size_t{q} * width + j] = b[std::size_t{q} * width + j] - mean[j];
+    }
+  }
+  for (std::uint32_t p = 0; p < factors.rows; ++p) {
     const std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
     float* row = out + std::size_t{p} * width;
     if (width == 16) {
-      gatherRow<16>(hits, factors.rays, b, row);
+      addHits<16>(hits, factors.rays, factors.hitWeight[p], detail.data(), row);
     } else if (width == 8) {
-      gatherRow<8>(hits, factors.rays, b, row);
+      addHits<8>(hits, factors.rays, factors.hitWeight[p], detail.data(), row);
     } else {
-      gatherRow(hits, factors.rays, b, width, row);
+      addHits(hits, factors.rays, factors.hitWeight[p], detail.data(), width, row);
     }
   }
 }

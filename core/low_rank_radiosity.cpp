@@ -17,9 +17,7 @@ using ConstRowMapF = Eigen::Map<const RowMatrixF>;
 
 struct LowRankRadiosity::Parts {
   const FormFactors* factors;
-  std::vector<std::uint32_t> cluster;
-  std::vector<float> reflectance;
-  std::vector<double> weight;  // A_q / A_c: the only non-zero of V's row q
+  std::vector<float> reflectance;  // n
   Eigen::PartialPivLU<RowMatrixD> core;
 };
 
@@ -32,18 +30,13 @@ Result<LowRankRadiosity> LowRankRadiosity::factorize(const FormFactors& factors,
   const std::uint32_t n = factors.count, k = factors.clusters;
   auto parts = std::make_unique<Parts>();
   parts->factors = &factors;
-  parts->cluster.assign(patches.cluster.begin(), patches.cluster.begin() + n);
   parts->reflectance.assign(patches.reflectance.begin(), patches.reflectance.begin() + n);
-  std::vector<double> clusterArea(k, 0.0);
-  for (std::uint32_t q = 0; q < n; ++q) clusterArea[patches.cluster[q]] += patches.area[q];
-  parts->weight.resize(n);
-  for (std::uint32_t q = 0; q < n; ++q) parts->weight[q] = patches.area[q] / clusterArea[patches.cluster[q]];
 
   // I - V^T R U, row by row of U.
   RowMatrixD core = RowMatrixD::Identity(k, k);
   for (std::uint32_t q = 0; q < n; ++q) {
     const Eigen::Map<const Eigen::RowVectorXf> row(factors.u.data() + std::size_t{q} * k, k);
-    core.row(patches.cluster[q]) -= parts->weight[q] * double{patches.reflectance[q]} * row.cast<double>();
+    core.row(factors.cluster[q]) -= factors.share[q] * double{patches.reflectance[q]} * row.cast<double>();
   }
   parts->core.compute(core);
   const double worst = k > 0 ? parts->core.matrixLU().diagonal().cwiseAbs().minCoeff() : 1;
@@ -53,16 +46,6 @@ Result<LowRankRadiosity> LowRankRadiosity::factorize(const FormFactors& factors,
         "reflectance"};
   }
   return LowRankRadiosity(std::move(parts));
-}
-
-void LowRankRadiosity::reduce(const float* e, std::uint32_t width, float* x) const {
-  const std::uint32_t k = parts_->factors->clusters;
-  RowMatrixD sums = RowMatrixD::Zero(k, width);
-  for (std::uint32_t q = 0; q < parts_->factors->count; ++q) {
-    const Eigen::Map<const Eigen::RowVectorXf> row(e + std::size_t{q} * width, width);
-    sums.row(parts_->cluster[q]) += parts_->weight[q] * row.cast<double>();
-  }
-  RowMapF(x, k, width) = sums.cast<float>();
 }
 
 void LowRankRadiosity::respond(const float* x, std::uint32_t width, float* irradiance) const {
@@ -75,7 +58,7 @@ void LowRankRadiosity::respond(const float* x, std::uint32_t width, float* irrad
 
 void LowRankRadiosity::solve(const float* e, std::uint32_t width, float* b) const {
   std::vector<float> x(std::size_t{parts_->factors->clusters} * width);
-  reduce(e, width, x.data());
+  reduce(*parts_->factors, e, width, x.data());
   respond(x.data(), width, b);
   for (std::uint32_t q = 0; q < parts_->factors->count; ++q) {
     for (std::uint32_t j = 0; j < width; ++j) {

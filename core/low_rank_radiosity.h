@@ -23,8 +23,6 @@ class LowRankRadiosity {
 
   /// b = (I - Y V^T) e for `width` columns, both n x width row-major.
   void solve(const float* e, std::uint32_t width, float* b) const;
-  /// V^T e: k x width from n x width, row-major; V_qc = A_q / A_c.
-  void reduce(const float* e, std::uint32_t width, float* x) const;
   /// U (I - V^T R U)^-1 x: the irradiance (n x width) that reduced emissions x (k x width) cause; times -R it
   /// is Y x.
   void respond(const float* x, std::uint32_t width, float* irradiance) const;

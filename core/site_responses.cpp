@@ -42,7 +42,7 @@ void solveResponses(const FormFactors& factors, const Patches& patches, const Lo
   gathered.resize(std::size_t{patches.rows()} * width);
   block.residuals.clear();
   for (std::uint32_t step = 0;; ++step) {
-    gather(factors, b.data(), width, 0, patches.rows(), gathered.data());
+    irradiance(factors, b.data(), width, gathered.data());
     const std::vector<double> norms = residualOf(patches, width, e, b, gathered, residual);
     block.residuals.insert(block.residuals.end(), norms.begin(), norms.end());
     bool converged = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "precompute/far_field.h"
 #include "precompute/hemisphere.h"
 #include "precompute/parallel.h"
 #include "precompute/patch_sampler.h"
@@ -13,10 +14,9 @@ namespace fiatlux {
 namespace {
 
 /// Casts the rays of one patch; hits[i] is the patch that ray i met.
-void castRow(const Room& room, const RayTracer& tracer, const RaySequence& sequence, std::uint64_t seed,
-             std::uint32_t row, std::uint32_t* hits) {
-  const PatchSampler sampler(room, row);
-  const auto scramble = RaySequence::scramble(seed ^ mixBits(row));
+void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
+              std::uint64_t seed, std::uint32_t* hits) {
+  const auto scramble = RaySequence::scramble(seed);
   Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
   for (std::uint32_t first = 0; first < sequence.count(); first += RayPacket::kSize) {
     RayPacket packet;
@@ -36,47 +36,83 @@ void castRow(const Room& room, const RayTracer& tracer, const RaySequence& seque
   }
 }
 
-}  // namespace
+/// Turns the rays of row p into its U, its hits and their weight; `ranges` and `u` come from FarField::row.
+void finishRow(FormFactors& factors, std::uint32_t p, const std::vector<FarField::Range>& ranges, float* u) {
+  std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
+  std::uint32_t* end = hits + factors.rays;
+  const auto rangeOf = [&](std::uint32_t q) { return ranges[factors.cluster[q]]; };
+  std::uint32_t* met = std::remove(hits, end, kNone);
+  const auto lost = static_cast<double>(end - met) / factors.rays;
+  std::uint32_t* kept =
+      std::remove_if(hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kFar; });
+  std::sort(hits, kept);
+  std::fill(kept, end, kNone);
 
-FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
-  const Patches& patches = room.patches;
+  // One factor for near and far alike makes the row sum to what was not lost.
+  const auto near =
+      std::count_if(hits, kept, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kNear; });
+  double sum = static_cast<double>(near) / factors.rays;
+  for (std::uint32_t c = 0; c < factors.clusters; ++c) sum += u[c];
+  const double scale = sum > 0 ? (1 - lost) / sum : 0;
+  for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = static_cast<float>(scale * u[c]);
+  factors.lost[p] = static_cast<float>(lost);
+  factors.hitWeight[p] = static_cast<float>(scale / factors.rays);
+  for (const std::uint32_t* hit = hits; hit < kept; ++hit) {
+    if (rangeOf(*hit) == FarField::Range::kNear) u[factors.cluster[*hit]] += factors.hitWeight[p];
+  }
+}
+
+/// Sizes everything and fills in V.
+FormFactors emptyFactors(const Patches& patches, std::uint32_t rays) {
   FormFactors factors;
   factors.rows = patches.rows();
   factors.count = patches.count;
   factors.clusters = patches.clusterCount;
-  factors.rays = options.rays;
-  factors.hits.resize(std::size_t{factors.rows} * options.rays);
-  factors.u.resize(std::size_t{factors.count} * factors.clusters);
+  factors.rays = rays;
+  factors.cluster.assign(patches.cluster.begin(), patches.cluster.begin() + patches.count);
+  std::vector<double> clusterArea(patches.clusterCount, 0.0);
+  for (std::uint32_t q = 0; q < patches.count; ++q) clusterArea[patches.cluster[q]] += patches.area[q];
+  for (std::uint32_t q = 0; q < patches.count; ++q) {
+    factors.share.push_back(patches.area[q] / clusterArea[patches.cluster[q]]);
+  }
+  factors.u.resize(std::size_t{factors.rows} * factors.clusters);
+  factors.hits.resize(std::size_t{factors.rows} * rays);
+  factors.hitWeight.resize(factors.rows);
+  factors.lost.resize(factors.rows);
+  return factors;
+}
 
+}  // namespace
+
+FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
+  FormFactors factors = emptyFactors(room.patches, options.rays);
   const RaySequence sequence(options.rays);
   const std::uint64_t seed = mixBits(options.seed);
+  const FarField farField(room, tracer, seed);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto castRows = [&](std::size_t portion) {
+    std::vector<FarField::Range> ranges(factors.clusters, FarField::Range::kNear);
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
-      std::uint32_t* hits = factors.hits.data() + std::size_t{p} * options.rays;
-      castRow(room, tracer, sequence, seed, p, hits);
-      std::sort(hits, hits + options.rays);
-      if (p >= factors.count) continue;
+      const PatchSampler sampler(room, p);
       float* u = factors.u.data() + std::size_t{p} * factors.clusters;
-      for (std::uint32_t i = 0; i < options.rays && hits[i] != kNone; ++i) u[patches.cluster[hits[i]]] += 1;
-      for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] /= static_cast<float>(options.rays);
+      castRays(tracer, sampler, sequence, seed ^ mixBits(p),
+               factors.hits.data() + std::size_t{p} * options.rays);
+      if (options.farField) farField.row(p, sampler, ranges, u);
+      finishRow(factors, p, ranges, u);
     }
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
   return factors;
 }
 
-std::vector<double> lostShares(const Room& room, const FormFactors& factors) {
-  std::vector<double> lost(room.surfaces.size(), 0.0), area(room.surfaces.size(), 0.0);
+std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors) {
+  std::vector<double> lost(surfaces, 0.0), area(surfaces, 0.0);
   for (std::uint32_t p = 0; p < factors.rows; ++p) {
-    const std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
-    const auto gone =
-        static_cast<double>(hits + factors.rays - std::lower_bound(hits, hits + factors.rays, kNone));
-    lost[room.patches.surface[p]] += room.patches.area[p] * gone / factors.rays;
-    area[room.patches.surface[p]] += room.patches.area[p];
+    lost[patches.surface[p]] += patches.area[p] * factors.lost[p];
+    area[patches.surface[p]] += patches.area[p];
   }
-  for (std::size_t s = 0; s < lost.size(); ++s) lost[s] = area[s] > 0 ? lost[s] / area[s] : 0;
+  for (std::size_t s = 0; s < surfaces; ++s) lost[s] = area[s] > 0 ? lost[s] / area[s] : 0;
   return lost;
 }
 

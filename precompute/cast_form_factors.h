@@ -1,9 +1,10 @@
-// F and U by cosine-distributed rays, stratified over the patch and over the hemisphere at once (paper
-// section 2.4).
+// U and the hits of F (core/form_factors.h) by cosine-distributed rays, stratified over the patch and over
+// the hemisphere at once (paper section 2.4); distant clusters by far_field.h.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/form_factors.h"
 #include "precompute/ray_tracer.h"
@@ -13,15 +14,16 @@ namespace fiatlux {
 
 struct CastOptions {
   std::uint32_t rays = 1024;  // from every patch and receiver
+  bool farField = true;       // false: rays alone, as in the paper
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;
 };
 
-/// Bit-identical for the same room, rays and seed, whatever the number of threads.
+/// Every row sums to 1 - its lost share. Bit-identical for the same room and options, whatever the threads.
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options);
 
 /// Share of lost rays of each surface, by area: what left the room or met a back face.
-std::vector<double> lostShares(const Room& room, const FormFactors& factors);
+std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors);
 
 }  // namespace fiatlux

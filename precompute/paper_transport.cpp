@@ -53,9 +53,9 @@ SparseRows clustersUnderSites(const Room& room, const RayTracer& tracer) {
   return rows;
 }
 
-/// Irradiance of one site: U (I - V^T R U)^-1 x; receivers, which U leaves out, by their own rays.
-void respond(const Room& room, const FormFactors& factors, const std::vector<double>& coreInverse,
-             const SparseRows& sites, std::uint32_t site, float* column) {
+/// Irradiance of one site: U (I - V^T R U)^-1 x.
+void respond(const FormFactors& factors, const std::vector<double>& coreInverse, const SparseRows& sites,
+             std::uint32_t site, float* column) {
   const std::uint32_t k = factors.clusters;
   std::vector<double> solved(k, 0.0);
   for (std::uint32_t i = sites.offset[site]; i < sites.offset[site + 1]; ++i) {
@@ -64,16 +64,9 @@ void respond(const Room& room, const FormFactors& factors, const std::vector<dou
     }
   }
   for (std::uint32_t p = 0; p < factors.rows; ++p) {
+    const float* u = factors.u.data() + std::size_t{p} * k;
     double sum = 0;
-    if (p < factors.count) {
-      const float* u = factors.u.data() + std::size_t{p} * k;
-      for (std::uint32_t c = 0; c < k; ++c) sum += u[c] * solved[c];
-    } else {
-      const std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
-      for (std::uint32_t i = 0; i < factors.rays && hits[i] != kNone; ++i)
-        sum += solved[room.patches.cluster[hits[i]]];
-      sum /= factors.rays;
-    }
+    for (std::uint32_t c = 0; c < k; ++c) sum += u[c] * solved[c];
     column[p] = static_cast<float>(sum);
   }
 }
@@ -103,7 +96,7 @@ PaperTransport paperTransport(const Room& room, const RayTracer& tracer, const F
   paper.y = lowRank.y();
   const std::vector<double> coreInverse = lowRank.coreInverse();
   const auto respondTo = [&](std::size_t site) {
-    respond(room, factors, coreInverse, paper.siteClusters, static_cast<std::uint32_t>(site),
+    respond(factors, coreInverse, paper.siteClusters, static_cast<std::uint32_t>(site),
             responses.illuminance.data() + site * responses.rows);
   };
   parallelFor(responses.sites, threads, respondTo, progress);

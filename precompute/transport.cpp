@@ -116,7 +116,8 @@ void collectStatistics(const Room& room, unsigned threads, Transport& result) {
 double transportBytes(const Patches& patches, std::size_t sites, const TransportOptions& options) {
   const double n = patches.count, rows = patches.rows(), k = patches.clusterCount,
                m = static_cast<double>(sites);
-  const double hits = 4 * rows * options.rays, u = 4 * n * k, core = 3 * 8 * k * k, responses = 4 * rows * m;
+  const double hits = 4 * rows * options.rays, u = 4 * rows * k, core = 3 * 8 * k * k,
+               responses = 4 * rows * m;
   const double blocks = threadCount(options.threads) * 4.0 * kBlockWidth * (4 * n + 2 * rows);
   double surfaces = 0;
   if (!patches.surface.empty())
@@ -136,8 +137,9 @@ Result<Transport> computeTransport(const Room& room, const TransportOptions& opt
   result.bytes = transportBytes(room.patches, room.sites.size(), options);
   Stages stages(options, result);
   result.factors = castFormFactors(
-      room, *tracer, {options.rays, options.seed, options.threads, stages.begin("form factors")});
-  result.lost = lostShares(room, result.factors);
+      room, *tracer,
+      {options.rays, !options.paper, options.seed, options.threads, stages.begin("form factors")});
+  result.lost = lostShares(room.patches, room.surfaces.size(), result.factors);
 
   stages.begin("low-rank radiosity");
   const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(result.factors, room.patches);

@@ -1,0 +1,169 @@
+#include "precompute/far_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "precompute/ray_sequence.h"
+
+namespace fiatlux {
+
+namespace {
+
+// Distances between patch and cluster, in edges of both: from the first on a point a part is a fair
+// quadrature, from the second on the light's spread within the cluster no longer matters.
+constexpr double kMiddleEdges = 2, kFarEdges = 8;
+
+double unitOf(std::uint64_t bits) { return static_cast<double>(bits >> 40) * 0x1p-24; }
+
+}  // namespace
+
+FarField::FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed)
+    : room_(room), tracer_(tracer), seed_(seed) {
+  const Patches& patches = room.patches;
+  std::vector<std::vector<std::uint32_t>> members(patches.clusterCount);
+  for (std::uint32_t q = 0; q < patches.count; ++q) members[patches.cluster[q]].push_back(q);
+  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
+    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    addParts(c, members[c], mixBits(seed ^ 0xfa5u) ^ c);
+  }
+  firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+}
+
+void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members,
+                        std::uint64_t seed) {
+  const Patches& patches = room_.patches;
+  Vec3 center;
+  double area = 0;
+  for (const std::uint32_t q : members) {
+    center += patches.area[q] * patches.center[q];
+    area += patches.area[q];
+  }
+  center = (1 / area) * center;
+  double radius = 0;
+  for (const std::uint32_t q : members) radius = std::max(radius, length(patches.center[q] - center));
+  center_.push_back(center);
+  reach_.push_back(std::max(std::sqrt(area), std::numbers::sqrt2 * radius));
+
+  // The second moment of the cluster about its centre, its patches taken as squares.
+  double moment = 0, partMoment = 0;
+  for (const std::uint32_t q : members) {
+    const Vec3 d = patches.center[q] - center;
+    moment += patches.area[q] * (dot(d, d) + patches.area[q] / 6);
+  }
+
+  // Quarter the cluster along its chart's axes.
+  const Chart& chart = room_.charts[room_.chartOfPatch[members[0]]];
+  std::array<std::vector<std::uint32_t>, 4> quarters;
+  for (const std::uint32_t q : members) {
+    const Vec3 local = patches.center[q] - center;
+    quarters[(dot(local, chart.uAxis) > 0 ? 1 : 0) + (dot(local, chart.vAxis) > 0 ? 2 : 0)].push_back(q);
+  }
+  for (const auto& quarter : quarters) {
+    if (quarter.empty()) continue;
+    Part part;
+    part.cluster = cluster;
+    for (const std::uint32_t q : quarter) {
+      part.center += patches.area[q] * patches.center[q];
+      part.normal += patches.area[q] * patches.normal[q];
+      part.area += patches.area[q];
+    }
+    part.center = (1 / part.area) * part.center;
+    part.normal = normalized(part.normal);
+    // Points for shadow rays, each on a patch chosen by area, in strata of it.
+    for (std::uint32_t i = 0; i < kPool; ++i) {
+      seed = mixBits(seed);
+      double along = (i + unitOf(seed)) / kPool * part.area;
+      std::size_t chosen = 0;
+      while (chosen + 1 < quarter.size() && along > patches.area[quarter[chosen]])
+        along -= patches.area[quarter[chosen++]];
+      const PatchPoint point =
+          PatchSampler(room_, quarter[chosen]).at(unitOf(mixBits(seed ^ 1)), unitOf(mixBits(seed ^ 2)));
+      part.pool[i] = point.position + tracer_.offset() * point.normal;
+    }
+    const Vec3 d = part.center - center;
+    partMoment += part.area * dot(d, d);
+    parts_.push_back(part);
+  }
+
+  // Spread the points so that they have the cluster's second moment: on a square, Gauss's 2 x 2 nodes.
+  const double spread = partMoment > 0 ? std::sqrt(moment / partMoment) : 1;
+  for (std::size_t i = firstPart_.back(); i < parts_.size(); ++i) {
+    parts_[i].center = center + spread * (parts_[i].center - center);
+  }
+}
+
+void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kOrigins>& origins,
+                           std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const {
+  RayPacket packet;
+  std::size_t lane[RayPacket::kSize];
+  const auto flush = [&] {
+    bool blocked[RayPacket::kSize];
+    tracer_.occluded(packet, blocked);
+    for (std::uint32_t i = 0; i < packet.count; ++i) candidates[lane[i]].visible += !blocked[i];
+    packet.count = 0;
+  };
+  for (std::size_t i = first; i < last; ++i) {
+    const std::uint64_t bits = mixBits(seed ^ candidates[i].part);
+    candidates[i].visible = 0;
+    for (std::uint32_t ray = 0; ray < rays; ++ray) {
+      const Vec3& target = parts_[candidates[i].part].pool[(bits + ray * kPool / rays) % kPool];
+      const Vec3& origin = origins[((bits >> 8) + ray) % kOrigins];
+      lane[packet.count] = i;
+      tracer_.aim(packet, origin, target - origin, 1);
+      if (packet.count == RayPacket::kSize) flush();
+    }
+  }
+  if (packet.count > 0) flush();
+}
+
+void FarField::row(std::uint32_t p, const PatchSampler& sampler, std::vector<Range>& ranges, float* u) const {
+  const Patches& patches = room_.patches;
+  const Vec3 center = patches.center[p], normal = patches.normal[p];
+  const double edge = std::sqrt(patches.area[p]);
+  std::vector<Candidate> candidates;
+  ranges.assign(patches.clusterCount, Range::kNear);
+  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
+    u[c] = 0;
+    const Vec3 apart = center_[c] - center;
+    const double edges = length(apart) / (reach_[c] + edge);
+    if (edges < kMiddleEdges) continue;
+    ranges[c] = edges < kFarEdges ? Range::kMiddle : Range::kFar;
+    for (std::uint32_t i = firstPart_[c]; i < firstPart_[c + 1]; ++i) {
+      const Part& part = parts_[i];
+      const Vec3 d = part.center - center;
+      const double leaving = dot(d, normal), arriving = -dot(d, part.normal);
+      if (leaving <= 0 || arriving <= 0) continue;
+      const double squared = dot(d, d);
+      candidates.push_back({i, part.area * leaving * arriving / (std::numbers::pi * squared * squared), 0});
+    }
+  }
+
+  const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
+  std::array<Vec3, kOrigins> origins;
+  for (std::uint32_t i = 0; i < kOrigins; ++i) {
+    const std::uint64_t bits = mixBits(seed + i);
+    const PatchPoint point = sampler.at((i % 2 + unitOf(bits)) / 2, (i / 2 + unitOf(mixBits(bits))) / 2);
+    origins[i] = point.position + tracer_.offset() * point.normal;
+  }
+  castShadows(seed, 1, origins, 0, candidates.size(), candidates);
+
+  // A cluster that is seen in part gets all the rays of its pool.
+  for (std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
+    const std::uint32_t cluster = parts_[candidates[first].part].cluster;
+    std::uint32_t seen = 0;
+    for (last = first; last < candidates.size() && parts_[candidates[last].part].cluster == cluster; ++last) {
+      seen += candidates[last].visible;
+    }
+    std::uint32_t rays = 1;
+    if (seen > 0 && seen < last - first) {
+      rays = kOrigins;
+      castShadows(mixBits(seed), rays, origins, first, last, candidates);
+    }
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += candidates[i].kernel * candidates[i].visible / rays;
+    u[cluster] = static_cast<float>(sum);
+  }
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,57 @@
+// Form factors between patches and distant clusters, by the kernel cos cos / (pi r^2) and shadow rays. A
+// cosine ray rarely meets a small bright spot far away, and one hit too many is a bright patch; this estimate
+// has no such noise.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "precompute/patch_sampler.h"
+#include "precompute/ray_tracer.h"
+#include "precompute/room.h"
+
+namespace fiatlux {
+
+/// Thread-safe once built. Room and tracer must outlive it.
+class FarField {
+ public:
+  /// How a row sees a cluster: kNear by its rays alone; kMiddle: U from here, the light's spread within the
+  /// cluster from the rays; kFar: U from here, the spread ignored.
+  enum class Range : char { kNear, kMiddle, kFar };
+
+  FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed);
+
+  /// isFar[c] (k): whether cluster c is distant from row p, and u[c] (k) its form factor then, 0 for near
+  /// ones.
+  void row(std::uint32_t p, const PatchSampler& sampler, std::vector<char>& isFar, float* u) const;
+
+ private:
+  static constexpr std::uint32_t kPool = 16;    // points of a part for shadow rays
+  static constexpr std::uint32_t kOrigins = 4;  // points of a row's patch that they start from
+
+  struct Part {  // about a quarter of a cluster
+    std::uint32_t cluster = 0;
+    Vec3 center, normal;
+    double area = 0;
+    std::array<Vec3, kPool> pool;
+  };
+  struct Candidate {  // a part that faces the row
+    std::uint32_t part;
+    double kernel;          // form factor if nothing is between
+    std::uint32_t visible;  // shadow rays that arrived
+  };
+  void addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed);
+  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kOrigins>& origins,
+                   std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const;
+
+  const Room& room_;
+  const RayTracer& tracer_;
+  std::uint64_t seed_;
+  std::vector<Part> parts_;               // by cluster
+  std::vector<std::uint32_t> firstPart_;  // k + 1
+  std::vector<Vec3> center_;              // k, m
+  std::vector<double> reach_;             // k, m: edge of a square as large as the cluster
+};
+
+}  // namespace fiatlux
