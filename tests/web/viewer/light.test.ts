@@ -1,0 +1,73 @@
+import { describe, expect, test } from '@jest/globals';
+import { adaptationLevel, automaticExposure } from '../../../web/viewer/exposure.ts';
+import { LightTexture } from '../../../web/viewer/light-texture.ts';
+import { barycentric, lightAtVertex } from '../../../web/viewer/probe.ts';
+
+describe('the probe', () => {
+  const light = [100, 200, 400, 800];
+
+  test('blends the patches of a vertex by their weights, whatever these add up to', () => {
+    const patches = [0, 1, 2, 3, 3, 0, 0, 0];
+    const weights = [64, 64, 64, 64, 254, 0, 0, 0];
+    expect(lightAtVertex(0, patches, weights, light)).toBeCloseTo(375);
+    expect(lightAtVertex(1, patches, weights, light)).toBeCloseTo(800);
+    expect(lightAtVertex(0, [9, 0, 0, 0], [0, 0, 0, 0], light)).toBe(0);
+  });
+
+  test('barycentric coordinates give the point back', () => {
+    const [a, b, c] = [[0, 0, 0], [2, 0, 1], [0, 3, 1]] as const; // prettier-ignore
+    const [u, v, w] = barycentric([0.5, 0.6, 0.45], a, b, c);
+    expect(u + v + w).toBeCloseTo(1);
+    expect(v * 2).toBeCloseTo(0.5);
+    expect(w * 3).toBeCloseTo(0.6);
+    expect(barycentric([1, 1, 1], a, a, a)).toEqual([1, 0, 0]);
+  });
+});
+
+describe('the light texture', () => {
+  test('has room for every patch and takes no more', () => {
+    const texture = new LightTexture(300);
+    expect(texture.texture.image.width * texture.texture.image.height).toBe(512);
+    texture.set(new Float32Array(300).fill(7));
+    expect(texture.light[299]).toBe(7);
+    expect(texture.light[300]).toBe(0);
+    const version = texture.texture.version;
+    texture.set(new Float32Array(600).fill(9));
+    expect(texture.light[511]).toBe(9);
+    expect(texture.texture.version).toBe(version + 1);
+  });
+});
+
+describe('exposure', () => {
+  const even = (lux: number) => new Float32Array(1000).fill(lux);
+  const area = new Float32Array(1000).fill(0.04);
+
+  test('follows an even light', () => {
+    for (const lux of [1, 50, 300, 5000]) {
+      const level = adaptationLevel(even(lux), area, 1000);
+      expect(level / lux).toBeGreaterThan(0.9);
+      expect(level / lux).toBeLessThan(1.1);
+    }
+  });
+
+  test('is hardly moved by a small bright spot, and not by receivers', () => {
+    const spot = even(200);
+    spot.fill(20000, 0, 5); // half a percent of the area
+    expect(adaptationLevel(spot, area, 1000)).toBeLessThan(300);
+    const receivers = even(200);
+    receivers.fill(9000, 500);
+    expect(adaptationLevel(receivers, area, 500)).toBeLessThan(220);
+  });
+
+  test('twice the light looks brighter, but not twice as bright', () => {
+    const brightness = (lux: number) => lux * automaticExposure(lux);
+    expect(brightness(600) / brightness(300)).toBeGreaterThan(1.05);
+    expect(brightness(600) / brightness(300)).toBeLessThan(1.5);
+    expect(automaticExposure(300, 1) / automaticExposure(300)).toBeCloseTo(2);
+  });
+
+  test('a dark room has a finite exposure', () => {
+    expect(adaptationLevel(even(0), area, 1000)).toBe(0);
+    expect(Number.isFinite(automaticExposure(0))).toBe(true);
+  });
+});

@@ -1,0 +1,177 @@
+/**
+ * The room's shader. Light at a vertex = sum of weight x patch illuminance, fetched from the light texture; then
+ *   realistic:    albedo x light x exposure, through the tone curve
+ *   false colour: the place of light (or of reflectance x light) on the legend, through the colour table
+ * One program family; what is common to all meshes lives in shared uniforms, so a change of light, exposure or
+ * legend touches no mesh.
+ */
+import {
+  Color,
+  DoubleSide,
+  FrontSide,
+  ShaderMaterial,
+  Vector2,
+  Vector4,
+  type Matrix3,
+  type Texture,
+} from 'three';
+import { isoluxShader } from './isolux.ts';
+
+const vertexShader = /* glsl */ `
+attribute vec4 _patches;
+attribute vec4 _weights;
+uniform highp sampler2D lightTexture;
+uniform mat3 mapTransform;
+varying float vLight;
+varying vec2 vMapUv;
+#ifdef USE_COLOR
+varying vec3 vTint;
+#endif
+
+float lightOfPatch(float patchIndex) {
+  int i = int(patchIndex + 0.5);
+  return texelFetch(lightTexture, ivec2(i & 255, i >> 8), 0).r;
+}
+
+void main() {
+  vec4 light = vec4(lightOfPatch(_patches.x), lightOfPatch(_patches.y),
+                    lightOfPatch(_patches.z), lightOfPatch(_patches.w));
+  vLight = dot(_weights, light) / max(dot(_weights, vec4(1.0)), 1e-6);
+#ifdef MAP_UV
+  vMapUv = (mapTransform * vec3(MAP_UV, 1.0)).xy;
+#endif
+#ifdef USE_COLOR
+  vTint = color.rgb;
+#endif
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}
+`;
+
+const fragmentShader = /* glsl */ `
+uniform sampler2D albedoMap;
+uniform vec4 albedo;
+uniform float alphaCut;
+uniform sampler2D colorTable;
+uniform bool falseColor;
+uniform bool measuring;
+uniform float exposure;
+uniform vec2 legend;      // low, high; logarithms on a logarithmic scale
+uniform bool logarithmic;
+uniform float steps;
+uniform bool isolux;
+uniform bool exitance;
+uniform float reflectance;
+uniform float pixelRatio;
+uniform vec3 accent;
+uniform float tint;       // how much of the accent, 0..1
+varying float vLight;
+varying vec2 vMapUv;
+#ifdef USE_COLOR
+varying vec3 vTint;
+#endif
+${isoluxShader}
+
+vec3 colorOnLegend(float quantity) {
+  float value = logarithmic ? log(max(quantity, 1e-12)) : quantity;
+  float at = clamp((value - legend.x) / (legend.y - legend.x), 0.0, 1.0);
+  if (steps > 0.5) at = (min(floor(at * steps), steps - 1.0) + 0.5) / steps;
+  return texture2D(colorTable, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+vec3 toneCurve(vec3 color) {
+#ifdef TONE_MAPPING
+  return toneMapping(color);
+#else
+  return clamp(color, 0.0, 1.0);
+#endif
+}
+
+void main() {
+  vec4 surface = albedo;
+#ifdef MAP_UV
+  surface *= texture2D(albedoMap, vMapUv);
+#endif
+#ifdef USE_COLOR
+  surface.rgb *= vTint;
+#endif
+  if (surface.a < alphaCut) discard;
+  if (!gl_FrontFacing && !measuring) {
+    // The outside of a wall, drawn only where nothing is cut away.
+    gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
+    return;
+  }
+  float quantity = exitance ? reflectance * vLight : vLight;
+  bool mapped = falseColor || measuring;
+  vec3 color = mapped ? colorOnLegend(quantity) : toneCurve(surface.rgb * vLight * exposure);
+  if (isolux) {
+    float line = isoluxLine(quantity, 1.1 * pixelRatio);
+    float bright = dot(color, vec3(0.2126, 0.7152, 0.0722));
+    color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
+  }
+  color = mix(color, accent, tint);
+  gl_FragColor = linearToOutputTexel(vec4(color, measuring ? 0.82 : surface.a));
+}
+`;
+
+/** Uniforms that every mesh of the room shares; change a value and draw. */
+export function sharedUniforms() {
+  return {
+    lightTexture: { value: null as Texture | null },
+    colorTable: { value: null as Texture | null },
+    falseColor: { value: false },
+    exposure: { value: 1 },
+    legend: { value: new Vector2(0, 1) },
+    logarithmic: { value: false },
+    steps: { value: 0 },
+    isolux: { value: false },
+    exitance: { value: false },
+    pixelRatio: { value: 1 },
+    accent: { value: new Color('#4f9dff') },
+  };
+}
+
+export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+
+/** What a mesh brings of its own glTF material. */
+export interface Albedo {
+  readonly color: Color; // linear
+  readonly opacity: number;
+  readonly map: Texture | null;
+  readonly alphaCut: number; // 0 = none
+  readonly vertexColors: boolean;
+  readonly transparent: boolean;
+}
+
+export interface LightMaterialOptions {
+  readonly albedo: Albedo;
+  readonly measuring: boolean;
+  readonly reflectance: number; // of its surface, for exitance
+}
+
+export function createLightMaterial(shared: SharedUniforms, options: LightMaterialOptions): ShaderMaterial {
+  const { albedo, measuring } = options;
+  const mapTransform: Matrix3 | null = albedo.map?.matrix ?? null;
+  albedo.map?.updateMatrix();
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    uniforms: {
+      ...shared,
+      albedoMap: { value: albedo.map },
+      mapTransform: { value: mapTransform },
+      albedo: { value: new Vector4(albedo.color.r, albedo.color.g, albedo.color.b, albedo.opacity) },
+      alphaCut: { value: albedo.alphaCut },
+      measuring: { value: measuring },
+      reflectance: { value: options.reflectance },
+      tint: { value: 0 },
+    },
+    defines: albedo.map ? { MAP_UV: albedo.map.channel === 1 ? 'uv1' : 'uv' } : {},
+    vertexColors: albedo.vertexColors,
+    side: measuring ? DoubleSide : FrontSide,
+    transparent: measuring || albedo.transparent,
+    depthWrite: !measuring,
+    polygonOffset: measuring,
+    polygonOffsetFactor: -1,
+    polygonOffsetUnits: -1,
+  });
+}

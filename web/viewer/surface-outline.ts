@@ -1,0 +1,109 @@
+/**
+ * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
+ * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
+ */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+} from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import type { LitMesh } from './room-mesh.ts';
+
+const crease = 35; // degrees: sharper edges inside a surface are drawn too
+
+/** Line ends of a surface's edges in world space, xyz each. */
+function edgesOf(meshes: readonly LitMesh[]): Float32Array {
+  const parts = meshes.map(({ mesh }) => {
+    const edges = new EdgesGeometry(mesh.geometry, crease).applyMatrix4(mesh.matrixWorld);
+    const ends = edges.getAttribute('position').array as Float32Array;
+    edges.dispose();
+    return ends;
+  });
+  const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
+  return all;
+}
+
+export class SurfaceOutlines {
+  readonly root = new Group();
+  private room: readonly LitMesh[] = [];
+  private edges = new Map<number, Float32Array>();
+  private selected = this.material('#4f9dff', 2.5, 1);
+  private through = this.material('#4f9dff', 1.5, 0.35); // where the surface is hidden
+  private hovered = this.material('#ffffff', 1.5, 0.75);
+  private thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
+  private shown = new Map<'selected' | 'hovered', LineSegments2[]>();
+  private drawing: LineSegments<BufferGeometry, LineBasicMaterial> | null = null;
+
+  constructor() {
+    this.through.depthTest = false;
+  }
+
+  setRoom(room: readonly LitMesh[]): void {
+    this.show('selected', null);
+    this.show('hovered', null);
+    if (this.drawing) this.root.remove(this.drawing);
+    this.drawing?.geometry.dispose();
+    this.drawing = null;
+    this.room = room;
+    this.edges.clear();
+  }
+
+  show(which: 'selected' | 'hovered', surface: number | null): void {
+    for (const object of this.shown.get(which) ?? []) {
+      this.root.remove(object);
+      object.geometry.dispose();
+    }
+    this.shown.delete(which);
+    const ends = surface === null ? null : this.edgesOfSurface(surface);
+    if (!ends || ends.length === 0) return;
+    const geometry = new LineSegmentsGeometry().setPositions(ends);
+    const materials = which === 'selected' ? [this.through, this.selected] : [this.hovered];
+    const objects = materials.map((material) => {
+      const lines = new LineSegments2(geometry, material);
+      lines.renderOrder = 6;
+      this.root.add(lines);
+      return lines;
+    });
+    this.shown.set(which, objects);
+  }
+
+  /** Thin lines along every edge of the room, or none. */
+  showAll(visible: boolean): void {
+    if (visible && !this.drawing) {
+      const ends = edgesOf(this.room.filter(({ measuring }) => !measuring));
+      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
+      this.drawing = new LineSegments(geometry, this.thin);
+      this.drawing.renderOrder = 1;
+      this.root.add(this.drawing);
+    }
+    if (this.drawing) this.drawing.visible = visible;
+  }
+
+  dispose(): void {
+    this.setRoom([]);
+    for (const material of [this.selected, this.through, this.hovered, this.thin]) material.dispose();
+  }
+
+  private edgesOfSurface(surface: number): Float32Array {
+    let ends = this.edges.get(surface);
+    if (!ends) this.edges.set(surface, (ends = edgesOf(this.room.filter((lit) => lit.surface === surface))));
+    return ends;
+  }
+
+  private material(color: string, linewidth: number, opacity: number): LineMaterial {
+    const material = new LineMaterial({ color, linewidth, transparent: true, opacity });
+    material.toneMapped = false;
+    material.depthWrite = false;
+    material.polygonOffset = true;
+    material.polygonOffsetFactor = -4;
+    material.polygonOffsetUnits = -4;
+    return material;
+  }
+}
