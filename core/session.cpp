@@ -35,6 +35,7 @@ Result<Done> Session::finish() {
 
 void Session::adopt(Scene scene) {
   search_.reset();
+  alpha_.reset();
   prepared_.reset();
   asked_ = false;
   intentions_ = {};
@@ -47,6 +48,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked;
   search_.reset();
+  alpha_.reset();
   intentions_ = intentions;
   asked_ = true;
   return Done{};
@@ -82,6 +84,17 @@ Result<Shown> Session::show(const Layout& layout) {
   Result<Done> checked = checkLayout(*scene_, layout);
   if (!checked) return checked.error();
   return shownOf(*prepared_, intentions_, layout);
+}
+
+Result<Done> Session::startAlpha(std::uint64_t seed) {
+  Result<Done> can = ready();
+  if (!can) return can;
+  Result<Done> checked = checkAlphaIntentions(*scene_, intentions_);
+  if (!checked) return checked;
+  AlphaOptions options;
+  options.seed = seed;
+  alpha_ = std::make_unique<AlphaSearch>(*prepared_, intentions_, options);
+  return Done{};
 }
 
 }  // namespace fiatlux

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/alpha_search.h"
 #include "core/scene_reader.h"
 #include "core/shown.h"
 #include "core/vns.h"
@@ -60,6 +61,11 @@ class Session {
   /// Readings of any layout.
   Result<Shown> show(const Layout& layout);
 
+  /// The alpha-search of paper section 4 for the true minima and maxima that are asked for: nullptr before
+  /// startAlpha succeeded.
+  Result<Done> startAlpha(std::uint64_t seed);
+  AlphaSearch* alpha() { return alpha_.get(); }
+
  private:
   Result<Done> ready() const;
 
@@ -70,6 +76,7 @@ class Session {
   bool asked_ = false;
   Intentions intentions_;
   std::unique_ptr<Vns> search_;
+  std::unique_ptr<AlphaSearch> alpha_;
 };
 
 }  // namespace fiatlux

@@ -227,6 +227,44 @@ val check(Session& session, val sites, val flux, double dimming) {
   return result;
 }
 
+// --- the alpha-search
+// -----------------------------------------------------------------------------------------------
+
+std::string startAlpha(Session& session, std::uint32_t seed) { return errorOf(session.startAlpha(seed)); }
+
+val valueOf(const AlphaIteration& step) {
+  val result = val::object();
+  result.set("alpha", step.alpha);
+  result.set("low", step.low);
+  result.set("high", step.high);
+  result.set("region", std::string(regionName(step.region)));
+  result.set("mean", step.mean);
+  result.set("sigma", step.sigma);
+  result.set("minimum", step.minimum);
+  result.set("phi", step.phi);
+  return result;
+}
+
+/// What the search has, and its iterations from number `from` on.
+val advanceAlpha(Session& session, std::uint32_t evaluations, std::uint32_t from) {
+  AlphaSearch* alpha = session.alpha();
+  if (!alpha) return val(std::string("no alpha-search is running"));
+  alpha->advance(evaluations);
+  val steps = val::array();
+  for (std::size_t i = from; i < alpha->iterations().size(); ++i)
+    steps.set(i - from, valueOf(alpha->iterations()[i]));
+  const AlphaIteration* solution = alpha->solution();
+  val result = val::object();
+  result.set("done", alpha->done());
+  result.set("steps", steps);
+  result.set("verdict", alpha->verdict());
+  result.set("alpha", solution ? val(solution->alpha) : val::null());
+  result.set("feasibleBound", alpha->fallback() ? val(alpha->feasibleBound()) : val::null());
+  const Layout* layout = solution ? &solution->layout : alpha->fallback() ? &*alpha->fallback() : nullptr;
+  result.set("layout", layout ? valueOf(*layout) : val::null());
+  return result;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
@@ -243,7 +281,9 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("advance", &advance)
       .function("incumbent", &incumbent)
       .function("show", &show)
-      .function("check", &check);
+      .function("check", &check)
+      .function("startAlpha", &startAlpha)
+      .function("advanceAlpha", &advanceAlpha);
 }
 
 }  // namespace fiatlux

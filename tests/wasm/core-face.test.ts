@@ -96,6 +96,24 @@ describe('values have the declared shapes', () => {
   });
 });
 
+test('an alpha-search ends with a verdict and a layout that can be shown', () => {
+  const info = session.info();
+  if (!info) throw new Error('no scene');
+  const constraints = [{ statistic: 'minimum', min: 1, surfaces: ['floor'] }] as const;
+  expect(session.setIntentions(coreIntentions({ ...even, constraints }, info.surfaces))).toBe('');
+  expect(session.startAlpha(1)).toBe('');
+  let progress = session.advanceAlpha(1000, 0);
+  for (let slice = 0; slice < 10_000 && typeof progress !== 'string' && !progress.done; ++slice)
+    progress = session.advanceAlpha(20_000, 0);
+  if (typeof progress === 'string') throw new Error(progress);
+  expect(progress).toMatchObject({ done: true, verdict: expect.stringMatching(/.{10}/) });
+  expect(progress.steps.length).toBeGreaterThan(0);
+  expect(progress.steps[0]?.region).toMatch(/^I{1,3}$/);
+  if (!progress.layout) throw new Error('no layout');
+  const { sites, flux, dimming } = progress.layout;
+  expect(session.show(sites, flux, dimming)).toMatchObject({ layout: { dimming } });
+});
+
 describe('errors are one readable line', () => {
   const line = /^[^\n]{8,200}$/;
   test('before anything is open', () => {

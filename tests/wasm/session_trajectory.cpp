@@ -2,30 +2,21 @@
 //   session_trajectory write FILE           a small made-up scene as a .flux file, its sections deflated
 //   session_trajectory run FILE SEED LUX    searches of the wishes below; one JSON line an incumbent
 // tests/wasm/trajectory.test.ts asks the same of the Wasm module.
-#include <zlib.h>
-
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene_sections.h"
-#include "core/session.h"
 #include "tests/core/synthetic_scene.h"
+#include "tests/wasm/open_file.h"
 
 namespace fiatlux {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-[[noreturn]] void fail(const std::string& message) {
-  std::fprintf(stderr, "session_trajectory: %s\n", message.c_str());
-  std::exit(2);
-}
 
 StoredSection deflated(PlainSection plain) {
   uLongf size = compressBound(plain.bytes.size());
@@ -54,25 +45,6 @@ void write(const char* path) {
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(file.data()), file.size());
 }
 
-void open(Session& session, const char* path) {
-  std::ifstream stream(path, std::ios::binary);
-  const Bytes file{std::istreambuf_iterator<char>(stream), {}};
-  if (auto opened = session.openTable(file); !opened) fail(opened.error().message);
-  for (std::uint32_t i = 0; i < session.table()->sections.size(); ++i) {
-    if (!session.needed(i)) continue;
-    const SceneSection& section = session.table()->sections[i];
-    const auto bytes = storedBytes(file, section);
-    Bytes inflated(bytes.begin(), bytes.end());
-    if (section.codec == Codec::kDeflate) {
-      uLongf size = section.inflatedBytes;
-      inflated.resize(size);
-      if (uncompress(inflated.data(), &size, bytes.data(), bytes.size()) != Z_OK) fail(section.name);
-    }
-    if (auto kept = session.provide(i, std::move(inflated)); !kept) fail(kept.error().message);
-  }
-  if (auto finished = session.finish(); !finished) fail(finished.error().message);
-}
-
 /// The wishes of trajectory.test.ts: even light everywhere; much light on the first surface while the second
 /// stays within bounds; little power with a true minimum and a common dimming, on luminaires apart from each
 /// other.
@@ -94,11 +66,11 @@ std::vector<Intentions> wishes(double lux) {
 
 void run(const char* path, std::uint32_t seed, double lux) {
   Session session;
-  open(session, path);
+  openFile(session, path);
   int wish = 0;
   for (const Intentions& intentions : wishes(lux)) {
-    if (auto set = session.setIntentions(intentions); !set) fail(set.error().message);
-    if (auto started = session.start(seed, nullptr); !started) fail(started.error().message);
+    requireDone(session.setIntentions(intentions));
+    requireDone(session.start(seed, nullptr));
     for (std::uint32_t slice : {1u, 10u, 89u, 900u, 4000u, 5000u}) {
       const SearchProgress progress = session.advance(slice);
       const Shown shown = *session.incumbent();

@@ -67,6 +67,27 @@ export interface CoreCheck {
   readonly margins: Float64Array; // 1 a constraint, relative; negative = not met
 }
 
+/** One iteration of the alpha-search. */
+export interface CoreAlphaStep {
+  readonly alpha: number;
+  readonly low: number; // the interval that it was tried for
+  readonly high: number;
+  readonly region: 'I' | 'II' | 'III';
+  readonly mean: number; // of the guarded surfaces, as are the next two
+  readonly sigma: number;
+  readonly minimum: number; // true, over the patches
+  readonly phi: number; // the goal in its own unit
+}
+
+export interface AlphaProgress {
+  readonly done: boolean;
+  readonly steps: readonly CoreAlphaStep[]; // the ones asked for
+  readonly verdict: string; // '' until it is done
+  readonly alpha: number | null; // the smallest that works
+  readonly feasibleBound: number | null; // where none works: the best bound that some layout meets
+  readonly layout: CoreLayout | null; // the answer, or the layout of the feasible bound
+}
+
 /** The order of core/intentions.h. */
 export const statisticCodes = {
   mean: 0,
@@ -142,6 +163,10 @@ export interface Session {
   show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
   /** Statistics of a layout against its patches. */
   check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
+  /** Begins the alpha-search for the true minima and maxima that are asked for. */
+  startAlpha(seed: number): string;
+  /** Spends about that many evaluations; tells the iterations from number `from` on. */
+  advanceAlpha(evaluations: number, from: number): OrError<AlphaProgress>;
   /** Frees the session; nothing may be called after it. */
   delete(): void;
 }
@@ -160,6 +185,8 @@ export const sessionMethods = {
   incumbent: 0,
   show: 3,
   check: 3,
+  startAlpha: 1,
+  advanceAlpha: 2,
   delete: 0,
 } as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
 

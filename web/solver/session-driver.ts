@@ -3,7 +3,8 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
-import type { Session } from './core.ts';
+import { AlphaJob } from './alpha-job.ts';
+import type { AlphaProgress, Session } from './core.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import { openScene } from './open-scene.ts';
 import type { FromWorker, Intentions, SceneInfo, Shown, ToWorker } from './protocol.ts';
@@ -17,6 +18,11 @@ interface Search {
   readonly job: SearchJob;
 }
 
+interface Alpha {
+  readonly request: Request<'alpha'>;
+  readonly job: AlphaJob;
+}
+
 export class SessionDriver {
   readonly #session: Session;
   readonly #post: Post;
@@ -27,6 +33,7 @@ export class SessionDriver {
   #isOpening = false;
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #search: Search | null = null;
+  #alpha: Alpha | null = null;
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
   constructor(session: Session, post: Post, clock: Clock) {
@@ -37,7 +44,7 @@ export class SessionDriver {
 
   /** Whether `step` has something to do. */
   get busy(): boolean {
-    return this.#next !== null || this.#search !== null;
+    return this.#next !== null || this.#search !== null || this.#alpha !== null;
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -50,7 +57,9 @@ export class SessionDriver {
   /** One slice of what runs. */
   step(): void {
     if (this.#next) this.#begin(this.#next);
-    if (this.#search) this.#attempt(this.#search.request.revision, () => this.#advance());
+    const { request } = this.#search ?? this.#alpha ?? {};
+    if (request)
+      this.#attempt(request.revision, () => (this.#search ? this.#advance() : this.#advanceAlpha()));
   }
 
   #take(message: Exclude<ToWorker, Request<'open'>>): void {
@@ -63,6 +72,7 @@ export class SessionDriver {
       case 'check':
         return this.#attempt(message.revision, () => this.#check(message));
       case 'alpha':
+        return this.#attempt(message.revision, () => this.#beginAlpha(message));
       case 'bound':
         return;
       case 'stop':
@@ -76,7 +86,7 @@ export class SessionDriver {
     const turn = ++this.#opening;
     const isCurrent = () => turn === this.#opening;
     this.#isOpening = true;
-    this.#next = this.#search = null;
+    this.#drop();
     this.#waiting = [];
     try {
       const opened = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent);
@@ -92,8 +102,13 @@ export class SessionDriver {
     for (const request of waiting) if (request.type !== 'open') this.#take(request);
   }
 
+  /** Ends what runs, and what was to run. */
+  #drop(): void {
+    this.#next = this.#search = this.#alpha = null;
+  }
+
   #begin(request: Request<'solve'>): void {
-    this.#next = this.#search = null;
+    this.#drop();
     this.#attempt(request.revision, () => {
       this.#ask(request.intentions);
       check(
@@ -123,8 +138,34 @@ export class SessionDriver {
     });
   }
 
+  #beginAlpha(request: Request<'alpha'>): void {
+    this.#drop();
+    this.#ask(request.intentions);
+    check(this.#session.startAlpha(request.seed));
+    this.#alpha = { request, job: new AlphaJob(this.#session, this.#clock) };
+  }
+
+  #advanceAlpha(): void {
+    if (!this.#alpha) return;
+    const { job, request } = this.#alpha;
+    const { revision } = request;
+    const { steps, end } = job.step();
+    for (const step of steps) this.#post({ type: 'alphaStep', revision, step }, []);
+    if (!end) return;
+    this.#alpha = null;
+    this.#concludeAlpha(revision, end);
+  }
+
+  #concludeAlpha(revision: number, { alpha, verdict, feasibleBound, layout }: AlphaProgress): void {
+    const core = layout && this.#session.show(layout.sites, layout.flux, layout.dimming);
+    if (typeof core === 'string') throw new Error(core);
+    const shown = core && shownOf(core, 0, this.#leaves());
+    const transfer = shown ? [shown.illuminance.buffer] : [];
+    this.#post({ type: 'alphaDone', revision, alpha, verdict, shown, feasibleBound }, transfer);
+  }
+
   #show({ revision, intentions, layout }: Request<'show'>): void {
-    this.#next = this.#search = null;
+    this.#drop();
     this.#ask(intentions);
     const core = this.#session.show(...coreLayout(layout));
     if (typeof core === 'string') throw new Error(core);
@@ -143,7 +184,7 @@ export class SessionDriver {
   }
 
   #check({ revision, intentions, layout }: Request<'check'>): void {
-    this.#next = this.#search = null;
+    this.#drop();
     this.#ask(intentions);
     const checked = this.#session.check(...coreLayout(layout));
     if (typeof checked === 'string') throw new Error(checked);
@@ -160,9 +201,8 @@ export class SessionDriver {
   }
 
   #stop(): void {
-    this.#next = null;
     const search = this.#search;
-    this.#search = null;
+    this.#drop();
     if (search) this.#attempt(search.request.revision, () => this.#answer('settled', search));
   }
 
@@ -179,7 +219,7 @@ export class SessionDriver {
     try {
       action();
     } catch (error) {
-      this.#search = null;
+      this.#drop();
       this.#fail(revision, error);
     }
   }

@@ -1,5 +1,5 @@
 /** A session of four patches whose search becomes better at given counts of evaluations, and a clock set by hand. */
-import type { CoreIntentions, CoreShown, Session } from '../../../web/solver/core.ts';
+import type { AlphaProgress, CoreIntentions, CoreShown, Session } from '../../../web/solver/core.ts';
 import type { Intentions } from '../../../web/solver/protocol.ts';
 
 export class FakeClock {
@@ -80,6 +80,36 @@ export class FakeSession implements Session {
   }
   check() {
     return { largestDifference: 1e-5, surface: 0, margins: Float64Array.of(0.25) };
+  }
+  startAlpha(seed: number) {
+    this.calls.push(`alpha ${seed}`);
+    this.evaluations = 0;
+    return '';
+  }
+  /** An iteration every 50 000 evaluations; the third one answers. */
+  advanceAlpha(evaluations: number, from: number): AlphaProgress {
+    this.evaluations += evaluations;
+    this.clock.now += evaluations / this.evaluationsPerMillisecond;
+    const count = Math.min(3, Math.floor(this.evaluations / 50_000));
+    const step = {
+      alpha: 0.5,
+      low: 0,
+      high: 1,
+      region: 'II',
+      mean: 9,
+      sigma: 2,
+      minimum: 5,
+      phi: 3,
+    } as const;
+    const done = count === 3;
+    return {
+      done,
+      steps: Array.from({ length: Math.max(0, count - from) }, () => step),
+      verdict: done ? 'alpha 0.5 is enough.' : '',
+      alpha: done ? 0.5 : null,
+      feasibleBound: null,
+      layout: done ? shown([1]).layout : null,
+    };
   }
   delete() {
     this.calls.push('delete');

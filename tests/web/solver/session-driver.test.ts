@@ -219,6 +219,29 @@ describe('the other requests', () => {
     ]);
   });
 
+  test('alpha tells every iteration once, then the verdict with its layout', async () => {
+    await opened();
+    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });
+    settle();
+    expect(kinds()).toEqual(['alphaStep 2', 'alphaStep 2', 'alphaStep 2', 'alphaDone 2']);
+    expect(answers[1]).toMatchObject({ step: { iteration: 2, interval: [0, 1], goal: 3, region: 'II' } });
+    expect(answers[3]).toMatchObject({
+      alpha: 0.5,
+      verdict: expect.stringContaining('enough'),
+      shown: { layout: { sites: [1] } },
+    });
+    expect(session.calls).toContain('alpha 4');
+  });
+
+  test('a new wish ends the alpha-search', async () => {
+    await opened();
+    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });
+    driver.step();
+    await driver.receive(solve(3));
+    settle();
+    expect(kinds().filter((kind) => kind.startsWith('alpha'))).toEqual([]);
+  });
+
   test('stop ends the search with what it has', async () => {
     await opened();
     await driver.receive(solve(2));
