@@ -22,9 +22,8 @@ class FarField {
 
   FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed);
 
-  /// isFar[c] (k): whether cluster c is distant from row p, and u[c] (k) its form factor then, 0 for near
-  /// ones.
-  void row(std::uint32_t p, const PatchSampler& sampler, std::vector<char>& isFar, float* u) const;
+  /// ranges[c] and u[c] (k each) of row p; u is 0 for near clusters.
+  void row(std::uint32_t p, const PatchSampler& sampler, std::vector<Range>& ranges, float* u) const;
 
  private:
   static constexpr std::uint32_t kPool = 16;    // points of a part for shadow rays
