@@ -8,5 +8,7 @@ class App;
 namespace fiatlux {
 
 // Each registers a callback that throws CommandError on failure; main prints it and exits with status 2.
+void addSolveCommand(CLI::App& app);
+void addAlphaCommand(CLI::App& app);
 
 }  // namespace fiatlux

@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
   app.name("fiatlux");
   app.set_version_flag("--version", "fiatlux 1.0.0");
   app.require_subcommand(1);
+  fiatlux::addSolveCommand(app);
+  fiatlux::addAlphaCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -108,6 +108,10 @@ inline void addPatches(Scene& scene, const Plan& plan) {
       }
     }
   scene.patches.count = scene.patches.rows();
+  scene.patches.clusterCount = scene.patches.count;
+  scene.patches.left.assign(scene.patches.count, kNone);
+  scene.patches.up.assign(scene.patches.count, kNone);
+  for (std::uint32_t p = 0; p < scene.patches.count; ++p) scene.patches.cluster.push_back(p);
   for (std::uint32_t p = 0; p < scene.patches.count; ++p) {
     Surface& surface = scene.surfaces[scene.patches.surface[p]];
     surface.area += scene.patches.area[p];
