@@ -1,0 +1,257 @@
+/**
+ * Between the store, the worker and the view: each edit asks the solver at once, each answer lights the room at once.
+ * The numbers of the panel follow once a frame; the picture never waits for them.
+ */
+import { batch } from '@preact/signals';
+import type { Layout } from '../document/types.ts';
+import type { FromWorker, Intentions, SceneInfo, Shown } from '../solver/protocol.ts';
+import { createSolverClient, type SolverClient, type WorkerLike } from '../solver/solver-client.ts';
+import type { Viewer } from '../viewer/types.ts';
+import { coreOrder, fromCore, toCore, type Order } from './luminaire-order.ts';
+import { niceCeiling } from './format.ts';
+import type { Progress, Store } from './store.ts';
+
+export interface Solving {
+  /** Resolves when the scene is open; rejects with one readable line. */
+  open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }>;
+  /** Searches for what the document asks, from the layout shown. `event`: the input that asked. */
+  solve(event?: Event): void;
+  /** The same from this layout (a luminaire under the hand). */
+  solveFrom(layout: Layout): void;
+  /** Searches anew, from nowhere. */
+  solveAfresh(): void;
+  /** Shows exactly this layout. */
+  show(layout: Layout): void;
+  findAlpha(card: string, intentions: Intentions): void;
+  /** Runs other intentions to their end and returns the light they reach; the document's stay. */
+  probe(intentions: Intentions): Promise<Shown>;
+  /** The layout shown now, in the page's order. */
+  layout(): Layout | null;
+  resume(): void;
+  stop(): void;
+}
+
+interface Waiting<T> {
+  readonly resolve: (value: T) => void;
+  readonly reject: (error: Error) => void;
+}
+
+const perFrame = (action: () => void): void => {
+  // A page in the background gets no frames; a timer takes over there.
+  let done = false;
+  const once = () => {
+    if (!done) action();
+    done = true;
+  };
+  requestAnimationFrame(once);
+  setTimeout(once, 120);
+};
+
+export function createSolving(store: Store, viewer: Viewer, createWorker: () => WorkerLike): Solving {
+  let client: SolverClient = createSolverClient(createWorker, receive);
+  let opening: Waiting<{ scene: SceneInfo; room: ArrayBuffer }> | null = null;
+  let probing: Waiting<Shown> | null = null;
+  let file: ArrayBuffer | null = null;
+  let live: Shown | null = null; // the newest answer, in the page's order
+  let order: Order = [];
+  let pending: (() => void) | null = null;
+
+  function later(action: () => void): void {
+    const isFirst = pending === null;
+    pending = action;
+    if (isFirst)
+      perFrame(() => {
+        const latest = pending;
+        pending = null;
+        batch(() => latest?.());
+      });
+  }
+
+  function receive(message: FromWorker): void {
+    switch (message.type) {
+      case 'ready':
+        return;
+      case 'opened':
+        opening?.resolve(message);
+        opening = null;
+        return;
+      case 'improved':
+      case 'settled':
+        return answered(message);
+      case 'alphaStep': {
+        const run = store.alphaRun.peek();
+        if (run) store.alphaRun.value = { ...run, steps: [...run.steps, message.step] };
+        return;
+      }
+      case 'alphaDone': {
+        const run = store.alphaRun.peek();
+        const { alpha, verdict, feasibleBound, shown } = message;
+        if (!run) return;
+        store.alphaRun.value = { ...run, done: { alpha, verdict, feasibleBound } };
+        store.announcement.value = verdict;
+        if (alpha !== null && shown) alphaFound(run.card, alpha, shown);
+        else solve();
+        return;
+      }
+      case 'bounded':
+        store.bound.value = { gap: message.gap, done: message.done };
+        return;
+      case 'checked':
+        return;
+      case 'failed':
+        return failed(message.message);
+      default:
+        message satisfies never;
+    }
+  }
+
+  function answered(message: Extract<FromWorker, { type: 'improved' | 'settled' }>): void {
+    if (probing) {
+      if (message.type === 'improved') return;
+      probing.resolve(message.shown);
+      probing = null;
+      return;
+    }
+    const isShown = message.evaluations === 0;
+    const state = isShown ? 'shown' : message.type === 'settled' ? 'settled' : 'improving';
+    const { evaluations, milliseconds } = message;
+    present(message.shown, { state, evaluations, milliseconds });
+  }
+
+  function present(answer: Shown, progress: Progress): void {
+    const shown = { ...answer, layout: fromCore(answer.layout, order) };
+    const { state } = progress;
+    live = shown;
+    viewer.setLight(shown.illuminance);
+    viewer.setLayout(shown.layout, store.document.peek().luminaires.pinned);
+    later(() => {
+      store.shown.value = shown;
+      store.progress.value = progress;
+      if (store.display.peek().mode === 'falseColor' && !store.legendLocked.peek()) fitLegend(store, shown);
+      if (state === 'settled') settled(shown);
+    });
+  }
+
+  /** The card takes the alpha that was found, and its layout is shown: nothing is searched again. */
+  function alphaFound(card: string, alpha: number, shown: Shown): void {
+    store.edit('Find alpha', (draft) => {
+      const guarantee = draft.cards.find((each) => each.id === card)?.guarantee;
+      if (guarantee) Object.assign(guarantee, { alpha, by: 'chebyshev' });
+    });
+    const { evaluations, milliseconds } = store.progress.peek();
+    present(shown, { state: 'settled', evaluations, milliseconds });
+  }
+
+  function settled(shown: Shown): void {
+    const unmet = shown.constraints.filter((constraint) => !constraint.met).length;
+    const met = unmet === 0 ? 'every intention is met' : `${unmet} bounds cannot be met`;
+    store.announcement.value = `Settled: ${shown.layout.sites.length} luminaires, ${met}.`;
+    const { intentions } = store.traced.peek();
+    if (intentions.goals.length > 0 && unmet === 0) client.bound(intentions);
+  }
+
+  function failed(message: string): void {
+    if (opening) opening.reject(new Error(message));
+    else if (probing) probing.reject(new Error(message));
+    else store.say('error', sentence(message), { label: 'Resume', run: resume });
+    opening = probing = null;
+    const { evaluations, milliseconds } = store.progress.peek();
+    store.progress.value = { state: 'idle', evaluations, milliseconds };
+    if (store.alphaRun.peek()?.done === null) store.alphaRun.value = null;
+  }
+
+  /** A fresh worker with the same room; the last good layout stays and the search goes on from it. */
+  function resume(): void {
+    const bytes = file;
+    if (!bytes) return;
+    client.dispose();
+    client = createSolverClient(createWorker, receive);
+    open(bytes).then(
+      () => solve(),
+      (error: Error) => store.say('error', sentence(error.message)),
+    );
+  }
+
+  function open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }> {
+    opening?.reject(new Error('another room was asked for'));
+    probing?.reject(new Error('another room was asked for'));
+    probing = null;
+    return new Promise<{ scene: SceneInfo; room: ArrayBuffer }>((resolve, reject) => {
+      opening = { resolve, reject };
+      client.open(bytes);
+    }).then((opened) => {
+      file = bytes;
+      return opened;
+    });
+  }
+
+  function begin(): Intentions {
+    probing?.reject(new Error('something else was asked for'));
+    probing = null;
+    if (store.bound.peek()) store.bound.value = null;
+    return store.traced.peek().intentions;
+  }
+
+  function solve(event: Event | undefined = window.event, start: Layout | null = live?.layout ?? null): void {
+    if (!store.scene.peek()) return;
+    const intentions = begin();
+    const at = event && event.timeStamp > 0 ? event.timeStamp : performance.now();
+    order = start ? coreOrder(start, intentions.luminaires.pinned) : [];
+    const seed = store.document.peek().seed;
+    client.solve(intentions, start && toCore(start, order), seed, performance.timeOrigin + at);
+    const { evaluations, milliseconds } = store.progress.peek();
+    store.progress.value = { state: 'improving', evaluations, milliseconds };
+  }
+
+  return {
+    open: (bytes) =>
+      open(bytes).then((opened) => {
+        live = null;
+        order = [];
+        return opened;
+      }),
+    solve: (event) => solve(event),
+    solveFrom: (layout) => solve(undefined, layout),
+    solveAfresh() {
+      live = null;
+      solve();
+    },
+    show(layout) {
+      const intentions = begin();
+      order = coreOrder(layout, intentions.luminaires.pinned);
+      client.show(intentions, toCore(layout, order));
+    },
+    findAlpha(card, intentions) {
+      begin();
+      store.alphaRun.value = { card, steps: [], done: null };
+      client.alpha(intentions, store.document.peek().seed);
+    },
+    probe(intentions) {
+      begin();
+      return new Promise<Shown>((resolve, reject) => {
+        probing = { resolve, reject };
+        client.solve(intentions, null, 1, performance.timeOrigin + performance.now());
+      });
+    },
+    layout: () => live?.layout ?? null,
+    resume,
+    stop: () => client.stop(),
+  };
+}
+
+/** The legend spans the light that is there, rounded, unless a person has locked it. */
+export function fitLegend(store: Store, shown: Shown): void {
+  const rows = shown.surfaces.filter((row) => row.name !== 'all');
+  const area = rows.reduce((sum, row) => sum + row.area, 0);
+  const mean = rows.reduce((sum, row) => sum + row.mean * row.area, 0) / (area || 1);
+  const top = niceCeiling(Math.max(1, mean * 2.5));
+  const { range } = store.display.peek();
+  const fits = range[0] === 0 && range[1] >= mean * 2 && range[1] <= mean * 5;
+  if (!fits) store.display.value = { ...store.display.peek(), range: [0, top] };
+}
+
+export function sentence(text: string): string {
+  const clean = text.trim();
+  const start = clean.charAt(0).toUpperCase() + clean.slice(1);
+  return /[.!?]$/.test(start) ? start : `${start}.`;
+}

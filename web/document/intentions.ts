@@ -1,0 +1,173 @@
+/**
+ * From cards to what the core is asked: a verb is a goal, everything else on a card is a constraint. Each constraint
+ * remembers the card and the bound it came from, so that a bound that cannot be met can be named and eased.
+ */
+import type { Intentions } from '../solver/protocol.ts';
+import type { Card, Constraint, FiatLuxDocument, Goal, Verb } from './types.ts';
+
+export type BoundField =
+  | 'mean.min'
+  | 'mean.max'
+  | 'spread.min'
+  | 'spread.max'
+  | 'guarantee.min'
+  | 'guarantee.max'
+  | 'uniformity'
+  | 'contrast';
+
+/** Where a constraint comes from: one field of one card, so that constraint i answers origins[i]. */
+export interface Origin {
+  readonly card: string;
+  readonly field: BoundField;
+}
+
+export interface TracedIntentions {
+  readonly intentions: Intentions;
+  readonly goalCards: readonly (string | null)[]; // id of the card of each goal; null = saving power
+  readonly origins: readonly Origin[];
+}
+
+export const keepTolerance = 0.1; // keep = mean within +-10 % of the one at the time of asking
+
+const goalOfVerb: Record<Verb, Pick<Goal, 'statistic' | 'sense'> | null> = {
+  illuminate: { statistic: 'mean', sense: 'max' },
+  overshadow: { statistic: 'mean', sense: 'min' },
+  homogenize: { statistic: 'sigma', sense: 'min' },
+  vary: { statistic: 'sigma', sense: 'max' },
+  keep: null,
+};
+
+/** One constraint a bound, in the order of the fields. A bound that asks for nothing (a mean of at least 0) is left out. */
+function constraintsOf(card: Card): { field: BoundField; constraint: Constraint }[] {
+  const { surfaces, mean, spread, guarantee, uniformity, contrast } = card;
+  const list: { field: BoundField; constraint: Constraint }[] = [];
+  const add = (field: BoundField, constraint: Omit<Constraint, 'surfaces'>) =>
+    list.push({ field, constraint: { ...constraint, surfaces } });
+  if (mean?.min) add('mean.min', { statistic: 'mean', min: mean.min });
+  if (mean?.max !== undefined) add('mean.max', { statistic: 'mean', max: mean.max });
+  if (spread?.min) add('spread.min', { statistic: 'sigma', min: spread.min });
+  if (spread?.max !== undefined) add('spread.max', { statistic: 'sigma', max: spread.max });
+  if (guarantee) {
+    const { by, alpha } = guarantee;
+    const chebyshev = { statistic: 'chebyshev', alpha } as const;
+    if (guarantee.min)
+      add('guarantee.min', {
+        ...(by === 'chebyshev' ? chebyshev : { statistic: 'minimum' }),
+        min: guarantee.min,
+      });
+    if (guarantee.max !== undefined)
+      add('guarantee.max', {
+        ...(by === 'chebyshev' ? chebyshev : { statistic: 'maximum' }),
+        max: guarantee.max,
+      });
+  }
+  if (uniformity) add('uniformity', { statistic: 'uniformity', min: uniformity });
+  if (contrast?.min) add('contrast', { statistic: 'contrast', min: contrast.min, over: contrast.over });
+  return list;
+}
+
+export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
+  const goals: Goal[] = [];
+  const goalCards: (string | null)[] = [];
+  const constraints: Constraint[] = [];
+  const origins: Origin[] = [];
+  for (const card of document.cards) {
+    const goal = goalOfVerb[card.verb];
+    if (goal && card.weight > 0) {
+      goals.push({ ...goal, weight: card.weight, surfaces: card.surfaces });
+      goalCards.push(card.id);
+    }
+    for (const { field, constraint } of constraintsOf(card)) {
+      constraints.push(constraint);
+      origins.push({ card: card.id, field });
+    }
+  }
+  if (document.saving) {
+    goals.push({ statistic: 'power', sense: 'min', weight: 1, surfaces: [] });
+    goalCards.push(null);
+  }
+  const { luminaires, quantity } = document;
+  return { intentions: { luminaires, goals, constraints, quantity }, goalCards, origins };
+}
+
+/** The range that Keep asks for, from the mean that is there now. */
+export function keepRange(mean: number): { min: number; max: number } {
+  return { min: mean * (1 - keepTolerance), max: mean * (1 + keepTolerance) };
+}
+
+/** The bound that a field of a card holds, if any. */
+export function boundOf(card: Card, field: BoundField): number | undefined {
+  switch (field) {
+    case 'mean.min':
+      return card.mean?.min;
+    case 'mean.max':
+      return card.mean?.max;
+    case 'spread.min':
+      return card.spread?.min;
+    case 'spread.max':
+      return card.spread?.max;
+    case 'guarantee.min':
+      return card.guarantee?.min;
+    case 'guarantee.max':
+      return card.guarantee?.max;
+    case 'uniformity':
+      return card.uniformity;
+    case 'contrast':
+      return card.contrast?.min;
+  }
+}
+
+type Range = { min?: number; max?: number };
+
+/** The range with one end set; an end of `undefined` is removed, and so is a range without ends. */
+function withEnd(range: Range | undefined, end: 'min' | 'max', value: number | undefined): Range | undefined {
+  const { [end]: _, ...rest } = range ?? {};
+  const next: Range = value === undefined ? rest : { ...rest, [end]: value };
+  return next.min === undefined && next.max === undefined ? undefined : next;
+}
+
+/** The card with a field set to `value` (undefined = no such bound). */
+export function withBound(card: Card, field: BoundField, value: number | undefined): Card {
+  switch (field) {
+    case 'mean.min':
+    case 'mean.max':
+      return withOptional(card, 'mean', withEnd(card.mean, field === 'mean.min' ? 'min' : 'max', value));
+    case 'spread.min':
+    case 'spread.max':
+      return withOptional(
+        card,
+        'spread',
+        withEnd(card.spread, field === 'spread.min' ? 'min' : 'max', value),
+      );
+    case 'guarantee.min':
+    case 'guarantee.max': {
+      const { by = 'chebyshev', alpha = 2 } = card.guarantee ?? {};
+      const range = withEnd(
+        card.guarantee && endsOf(card.guarantee),
+        field === 'guarantee.min' ? 'min' : 'max',
+        value,
+      );
+      return withOptional(card, 'guarantee', range && { by, alpha, ...range });
+    }
+    case 'uniformity':
+      return withOptional(card, 'uniformity', value);
+    case 'contrast':
+      return value === undefined || !card.contrast
+        ? withOptional(card, 'contrast', undefined)
+        : { ...card, contrast: { ...card.contrast, min: value } };
+  }
+}
+
+function endsOf({ min, max }: { min?: number; max?: number }): Range {
+  return { ...(min !== undefined && { min }), ...(max !== undefined && { max }) };
+}
+
+/** Sets an optional property of a card, or takes it away (never stores `undefined`). */
+export function withOptional<Key extends 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast'>(
+  card: Card,
+  key: Key,
+  value: Card[Key] | undefined,
+): Card {
+  const { [key]: _, ...rest } = card;
+  return (value === undefined ? rest : { ...rest, [key]: value }) as Card;
+}

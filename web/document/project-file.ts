@@ -1,0 +1,44 @@
+/** A project file: the document with its layout, camera and display, as JSON that a person can read. */
+import * as v from 'valibot';
+import type { Display } from '../viewer/types.ts';
+import { cameraSchema, displaySchema, documentSchema, firstFault } from './schema.ts';
+import type { Camera, FiatLuxDocument } from './types.ts';
+
+export interface Project {
+  readonly document: FiatLuxDocument;
+  readonly camera: Camera | null;
+  readonly display: Display | null;
+}
+
+const version = 1;
+const largest = 8 << 20; // bytes
+
+const projectSchema = v.object({
+  fiatlux: v.literal('project'),
+  version: v.pipe(v.number(), v.integer()),
+  document: documentSchema,
+  camera: v.nullable(cameraSchema),
+  display: v.nullable(displaySchema),
+});
+
+export function writeProject(project: Project): string {
+  return `${JSON.stringify({ fiatlux: 'project', version, ...project }, null, 2)}\n`;
+}
+
+/** The project, or one readable line. */
+export function readProject(text: string): Project | string {
+  if (text.length > largest) return 'This file is too large for a project (8 MB at most).';
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch {
+    return 'This is not a Fiat Lux project: the file is not JSON.';
+  }
+  const claimed = (json as { version?: unknown } | null)?.version;
+  if (typeof claimed === 'number' && claimed > version)
+    return `This project was made by a newer Fiat Lux (file version ${claimed}; this app reads up to ${version}).`;
+  const parsed = v.safeParse(projectSchema, json);
+  if (!parsed.success) return `This is not a Fiat Lux project (${firstFault(parsed.issues)}).`;
+  const { document, camera, display } = parsed.output;
+  return { document, camera, display };
+}

@@ -1,0 +1,111 @@
+/**
+ * Validators of everything that arrives from outside (links, project files, storage). They bound every number and
+ * length, so that what passes is a document the app can hold; names are cleaned of characters that could mislead.
+ */
+import * as v from 'valibot';
+import type { Display } from '../viewer/types.ts';
+import type { Camera, FiatLuxDocument } from './types.ts';
+
+export const mostLuminaires = 500;
+const mostCards = 60;
+const mostSites = 100_000;
+
+const number = (low: number, high: number) =>
+  v.pipe(v.number(), v.finite(), v.minValue(low), v.maxValue(high));
+const whole = (low: number, high: number) => v.pipe(number(low, high), v.integer());
+const lux = number(0, 1e7);
+const ratio = number(0, 1e4);
+
+/** Control, format (bidi overrides too), surrogate and private characters go; what is left is cut. */
+export function cleanName(text: string): string {
+  return text.replace(/\p{C}/gu, '').slice(0, 200);
+}
+
+const name = v.pipe(v.string(), v.maxLength(2000), v.transform(cleanName), v.minLength(1));
+const names = v.pipe(v.array(name), v.minLength(1), v.maxLength(200));
+const range = v.object({ min: v.exactOptional(lux), max: v.exactOptional(lux) });
+const site = whole(0, mostSites - 1);
+const sites = v.pipe(v.array(site), v.maxLength(mostSites));
+
+export const cardSchema = v.object({
+  id: v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/)),
+  surfaces: names,
+  verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
+  weight: number(0, 1000),
+  mean: v.exactOptional(range),
+  spread: v.exactOptional(range),
+  guarantee: v.exactOptional(
+    v.object({ by: v.picklist(['chebyshev', 'patches']), alpha: number(0, 100), ...range.entries }),
+  ),
+  uniformity: v.exactOptional(number(0, 1)),
+  contrast: v.exactOptional(v.object({ over: names, min: ratio })),
+});
+
+const dimming = v.pipe(
+  v.tuple([number(0, 1), number(0, 1)]),
+  v.check(([low, high]) => low <= high, 'the dimming range is upside down'),
+);
+
+export const luminairesSchema = v.object({
+  count: whole(1, mostLuminaires),
+  flux: number(0, 1e7),
+  dimming,
+  pinned: v.pipe(sites, v.maxLength(mostLuminaires)),
+  excluded: sites,
+  minDistance: number(0, 1000),
+});
+
+export const layoutSchema = v.pipe(
+  v.object({
+    sites: v.pipe(sites, v.maxLength(mostLuminaires)),
+    flux: v.pipe(v.array(number(0, 1e7)), v.maxLength(mostLuminaires)),
+    dimming: number(0, 1),
+  }),
+  v.check((layout) => layout.sites.length === layout.flux.length, 'sites and fluxes differ in number'),
+);
+
+export const identitySchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{0,16}$/));
+export const roomSchema = name;
+export const seedSchema = whole(0, 0xffffffff);
+export const quantitySchema = v.picklist(['illuminance', 'exitance']);
+export const cardsSchema = v.pipe(v.array(cardSchema), v.maxLength(mostCards));
+
+export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({
+  scene: identitySchema,
+  room: roomSchema,
+  cards: cardsSchema,
+  saving: v.boolean(),
+  luminaires: luminairesSchema,
+  quantity: quantitySchema,
+  seed: seedSchema,
+  layout: v.nullable(layoutSchema),
+});
+
+const metre = number(-1e5, 1e5);
+export const pointSchema = v.tuple([metre, metre, metre]);
+export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
+  position: pointSchema,
+  target: pointSchema,
+  plan: v.boolean(),
+});
+
+export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
+  mode: v.picklist(['realistic', 'falseColor']),
+  exposure: number(-20, 20),
+  colorMap: v.picklist(['viridis', 'cividis', 'inferno', 'turbo']),
+  steps: whole(0, 64),
+  logarithmic: v.boolean(),
+  range: v.tuple([lux, lux]),
+  isolux: v.boolean(),
+  quantity: quantitySchema,
+  cutAway: v.boolean(),
+  measuringPlanes: v.boolean(),
+});
+
+/** "cards.0.mean: Invalid type ..." -> one short clause about the first fault. */
+export function firstFault(issues: readonly v.BaseIssue<unknown>[]): string {
+  const issue = issues[0];
+  if (!issue) return 'it does not have the expected form';
+  const path = issue.path?.map((item) => String(item.key)).join('.') ?? '';
+  return `${path ? `${cleanName(path)}: ` : ''}${cleanName(issue.message)}`.slice(0, 160);
+}

@@ -1,0 +1,47 @@
+/** Files dropped anywhere on the page are opened; while they hover, the page says what it takes. */
+import { Upload } from 'lucide-preact';
+import { useEffect, useState } from 'preact/hooks';
+import { useApp } from '../app/app.ts';
+
+export function DropZone() {
+  const app = useApp();
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    let depth = 0;
+    const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+    const listeners: Record<string, (event: DragEvent) => void> = {
+      dragenter: (event) => {
+        if (hasFiles(event)) setOver(++depth > 0);
+      },
+      dragleave: (event) => {
+        if (hasFiles(event)) setOver(--depth > 0);
+      },
+      dragover: (event) => {
+        if (hasFiles(event)) event.preventDefault();
+      },
+      drop: (event) => {
+        depth = 0;
+        setOver(false);
+        const file = event.dataTransfer?.files[0];
+        if (!hasFiles(event)) return;
+        event.preventDefault();
+        if (file) void app.opening.file(file);
+      },
+    };
+    const entries = Object.entries(listeners) as [string, EventListener][];
+    for (const [type, listener] of entries) window.addEventListener(type, listener);
+    return () => {
+      for (const [type, listener] of entries) window.removeEventListener(type, listener);
+    };
+  }, []);
+  if (!over) return null;
+  return (
+    <div class="drop-zone">
+      <div>
+        <Upload size={28} aria-hidden />
+        <strong>Drop it here</strong>
+        <span>a scene (.flux), a room (.glb) or a project. It stays on this computer.</span>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,76 @@
+/** The scale of the false colours; its ends can be typed and locked. */
+import { Lock, LockOpen } from 'lucide-preact';
+import { useApp } from '../app/app.ts';
+import { niceStep, unitOf } from '../app/format.ts';
+import { legendStops, legendTicks } from '../viewer/false-color.ts';
+import { NumberField } from './number-field.tsx';
+
+const width = 240;
+
+export function Legend() {
+  const app = useApp();
+  const { store } = app;
+  const display = store.display.value;
+  const isLocked = store.legendLocked.value;
+  const [low, high] = display.range;
+  const unit = unitOf(display.quantity);
+  const setEnd = (range: readonly [number, number]) => {
+    store.legendLocked.value = true;
+    app.setDisplay({ range });
+  };
+  const step = niceStep(Math.max(high - low, 1)) * 5;
+  return (
+    <section class="legend" aria-label="Legend">
+      <div class="legend-ends">
+        <NumberField
+          label="Low end of the legend"
+          value={low}
+          step={step}
+          max={high}
+          onInput={(value) => value !== undefined && setEnd([value, high])}
+        />
+        <span>{unit}</span>
+        <NumberField
+          label="High end of the legend"
+          value={high}
+          step={step}
+          min={low}
+          onInput={(value) => value !== undefined && setEnd([low, value])}
+        />
+        <button
+          class="icon-button small"
+          aria-pressed={isLocked}
+          aria-label={isLocked ? 'Unlock the ends of the legend' : 'Lock the ends of the legend'}
+          title={isLocked ? 'Locked: the ends stay' : 'Follows the light'}
+          onClick={() => (store.legendLocked.value = !isLocked)}
+        >
+          {isLocked ? <Lock size={14} aria-hidden /> : <LockOpen size={14} aria-hidden />}
+        </button>
+      </div>
+      <svg
+        viewBox={`0 0 ${width} 30`}
+        width={width}
+        height="30"
+        role="img"
+        aria-label={`From ${low} to ${high} ${unit}`}
+      >
+        <defs>
+          <linearGradient id="legend-colors">
+            {legendStops(display).map(({ at, color }, index) => (
+              <stop key={index} offset={at} stop-color={color} />
+            ))}
+          </linearGradient>
+        </defs>
+        <rect x="0" y="0" width={width} height="12" rx="3" fill="url(#legend-colors)" />
+        {legendTicks(display, 5).map(({ at, label }) => (
+          <g key={at}>
+            <line x1={at * width} x2={at * width} y1="12" y2="16" class="tick" />
+            <text x={at * width} y="27" text-anchor={at < 0.06 ? 'start' : at > 0.94 ? 'end' : 'middle'}>
+              {label}
+            </text>
+          </g>
+        ))}
+      </svg>
+    </section>
+  );
+}

@@ -1,0 +1,51 @@
+/** Messages that stay until they are read, and the live region that speaks for the picture. */
+import { Info, TriangleAlert, X } from 'lucide-preact';
+import { useEffect } from 'preact/hooks';
+import type { Message, Store } from '../app/store.ts';
+
+export function Messages({ store }: { store: Store }) {
+  return (
+    <div class="messages" role="region" aria-label="Messages">
+      {store.messages.value.map((message) => (
+        <Toast key={message.id} message={message} close={() => store.dismiss(message.id)} />
+      ))}
+    </div>
+  );
+}
+
+function Toast({ message, close }: { message: Message; close: () => void }) {
+  const { kind, text, action } = message;
+  useEffect(() => {
+    if (kind !== 'info') return;
+    const timer = setTimeout(close, 7000);
+    return () => clearTimeout(timer);
+  }, []);
+  return (
+    <div class={`toast toast-${kind}`} role={kind === 'error' ? 'alert' : 'status'}>
+      {kind === 'info' ? <Info size={16} aria-hidden /> : <TriangleAlert size={16} aria-hidden />}
+      <p>{text}</p>
+      {action && (
+        <button
+          class="button small"
+          onClick={() => {
+            close();
+            action.run();
+          }}
+        >
+          {action.label}
+        </button>
+      )}
+      <button class="icon-button small" aria-label="Dismiss this message" onClick={close}>
+        <X size={14} aria-hidden />
+      </button>
+    </div>
+  );
+}
+
+export function LiveRegion({ store }: { store: Store }) {
+  return (
+    <div class="unseen" role="status" aria-live="polite">
+      {store.announcement.value}
+    </div>
+  );
+}

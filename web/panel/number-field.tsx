@@ -1,0 +1,71 @@
+/** A number that is typed exactly, with its unit. Live while it can be read; empty means "no such bound" where allowed. */
+import { useState } from 'preact/hooks';
+import { stepped } from './slider.tsx';
+
+interface Props {
+  readonly label: string;
+  readonly value: number | undefined;
+  readonly unit?: string;
+  readonly step: number;
+  readonly min?: number;
+  readonly max?: number;
+  readonly placeholder?: string;
+  readonly whole?: boolean;
+  readonly onInput: (value: number | undefined) => void; // undefined only when `placeholder` is given
+  readonly onEnd?: () => void;
+}
+
+/** "1 250,5" -> 1250.5; null where it is no number. */
+export function readNumber(text: string): number | null {
+  const clean = text.replace(/[\s\u202f\u2009]/g, '').replace(',', '.');
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
+  const value = Number(clean);
+  return Number.isFinite(value) ? value : null;
+}
+
+const written = (value: number | undefined) =>
+  value === undefined ? '' : String(Number(value.toPrecision(6)));
+
+export function NumberField(props: Props) {
+  const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, onInput, onEnd } = props;
+  const [draft, setDraft] = useState<string | null>(null);
+  const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
+  const isWrong = draft !== null && draft !== '' && readNumber(draft) === null;
+  const take = (text: string) => {
+    setDraft(text);
+    const next = readNumber(text);
+    if (next !== null) onInput(fit(next));
+    else if (text.trim() === '' && placeholder !== undefined) onInput(undefined);
+  };
+  const end = () => {
+    setDraft(null);
+    onEnd?.();
+  };
+  return (
+    <span class={isWrong ? 'number-field wrong' : 'number-field'}>
+      <input
+        type="text"
+        inputMode="decimal"
+        autoComplete="off"
+        spellcheck={false}
+        aria-label={unit ? `${label}, ${unit}` : label}
+        aria-invalid={isWrong}
+        placeholder={placeholder}
+        value={draft ?? written(value)}
+        onFocus={(event) => event.currentTarget.select()}
+        onInput={(event) => take(event.currentTarget.value)}
+        onBlur={end}
+        onKeyDown={(event) => {
+          if (event.key === 'Enter') return end();
+          if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+          event.preventDefault();
+          const next = stepped(event, value ?? 0, step);
+          if (next === null) return;
+          setDraft(null);
+          onInput(fit(next));
+        }}
+      />
+      {unit && <span class="unit">{unit}</span>}
+    </span>
+  );
+}

@@ -1,0 +1,94 @@
+/** What can be done with what is selected: a verb for a surface, pin or move for a luminaire. */
+import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, X } from 'lucide-preact';
+import { useApp } from '../app/app.ts';
+import { compact, unitOf } from '../app/format.ts';
+import { verbs } from './verbs.ts';
+
+export function SelectionBar() {
+  const { store } = useApp();
+  if (!store.scene.value) return null;
+  if (store.luminaire.value !== null) return <LuminaireBar luminaire={store.luminaire.value} />;
+  if (store.surface.value !== null) return <SurfaceBar surface={store.surface.value} />;
+  return null;
+}
+
+function SurfaceBar({ surface }: { surface: number }) {
+  const app = useApp();
+  const { store } = app;
+  const row = store.shown.value?.surfaces[surface];
+  const name = store.scene.value?.surfaces[surface]?.name;
+  if (name === undefined) return null;
+  return (
+    <div class="selection-bar" role="toolbar" aria-label={`Intentions for ${name}`}>
+      <span class="selection-name">
+        <strong>{name}</strong>
+        {row && (
+          <span>
+            {compact(row.mean)} {unitOf(store.document.value.quantity)}
+          </span>
+        )}
+      </span>
+      {verbs.map(({ verb, title, icon: Icon, hint }) => (
+        <button key={verb} class="chip" title={hint} onClick={() => app.addCard(verb, [name])}>
+          <Icon size={15} aria-hidden />
+          <span>{title}</span>
+        </button>
+      ))}
+      <button
+        class="icon-button small"
+        aria-label="Clear the selection"
+        onClick={() => app.selectSurface(null)}
+      >
+        <X size={15} aria-hidden />
+      </button>
+    </div>
+  );
+}
+
+/** Steps along the room's axes as seen in plan: x to the right, z down. */
+export const steps = [
+  { key: 'ArrowLeft', title: 'Move left in plan', icon: ArrowLeft, direction: [-1, 0, 0] },
+  { key: 'ArrowUp', title: 'Move up in plan', icon: ArrowUp, direction: [0, 0, -1] },
+  { key: 'ArrowDown', title: 'Move down in plan', icon: ArrowDown, direction: [0, 0, 1] },
+  { key: 'ArrowRight', title: 'Move right in plan', icon: ArrowRight, direction: [1, 0, 0] },
+] as const;
+
+function LuminaireBar({ luminaire }: { luminaire: number }) {
+  const { store, hand } = useApp();
+  const site = store.shown.value?.layout.sites[luminaire];
+  if (site === undefined) return null;
+  const isPinned = store.document.value.luminaires.pinned.includes(site);
+  return (
+    <div class="selection-bar" role="toolbar" aria-label={`Luminaire L${luminaire + 1}`}>
+      <span class="selection-name">
+        <strong>L{luminaire + 1}</strong>
+      </span>
+      <button class="chip" aria-pressed={isPinned} onClick={() => hand.togglePin(luminaire)}>
+        {isPinned ? <PinOff size={15} aria-hidden /> : <Pin size={15} aria-hidden />}
+        <span>{isPinned ? 'Unpin' : 'Pin here'}</span>
+      </button>
+      {steps.map(({ key, title, icon: Icon, direction }) => (
+        <button
+          key={key}
+          class="icon-button"
+          aria-label={title}
+          title={title}
+          onClick={() => hand.step(luminaire, direction)}
+        >
+          <Icon size={15} aria-hidden />
+        </button>
+      ))}
+      <button class="chip" title="No luminaire may hang here" onClick={() => hand.exclude(site)}>
+        <Ban size={15} aria-hidden />
+        <span>Keep this place free</span>
+      </button>
+      <button
+        class="icon-button small"
+        aria-label="Clear the selection"
+        onClick={() => (store.luminaire.value = null)}
+      >
+        <X size={15} aria-hidden />
+      </button>
+    </div>
+  );
+}

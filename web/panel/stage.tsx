@@ -1,0 +1,80 @@
+/** The view: canvas and its labels, and what floats over it. The lists of the panel are its twin for the keyboard. */
+import type { RefObject } from 'preact';
+import { useContext } from 'preact/hooks';
+import { AppContext, useApp } from '../app/app.ts';
+import { compact, unitOf } from '../app/format.ts';
+import { Legend } from './legend.tsx';
+import { PreviewNote } from './preview-note.tsx';
+import { SelectionBar } from './selection-bar.tsx';
+import { ViewToolbar } from './view-toolbar.tsx';
+
+interface Props {
+  readonly canvas: RefObject<HTMLCanvasElement | null>;
+  readonly labels: RefObject<HTMLDivElement | null>;
+  readonly ready: boolean;
+}
+
+export function Stage({ canvas, labels, ready }: Props) {
+  return (
+    <main class="stage">
+      <canvas
+        ref={canvas}
+        class="view"
+        tabIndex={0}
+        role="application"
+        aria-roledescription="3D view"
+        aria-label="The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit. With a luminaire selected, the arrow keys move it. Surfaces and luminaires are also listed in the panel."
+      />
+      <div ref={labels} class="labels" aria-hidden="true" />
+      {ready && <Overlays />}
+    </main>
+  );
+}
+
+function Overlays() {
+  const { store } = useApp();
+  return (
+    <>
+      <ViewToolbar />
+      <Probe />
+      {store.display.value.mode === 'falseColor' && store.scene.value && <Legend />}
+      <SelectionBar />
+      <PreviewNote />
+      <Loading />
+    </>
+  );
+}
+
+function Loading() {
+  const { store } = useApp();
+  const what = store.loading.value;
+  if (!what) return null;
+  return (
+    <div class={store.scene.value ? 'loading' : 'loading first'} role="status">
+      <span class="spinner" aria-hidden="true" />
+      {what} …
+    </div>
+  );
+}
+
+/** The light under the pointer. */
+function Probe() {
+  const app = useContext(AppContext);
+  const hover = app?.store.hover.value;
+  const surface = hover && app?.store.scene.value?.surfaces[hover.surface];
+  if (!app || !hover || !surface) return null;
+  const { quantity } = app.store.document.value;
+  const value = quantity === 'exitance' ? hover.lux * surface.reflectance : hover.lux;
+  return (
+    <div
+      class="probe"
+      style={{ transform: `translate(${hover.x + 14}px, ${hover.y + 14}px)` }}
+      aria-hidden="true"
+    >
+      <strong>
+        {compact(value)} {unitOf(quantity)}
+      </strong>
+      <span>{surface.name}</span>
+    </div>
+  );
+}

@@ -1,0 +1,43 @@
+/** What the solver does, in one quiet line. */
+import { RefreshCw } from 'lucide-preact';
+import { useApp } from '../app/app.ts';
+import { grouped, percent } from '../app/format.ts';
+
+const words = {
+  idle: 'Not solved',
+  improving: 'Improving',
+  settled: 'Settled',
+  shown: 'As given',
+} as const;
+
+export function StatusLine() {
+  const { store, solving } = useApp();
+  const { state, evaluations, milliseconds } = store.progress.value;
+  const shown = store.shown.value;
+  const bound = store.bound.value;
+  const isMet = shown !== null && shown.violation === 0;
+  return (
+    <footer class="status-line">
+      <span class={`lamp ${state}`} aria-hidden="true" />
+      <span class="status-state">{words[state]}</span>
+      {evaluations > 0 && (
+        <span class="status-figures">
+          {grouped(String(evaluations))} layouts · {grouped(milliseconds.toFixed(milliseconds < 10 ? 1 : 0))}{' '}
+          ms
+        </span>
+      )}
+      {state === 'settled' && bound && isMet && (
+        <span class="status-bound" title="A proved bound: no layout can be better by more than this">
+          within {percent(bound.gap)} of the best
+        </span>
+      )}
+      <span class="spacer" />
+      {(state === 'shown' || state === 'idle') && shown && (
+        <button class="button small" onClick={() => solving.solve()}>
+          <RefreshCw size={13} aria-hidden />
+          Re-solve
+        </button>
+      )}
+    </footer>
+  );
+}

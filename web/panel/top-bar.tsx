@@ -1,0 +1,66 @@
+/** The slim bar: which room, undo and redo, files, all actions, share. */
+import { ChevronDown, Command, Ellipsis, Redo2, Share2, Undo2 } from 'lucide-preact';
+import { useApp } from '../app/app.ts';
+import type { Action } from '../app/actions.ts';
+import { keyText } from '../app/keyboard.ts';
+import { Menu } from './menu.tsx';
+
+export function useAction(id: string): Action {
+  const action = useApp().actions.find((each) => each.id === id);
+  if (!action) throw new Error(`there is no action "${id}"`);
+  return action;
+}
+
+function ActionButton({ id, icon: Icon }: { id: string; icon: typeof Undo2 }) {
+  const action = useAction(id);
+  const keys = action.keys?.[0];
+  return (
+    <button
+      class="icon-button"
+      disabled={!(action.enabled?.() ?? true)}
+      aria-label={action.title}
+      title={keys ? `${action.title} (${keyText(keys)})` : action.title}
+      onClick={action.run}
+    >
+      <Icon size={17} aria-hidden />
+    </button>
+  );
+}
+
+export function TopBar() {
+  const { store, actions } = useApp();
+  const files = actions.filter((action) => action.group === 'File' && action.id !== 'share');
+  return (
+    <header class="top-bar">
+      <span class="brand">
+        <svg viewBox="0 0 32 32" width="22" height="22" aria-hidden="true">
+          <path class="brand-lamp" d="M10 6h12v3H10z" />
+          <path class="brand-beam" d="M10 11h12l6 15H4z" />
+        </svg>
+        <span class="brand-name">Fiat Lux</span>
+      </span>
+      <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
+        <h1>{store.roomTitle.value}</h1>
+        <ChevronDown size={15} aria-hidden />
+      </button>
+      <span class="spacer" />
+      <ActionButton id="undo" icon={Undo2} />
+      <ActionButton id="redo" icon={Redo2} />
+      <span class="rule" />
+      <ActionButton id="palette" icon={Command} />
+      <Menu
+        label="File and export"
+        icon={Ellipsis}
+        items={[...files, ...actions.filter((a) => a.id === 'help')]}
+      />
+      <button
+        class="button primary"
+        disabled={store.scene.value === null}
+        onClick={() => (store.dialog.value = 'share')}
+      >
+        <Share2 size={15} aria-hidden />
+        <span>Share</span>
+      </button>
+    </header>
+  );
+}

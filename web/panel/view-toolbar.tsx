@@ -1,0 +1,174 @@
+/** How the room is looked at: realistic or false colour, what belongs to each, and where from. */
+import { Box, House, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
+import { useRef, useState } from 'preact/hooks';
+import { useApp } from '../app/app.ts';
+import type { ColorMap, Display, ViewName } from '../viewer/types.ts';
+import { useDismiss } from './menu.tsx';
+import { Slider } from './slider.tsx';
+
+const views: readonly [ViewName, string][] = [
+  ['plan', 'Plan'],
+  ['corner', 'Corner'],
+  ['north', 'North'],
+  ['east', 'East'],
+  ['south', 'South'],
+  ['west', 'West'],
+];
+
+const colorMaps: readonly ColorMap[] = ['viridis', 'cividis', 'inferno', 'turbo'];
+
+export function ViewToolbar() {
+  const app = useApp();
+  const { mode } = app.store.display.value;
+  return (
+    <div class="view-toolbar" role="toolbar" aria-label="View">
+      <div class="segments" role="group" aria-label="Picture">
+        <button
+          aria-pressed={mode === 'realistic'}
+          title="Realistic (C)"
+          onClick={() => app.setMode('realistic')}
+        >
+          <Sun size={15} aria-hidden />
+          <span>Realistic</span>
+        </button>
+        <button
+          aria-pressed={mode === 'falseColor'}
+          title="False colour (C)"
+          onClick={() => app.setMode('falseColor')}
+        >
+          <Palette size={15} aria-hidden />
+          <span>False colour</span>
+        </button>
+      </div>
+      <Popover label="Picture settings" icon={SlidersHorizontal}>
+        <DisplaySettings />
+      </Popover>
+      <Popover label="Views" icon={Box}>
+        <div class="view-grid">
+          {views.map(([name, title]) => (
+            <button key={name} class="button small" onClick={() => app.viewer.view(name)}>
+              {title}
+            </button>
+          ))}
+        </div>
+      </Popover>
+      <button class="icon-button" aria-label="Fit the room" title="Fit (F)" onClick={() => app.viewer.fit()}>
+        <Maximize size={16} aria-hidden />
+      </button>
+      <button class="icon-button" aria-label="Home view" title="Home (H)" onClick={() => app.viewer.home()}>
+        <House size={16} aria-hidden />
+      </button>
+    </div>
+  );
+}
+
+interface PopoverProps {
+  readonly label: string;
+  readonly icon: typeof Sun;
+  readonly children: preact.ComponentChildren;
+}
+
+function Popover({ label, icon: Icon, children }: PopoverProps) {
+  const [open, setOpen] = useState(false);
+  const root = useRef<HTMLDivElement>(null);
+  useDismiss(root, open, () => setOpen(false));
+  return (
+    <div class="menu-root" ref={root}>
+      <button
+        class="icon-button"
+        aria-label={label}
+        title={label}
+        aria-expanded={open}
+        onClick={() => setOpen(!open)}
+      >
+        <Icon size={16} aria-hidden />
+      </button>
+      {open && (
+        <div class="popover" role="group" aria-label={label}>
+          {children}
+        </div>
+      )}
+    </div>
+  );
+}
+
+function DisplaySettings() {
+  const app = useApp();
+  const display = app.store.display.value;
+  const toggles: readonly [keyof Display & ('isolux' | 'cutAway' | 'measuringPlanes'), string][] = [
+    ['isolux', 'Isolux lines'],
+    ['cutAway', 'Cut away walls in front'],
+    ['measuringPlanes', 'Measuring planes'],
+  ];
+  return (
+    <div class="settings">
+      {display.mode === 'realistic' ? (
+        <label class="setting-row">
+          <span>Exposure</span>
+          <Slider
+            label="Exposure"
+            value={display.exposure}
+            min={-4}
+            max={4}
+            step={0.1}
+            text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
+            onInput={(exposure) => app.setDisplay({ exposure })}
+          />
+          <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
+        </label>
+      ) : (
+        <>
+          <label class="setting-row">
+            <span>Colours</span>
+            <select
+              value={display.colorMap}
+              onChange={(event) => app.setDisplay({ colorMap: event.currentTarget.value as ColorMap })}
+            >
+              {colorMaps.map((name) => (
+                <option key={name}>{name}</option>
+              ))}
+            </select>
+          </label>
+          <label class="setting-row">
+            <span>Steps</span>
+            <select
+              value={String(display.steps)}
+              onChange={(event) => app.setDisplay({ steps: Number(event.currentTarget.value) })}
+            >
+              {[0, 5, 8, 10, 12, 16].map((steps) => (
+                <option key={steps} value={String(steps)}>
+                  {steps === 0 ? 'continuous' : String(steps)}
+                </option>
+              ))}
+            </select>
+          </label>
+          <Check
+            label="Logarithmic scale"
+            checked={display.logarithmic}
+            set={(logarithmic) => app.setDisplay({ logarithmic })}
+          />
+        </>
+      )}
+      {toggles.map(([key, label]) => (
+        <Check key={key} label={label} checked={display[key]} set={(on) => app.setDisplay({ [key]: on })} />
+      ))}
+    </div>
+  );
+}
+
+export function Check({
+  label,
+  checked,
+  set,
+}: {
+  label: string;
+  checked: boolean;
+  set: (on: boolean) => void;
+}) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={checked} onChange={(event) => set(event.currentTarget.checked)} />
+      <span>{label}</span>
+    </label>
+  );
+}
