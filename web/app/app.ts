@@ -12,7 +12,7 @@ import { createHand, type Hand } from './hand.ts';
 import { createLeaving, keepSaved, type Leaving } from './leaving.ts';
 import { createOpening, type Opening } from './opening.ts';
 import { createSolving, fitLegend, type Solving } from './solving.ts';
-import { createStore, type Store } from './store.ts';
+import type { Store } from './store.ts';
 
 export interface App {
   readonly store: Store;
@@ -65,7 +65,12 @@ export function createApp(store: Store, { canvas, labels, createViewer, createWo
     if (did) solving.solve();
   };
   const app: App = {
-    ...{ store, solving, viewer, hand, opening, leaving },
+    store,
+    solving,
+    viewer,
+    hand,
+    opening,
+    leaving,
     get actions() {
       return actions;
     },

@@ -38,7 +38,12 @@ export function linkOf(
   const { pinned, ...rules } = document.luminaires;
   const { scene, room, cards, saving, quantity, seed } = document;
   return {
-    ...{ scene, room, cards, saving, quantity, seed },
+    scene,
+    room,
+    cards,
+    saving,
+    quantity,
+    seed,
     luminaires: rules,
     layout: layout && {
       positions: layout.sites.map((site) => positionOf(sites, site)),
