@@ -1,4 +1,5 @@
-// Write beside, flush to the disk, rename. The name of the file being written is kept where a signal handler may see it.
+// Write beside, flush to the disk, rename. The name of the file being written is kept where a signal handler
+// may see it.
 #include "precompute/atomic_file.h"
 
 #include <fcntl.h>
@@ -30,13 +31,18 @@ extern "C" void onInterrupt(int) {
 std::string reason() {
   switch (errno) {
     case ENOSPC:
-    case EDQUOT: return "the disk is full: make room or write elsewhere";
-    case ENOENT: return "there is no such folder";
+    case EDQUOT:
+      return "the disk is full: make room or write elsewhere";
+    case ENOENT:
+      return "there is no such folder";
     case EACCES:
     case EPERM:
-    case EROFS: return "writing there is not permitted";
-    case EISDIR: return "that is a folder";
-    default: return std::strerror(errno);
+    case EROFS:
+      return "writing there is not permitted";
+    case EISDIR:
+      return "that is a folder";
+    default:
+      return std::strerror(errno);
   }
 }
 
@@ -87,7 +93,8 @@ void writeFileAtomically(const std::string& path, std::span<const std::uint8_t> 
   if (isSpecial(path)) return writeSpecial(path, bytes);
   const std::string target = resolved(path);
   const std::string temporary = besides(target);
-  if (temporary.size() >= sizeof temporaryName) throw CommandError(path + ": cannot be written: its name is too long");
+  if (temporary.size() >= sizeof temporaryName)
+    throw CommandError(path + ": cannot be written: its name is too long");
   std::memcpy(temporaryName, temporary.c_str(), temporary.size() + 1);
   temporaryExists = true;
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -114,7 +121,7 @@ void checkWritable(const std::string& path) {
   ::unlink(temporary.c_str());
 }
 
-std::vector<std::uint8_t> readWholeFile(const std::string& path, std::uint64_t maxBytes) {
+std::vector<std::uint8_t> readFileBytes(const std::string& path, std::uint64_t maxBytes) {
   const auto fail = [&](const std::string& why) { return CommandError(path + ": cannot be read: " + why); };
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) throw fail(errno == ENOENT ? "there is no such file" : std::strerror(errno));

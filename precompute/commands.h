@@ -8,6 +8,9 @@ class App;
 namespace fiatlux {
 
 // Each registers a callback that throws CommandError on failure; main prints it and exits with status 2.
+void addPrecomputeCommand(CLI::App& app);
+void addInfoCommand(CLI::App& app);
+void addEvaluateCommand(CLI::App& app);
 void addSolveCommand(CLI::App& app);
 void addAlphaCommand(CLI::App& app);
 

@@ -2,9 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
+#include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
+#include "precompute/progress.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Say what the light in a room should do; the luminaires find their places."};
@@ -13,12 +16,19 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   fiatlux::addSolveCommand(app);
   fiatlux::addAlphaCommand(app);
+  fiatlux::addPrecomputeCommand(app);
+  fiatlux::addInfoCommand(app);
+  fiatlux::addEvaluateCommand(app);
+  fiatlux::installInterruptHandler();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("fiatlux: not enough memory: use larger patches or fewer rays\n", stderr);
+    return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "fiatlux: %s\n", error.what());
+    std::fprintf(stderr, "fiatlux: %s\n", fiatlux::printable(error.what(), 1000).c_str());
     return 2;
   }
   return 0;

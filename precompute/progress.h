@@ -1,4 +1,5 @@
-// How a long command tells that it lives: a bar on a terminal, a plain line now and then elsewhere; standard error only.
+// How a long command tells that it lives: a bar on a terminal, a plain line now and then elsewhere; standard
+// error only.
 #pragma once
 
 #include <chrono>

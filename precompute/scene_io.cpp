@@ -30,7 +30,8 @@ std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes, int leve
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> inflateSection(std::span<const std::uint8_t> file, const SceneSection& section) {
+Result<std::vector<std::uint8_t>> inflateSection(std::span<const std::uint8_t> file,
+                                                 const SceneSection& section) {
   const auto stored = storedBytes(file, section);
   const auto fault = [&](const char* what) {
     return Error{"section " + section.name + ": " + what +
@@ -72,7 +73,7 @@ Result<Scene> readScene(std::span<const std::uint8_t> file) {
 
 Result<Scene> readSceneFile(const std::string& path) {
   try {
-    Result<Scene> scene = readScene(readWholeFile(path));
+    Result<Scene> scene = readScene(readFileBytes(path));
     if (!scene) return Error{path + ": " + scene.error().message};
     return scene;
   } catch (const CommandError& error) {
@@ -85,8 +86,10 @@ std::vector<StoredSection> deflateSections(std::vector<PlainSection> sections) {
   for (PlainSection& plain : sections) {
     const int strategy = plain.section.encoding == Encoding::kResponses ? Z_FILTERED : Z_DEFAULT_STRATEGY;
     StoredSection stored{plain.section, deflated(plain.bytes, 9, strategy)};
-    // note: a very even section would look like a bomb to the reader; Huffman codes alone shrink at most 8 times.
-    if (plain.bytes.size() > kFreeInflatedBytes && plain.bytes.size() / kMaxInflationRatio > stored.bytes.size())
+    // note: a very even section would look like a bomb to the reader; Huffman codes alone shrink at most 8
+    // times.
+    if (plain.bytes.size() > kFreeInflatedBytes &&
+        plain.bytes.size() / kMaxInflationRatio > stored.bytes.size())
       stored.bytes = deflated(plain.bytes, 9, Z_HUFFMAN_ONLY);
     stored.section.codec = Codec::kDeflate;
     if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {

@@ -1,0 +1,228 @@
+// fiatlux precompute: glTF in, scene file out.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/scene_file.h"
+#include "precompute/atomic_file.h"
+#include "precompute/build_room.h"
+#include "precompute/command_error.h"
+#include "precompute/commands.h"
+#if __has_include("precompute/display_mesh.h")
+#include "precompute/display_mesh.h"
+#else
+namespace fiatlux {
+inline std::vector<std::uint8_t> displayMesh(const SourceScene&, const Room&) { return {}; }
+}  // namespace fiatlux
+#endif
+#include "precompute/progress.h"
+#include "precompute/scene_build.h"
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PrecomputeOptions {
+  std::string source, output;
+  RoomOptions room;
+  TransportOptions transport;
+};
+
+/// The options that change the light, in words that never change: part of the room's identity.
+std::string lightOptions(const PrecomputeOptions& options, const Room& room) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "patch=" << room.patchSize << " cluster=" << options.room.cluster
+       << " rays=" << options.transport.rays << " refine=" << options.transport.refine
+       << " paper=" << options.transport.paper << " seed=" << options.transport.seed
+       << " spacing=" << options.room.siteSpacing << " size=" << options.room.siteSize
+       << " scale=" << options.room.scale;
+  for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
+  for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
+  return text.str();
+}
+
+/// Refuses what would not fit, naming what is too many.
+void checkMemory(const PrecomputeOptions& options, const Room& room) {
+  const double bytes = transportBytes(room.patches, room.sites.size(), options.transport);
+  if (bytes <= options.room.memory * 1e9) return;
+  const Patches& patches = room.patches;
+  const double rays = 4.0 * patches.rows() * options.transport.rays;
+  const double clusters = 4.0 * patches.count * patches.clusterCount;
+  const double responses = 8.0 * patches.rows() * room.sites.size();
+  std::string cure = std::to_string(patches.rows()) + " patches x " + std::to_string(patches.clusterCount) +
+                     " clusters are too many: pass a larger --patch";
+  if (rays >= clusters && rays >= responses)
+    cure = std::to_string(patches.rows()) + " patches x " + std::to_string(options.transport.rays) +
+           " rays are too many: pass a larger --patch or fewer --rays";
+  else if (responses >= clusters)
+    cure = std::to_string(patches.rows()) + " patches x " + std::to_string(room.sites.size()) +
+           " sites are too many: pass a larger --patch or --site-spacing";
+  char line[160];
+  std::snprintf(line, sizeof line, "it would take %.1f GB where --memory allows %.1f: ", bytes / 1e9,
+                options.room.memory);
+  throw CommandError(options.source + ": " + line + cure);
+}
+
+/// How the file is made, for `info`.
+Json provenanceOf(const PrecomputeOptions& options, const Room& room, const Transport& transport) {
+  Json json;
+  json["program"] = "fiatlux 1.0.0";
+  json["method"] = kMethodVersion;
+  json["source"] = {{"file", std::filesystem::path(options.source).filename().string()},
+                    {"hash", room.sourceHash}};
+  json["patchSize"] = room.patchSize;
+  json["options"] = {{"patch", options.room.patch},
+                     {"cluster", options.room.cluster},
+                     {"rays", options.transport.rays},
+                     {"refine", options.transport.refine},
+                     {"paper", options.transport.paper},
+                     {"mount", options.room.mounts},
+                     {"siteSpacing", options.room.siteSpacing},
+                     {"siteSize", options.room.siteSize},
+                     {"measure", options.room.measures},
+                     {"scale", options.room.scale},
+                     {"seed", options.transport.seed}};
+  json["seconds"] = Json::object();
+  for (const auto& [stage, seconds] : transport.seconds)
+    json["seconds"][stage] = std::round(seconds * 1e3) / 1e3;
+  double lost = 0, area = 0;
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    if (room.surfaces[s].measuring) continue;
+    lost += room.surfaces[s].area * transport.lost[s];
+    area += room.surfaces[s].area;
+  }
+  json["lost"] = area > 0 ? lost / area : 0;
+  json["residuals"] = transport.residuals;
+  json["peakMiB"] = std::round(transport.bytes / 1048576);
+  json["warnings"] = room.warnings;
+  return json;
+}
+
+/// Seconds since the last call, rounded to milliseconds.
+double lap(std::chrono::steady_clock::time_point& since) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> taken = now - since;
+  since = now;
+  return std::round(taken.count() * 1e3) / 1e3;
+}
+
+template <class T>
+T named(const std::string& path, Result<T> result) {
+  if (!result) throw CommandError(path + ": " + result.error().message);
+  return std::move(result.value());
+}
+
+/// Errors of the source and its room name the file once, whoever found them.
+template <class T>
+T aboutSource(const std::string& path, Result<T> result) {
+  if (!result && result.error().message.rfind(path, 0) == 0) throw CommandError(result.error().message);
+  return named(path, std::move(result));
+}
+
+void precompute(PrecomputeOptions options) {
+  if (options.output.empty())
+    options.output = std::filesystem::path(options.source).replace_extension(".flux").string();
+  checkWritable(options.output);
+  const auto start = std::chrono::steady_clock::now();
+  auto clock = start;
+  Progress progress;
+  options.transport.progress = [&](const char* stage, double fraction) { progress.update(stage, fraction); };
+  options.room.rays = options.transport.rays;
+  options.room.paper = options.transport.paper;
+
+  progress.update("reading", 0);
+  const SourceScene source = aboutSource(options.source, readSourceScene(options.source, options.room.scale));
+  const double readingSeconds = lap(clock);
+  progress.update("patches", 0);
+  Room room = aboutSource(options.source, buildRoom(source, options.room));
+  for (const std::string& warning : source.warnings)
+    if (std::find(room.warnings.begin(), room.warnings.end(), warning) == room.warnings.end())
+      room.warnings.push_back(warning);
+  progress.clear();
+  for (const std::string& warning : room.warnings) printNote("warning: " + options.source + ": " + warning);
+  checkMemory(options, room);
+  const std::string identity = identityOf("fiatlux method " + std::to_string(kMethodVersion) + " source " +
+                                          room.sourceHash + " " + lightOptions(options, room));
+  const double patchSeconds = lap(clock);
+
+  Transport transport = named(options.source, computeTransport(room, options.transport));
+  Json provenance = provenanceOf(options, room, transport);
+  lap(clock);
+  progress.update("display mesh", 0);
+  std::vector<std::uint8_t> display = displayMesh(source, room);
+  provenance["seconds"]["reading"] = readingSeconds;
+  provenance["seconds"]["patches"] = patchSeconds;
+  provenance["seconds"]["display mesh"] = lap(clock);
+
+  progress.update("scene file", 0);
+  const Scene scene = sceneOf(room, transport, identity);
+  const PaperTransport* paper = transport.paper ? &*transport.paper : nullptr;
+  provenance["seconds"]["before the file"] =
+      std::round(std::chrono::duration<double>(clock - start).count() * 1e3) / 1e3;
+  FileErrors errors;
+  const std::vector<std::uint8_t> file =
+      named(options.source, buildSceneFile({scene, std::move(display), &provenance, paper}, errors));
+  writeFileAtomically(options.output, file);
+  progress.clear();
+
+  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+  std::printf("%s: %u patches, %u clusters, %zu sites, %zu surfaces, %.2f MB, identity %s, %.1f s\n",
+              options.output.c_str(), room.patches.count, room.patches.clusterCount, room.sites.size(),
+              room.surfaces.size(), static_cast<double>(file.size()) / 1e6, identity.c_str(), total.count());
+  std::printf(
+      "light lost %.3f %%, residual %.2g, statistics within %.2g, patch light within %.2f %% RMS (median)\n",
+      100 * provenance["lost"].get<double>(), transport.residuals.empty() ? 0.0 : transport.residuals.back(),
+      std::max(errors.mean, errors.sigma), 100 * errors.patchRmsMedian);
+}
+
+}  // namespace
+
+void addPrecomputeCommand(CLI::App& app) {
+  auto o = std::make_shared<PrecomputeOptions>();
+  CLI::App* command = app.add_subcommand("precompute", "glTF in, scene file out");
+  const auto above = [](double low) { return CLI::Range(low, 1e6); };
+  command->add_option("room", o->source, "The room (.glb, or .gltf with its files)")->required();
+  command->add_option("-o,--output", o->output, "The scene file (.flux; default: the room's name)");
+  command->add_option("--patch", o->room.patch, "Edge of a patch, m (default: about 25 000 patches)")
+      ->check(above(1e-4));
+  command->add_option("--cluster", o->room.cluster, "Patches on a cluster's edge")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command->add_option("--rays", o->transport.rays, "Rays from every patch")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  command->add_option("--refine", o->transport.refine, "Refinement steps after the low-rank answer")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  command->add_flag("--paper", o->transport.paper,
+                    "The paper's formulation to the letter, with Y, V and k x k covariances");
+  command->add_option("--mount", o->room.mounts, "Node or surface where luminaires may hang (repeatable)")
+      ->allow_extra_args(false);
+  command->add_option("--site-spacing", o->room.siteSpacing, "Distance between sites, m")->check(above(1e-3));
+  command
+      ->add_option("--site-size", o->room.siteSize, "Side of a luminaire's square, m (default: the spacing)")
+      ->check(above(1e-3));
+  command->add_option("--measure", o->room.measures, "Node that is a measuring plane (repeatable)")
+      ->allow_extra_args(false);
+  command->add_option("--scale", o->room.scale, "Metres of one unit of the file")
+      ->check(above(1e-6))
+      ->capture_default_str();
+  command->add_option("--memory", o->room.memory, "GB that may be used")
+      ->check(above(0.01))
+      ->capture_default_str();
+  command->add_option("--seed", o->transport.seed, "Of the rays")->capture_default_str();
+  command->add_option("--threads", o->transport.threads, "0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->callback([o] { precompute(*o); });
+}
+
+}  // namespace fiatlux
