@@ -8,6 +8,7 @@
 #include <set>
 
 #include "precompute/charts.h"
+#include "precompute/clusters.h"
 #include "precompute/command_error.h"
 #include "precompute/names.h"
 #include "precompute/patches.h"
@@ -121,18 +122,43 @@ void checkMemory(const RoomOptions& options, double patches, double clusters, do
                        ": too many are " + largest->what + "; pass " + largest->cure);
 }
 
-/// Patches that charts will have, and a refusal when their grids alone are too much.
-double foreseePatches(const std::vector<ChartDraft>& charts, const RoomOptions& options, double patch) {
-  double patches = 0, cells = 0;
+double foreseenPatches(const std::vector<ChartDraft>& charts) {
+  double patches = 0;
+  for (const ChartDraft& draft : charts) patches += std::max(1.0, draft.area / (draft.chart.cellU * draft.chart.cellV));
+  return patches;
+}
+
+/// Refuses grids that are too fine, before they are cut.
+void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& options, double patch) {
+  double cells = 0;
   for (const ChartDraft& draft : charts) {
-    patches += std::max(1.0, draft.area / (draft.chart.cellU * draft.chart.cellV));
     cells += static_cast<double>(draft.chart.columns) * draft.chart.rows;
   }
   if (cells * 24 > options.memory * 1e9)
     throw CommandError("patches of " + shortNumber(patch) + " m need " + shortNumber(cells) + " grid cells, more than --memory allows; pass a larger --patch");
+  const double patches = foreseenPatches(charts);
   const double clusters = options.paper ? patches / (options.cluster * options.cluster) : std::min<double>(patches / 4, kMostClusters);
   checkMemory(options, patches, clusters, patches, 0, 0);
-  return patches;
+}
+
+/// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000 patches), and where
+/// a mount's site spacing is known a whole fraction of it, so that squares of light end where patches do.
+double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree, double area) {
+  double spacing = 0;
+  for (const SourceMesh& from : source.meshes)
+    if (from.extras.mount && from.extras.siteSpacing && spacing == 0) spacing = *from.extras.siteSpacing;
+  const auto snapped = [&](double patch) {
+    const double fraction = spacing > 0 ? spacing / std::max(1.0, std::round(spacing / patch)) : patch;
+    return std::abs(std::log(fraction / patch)) < 0.25 ? fraction : patch;
+  };
+  double patch = std::clamp(std::sqrt(area / 25000), 0.05, std::max(0.5, std::sqrt(area / 100000)));
+  // Thin and small things get more patches than their area says: coarsen until the number fits.
+  for (int i = 0; i < 4; ++i) {
+    const double count = foreseenPatches(makeCharts(mesh, tree, snapped(patch), 0));
+    if (count < 1.15 * 25000 || snapped(patch) >= 0.5) break;
+    patch = std::min(patch * std::sqrt(count / 25000), 0.5);
+  }
+  return snapped(patch);
 }
 
 void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
@@ -159,7 +185,8 @@ void sumSurfaces(Room& room) {
 
 void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts, Room& room) {
   room.positions = mesh.positions;
-  for (const WeldedTriangle& triangle : mesh.triangles) room.triangles.push_back({triangle.vertex, kNone, kNone});
+  for (const WeldedTriangle& t : mesh.triangles)
+    room.triangles.push_back({t.vertex, kNone, kNone, {t.mesh, t.source}, {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource}});
   for (std::uint32_t d = 0; d < drafts.size(); ++d)
     for (const Face& face : drafts[d].faces) (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
 }
@@ -245,8 +272,11 @@ std::vector<Mount> proposedMounts(const WeldedMesh& mesh, const SurfaceTree& tre
     for (std::size_t r = 0; r < group.regions.size(); ++r)
       if (group.regions[r].normal.y < -0.9 && group.regions[r].centroid.y > 0.5 * (low + high))
         candidates.push_back({&group, &group.regions[r], group.leafOfRegion[r]});
+  const auto weight = [&](const Candidate& c) {  // what is called a ceiling counts more than a plain roof
+    return c.region->area * (tree.names[c.leaf].find("eiling") != std::string::npos ? 4 : 1);
+  };
   for (const Candidate& c : candidates)
-    if (!best || c.region->area > best->region->area) best = &c;
+    if (!best || weight(c) > weight(*best)) best = &c;
   std::vector<Mount> mounts;
   if (!best) return mounts;
   mounts.push_back({tree.names[best->leaf], {}, 0});
@@ -273,7 +303,7 @@ void addSites(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTr
   }
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
-  const double sensible = std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, 1.5);
+  const double sensible = std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, std::max(1.5, std::sqrt(area / 1000)));
   for (const Mount& mount : mounts) {
     const double spacing = options.siteSpacing > 0 ? options.siteSpacing : mount.spacing > 0 ? mount.spacing : sensible;
     const double size = options.siteSize > 0 ? options.siteSize : spacing;
@@ -317,11 +347,11 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   std::vector<Face> faces = frontFaces(mesh);
   const std::vector<Face> backs = backFaces(source, mesh);
   faces.insert(faces.end(), backs.begin(), backs.end());
-  room.patchSize = options.patch > 0 ? options.patch : defaultPatchSize(areaOf(mesh, faces));
   UniqueNames names;
   const SurfaceTree tree = findSurfaces(source, mesh, faces, 0.01, names);
+  room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(mesh, faces));
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
-  foreseePatches(charts, options, room.patchSize);
+  checkGrids(charts, options, room.patchSize);
 
   addSurfaces(tree, false, room);
   const ReflectanceMap reflectance(source);

@@ -102,8 +102,6 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
 
 }  // namespace
 
-double defaultPatchSize(double area) { return std::clamp(std::sqrt(area / 25000), 0.05, 0.5); }
-
 std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch, std::uint32_t firstSurface) {
   std::vector<ChartDraft> charts;
   for (const SurfaceGroup& group : tree.groups) chartsOfGroup(mesh, group, patch, firstSurface, charts);

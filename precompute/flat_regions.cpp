@@ -201,7 +201,7 @@ FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   return set;
 }
 
-std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set) {
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict) {
   const std::size_t n = set.faces.size();
   const double planeTolerance = 10 * mesh.tolerance;
   std::vector<Vec3> vectors(n);
@@ -246,8 +246,10 @@ std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set) {
         }
         // The direction of a narrow face is known only as well as its vertices are.
         const double height = 2 * areas[f] / longest;
-        const double least = height > 40 * mesh.tolerance ? kSameNormal : 0.5;
-        if (off <= planeTolerance && dot(vectors[f], normal) >= least * areas[f]) take(f);
+        const bool narrow = height <= 40 * mesh.tolerance;
+        const double least = narrow ? 0.5 : kSameNormal;
+        const double most = strict || narrow ? planeTolerance : std::max(planeTolerance, 0.01 * std::sqrt(region.area));
+        if (off <= most && dot(vectors[f], normal) >= least * areas[f]) take(f);
       }
     }
     region.normal = normalized(sum);

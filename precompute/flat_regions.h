@@ -32,8 +32,9 @@ struct Region {
   double area = 0;                   // m2
 };
 
-/// Partitions the set into connected planar regions, largest seed first.
-std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set);
+/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent by up to
+/// 3 degrees and 1 % of its size, as hand-made walls are.
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
 
 /// The straight sides of a region's boundary: neighbouring edges in one line are one side.
 struct Outline {

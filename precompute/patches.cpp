@@ -6,18 +6,15 @@
 #include <map>
 #include <tuple>
 
+#include "precompute/clusters.h"
+#include "precompute/grid_cut.h"
+
 namespace fiatlux {
 namespace {
 
 constexpr double kSliver = 0.05;      // of a cell's area: smaller pieces join a neighbour
 constexpr double kSmallChart = 0.25;  // of a patch's area: smaller charts share patches
 constexpr int kSamples = 32;          // points per patch at which a texture is read
-
-struct Corner {
-  double u, v;  // in cells
-  Vec3 position;
-};
-using Polygon = std::vector<Corner>;
 
 /// A triangle of a patch, with the source it came from.
 struct Piece {
@@ -26,57 +23,21 @@ struct Piece {
   double area;
 };
 
-/// Keeps what of `in` has sign * (coordinate - at) >= 0.
-void clip(const Polygon& in, double Corner::*coordinate, double at, double sign, Polygon& out) {
-  out.clear();
-  for (std::size_t i = 0; i < in.size(); ++i) {
-    const Corner &a = in[i], &b = in[(i + 1) % in.size()];
-    const double da = sign * (a.*coordinate - at), db = sign * (b.*coordinate - at);
-    if (da >= 0) out.push_back(a);
-    if ((da < 0) == (db < 0) || da == 0 || db == 0) continue;
-    const double t = da / (da - db);
-    Corner c{a.u + t * (b.u - a.u), a.v + t * (b.v - a.v), a.position + t * (b.position - a.position)};
-    c.*coordinate = at;
-    out.push_back(c);
-  }
-}
-
 /// Cuts the faces of a chart into pieces, one cell each.
 std::vector<Piece> cutFaces(const WeldedMesh& mesh, const ChartDraft& draft) {
-  const Chart& chart = draft.chart;
   std::vector<Piece> pieces;
-  Polygon whole, band, below, cell;
-  const auto indexOf = [](double x, std::uint32_t count) { return static_cast<std::uint32_t>(std::clamp(std::floor(x), 0.0, count - 1.0)); };
-  const auto range = [&](const Polygon& polygon, double Corner::*coordinate, std::uint32_t count) {
-    double low = 1e300, high = -1e300;
-    for (const Corner& c : polygon) low = std::min(low, c.*coordinate), high = std::max(high, c.*coordinate);
-    const std::uint32_t first = indexOf(low, count);
-    return std::pair{first, std::max(first, indexOf(std::ceil(high) - 1, count))};
-  };
+  GridCut cut;
   for (const Face& face : draft.faces) {
-    whole.clear();
-    for (const std::uint32_t v : face.vertex) {
-      const Vec3 local = mesh.positions[v] - chart.origin;
-      whole.push_back({dot(local, chart.uAxis) / chart.cellU, dot(local, chart.vAxis) / chart.cellV, mesh.positions[v]});
-    }
-    const auto rows = range(whole, &Corner::v, chart.rows);
-    for (std::uint32_t r = rows.first; r <= rows.second; ++r) {
-      band = whole;
-      if (r > rows.first) clip(whole, &Corner::v, r, 1, band);
-      if (r < rows.second) below = band, clip(below, &Corner::v, r + 1, -1, band);
-      if (band.size() < 3) continue;
-      const auto columns = range(band, &Corner::u, chart.columns);
-      for (std::uint32_t c = columns.first; c <= columns.second; ++c) {
-        cell = band;
-        if (c > columns.first) clip(band, &Corner::u, c, 1, cell);
-        if (c < columns.second) below = cell, clip(below, &Corner::u, c + 1, -1, cell);
-        for (std::size_t i = 2; i < cell.size(); ++i) {
-          const Fragment fragment{{cell[0].position, cell[i - 1].position, cell[i].position}};
-          const double area = 0.5 * length(cross(fragment.corner[1] - fragment.corner[0], fragment.corner[2] - fragment.corner[0]));
-          if (area > 0) pieces.push_back({fragment, face.mesh, face.source, r * chart.columns + c, area});
-        }
-      }
-    }
+    const auto& v = face.vertex;
+    cut.cut(draft.chart, {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]},
+            [&](std::uint32_t cell, const std::vector<GridCorner>& polygon) {
+              for (std::size_t i = 2; i < polygon.size(); ++i) {
+                const Fragment fragment{{polygon[0].position, polygon[i - 1].position, polygon[i].position}};
+                const auto& c = fragment.corner;
+                const double area = 0.5 * length(cross(c[1] - c[0], c[2] - c[0]));
+                if (area > 0) pieces.push_back({fragment, face.mesh, face.source, cell, area});
+              }
+            });
   }
   return pieces;
 }
@@ -177,13 +138,9 @@ struct Home {
 using SharedKey = std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t, int>;
 
 SharedKey sharedKey(const ChartDraft& draft, const std::vector<Piece>& pieces, double patch) {
-  const Vec3& n = draft.chart.normal;
-  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-  const bool positive = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) > 0;
   const Vec3 p = pieces[0].fragment.corner[0];
   const auto at = [&](double c) { return static_cast<std::int64_t>(std::floor(c / patch)); };
-  return {draft.chart.surface, at(p.x), at(p.y), at(p.z), 2 * axis + positive};
+  return {draft.chart.surface, at(p.x), at(p.y), at(p.z), dominantDirection(draft.chart.normal)};
 }
 
 /// Numbers the patches of one chart; sets each piece's cell to its patch.
@@ -291,70 +248,6 @@ void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, doub
     room.chartOfPatch.push_back(firstChart + homes[i].draft);
   }
   warnOfClamped(clamped, room);
-}
-
-namespace {
-
-/// Cluster of each patch for blocks of edge x edge cells; returns their number.
-std::uint32_t blockClusters(const Room& room, std::uint32_t edge, std::vector<std::uint32_t>& cluster) {
-  cluster.assign(room.patches.count, kNone);
-  std::uint32_t k = 0;
-  std::vector<std::uint32_t> blocks;
-  for (const Chart& chart : room.charts) {
-    const std::uint32_t across = (chart.columns + edge - 1) / edge;
-    blocks.assign(std::size_t{across} * ((chart.rows + edge - 1) / edge), kNone);
-    for (std::uint32_t c = 0; c < chart.patchOfCell.size(); ++c) {
-      const std::uint32_t p = chart.patchOfCell[c];
-      if (p >= room.patches.count || cluster[p] != kNone) continue;
-      std::uint32_t& block = blocks[c / chart.columns / edge * across + c % chart.columns / edge];
-      if (block == kNone) block = k++;
-      cluster[p] = block;
-    }
-  }
-  return k;
-}
-
-/// Joins clusters of one surface that lie near each other along a space-filling curve, until about `most` are left.
-std::uint32_t joinClusters(const Room& room, std::uint32_t k, std::uint32_t most, std::vector<std::uint32_t>& cluster) {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  std::vector<std::uint32_t> sample(k, kNone);
-  for (std::uint32_t p = 0; p < room.patches.count; ++p) {
-    const Vec3& c = room.patches.center[p];
-    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-    if (sample[cluster[p]] == kNone) sample[cluster[p]] = p;
-  }
-  const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-9});
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> order;  // surface, curve, cluster
-  for (std::uint32_t c = 0; c < k; ++c) {
-    const Vec3 at = (1023 / side) * (room.patches.center[sample[c]] - low);
-    std::uint32_t curve = 0;
-    for (int bit = 9; bit >= 0; --bit)
-      for (const double x : {at.x, at.y, at.z}) curve = curve << 1 | (static_cast<std::uint32_t>(x) >> bit & 1);
-    order.emplace_back(room.patches.surface[sample[c]], curve, c);
-  }
-  std::sort(order.begin(), order.end());
-  const std::uint32_t run = (k + most - 1) / most + 1;
-  std::vector<std::uint32_t> target(k);
-  std::uint32_t joined = 0, inRun = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool newSurface = i > 0 && std::get<0>(order[i]) != std::get<0>(order[i - 1]);
-    if (i > 0 && (newSurface || ++inRun == run)) ++joined, inRun = 0;
-    target[std::get<2>(order[i])] = joined;
-  }
-  for (std::uint32_t& c : cluster) c = target[c];
-  return joined + 1;
-}
-
-}  // namespace
-
-std::uint32_t assignClusters(Room& room, std::uint32_t edge, std::uint32_t most, bool exact) {
-  edge = std::max(edge, 1u);
-  std::uint32_t k = blockClusters(room, edge, room.patches.cluster);
-  while (!exact && k > most && edge < 64) k = blockClusters(room, ++edge, room.patches.cluster);
-  if (!exact && k > most) k = joinClusters(room, k, most, room.patches.cluster);
-  room.patches.clusterCount = k;
-  return edge;
 }
 
 }  // namespace fiatlux

@@ -15,8 +15,4 @@ namespace fiatlux {
 /// like-minded ones nearby. Nothing of the area is lost.
 void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, double patch, const ReflectanceMap* reflectance, Room& room);
 
-/// Fills `cluster`, clusterCount: blocks of edge x edge cells of a chart. Unless `exact`, blocks grow (and small charts
-/// share clusters) until there are at most `most`. Returns the edge that was used.
-std::uint32_t assignClusters(Room& room, std::uint32_t edge, std::uint32_t most, bool exact);
-
 }  // namespace fiatlux

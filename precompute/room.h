@@ -21,10 +21,16 @@ struct Chart {
   std::vector<std::uint32_t> patchOfCell;  // rows x columns, row-major along u; kNone where empty
 };
 
+/// Which triangle of which mesh of the source something came from.
+struct SourceTriangle {
+  std::uint32_t mesh = kNone, triangle = 0;
+};
+
 struct RoomTriangle {
   std::array<std::uint32_t, 3> vertex;  // counter-clockwise seen from the front
   std::uint32_t chart = kNone;          // of the front
   std::uint32_t backChart = kNone;      // of the back: kNone = a ray that meets the back is lost
+  SourceTriangle source = {}, backSource = {};  // for display: where front and back got their material
 };
 
 /// A flat piece of a patch, to sample points on.

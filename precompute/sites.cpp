@@ -19,7 +19,7 @@ struct MountPlanes {
 MountPlanes planesOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
   MountPlanes planes;
   planes.set = makeFaceSet(mesh, faces);
-  planes.regions = flatRegions(mesh, planes.set);
+  planes.regions = flatRegions(mesh, planes.set, true);
   const auto down = [](const Region& r) { return r.normal.y < -0.5; };
   if (std::any_of(planes.regions.begin(), planes.regions.end(), down))
     planes.regions.erase(std::remove_if(planes.regions.begin(), planes.regions.end(), [&](const Region& r) { return !down(r); }),
