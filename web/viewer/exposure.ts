@@ -6,7 +6,7 @@
 const reference = 300; // lx, a usual office
 const adaptation = 0.8;
 /** Light that a white surface of albedo 1 sends to the camera at the reference level, before the tone curve. */
-const key = 0.95;
+const key = 1.15;
 
 /**
  * The level that the exposure follows, lx: area-weighted, between the mean and the 80th percentile, so that a

@@ -97,16 +97,17 @@ export function cornerAzimuth(box: Box, aspect: number, shares: readonly number[
   for (let q = 1; q < 4; q++) if ((shares[q] ?? 0) > (shares[quadrant] ?? 0) + 1e-6) quadrant = q;
   const width = box.max[0] - box.min[0];
   const depth = box.max[2] - box.min[2];
-  // The turn away from the diagonal grows with the room's slimness, up to 21 degrees.
+  // The turn away from the diagonal grows with the room's slimness, up to 28 degrees.
   const slimness = Math.log2(Math.max(depth, 1e-3) / Math.max(width, 1e-3));
-  const towardsEast = Math.max(-21, Math.min(21, 16 * slimness)) * (aspect >= 1 ? 1 : -1);
+  const towardsEast = Math.max(-28, Math.min(28, 20 * slimness)) * (aspect >= 1 ? 1 : -1);
   const eastern = [45 + towardsEast, 135 - towardsEast, 225 + towardsEast, 315 - towardsEast];
   return eastern[quadrant]!;
 }
 
 /** The elevation (degrees) of the corner view: an eye that looks into a flat room must stand higher. */
-export function cornerElevation(box: Box): number {
+export function cornerElevation(box: Box, aspect = 1.5): number {
   const across = Math.hypot(box.max[0] - box.min[0], box.max[2] - box.min[2]);
   const flatness = Math.log2(across / Math.max(box.max[1] - box.min[1], 1e-3)); // 0.5 for a cube, 3.5 for a corridor
-  return Math.max(22, Math.min(48, 18 + 9 * flatness));
+  const upright = aspect < 0.8 ? 8 : 0; // a tall picture is filled better from above
+  return Math.max(24, Math.min(48, 23 + 7 * flatness)) + upright;
 }

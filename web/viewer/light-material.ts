@@ -78,12 +78,15 @@ vec3 colorOnLegend(float quantity) {
   return texture2D(colorTable, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
+// Straight up to a knee, then a rational shoulder that never reaches white; what is far too bright pales a little.
 vec3 toneCurve(vec3 color) {
-#ifdef TONE_MAPPING
-  return toneMapping(color);
-#else
-  return clamp(color, 0.0, 1.0);
-#endif
+  const float knee = 0.42;
+  float peak = max(color.r, max(color.g, color.b));
+  if (peak <= knee) return color;
+  float over = (peak - knee) / (1.0 - knee);
+  float shown = knee + (1.0 - knee) * over / (1.0 + over);
+  float pale = 1.0 - 1.0 / (1.0 + 0.12 * (peak - shown));
+  return mix(color * (shown / peak), vec3(shown), pale);
 }
 
 void main() {
@@ -104,7 +107,7 @@ void main() {
   bool mapped = falseColor || measuring;
   vec3 color = mapped ? colorOnLegend(quantity) : toneCurve(surface.rgb * vLight * exposure);
   if (isolux) {
-    float line = isoluxLine(quantity, 1.1 * pixelRatio);
+    float line = isoluxLine(quantity, 0.7 * pixelRatio);
     float bright = dot(color, vec3(0.2126, 0.7152, 0.0722));
     color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
   }

@@ -1,6 +1,7 @@
 /** Names of luminaires over the picture: small HTML tags L1, L2, ... that can be clicked and dragged like the luminaire. */
 import { Vector3, type Camera } from 'three';
 import type { LuminaireObject } from './luminaire-objects.ts';
+import { spreadTags } from './tag-layout.ts';
 
 const svg = 'http://www.w3.org/2000/svg';
 /** A pin, 10 x 10. */
@@ -15,6 +16,8 @@ function pinIcon(): SVGSVGElement {
   icon.append(path);
   return icon;
 }
+
+const corners = [0, 1, 2, 3].map((i) => new Vector3(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, 0));
 
 export class LuminaireTags {
   private labels: HTMLElement;
@@ -48,24 +51,40 @@ export class LuminaireTags {
     });
   }
 
-  /** Puts every tag over its luminaire; those behind the eye are hidden. */
+  /** Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden. */
   follow(objects: readonly LuminaireObject[], camera: Camera, width: number, height: number): void {
-    this.tags.forEach((tag, i) => {
+    const places = this.tags.map((tag, i) => {
       const object = objects[i];
-      const point = this.point;
-      if (object) point.copy(object.group.position).project(camera);
-      const visible = object !== undefined && Math.abs(point.z) <= 1;
-      tag.hidden = !visible;
-      if (!visible) return;
-      const x = Math.round((0.5 + 0.5 * point.x) * width);
-      const y = Math.round((0.5 - 0.5 * point.y) * height);
-      tag.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
+      if (object) this.point.copy(object.group.position).project(camera);
+      const visible = object !== undefined && Math.abs(this.point.z) <= 1;
+      if (tag.hidden === visible) tag.hidden = !visible;
+      if (!visible) return { x: -1e4 * (i + 1), y: 0 };
+      return this.placeOf(object, camera, width, height);
+    });
+    const compact = width < 600;
+    spreadTags(places, compact ? 24 : 32, compact ? 15 : 19).forEach(({ x, y }, i) => {
+      const tag = this.tags[i]!;
+      if (!tag.hidden)
+        tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -50%)`;
     });
   }
 
   dispose(): void {
     this.setCount(0);
     this.labels.classList.remove('viewer-labels');
+  }
+
+  /** On a large luminaire, above a small one (which it would hide); px. */
+  private placeOf({ panel }: LuminaireObject, camera: Camera, width: number, height: number) {
+    const [x, y] = [(0.5 + 0.5 * this.point.x) * width, (0.5 - 0.5 * this.point.y) * height];
+    let [top, right] = [y, x];
+    for (const corner of corners) {
+      this.point.copy(corner).applyMatrix4(panel.matrixWorld).project(camera);
+      top = Math.min(top, (0.5 - 0.5 * this.point.y) * height);
+      right = Math.max(right, (0.5 + 0.5 * this.point.x) * width);
+    }
+    const small = 1 - Math.min(1, Math.max(0, (2 * (right - x) - 44) / 40));
+    return { x, y: y + small * (top - 11 - y) };
   }
 
   private create(luminaire: number): HTMLElement {

@@ -4,6 +4,8 @@
  */
 import {
   Box3,
+  BufferAttribute,
+  BufferGeometry,
   Color,
   DoubleSide,
   FrontSide,
@@ -11,7 +13,6 @@ import {
   MeshBasicMaterial,
   ShaderMaterial,
   Vector3,
-  type BufferGeometry,
   type Group,
   type Material,
   type MeshStandardMaterial,
@@ -20,6 +21,7 @@ import {
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import type { SceneInfo } from '../solver/protocol.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from './light-material.ts';
+import { splitBySide } from './cut-away.ts';
 import type { Box } from './framing.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
@@ -32,6 +34,7 @@ export interface LitMesh {
 export interface RoomMesh {
   readonly root: Group;
   readonly lit: readonly LitMesh[];
+  readonly meshes: readonly Mesh[]; // all but measuring planes
   readonly box: Box;
   /** How much of the surfaces faces an eye at azimuth 45, 135, 225 and 315 degrees; every surface counts 1. */
   readonly facing: readonly number[];
@@ -122,6 +125,42 @@ function boundsOf(root: Object3D): Box {
   return { min: box.min.toArray(), max: box.max.toArray() };
 }
 
+const splittable = 60_000; // triangles; finer meshes are left whole
+
+/** The triangles of `index` alone, with the vertices that they use. */
+function indexedPart(geometry: BufferGeometry, index: readonly number[]): BufferGeometry {
+  const part = new BufferGeometry();
+  const used = [...new Set(index)];
+  const place = new Map(used.map((vertex, i) => [vertex, i]));
+  for (const [name, source] of Object.entries(geometry.attributes)) {
+    const attribute = source as BufferAttribute;
+    const size = attribute.itemSize;
+    const values = new (attribute.array.constructor as Float32ArrayConstructor)(size * used.length);
+    used.forEach((vertex, i) => {
+      for (let c = 0; c < size; c++) values[size * i + c] = attribute.array[size * vertex + c]!;
+    });
+    part.setAttribute(name, new BufferAttribute(values, size, attribute.normalized));
+  }
+  return part.setIndex(index.map((vertex) => place.get(vertex)!));
+}
+
+/** Gives things that hang on several walls a mesh for each wall, so that they can be cut away with it. */
+function splitHungMeshes(root: Object3D, room: Box): void {
+  for (const mesh of meshesOf(root)) {
+    const { geometry } = mesh;
+    const interleaved = Object.values(geometry.attributes).some((each) => !(each instanceof BufferAttribute));
+    if (!geometry.index || interleaved || geometry.index.count > 3 * splittable) continue;
+    const world = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+    const sides = splitBySide(room, geometry.index.array, world.array);
+    sides?.forEach((index, i) => {
+      const part = i === 0 ? mesh : mesh.clone();
+      part.geometry = indexedPart(geometry, index);
+      if (i > 0) mesh.parent?.add(part);
+    });
+    if (sides) geometry.dispose();
+  }
+}
+
 const meshesOf = (root: Object3D): Mesh[] => {
   const meshes: Mesh[] = [];
   root.traverse((object) => object instanceof Mesh && meshes.push(object));
@@ -152,8 +191,11 @@ export async function loadRoomMesh(
   const root = await parse(glb);
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
+  const box = boundsOf(root);
+  splitHungMeshes(root, box);
+  const meshes = meshesOf(root);
   const sources = new Set<Material>();
-  for (const mesh of meshesOf(root)) {
+  for (const mesh of meshes) {
     const source = mesh.material as MeshStandardMaterial;
     sources.add(source);
     if (source.map) source.map.anisotropy = anisotropy;
@@ -170,10 +212,12 @@ export async function loadRoomMesh(
     if (measuring) [mesh.visible, mesh.renderOrder] = [false, 2];
     lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring });
   }
+  const planes = new Set<Mesh>(lit.filter(({ measuring }) => measuring).map(({ mesh }) => mesh));
   return {
     root,
     lit,
-    box: boundsOf(root),
+    meshes: meshes.filter((mesh) => !planes.has(mesh)),
+    box,
     facing: facingShares(lit),
     dispose: () => freeMeshes(root, sources),
   };
@@ -185,5 +229,6 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   root.updateMatrixWorld(true);
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
-  return { root, lit: [], box: boundsOf(root), facing: [0, 0, 0, 0], dispose: () => freeMeshes(root, []) };
+  const dispose = () => freeMeshes(root, []);
+  return { root, lit: [], meshes: meshesOf(root), box: boundsOf(root), facing: [0, 0, 0, 0], dispose };
 }

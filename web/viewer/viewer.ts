@@ -3,6 +3,7 @@ import { DoubleSide, FrontSide, Mesh, Vector3, type Ray } from 'three';
 import type { Camera, Layout } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import { CameraRig } from './camera-rig.ts';
+import { CutAway } from './cut-away.ts';
 import { Dragging } from './dragging.ts';
 import { Emphasis } from './emphasis.ts';
 import { FrameLoop } from './frame-loop.ts';
@@ -29,6 +30,7 @@ class RoomViewer implements Viewer {
   private stage: Stage;
   private rig: CameraRig;
   private light = new RoomLight(this.loop);
+  private cutAway = new CutAway();
   private outlines = new SurfaceOutlines();
   private luminaires = new LuminaireObjects(this.loop);
   private marks = new SiteMarks();
@@ -164,6 +166,7 @@ class RoomViewer implements Viewer {
     this.emphasis.setRoom(room.lit);
     this.stage.daylight.visible = info === null;
     this.stage.scene.add(room.root);
+    this.cutAway.setRoom(room.box, room.meshes);
     this.rig.setRoom(room.box, room.facing);
     this.applyDisplay();
     this.loop.invalidate();
@@ -177,6 +180,7 @@ class RoomViewer implements Viewer {
     this.excluded = [];
     this.marks.setExcluded(null, []);
     this.emphasis.setRoom([]);
+    this.cutAway.setRoom(null, []);
     if (this.room) this.stage.scene.remove(this.room.root);
     this.room?.dispose();
     this.room = null;
@@ -204,6 +208,7 @@ class RoomViewer implements Viewer {
   private draw(): void {
     if (this.disposed) return;
     this.rig.update();
+    this.cutAway.update(this.rig.active, this.display?.cutAway ?? true);
     this.stage.draw(this.rig.active);
     this.tags.follow(this.luminaires.objects, this.rig.active, this.stage.width, this.stage.height);
   }

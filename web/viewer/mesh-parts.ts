@@ -1,0 +1,31 @@
+/** Connected parts of a triangle mesh: what touches at a vertex hangs together. Vertices within 0.1 mm are one. */
+
+const weld = 1e4; // 1 / m
+
+/** Triangles (first index of each in `index`) of every connected part. */
+export function connectedParts(index: ArrayLike<number>, positions: ArrayLike<number>): number[][] {
+  const vertices = new Int32Array(positions.length / 3);
+  const known = new Map<string, number>();
+  for (let v = 0; v < vertices.length; v++) {
+    const key = [0, 1, 2].map((i) => Math.round(positions[3 * v + i]! * weld)).join(' ');
+    const first = known.get(key) ?? v;
+    known.set(key, first);
+    vertices[v] = first;
+  }
+  // Union-find with path halving.
+  const parent = Int32Array.from(vertices.keys());
+  const find = (v: number): number => {
+    while (parent[v] !== v) v = parent[v] = parent[parent[v]!]!;
+    return v;
+  };
+  const root = (corner: number) => find(vertices[index[corner]!]!);
+  for (let i = 0; i + 2 < index.length; i += 3)
+    for (const corner of [i + 1, i + 2]) parent[root(corner)] = root(i);
+  const parts = new Map<number, number[]>();
+  for (let i = 0; i + 2 < index.length; i += 3) {
+    const part = parts.get(root(i));
+    if (part) part.push(i);
+    else parts.set(root(i), [i]);
+  }
+  return [...parts.values()];
+}
