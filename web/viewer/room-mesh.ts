@@ -19,6 +19,7 @@ import {
   type Object3D,
 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../solver/protocol.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from './light-material.ts';
 import { splitBySide } from './cut-away.ts';
@@ -112,6 +113,7 @@ function facingShares(lit: readonly LitMesh[]): number[] {
 async function parse(glb: ArrayBuffer): Promise<Group> {
   try {
     const gltf = await new GLTFLoader().parseAsync(glb, '');
+    for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
     return gltf.scene;
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
@@ -148,8 +150,7 @@ function indexedPart(geometry: BufferGeometry, index: readonly number[]): Buffer
 function splitHungMeshes(root: Object3D, room: Box): void {
   for (const mesh of meshesOf(root)) {
     const { geometry } = mesh;
-    const interleaved = Object.values(geometry.attributes).some((each) => !(each instanceof BufferAttribute));
-    if (!geometry.index || interleaved || geometry.index.count > 3 * splittable) continue;
+    if (!geometry.index || geometry.index.count > 3 * splittable) continue;
     const world = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
     const sides = splitBySide(room, geometry.index.array, world.array);
     sides?.forEach((index, i) => {
