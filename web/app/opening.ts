@@ -20,12 +20,15 @@ export interface Opening {
   /** What the address asks for, or else the last work, or else the first room. */
   start(hash: string, last: Project | null): Promise<void>;
   link(hash: string): Promise<boolean>;
+  /** Leaves the preview of a .glb: the room that was open is shown again as it was. */
+  endPreview(): Promise<void>;
 }
 
 const isRoom = (id: string) => rooms.some((room) => room.room === id);
 
 export function createOpening(store: Store, solving: Solving, viewer: Viewer): Opening {
   let turn = 0; // the latest wish to open something wins
+  let placed: { readonly room: ArrayBuffer; readonly scene: SceneInfo } | null = null;
 
   /** Runs one opening; errors become one message, and what was on the screen stays. */
   async function attempt(
@@ -64,8 +67,9 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     const { scene, room } = await solving.open(bytes);
     if (!isCurrent()) return;
     const { document, view } = make(scene);
-    await viewer.open(room, scene);
+    await viewer.open(room.slice(0), scene);
     if (!isCurrent()) return;
+    placed = { room, scene };
     batch(() => {
       store.scene.value = scene;
       store.roomTitle.value = title;
@@ -214,10 +218,22 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       if (isCurrent()) store.preview.value = name;
     });
 
+  async function endPreview(): Promise<void> {
+    const back = placed;
+    if (!back) return openEntry(firstRoom).then(() => undefined);
+    await attempt('Going back', async (isCurrent) => {
+      await viewer.open(back.room.slice(0), back.scene);
+      if (!isCurrent()) return;
+      store.preview.value = null;
+      solving.relight();
+    });
+  }
+
   return {
     entry: async (id) => void (await openEntry(id)),
     file: openFile,
     link: readLink,
+    endPreview,
     async start(hash, last) {
       if (hash.length > 1 && (await readLink(hash))) return;
       if (hash.length <= 1 && last && isRoom(last.document.room) && (await openProject(last))) return;

@@ -27,6 +27,8 @@ export interface Solving {
   probe(intentions: Intentions): Promise<Shown>;
   /** The layout shown now, in the page's order. */
   layout(): Layout | null;
+  /** Hands the light that is there to the view again. */
+  relight(): void;
   resume(): void;
   stop(): void;
 }
@@ -118,12 +120,17 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     present(message.shown, { state, evaluations, milliseconds });
   }
 
+  function relight(): void {
+    if (!live || store.preview.peek() !== null) return;
+    viewer.setLight(live.illuminance);
+    viewer.setLayout(live.layout, store.document.peek().luminaires.pinned);
+  }
+
   function present(answer: Shown, progress: Progress): void {
     const shown = { ...answer, layout: fromCore(answer.layout, order) };
     const { state } = progress;
     live = shown;
-    viewer.setLight(shown.illuminance);
-    viewer.setLayout(shown.layout, store.document.peek().luminaires.pinned);
+    relight();
     later(() => {
       store.shown.value = shown;
       store.progress.value = progress;
@@ -192,7 +199,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     return store.traced.peek().intentions;
   }
 
-  function solve(event: Event | undefined = window.event, start: Layout | null = live?.layout ?? null): void {
+  function solve(event: Event | undefined = globalThis.event, start: Layout | null = live?.layout ?? null): void {
     if (!store.scene.peek()) return;
     const intentions = begin();
     const at = event && event.timeStamp > 0 ? event.timeStamp : performance.now();
@@ -234,6 +241,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       });
     },
     layout: () => live?.layout ?? null,
+    relight,
     resume,
     stop: () => client.stop(),
   };

@@ -31,7 +31,7 @@ export function PreviewNote() {
         <button
           class="icon-button small"
           aria-label="Close the preview"
-          onClick={() => void opening.entry(store.document.peek().room)}
+          onClick={() => void opening.endPreview()}
         >
           <X size={15} aria-hidden />
         </button>

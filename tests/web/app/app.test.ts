@@ -1,0 +1,229 @@
+// The app with a pretended worker and view: what is asked, what is shown, and in which order.
+import { beforeEach, describe, expect, test } from '@jest/globals';
+import { createApp, type App } from '../../../web/app/app.ts';
+import { keyOf } from '../../../web/app/keyboard.ts';
+import { createStore } from '../../../web/app/store.ts';
+import { matching } from '../../../web/panel/palette.tsx';
+import { FakeSolver } from '../fake-solver.ts';
+import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
+
+let frames: (() => void)[] = [];
+let solver: FakeSolver;
+let viewer: FakeViewer;
+let app: App;
+
+const turn = () => new Promise((resolve) => setImmediate(resolve));
+const frame = () => frames.splice(0).forEach((action) => action());
+const settle = () => {
+  solver.flush();
+  frame();
+};
+const file = (name: string) => new File([new Uint8Array(4)], name);
+
+/** A .flux of one's own: floor and wall, sixteen sites. */
+async function openRoom(): Promise<void> {
+  const opening = app.opening.file(file('room.flux'));
+  await turn();
+  solver.flush();
+  await opening;
+  settle();
+}
+
+beforeEach(async () => {
+  frames = [];
+  globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
+  const fake = fakeViewer();
+  app = createApp(createStore(), {
+    canvas: null as unknown as HTMLCanvasElement,
+    labels: null as unknown as HTMLElement,
+    createViewer: fake.create,
+    createWorker: () => (solver = new FakeSolver()),
+  });
+  viewer = fake.viewer();
+  await openRoom();
+});
+
+describe('an edit', () => {
+  test('asks the solver at once, from the layout that is shown', () => {
+    const before = solver.asked.length;
+    app.addCard('illuminate', ['floor']);
+    expect(solver.asked).toHaveLength(before + 1);
+    const request = solver.last('solve')!;
+    expect(request.start?.sites).toEqual(app.store.shown.value?.layout.sites);
+    expect(request.intentions.goals.at(-1)).toMatchObject({
+      statistic: 'mean',
+      sense: 'max',
+      surfaces: ['floor'],
+    });
+  });
+
+  test('lights the view before the numbers of the panel', () => {
+    const shown = app.store.shown.value;
+    viewer.light = null;
+    app.addCard('illuminate', ['floor']);
+    solver.flush();
+    expect(viewer.light).not.toBeNull();
+    expect(app.store.shown.value).toBe(shown);
+    frame();
+    expect(app.store.shown.value).not.toBe(shown);
+    expect(app.store.progress.value.state).toBe('settled');
+  });
+
+  test('of a settled, met problem asks for a bound', () => {
+    app.addCard('illuminate', ['floor']);
+    settle();
+    expect(solver.last('bound')).toBeDefined();
+  });
+
+  test('undo shows the very layout that was there', () => {
+    const before = app.store.shown.value!.layout;
+    app.store.edit('count', (draft) => void (draft.luminaires.count = 3));
+    app.solving.solve();
+    settle();
+    expect(app.store.shown.value?.layout.sites).toHaveLength(3);
+    app.travel(app.store.undo(), 'Undone');
+    expect(solver.last('show')?.layout).toEqual(before);
+  });
+
+  test('keep holds the mean that is there', () => {
+    const mean = app.store.shown.value!.surfaces[0]!.mean;
+    app.addCard('keep', ['floor']);
+    expect(app.store.document.value.cards.at(-1)?.mean?.min).toBeCloseTo(0.9 * mean);
+  });
+});
+
+describe('a luminaire under the hand', () => {
+  test('is pinned, keeps its tag, and the whole drag is one step', () => {
+    const steps = app.store.history.value.past.length;
+    for (const site of [12, 13, 14]) viewer.events.luminaireDragged(2, site);
+    viewer.events.luminaireDropped(2, 14);
+    expect(app.store.document.value.luminaires.pinned).toEqual([14]);
+    expect(app.store.history.value.past).toHaveLength(steps + 1);
+    expect(solver.last('solve')?.start?.sites[0]).toBe(14); // the core has pinned luminaires first
+    settle();
+    expect(viewer.layout?.sites[2]).toBe(14); // the page keeps L3
+    expect(viewer.pinned).toEqual([14]);
+    app.travel(app.store.undo(), 'Undone');
+    expect(app.store.document.value.luminaires.pinned).toEqual([]);
+  });
+
+  test('does not go where another one hangs', () => {
+    const taken = app.store.shown.value!.layout.sites[0]!;
+    const asked = solver.asked.length;
+    viewer.events.luminaireDragged(1, taken);
+    expect(solver.asked).toHaveLength(asked);
+  });
+
+  test('can be told that a place stays free', () => {
+    const site = app.store.shown.value!.layout.sites[0]!;
+    app.hand.exclude(site);
+    settle();
+    expect(app.store.shown.value?.layout.sites).not.toContain(site);
+  });
+});
+
+describe('links', () => {
+  test('show exactly the layout, nothing is searched', async () => {
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    const wish = app.store.shown.value!.layout;
+    const hash = app.leaving.link().slice('https://example.test/sub/'.length);
+    await app.opening.link(hash); // about a file that is not part of the site: it waits for that file
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/room\.flux/);
+    const solves = solver.asked.filter((message) => message.type === 'solve').length;
+    await openRoom();
+    expect(solver.last('show')?.layout.sites).toEqual(wish.sites);
+    expect(solver.asked.filter((message) => message.type === 'solve')).toHaveLength(solves);
+    expect(app.store.progress.value.state).toBe('shown');
+  });
+
+  test('that are damaged leave what is there and say one line', async () => {
+    const before = app.store.document.value;
+    expect(await app.opening.link('#f1.AAAA.00000000')).toBe(false);
+    expect(app.store.document.value).toBe(before);
+    expect(app.store.messages.value.at(-1)).toMatchObject({ kind: 'error' });
+  });
+});
+
+describe('when things go wrong', () => {
+  test('a failure keeps the layout and offers to resume; one click resumes', async () => {
+    const shown = app.store.shown.value;
+    solver.say({ type: 'failed', revision: 99, message: 'the solver stopped (x)' });
+    app.solving.solve();
+    const { revision } = solver.last('solve')!;
+    const dead = solver;
+    solver.say({ type: 'failed', revision, message: 'the solver stopped (x)' });
+    expect(app.store.shown.value).toBe(shown);
+    const message = app.store.messages.value.at(-1)!;
+    expect(message.action?.label).toBe('Resume');
+    message.action?.run();
+    expect(dead.terminated).toBe(true);
+    expect(solver).not.toBe(dead);
+    solver.flush();
+    await turn();
+    expect(solver.last('solve')?.start?.sites).toEqual(shown?.layout.sites);
+  });
+
+  test('files that are nothing are named', async () => {
+    await app.opening.file(file('notes.txt'));
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/notes\.txt.*not a file/);
+    await app.opening.file(file('broken.fiatlux.json'));
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/not JSON/);
+  });
+
+  test('a scene that does not open leaves the room as it is', async () => {
+    const scene = app.store.scene.value;
+    const opening = app.opening.file(file('bad.flux'));
+    await turn();
+    const request = solver.last('open')!;
+    solver.say({ type: 'failed', revision: request.revision, message: 'section "sites": checksum differs' });
+    await opening;
+    expect(app.store.scene.value).toBe(scene);
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/checksum/);
+  });
+});
+
+test('alpha that is found becomes the alpha of the card, without another search', () => {
+  app.addCard('overshadow', ['wall']);
+  const id = app.store.card.value!;
+  app.changeCard(id, 'g', (card) => ({ ...card, guarantee: { by: 'chebyshev', alpha: 2, min: 1 } }));
+  settle();
+  app.solving.findAlpha(id, app.store.traced.value.intentions);
+  const { revision } = solver.last('alpha')!;
+  const shown = { ...app.store.shown.value!, goal: 0.5 };
+  const step = {
+    iteration: 1,
+    alpha: 1,
+    region: 'II',
+    interval: [0, 1],
+    mean: 1,
+    sigma: 1,
+    minimum: 1,
+    goal: 1,
+  } as const;
+  solver.say({ type: 'alphaStep', revision, step });
+  const solves = solver.asked.filter((message) => message.type === 'solve').length;
+  solver.say({ type: 'alphaDone', revision, alpha: 1.25, verdict: 'Found.', shown, feasibleBound: null });
+  frame();
+  expect(app.store.alphaRun.value).toMatchObject({ steps: [step], done: { alpha: 1.25 } });
+  expect(app.store.document.value.cards.at(-1)?.guarantee?.alpha).toBe(1.25);
+  expect(solver.asked.filter((message) => message.type === 'solve')).toHaveLength(solves);
+});
+
+describe('the registry of actions', () => {
+  test('no two actions share a key or an id', () => {
+    const keys = app.actions.flatMap((action) => action.keys ?? []);
+    expect(new Set(keys).size).toBe(keys.length);
+    expect(new Set(app.actions.map((action) => action.id)).size).toBe(app.actions.length);
+  });
+
+  test('is found by words', () => {
+    expect(matching(app.actions, 'plan view')[0]?.id).toBe('view-plan');
+    expect(matching(app.actions, 'zzz')).toEqual([]);
+  });
+
+  test('keys read as written', () => {
+    const event = { key: 'z', ctrlKey: true, metaKey: false, shiftKey: true, altKey: false };
+    expect(keyOf(event)).toBe('Mod+Shift+Z');
+    expect(keyOf({ ...event, key: '?', ctrlKey: false })).toBe('?');
+  });
+});

@@ -1,0 +1,113 @@
+import { describe, expect, test } from '@jest/globals';
+import { documentFrom } from '../../../web/app/catalog.ts';
+import {
+  boundOf,
+  intentionsOf,
+  keepRange,
+  withBound,
+  type BoundField,
+} from '../../../web/document/intentions.ts';
+import type { Card, FiatLuxDocument } from '../../../web/document/types.ts';
+
+const wall: Card = { id: 'w', surfaces: ['wall'], verb: 'homogenize', weight: 1 };
+const documentOf = (cards: readonly Card[], more: Partial<FiatLuxDocument> = {}): FiatLuxDocument => ({
+  ...documentFrom(
+    {
+      cards,
+      saving: false,
+      luminaires: { count: 2, flux: 100, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+      quantity: 'illuminance',
+      seed: 1,
+    },
+    '',
+    'box',
+  ),
+  ...more,
+});
+const asked = (card: Partial<Card>) => intentionsOf(documentOf([{ ...wall, ...card }]));
+
+describe('cards become goals and constraints', () => {
+  test.each([
+    ['illuminate', 'mean', 'max'],
+    ['overshadow', 'mean', 'min'],
+    ['homogenize', 'sigma', 'min'],
+    ['vary', 'sigma', 'max'],
+  ] as const)('%s = %s %s', (verb, statistic, sense) => {
+    expect(asked({ verb }).intentions.goals).toEqual([{ statistic, sense, weight: 1, surfaces: ['wall'] }]);
+  });
+
+  test('keep is a range of +-10 % around the present mean and no goal', () => {
+    const range = keepRange(200);
+    expect(range.min).toBeCloseTo(180);
+    expect(range.max).toBeCloseTo(220);
+    const { intentions, origins } = asked({ verb: 'keep', mean: range });
+    expect(intentions.goals).toEqual([]);
+    expect(intentions.constraints).toEqual([
+      { statistic: 'mean', min: range.min, surfaces: ['wall'] },
+      { statistic: 'mean', max: range.max, surfaces: ['wall'] },
+    ]);
+    expect(origins.map((origin) => origin.field)).toEqual(['mean.min', 'mean.max']);
+  });
+
+  test('every bound is a constraint that knows where it came from', () => {
+    const { intentions, origins } = asked({
+      mean: { min: 1, max: 2 },
+      spread: { min: 3, max: 4 },
+      guarantee: { by: 'chebyshev', alpha: 2, min: 5, max: 6 },
+      uniformity: 0.7,
+      contrast: { over: ['floor'], min: 8 },
+    });
+    expect(intentions.constraints).toEqual([
+      { statistic: 'mean', min: 1, surfaces: ['wall'] },
+      { statistic: 'mean', max: 2, surfaces: ['wall'] },
+      { statistic: 'sigma', min: 3, surfaces: ['wall'] },
+      { statistic: 'sigma', max: 4, surfaces: ['wall'] },
+      { statistic: 'chebyshev', alpha: 2, min: 5, surfaces: ['wall'] },
+      { statistic: 'chebyshev', alpha: 2, max: 6, surfaces: ['wall'] },
+      { statistic: 'uniformity', min: 0.7, surfaces: ['wall'] },
+      { statistic: 'contrast', min: 8, over: ['floor'], surfaces: ['wall'] },
+    ]);
+    expect(origins).toHaveLength(intentions.constraints.length);
+    expect(origins.every((origin) => origin.card === 'w')).toBe(true);
+  });
+
+  test('a guarantee by patches asks for the true minimum and maximum', () => {
+    const { intentions } = asked({ guarantee: { by: 'patches', alpha: 2, min: 5, max: 6 } });
+    expect(intentions.constraints.map((constraint) => constraint.statistic)).toEqual(['minimum', 'maximum']);
+  });
+
+  test('a bound of zero asks for nothing; a weight of zero is no goal', () => {
+    expect(
+      asked({ mean: { min: 0 }, guarantee: { by: 'patches', alpha: 1, min: 0 } }).intentions.constraints,
+    ).toEqual([]);
+    expect(asked({ weight: 0 }).intentions.goals).toEqual([]);
+  });
+
+  test('saving power is a goal of its own', () => {
+    const { intentions, goalCards } = intentionsOf(documentOf([wall], { saving: true }));
+    expect(intentions.goals.at(-1)).toMatchObject({ statistic: 'power', sense: 'min' });
+    expect(goalCards).toEqual(['w', null]);
+  });
+});
+
+describe('bounds of a card', () => {
+  test.each<[BoundField, number]>([
+    ['mean.min', 3],
+    ['mean.max', 4],
+    ['spread.min', 1],
+    ['spread.max', 2],
+    ['guarantee.min', 5],
+    ['guarantee.max', 6],
+    ['uniformity', 0.5],
+  ])('%s is set, read and taken away without a trace', (field, value) => {
+    const set = withBound(wall, field, value);
+    expect(boundOf(set, field)).toBe(value);
+    expect(withBound(set, field, undefined)).toEqual(wall);
+    expect(Object.values(withBound(set, field, undefined))).not.toContain(undefined);
+  });
+
+  test('taking away one end leaves the other', () => {
+    const both = withBound(withBound(wall, 'mean.min', 1), 'mean.max', 2);
+    expect(withBound(both, 'mean.min', undefined).mean).toEqual({ max: 2 });
+  });
+});

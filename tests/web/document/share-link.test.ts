@@ -1,0 +1,194 @@
+import { describe, expect, test } from '@jest/globals';
+import { deflateSync, strToU8 } from 'fflate';
+import { crc32, toBase64Url } from '../../../web/document/base64url.ts';
+import { decodeLink, encodeLink, longestLink, type Link } from '../../../web/document/share-link.ts';
+
+const link: Link = {
+  scene: '0123456789abcdef',
+  room: 'e-corridor',
+  cards: [
+    {
+      id: 'c-wall',
+      surfaces: ['yellow wall'],
+      verb: 'homogenize',
+      weight: 1,
+      mean: { min: 30, max: 35 },
+      guarantee: { by: 'chebyshev', alpha: 2, min: 10 },
+    },
+    { id: 'c-floor', surfaces: ['floor', 'walls'], verb: 'keep', weight: 0.5, uniformity: 0.4 },
+  ],
+  saving: true,
+  luminaires: { count: 3, flux: 3000, dimming: [0.1, 1], excluded: [4, 5], minDistance: 1.5 },
+  quantity: 'exitance',
+  seed: 7,
+  layout: {
+    positions: [
+      [0.375, 3, 1.125],
+      [4.125, 3, 20.625],
+      [-1.2, 2.995, 0],
+    ],
+    flux: [3000, 3000, 2500],
+    dimming: 0.75,
+    pinned: [1],
+  },
+  camera: { position: [10, 8, 12], target: [2, 1, 16], plan: false },
+  display: {
+    mode: 'falseColor',
+    exposure: 0.5,
+    colorMap: 'cividis',
+    steps: 8,
+    logarithmic: false,
+    range: [0, 60],
+    isolux: true,
+    quantity: 'exitance',
+    cutAway: true,
+    measuringPlanes: false,
+  },
+};
+
+/** A link whose payload is any JSON, with a right checksum. */
+function forged(json: string, version = 1): string {
+  const bytes = deflateSync(strToU8(json));
+  return `#f${version}.${toBase64Url(bytes)}.${crc32(bytes).toString(16).padStart(8, '0')}`;
+}
+
+const plain = { i: '', r: 'box', c: [], s: 1 };
+const rules = { count: 1, flux: 1, dimming: [1, 1], excluded: [], minDistance: 0 };
+
+describe('a link', () => {
+  test('comes back as it went', () => {
+    const hash = encodeLink(link);
+    expect(hash).toMatch(/^#f1\.[\w-]+\.[0-9a-f]{8}$/);
+    expect(decodeLink(hash)).toEqual({ ok: true, link });
+  });
+
+  test('is bare where there is little to say', () => {
+    const bare: Link = {
+      ...link,
+      cards: [],
+      saving: false,
+      quantity: 'illuminance',
+      layout: null,
+      camera: null,
+      display: null,
+    };
+    const hash = encodeLink(bare);
+    expect(hash.length).toBeLessThan(220);
+    expect(decodeLink(hash)).toEqual({ ok: true, link: bare });
+  });
+
+  test('of version 1 stays readable: golden', () => {
+    const golden =
+      '#f1.q1YyULJSMjI2NTM3sLBMTEpMTUtTqtVRKlKyUkrKr1TSUUoGsqNjdZSKlaxMdZRyoKxqpeT80rwSJSvDWh2lNKCssYGBgY5SSmZubmZeupJVNFBhbK2OUmpFcmpKSiqQH62jFGukowRigIQyc9NS8zKrUoAmGNQCAA.7a93a01e';
+    const read = decodeLink(golden);
+    expect(read).toMatchObject({ ok: true, link: { room: 'box', seed: 5, luminaires: { count: 1 } } });
+  });
+
+  test('of eighty luminaires and six cards keeps its length', () => {
+    const positions = Array.from(
+      { length: 80 },
+      (_, i) => [0.3 + 0.6 * (i % 10), 2.7, 0.3 + 0.6 * Math.floor(i / 10)] as const,
+    );
+    const cards = Array.from({ length: 6 }, (_, i) => ({
+      ...link.cards[0]!,
+      id: `card-${i}`,
+      surfaces: [`desk ${i}`],
+    }));
+    const flux = positions.map(() => 3000);
+    const full = { ...link, cards, layout: { positions, flux, dimming: 1, pinned: [] } };
+    const hash = encodeLink(full);
+    expect(hash.length).toBeLessThan(longestLink);
+    expect(decodeLink(hash)).toMatchObject({ ok: true, link: { layout: { positions } } });
+  });
+
+  test('that would be too long is refused in one line', () => {
+    const random = (i: number) => ((i * 7919) % 100_003) / 7.3;
+    const positions = Array.from(
+      { length: 400 },
+      (_, i) => [random(3 * i), random(3 * i + 1), random(3 * i + 2)] as const,
+    );
+    const flux = positions.map((_, i) => i);
+    expect(() => encodeLink({ ...link, layout: { positions, flux, dimming: 1, pinned: [] } })).toThrow(
+      /project file/,
+    );
+  });
+});
+
+describe('a hostile link', () => {
+  const refused = (hash: string) => {
+    const read = decodeLink(hash);
+    expect(read.ok).toBe(false);
+    if (!read.ok) {
+      expect(read.message.split('\n')).toHaveLength(1);
+      expect(read.message.length).toBeLessThan(400);
+    }
+    return read;
+  };
+
+  test.each([
+    ['nothing', '#'],
+    ['ten megabytes', `#f1.${'A'.repeat(10 << 20)}.00000000`],
+    ['bad base64', '#f1.====.00000000'],
+    ['base64 of nothing', '#f1.A.00000000'],
+    ['a foreign address', '#https://example.org/room.flux'],
+    ['a script', '#javascript:alert(1)'],
+    [
+      'no deflate',
+      `#f1.${toBase64Url(strToU8('hello'))}.${crc32(strToU8('hello')).toString(16).padStart(8, '0')}`,
+    ],
+    ['no JSON', forged('{')],
+    ['null', forged('null')],
+    ['an array', forged('[]')],
+    ['a number beyond numbers', forged(JSON.stringify({ ...plain, l: rules }).replace('"s":1', '"s":1e999'))],
+    [
+      'a flux beyond numbers',
+      forged(JSON.stringify({ ...plain, l: rules }).replace('"flux":1', '"flux":1e999')),
+    ],
+    ['negative light', forged(JSON.stringify({ ...plain, l: { ...rules, flux: -5 } }))],
+    ['a million luminaires', forged(JSON.stringify({ ...plain, l: { ...rules, count: 1e6 } }))],
+    ['a name of surrogates only', forged('{"i":"","r":"\\ud800\\udc00\\ud800","c":[],"s":1}')],
+    ['dimming upside down', forged(JSON.stringify({ ...plain, l: { ...rules, dimming: [1, 0.5] } }))],
+    ['a place far away', forged(JSON.stringify({ ...plain, l: rules, y: { p: [[1e300, 0, 0]], f: [1] } }))],
+    [
+      'a pin of no luminaire',
+      forged(JSON.stringify({ ...plain, l: rules, y: { p: [[0, 0, 0]], f: [1], n: [3] } })),
+    ],
+    ['fluxes of others', forged(JSON.stringify({ ...plain, l: rules, y: { p: [[0, 0, 0]], f: [1, 2] } }))],
+  ])('%s: one readable line', (_, hash) => void refused(hash));
+
+  test('one changed character anywhere is noticed', () => {
+    const hash = encodeLink(link);
+    for (let at = 4; at < hash.length; at += 7) {
+      const other = hash[at] === 'A' ? 'B' : hash[at] === '.' ? '-' : 'A';
+      refused(hash.slice(0, at) + other + hash.slice(at + 1));
+    }
+  });
+
+  test('cut anywhere is refused', () => {
+    const hash = encodeLink(link);
+    for (let length = 1; length < hash.length; length += 13) refused(hash.slice(0, length));
+  });
+
+  test('a bomb does not open', () => {
+    refused(forged(`{"r":"${'a'.repeat(4 << 20)}"}`));
+  });
+
+  test('__proto__ pollutes nothing', () => {
+    const evil = `{"__proto__":{"polluted":1},${JSON.stringify({ ...plain, l: rules }).slice(1)}`;
+    const read = decodeLink(forged(evil));
+    expect(read.ok).toBe(true);
+    expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
+  });
+
+  test('names lose what could mislead', () => {
+    const read = decodeLink(forged(JSON.stringify({ ...plain, r: 'gne\u202Exulf.txt\u0000', l: rules })));
+    expect(read).toMatchObject({ ok: true, link: { room: 'gnexulf.txt' } });
+  });
+
+  test('of a newer version says so and offers what can be read', () => {
+    const read = refused(forged(JSON.stringify({ ...plain, l: rules, future: true }), 2));
+    expect(read).toMatchObject({ message: expect.stringContaining('version 2'), readable: { room: 'box' } });
+    const opaque = refused(forged('{"all":"new"}', 9));
+    expect('readable' in opaque).toBe(false);
+  });
+});

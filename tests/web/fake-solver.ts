@@ -1,0 +1,148 @@
+// A worker that answers the protocol without a core: a square room of one floor and one wall, light that falls off
+// with distance, layouts that are the first free sites. Answers come when `flush` is called, so that tests decide when.
+import type { Intentions, FromWorker, SceneInfo, Shown, ToWorker } from '../../web/solver/protocol.ts';
+import type { Layout } from '../../web/document/types.ts';
+import type { WorkerLike } from '../../web/solver/solver-client.ts';
+
+const side = 4; // sites and patches along an edge, 1 m apart
+
+export function fakeScene(): SceneInfo {
+  const cells = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side)] as const);
+  const patches = cells.length;
+  return {
+    identity: '0123456789abcdef',
+    patches,
+    receivers: 0,
+    clusters: 4,
+    surfaces: [
+      { name: 'floor', area: 12, patches: 12, reflectance: 0.5, measuring: false, lost: 0 },
+      { name: 'wall', area: 4, patches: 4, reflectance: 0.25, measuring: false, lost: 0 },
+    ],
+    sites: {
+      position: Float32Array.from(cells.flatMap(([x, z]) => [x, 3, z])),
+      normal: Float32Array.from(cells.flatMap(() => [0, -1, 0])),
+      axis: Float32Array.from(cells.flatMap(() => [1, 0, 0])),
+      size: Float32Array.from(cells, () => 0.5),
+    },
+    surfaceOfPatch: Uint32Array.from(cells, ([, z]) => (z === side - 1 ? 1 : 0)),
+    patchArea: Float32Array.from(cells, () => 1),
+    patchCenter: Float32Array.from(cells.flatMap(([x, z]) => [x, 0, z])),
+    provenance: {},
+  };
+}
+
+export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentions): Shown {
+  const illuminance = new Float32Array(scene.patches);
+  layout.sites.forEach((site, i) => {
+    for (let patch = 0; patch < scene.patches; patch++) {
+      const d2 = [0, 1, 2].reduce(
+        (sum, axis) =>
+          sum +
+          ((scene.sites.position[3 * site + axis] ?? 0) - (scene.patchCenter[3 * patch + axis] ?? 0)) ** 2,
+        0,
+      );
+      illuminance[patch] =
+        (illuminance[patch] ?? 0) + ((layout.flux[i] ?? 0) * layout.dimming) / (Math.PI * d2);
+    }
+  });
+  const rows = [[0], [1], [0, 1]].map((leaves) => {
+    const values = [...illuminance].filter((_, p) => leaves.includes(scene.surfaceOfPatch[p] ?? 0));
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    const sigma = Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length);
+    return { mean, sigma, min: Math.min(...values), max: Math.max(...values) };
+  });
+  const surfaces = ['floor', 'wall', 'all'].map((name, i) => ({ name, area: [12, 4, 16][i]!, ...rows[i]! }));
+  const meanOf = (name: string | undefined) => surfaces.find((row) => row.name === name)?.mean ?? 0;
+  const constraints = intentions.constraints.map((constraint) => {
+    const value = meanOf(constraint.surfaces[0]);
+    const excess = Math.max(0, (constraint.min ?? -Infinity) - value, value - (constraint.max ?? Infinity));
+    const violation = excess / Math.abs(constraint.min ?? constraint.max ?? 1);
+    return { value, met: violation === 0, violation };
+  });
+  return {
+    layout,
+    illuminance,
+    surfaces,
+    goals: intentions.goals.map((goal) => ({ value: meanOf(goal.surfaces[0]), met: true, violation: 0 })),
+    constraints,
+    goal: 1,
+    violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
+  };
+}
+
+export class FakeSolver implements WorkerLike {
+  onmessage: WorkerLike['onmessage'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  readonly scene = fakeScene();
+  readonly asked: ToWorker[] = [];
+  terminated = false;
+  #queue: FromWorker[] = [];
+
+  postMessage(message: ToWorker): void {
+    this.asked.push(message);
+    switch (message.type) {
+      case 'open':
+        this.#queue.push({
+          type: 'opened',
+          revision: message.revision,
+          scene: this.scene,
+          room: new ArrayBuffer(8),
+        });
+        return;
+      case 'solve':
+      case 'show':
+        this.#queue.push(...this.#layoutAnswers(message));
+        return;
+      case 'alpha':
+      case 'bound':
+      case 'check':
+      case 'stop':
+        return;
+    }
+  }
+
+  /** Delivers what is waiting to be said. */
+  flush(): void {
+    for (const data of this.#queue.splice(0)) this.onmessage?.({ data } as MessageEvent<FromWorker>);
+  }
+
+  say(message: FromWorker): void {
+    this.onmessage?.({ data: message } as MessageEvent<FromWorker>);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  /** The last request of a type. */
+  last<Type extends ToWorker['type']>(type: Type): Extract<ToWorker, { type: Type }> | undefined {
+    const found = this.asked.filter((message) => message.type === type);
+    return found.at(-1) as Extract<ToWorker, { type: Type }> | undefined;
+  }
+
+  #layoutAnswers(message: Extract<ToWorker, { type: 'solve' | 'show' }>): FromWorker[] {
+    const { intentions, revision } = message;
+    const layout = message.type === 'show' ? message.layout : this.#solved(intentions, message.start);
+    const answer = (type: 'improved' | 'settled', evaluations: number): FromWorker => ({
+      type,
+      revision,
+      shown: fakeShown(this.scene, layout, intentions),
+      evaluations,
+      milliseconds: 1,
+      askedAt: 0,
+      postedAt: 1,
+    });
+    return message.type === 'show'
+      ? [answer('improved', 0)]
+      : [answer('improved', 100), answer('settled', 1000)];
+  }
+
+  /** Pinned luminaires first, as the core orders them; then those of the start; then the first free sites. */
+  #solved({ luminaires }: Intentions, start: Layout | null): Layout {
+    const { pinned, excluded, count, flux } = luminaires;
+    const wanted = [...pinned, ...(start?.sites ?? []), ...Array.from({ length: 16 }, (_, i) => i)];
+    const sites = [...new Set(wanted)].filter((site) => !excluded.includes(site)).slice(0, count);
+    return { sites, flux: sites.map(() => flux), dimming: 1 };
+  }
+}

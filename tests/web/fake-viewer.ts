@@ -1,0 +1,51 @@
+// A view that remembers what it was told.
+import type { Layout } from '../../web/document/types.ts';
+import type { CreateViewer, Viewer, ViewerEvents } from '../../web/viewer/types.ts';
+
+export interface FakeViewer extends Viewer {
+  readonly events: ViewerEvents;
+  light: Float32Array | null;
+  layout: Layout | null;
+  pinned: readonly number[];
+  opened: number;
+}
+
+export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer } {
+  let made: FakeViewer | null = null;
+  const camera = { position: [1, 2, 3], target: [0, 0, 0], plan: false } as const;
+  const create: CreateViewer = (_canvas, _labels, events) => {
+    const viewer: FakeViewer = {
+      events,
+      light: null,
+      layout: null,
+      pinned: [],
+      opened: 0,
+      open: async () => void viewer.opened++,
+      preview: async () => {},
+      setLight: (light) => void (viewer.light = light),
+      setLayout: (layout, pinned) => {
+        viewer.layout = layout;
+        viewer.pinned = pinned;
+      },
+      setSelection: () => {},
+      setExcluded: () => {},
+      setDisplay: () => {},
+      setCamera: () => {},
+      camera: () => camera,
+      view: () => {},
+      fit: () => {},
+      home: () => {},
+      png: async () => new Blob(),
+      dispose: () => {},
+    };
+    made = viewer;
+    return viewer;
+  };
+  return {
+    create,
+    viewer: () => {
+      if (!made) throw new Error('no viewer was made');
+      return made;
+    },
+  };
+}
