@@ -25,7 +25,7 @@ export interface Solving {
   findAlpha(card: string, intentions: Intentions): void;
   /** Runs other intentions to their end and returns the light they reach; the document's stay. */
   probe(intentions: Intentions): Promise<Shown>;
-  /** The layout shown now, in the page's order. */
+  /** The layout shown now (or just put there by hand), in the page's order. */
   layout(): Layout | null;
   /** Hands the light that is there to the view again. */
   relight(): void;
@@ -55,6 +55,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   let probing: Waiting<Shown> | null = null;
   let file: ArrayBuffer | null = null;
   let live: Shown | null = null; // the newest answer, in the page's order
+  let current: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
   let order: Order = [];
   let pending: (() => void) | null = null;
 
@@ -130,6 +131,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     const shown = { ...answer, layout: fromCore(answer.layout, order) };
     const { state } = progress;
     live = shown;
+    current = shown.layout;
     relight();
     later(() => {
       store.shown.value = shown;
@@ -199,10 +201,11 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     return store.traced.peek().intentions;
   }
 
-  function solve(event: Event | undefined = globalThis.event, start: Layout | null = live?.layout ?? null): void {
+  function solve(event: Event | undefined = globalThis.event, start: Layout | null = current): void {
     if (!store.scene.peek()) return;
     const intentions = begin();
     const at = event && event.timeStamp > 0 ? event.timeStamp : performance.now();
+    current = start;
     order = start ? coreOrder(start, intentions.luminaires.pinned) : [];
     const seed = store.document.peek().seed;
     client.solve(intentions, start && toCore(start, order), seed, performance.timeOrigin + at);
@@ -213,18 +216,16 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   return {
     open: (bytes) =>
       open(bytes).then((opened) => {
-        live = null;
+        live = current = null;
         order = [];
         return opened;
       }),
     solve: (event) => solve(event),
     solveFrom: (layout) => solve(undefined, layout),
-    solveAfresh() {
-      live = null;
-      solve();
-    },
+    solveAfresh: () => solve(undefined, null),
     show(layout) {
       const intentions = begin();
+      current = layout;
       order = coreOrder(layout, intentions.luminaires.pinned);
       client.show(intentions, toCore(layout, order));
     },
@@ -240,7 +241,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
         client.solve(intentions, null, 1, performance.timeOrigin + performance.now());
       });
     },
-    layout: () => live?.layout ?? null,
+    layout: () => current ?? live?.layout ?? null,
     relight,
     resume,
     stop: () => client.stop(),
