@@ -73,6 +73,12 @@ export class RoomLight {
     this.uniforms.accent.value.copy(color);
   }
 
+  /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
+  release(): void {
+    this.texture?.texture.dispose();
+    for (const table of this.tables.values()) table.dispose();
+  }
+
   dispose(): void {
     this.setScene(null);
     for (const table of this.tables.values()) table.dispose();

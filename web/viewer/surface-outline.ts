@@ -2,17 +2,11 @@
  * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
  * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
  */
-import {
-  BufferAttribute,
-  BufferGeometry,
-  EdgesGeometry,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { surfaceEdges } from './surface-edges.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
@@ -20,10 +14,12 @@ const crease = 35; // degrees: sharper edges inside a surface are drawn too
 /** Line ends of a surface's edges in world space, xyz each. */
 function edgesOf(meshes: readonly LitMesh[]): Float32Array {
   const parts = meshes.map(({ mesh }) => {
-    const edges = new EdgesGeometry(mesh.geometry, crease).applyMatrix4(mesh.matrixWorld);
-    const ends = edges.getAttribute('position').array as Float32Array;
-    edges.dispose();
-    return ends;
+    const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+    return surfaceEdges(
+      mesh.geometry.index?.array ?? [...Array(position.count).keys()],
+      position.array,
+      crease,
+    );
   });
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
@@ -36,7 +32,7 @@ export class SurfaceOutlines {
   private edges = new Map<number, Float32Array>();
   private selected = this.material('#4f9dff', 2.5, 1);
   private through = this.material('#4f9dff', 1.5, 0.35); // where the surface is hidden
-  private hovered = this.material('#ffffff', 1.5, 0.75);
+  private hovered = this.material('#ffffff', 1.25, 0.6);
   private thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
   private shown = new Map<'selected' | 'hovered', LineSegments2[]>();
   private drawing: LineSegments<BufferGeometry, LineBasicMaterial> | null = null;

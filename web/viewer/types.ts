@@ -20,7 +20,7 @@ export interface Display {
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
 
 export interface ViewerEvents {
-  /** A leaf surface under the pointer (null = none) and the light there. */
+  /** A leaf surface under the pointer (null = none) and the light there (lx); x, y in CSS px of the canvas. */
   hovered(
     surface: number | null,
     at: { x: number; y: number; lux: number; point: [number, number, number] } | null,

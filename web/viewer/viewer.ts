@@ -11,6 +11,7 @@ import { LuminaireObjects } from './luminaire-objects.ts';
 import { LuminaireTags } from './luminaire-tags.ts';
 import { Picking, type Hit } from './picking.ts';
 import { PointerInput } from './pointer-input.ts';
+import { freeGpu } from './free-gpu.ts';
 import { RoomLight } from './room-light.ts';
 import { loadPreview, loadRoomMesh, type RoomMesh } from './room-mesh.ts';
 import { SiteMarks } from './site-marks.ts';
@@ -214,8 +215,11 @@ class RoomViewer implements Viewer {
   }
 
   private contextLost(lost: boolean): void {
-    if (lost) this.loop.suspend();
-    else this.loop.resume();
+    if (lost) {
+      this.loop.suspend();
+      freeGpu(this.stage.scene);
+      this.light.release();
+    } else this.loop.resume();
     this.events.contextLost(lost);
   }
 
@@ -231,7 +235,9 @@ class RoomViewer implements Viewer {
     this.canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
     const surface = hit?.surface ?? null;
     if (!at || !hit || surface === null) return this.events.hovered(null, null);
-    this.events.hovered(surface, { x: at.x, y: at.y, lux: hit.lux, point: hit.point.toArray() });
+    const frame = this.canvas.getBoundingClientRect();
+    const [x, y] = [at.x - frame.left, at.y - frame.top];
+    this.events.hovered(surface, { x, y, lux: hit.lux, point: hit.point.toArray() });
   }
 
   private createInput(): PointerInput {

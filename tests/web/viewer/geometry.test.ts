@@ -1,0 +1,104 @@
+import { describe, expect, test } from '@jest/globals';
+import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
+import { hangingSide, isOutside, splitBySide } from '../../../web/viewer/cut-away.ts';
+import type { Box } from '../../../web/viewer/framing.ts';
+import { connectedParts } from '../../../web/viewer/mesh-parts.ts';
+import { surfaceEdges } from '../../../web/viewer/surface-edges.ts';
+import { spreadTags } from '../../../web/viewer/tag-layout.ts';
+
+const room: Box = { min: [0, 0, 0], max: [8, 3, 6] };
+
+/** Index and positions of several axis-aligned boxes in one mesh. */
+function boxes(...list: readonly Box[]) {
+  const index: number[] = [];
+  const positions: number[] = [];
+  for (const { min, max } of list) {
+    const size = max.map((high, i) => high - min[i]!) as [number, number, number];
+    const box = new BoxGeometry(...size);
+    box.translate((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
+    index.push(...[...box.index!.array].map((vertex) => vertex + positions.length / 3));
+    positions.push(...box.getAttribute('position').array);
+  }
+  return { index, positions };
+}
+
+const picture: Box = { min: [2, 1, 0], max: [3, 2, 0.05] };
+const board: Box = { min: [7.9, 1, 1], max: [8, 2, 4] };
+const table: Box = { min: [3, 0, 2], max: [5, 0.75, 3] };
+
+describe('what hangs on a wall', () => {
+  test('is flat and near a side of the room', () => {
+    expect(hangingSide(room, picture)).toEqual({ axis: 2, sign: -1 });
+    expect(hangingSide(room, board)).toEqual({ axis: 0, sign: 1 });
+    expect(hangingSide(room, { min: [1, 2.9, 1], max: [2, 3, 2] })).toEqual({ axis: 1, sign: 1 });
+    expect(hangingSide(room, table)).toBeNull();
+    expect(hangingSide(room, { min: [0, 0, 0], max: [8, 0, 6] })).toBeNull(); // the floor
+    expect(hangingSide(room, { min: [3, 0, 3], max: [5, 2, 3.1] })).toBeNull(); // a partition in the middle
+  });
+
+  test('is cut away when the eye stands outside that side', () => {
+    expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, -3])).toBe(true);
+    expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, 9])).toBe(false);
+    expect(isOutside(room, { axis: 0, sign: 1 }, [9, 2, 1])).toBe(true);
+  });
+
+  test('is split from what hangs elsewhere', () => {
+    const { index, positions } = boxes(picture, board, table);
+    const groups = splitBySide(room, index, positions)!;
+    expect(groups.map((group) => group.length)).toEqual([36, 36, 36]);
+    const ordered = (list: number[]) => Uint32Array.from(list).sort();
+    expect(ordered(groups.flat())).toEqual(ordered(index));
+    const one = boxes(picture, { min: [5, 1, 0], max: [6, 2, 0.05] });
+    expect(splitBySide(room, one.index, one.positions)).toBeNull();
+  });
+});
+
+test('connected parts hang together through vertices at the same place', () => {
+  const { index, positions } = boxes(picture, board);
+  expect(connectedParts(index, positions).map((part) => part.length)).toEqual([12, 12]);
+  const touching = boxes(picture, { min: [3, 1, 0], max: [4, 2, 0.05] });
+  expect(connectedParts(touching.index, touching.positions)).toHaveLength(1);
+});
+
+describe('edges of a surface', () => {
+  const count = (ends: Float32Array) => ends.length / 6;
+
+  test('are its boundary, however it is cut', () => {
+    const plane = new PlaneGeometry(2, 1, 8, 4);
+    const ends = surfaceEdges(plane.index!.array, plane.getAttribute('position').array, 35);
+    expect(count(ends)).toBe(2 * (8 + 4));
+    for (let i = 0; i < ends.length; i += 3) {
+      const onEdge = Math.abs(Math.abs(ends[i]!) - 1) < 1e-6 || Math.abs(Math.abs(ends[i + 1]!) - 0.5) < 1e-6;
+      expect(onEdge).toBe(true);
+    }
+  });
+
+  test('are the creases of a closed body, as three finds them', () => {
+    const box = new BoxGeometry(1, 2, 3, 2, 3, 4);
+    const ends = surfaceEdges(box.index!.array, box.getAttribute('position').array, 35);
+    expect(count(ends)).toBe(4 * (2 + 3 + 4));
+    expect(count(ends)).toBe(new EdgesGeometry(box, 35).getAttribute('position').count / 2);
+    expect(count(surfaceEdges(box.index!.array, box.getAttribute('position').array, 100))).toBe(0);
+  });
+});
+
+describe('tags', () => {
+  test('that overlap are pushed apart, the others stay', () => {
+    const places = [
+      { x: 100, y: 100 },
+      { x: 104, y: 102 },
+      { x: 300, y: 50 },
+    ];
+    const [a, b, c] = spreadTags(places, 30, 18);
+    expect(Math.abs(a!.x - b!.x) >= 29.9 || Math.abs(a!.y - b!.y) >= 17.9).toBe(true);
+    expect(c).toEqual(places[2]);
+  });
+
+  test('never go far from their luminaires', () => {
+    const places = Array.from({ length: 12 }, () => ({ x: 10, y: 10 }));
+    for (const { x, y } of spreadTags(places, 30, 18)) {
+      expect(Math.abs(x - 10)).toBeLessThanOrEqual(26);
+      expect(Math.abs(y - 10)).toBeLessThanOrEqual(26);
+    }
+  });
+});
