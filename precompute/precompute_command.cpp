@@ -14,13 +14,7 @@
 #include "precompute/build_room.h"
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
-#if __has_include("precompute/display_mesh.h")
 #include "precompute/display_mesh.h"
-#else
-namespace fiatlux {
-inline std::vector<std::uint8_t> displayMesh(const SourceScene&, const Room&) { return {}; }
-}  // namespace fiatlux
-#endif
 #include "precompute/progress.h"
 #include "precompute/scene_build.h"
 
