@@ -1,6 +1,6 @@
 /**
- * One search in slices short enough that a new slider value never waits. The first answer comes after some thousand
- * evaluations; then one a frame at most, only when it is better; the search settles when it has tried long in vain.
+ * One search in slices short enough that a new slider value never waits. The first answer comes after some
+ * milliseconds, near enough to the best one; then one a frame at most, only when it is better; the search settles when it has tried long in vain.
  */
 import type { Progress, Session } from './core.ts';
 
@@ -8,8 +8,8 @@ import type { Progress, Session } from './core.ts';
 export type Clock = () => number;
 
 export const pace = {
-  firstEvaluations: 25_000, // before the first answer, unless they take longer than
-  firstMilliseconds: 6,
+  firstEvaluations: 75_000, // before the first answer, unless they take longer than
+  firstMilliseconds: 5,
   probe: 1_000, // evaluations of a slice whose speed is not known yet
   sliceMilliseconds: 3,
   answerGap: 16, // ms between answers

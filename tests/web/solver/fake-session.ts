@@ -17,7 +17,7 @@ export class FakeSession implements Session {
 
   constructor(
     readonly clock: FakeClock,
-    readonly evaluationsPerMillisecond = 10_000,
+    readonly evaluationsPerMillisecond = 20_000,
   ) {}
 
   openTable(file: Uint8Array) {
