@@ -176,7 +176,7 @@ export class CameraRig {
 
   private homePose(): Goal {
     const azimuth = framing.cornerAzimuth(this.box, this.aspect, this.facing);
-    return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.box, this.aspect)), 0.04);
+    return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.box, this.aspect)), 0.07);
   }
 
   private framed(direction: framing.Vec, margin: number): Goal {

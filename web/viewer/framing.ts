@@ -90,11 +90,11 @@ export function planFrame(box: Box, aspect: number, margin = 0.06): { height: nu
 
 /**
  * The azimuth (degrees) of the corner view. `shares[q]` = how much of the room's surfaces faces an eye in quadrant q
- * (azimuths 45, 135, 225, 315); the eye goes where it sees most. Long rooms lie along the picture's long side.
+ * (azimuths 45, 135, 225, 315); the eye goes where it sees clearly more, or else to the first. Long rooms lie along the picture's long side.
  */
 export function cornerAzimuth(box: Box, aspect: number, shares: readonly number[]): number {
   let quadrant = 0;
-  for (let q = 1; q < 4; q++) if ((shares[q] ?? 0) > (shares[quadrant] ?? 0) + 1e-6) quadrant = q;
+  for (let q = 1; q < 4; q++) if ((shares[q] ?? 0) > 1.03 * (shares[quadrant] ?? 0)) quadrant = q;
   const width = box.max[0] - box.min[0];
   const depth = box.max[2] - box.min[2];
   // The turn away from the diagonal grows with the room's slimness, up to 28 degrees.

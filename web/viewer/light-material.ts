@@ -78,15 +78,18 @@ vec3 colorOnLegend(float quantity) {
   return texture2D(colorTable, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
-// Straight up to a knee, then a rational shoulder that never reaches white; what is far too bright pales a little.
-vec3 toneCurve(vec3 color) {
+// Straight up to a knee, then a rational shoulder that never reaches white. Half by the brightest channel (keeps the
+// hue), half channel by channel (pales what is bright, as film and eyes do).
+float shoulder(float value) {
   const float knee = 0.42;
-  float peak = max(color.r, max(color.g, color.b));
-  if (peak <= knee) return color;
-  float over = (peak - knee) / (1.0 - knee);
-  float shown = knee + (1.0 - knee) * over / (1.0 + over);
-  float pale = 1.0 - 1.0 / (1.0 + 0.12 * (peak - shown));
-  return mix(color * (shown / peak), vec3(shown), pale);
+  float over = max(0.0, value - knee) / (1.0 - knee);
+  return min(value, knee) + (1.0 - knee) * over / (1.0 + over);
+}
+
+vec3 toneCurve(vec3 color) {
+  float peak = max(max(color.r, max(color.g, color.b)), 1e-6);
+  vec3 apart = vec3(shoulder(color.r), shoulder(color.g), shoulder(color.b));
+  return mix(color * (shoulder(peak) / peak), apart, 0.5);
 }
 
 void main() {

@@ -46,6 +46,7 @@ class RoomViewer implements Viewer {
   private excluded: readonly number[] = [];
   private display: Display | null = null;
   private opening = 0; // the latest open or preview wins
+  private probing = false; // the app was told of a surface under the pointer
   private disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
@@ -234,7 +235,12 @@ class RoomViewer implements Viewer {
     this.emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
     this.canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
     const surface = hit?.surface ?? null;
-    if (!at || !hit || surface === null) return this.events.hovered(null, null);
+    if (!at || !hit || surface === null) {
+      if (this.probing) this.events.hovered(null, null);
+      this.probing = false;
+      return;
+    }
+    this.probing = true;
     const frame = this.canvas.getBoundingClientRect();
     const [x, y] = [at.x - frame.left, at.y - frame.top];
     this.events.hovered(surface, { x, y, lux: hit.lux, point: hit.point.toArray() });
