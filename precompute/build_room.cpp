@@ -153,7 +153,7 @@ double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const
   };
   double patch = std::clamp(std::sqrt(area / 25000), 0.05, std::max(0.5, std::sqrt(area / 100000)));
   // Thin and small things get more patches than their area says: coarsen until the number fits.
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double count = foreseenPatches(makeCharts(mesh, tree, snapped(patch), 0));
     if (count < 1.15 * 25000 || snapped(patch) >= 0.5) break;
     patch = std::min(patch * std::sqrt(count / 25000), 0.5);

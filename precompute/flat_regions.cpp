@@ -175,29 +175,22 @@ FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   std::vector<std::uint32_t> fill(set.faceEdgeOffset.begin(), set.faceEdgeOffset.end() - 1);
   for (std::uint32_t e = 0; e < set.edges.size(); ++e) set.faceEdges[fill[set.edges[e].face]++] = e;
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
-    for (j = i + 1; j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b; ++j) {
-      // note: consecutive pairs keep a fan of many faces on one edge linear
-      pairs.emplace_back(set.edges[j - 1].face, set.edges[j].face);
-      pairs.emplace_back(set.edges[j].face, set.edges[j - 1].face);
+  // Neighbours: all pairs on an edge; where very many faces meet, each with the next.
+  const auto eachPair = [&](auto visit) {
+    for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
+      for (j = i + 1; j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b; ++j) {
+      }
+      for (std::size_t k = i + 1; k < j; ++k)
+        for (std::size_t m = j - i < 16 ? i : k - 1; m < k; ++m)
+          visit(set.edges[k].face, set.edges[m].face), visit(set.edges[m].face, set.edges[k].face);
     }
-    if (j - i > 2) {
-      pairs.emplace_back(set.edges[i].face, set.edges[j - 1].face);
-      pairs.emplace_back(set.edges[j - 1].face, set.edges[i].face);
-      for (std::size_t k = i + 2; k < j && j - i < 16; ++k)
-        for (std::size_t m = i; m + 1 < k; ++m) {
-          pairs.emplace_back(set.edges[k].face, set.edges[m].face);
-          pairs.emplace_back(set.edges[m].face, set.edges[k].face);
-        }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  };
   set.neighborOffset.assign(set.faces.size() + 1, 0);
-  for (const auto& pair : pairs) ++set.neighborOffset[pair.first + 1];
+  eachPair([&](std::uint32_t from, std::uint32_t) { ++set.neighborOffset[from + 1]; });
   for (std::size_t f = 0; f < set.faces.size(); ++f) set.neighborOffset[f + 1] += set.neighborOffset[f];
-  for (const auto& pair : pairs) set.neighbors.push_back(pair.second);
+  set.neighbors.resize(set.neighborOffset.back());
+  fill.assign(set.neighborOffset.begin(), set.neighborOffset.end() - 1);
+  eachPair([&](std::uint32_t from, std::uint32_t to) { set.neighbors[fill[from]++] = to; });
   return set;
 }
 
@@ -265,14 +258,16 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
   for (const std::uint32_t f : faces)
     for (std::uint32_t i = set.faceEdgeOffset[f]; i < set.faceEdgeOffset[f + 1]; ++i) pieces.push_back(set.edges[set.faceEdges[i]]);
   std::sort(pieces.begin(), pieces.end(), edgeLess);
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> nextOf;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;  // directed, from -> to
   for (std::size_t i = 0, j; i < pieces.size(); i = j) {
     int balance = 0;
     for (j = i; j < pieces.size() && pieces[j].a == pieces[i].a && pieces[j].b == pieces[i].b; ++j)
       balance += pieces[j].forward ? 1 : -1;
-    for (; balance > 0; --balance) nextOf[pieces[i].a].push_back(pieces[i].b);
-    for (; balance < 0; ++balance) nextOf[pieces[i].b].push_back(pieces[i].a);
+    for (; balance > 0; --balance) steps.emplace_back(pieces[i].a, pieces[i].b);
+    for (; balance < 0; ++balance) steps.emplace_back(pieces[i].b, pieces[i].a);
   }
+  std::sort(steps.begin(), steps.end());
+  std::vector<bool> used(steps.size(), false);
   Outline outline;
   double longest = 0;
   const auto side = [&](const Vec3& from, const Vec3& to) {
@@ -291,34 +286,29 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
     if (l > longest * (1 + 1e-3) || rank(unit) > rank(outline.longestDirection)) outline.longestDirection = unit;
     longest = std::max(longest, l);
   };
-  std::vector<std::uint32_t> starts;
-  for (const auto& entry : nextOf) starts.push_back(entry.first);
-  std::sort(starts.begin(), starts.end());
   std::vector<Vec3> loop;
-  for (const std::uint32_t start : starts) {
-    while (!nextOf[start].empty()) {
-      loop.clear();
-      std::uint32_t at = start;
-      do {
-        loop.push_back(mesh.positions[at]);
-        auto& exits = nextOf[at];
-        if (exits.empty()) break;
-        // Where boundaries touch, go on as straight as possible.
-        std::size_t best = 0;
-        if (loop.size() > 1) {
-          const Vec3 incoming = normalized(loop.back() - loop[loop.size() - 2]);
-          double straightest = -2;
-          for (std::size_t e = 0; e < exits.size(); ++e) {
-            const double s = dot(incoming, normalized(mesh.positions[exits[e]] - mesh.positions[at]));
-            if (s > straightest) straightest = s, best = e;
-          }
-        }
-        const std::uint32_t next = exits[best];
-        exits.erase(exits.begin() + static_cast<std::ptrdiff_t>(best));
-        at = next;
-      } while (at != start);
-      straightSides(loop, mesh.tolerance, side);
-    }
+  for (std::size_t first = 0; first < steps.size(); ++first) {
+    if (used[first]) continue;
+    loop.clear();
+    const std::uint32_t start = steps[first].first;
+    std::uint32_t at = start;
+    do {
+      // Where boundaries touch, go on as straight as possible.
+      std::size_t best = steps.size();
+      double straightest = -3;
+      for (auto s = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), std::pair{at, 0u}) - steps.begin());
+           s < steps.size() && steps[s].first == at; ++s) {
+        if (used[s]) continue;
+        const double straight = loop.empty() ? 0 : dot(normalized(mesh.positions[at] - loop.back()),
+                                                       normalized(mesh.positions[steps[s].second] - mesh.positions[at]));
+        if (straight > straightest) straightest = straight, best = s;
+      }
+      loop.push_back(mesh.positions[at]);
+      if (best == steps.size()) break;
+      used[best] = true;
+      at = steps[best].second;
+    } while (at != start);
+    straightSides(loop, mesh.tolerance, side);
   }
   return outline;
 }
