@@ -45,6 +45,9 @@ class Objective {
   /// (Bhatia-Davis).
   static Extremes allowedBy(const Moments& moments);
 
+  /// What Evaluation::goal adds per unit of goal g's value: sign x weight / reference value.
+  double goalFactor(std::size_t g) const { return terms_[g].factor; }
+
   /// Value of goal g at dimming t, in its own unit.
   double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/bound.h"
+#include "core/start_layout.h"
 #include "core/validate_intentions.h"
 #include "core/vns.h"
 #include "precompute/atomic_file.h"
@@ -84,6 +86,28 @@ void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& 
   }
 }
 
+/// What is proved about the best possible goal: its bound in the goal's unit, and how far the best run is
+/// from it at most.
+Json boundJson(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best) {
+  OptimumBound bound(prepared, intentions, best);
+  while (!bound.done()) bound.advance(1u << 12);
+  const std::optional<double> within = bound.within(best);
+  if (!within) return nullptr;
+  const Layout reference{spreadSites(prepared, intentions.luminaires), {}, 1};
+  const double factor =
+      intentions.goals.size() == 1 ? Objective(prepared, intentions, reference).goalFactor(0) : 1.0;
+  return {{"goal", bound.goal() / factor}, {"within", *within}};
+}
+
+void printBound(const Json& bound) {
+  if (bound.is_null())
+    std::printf("nothing is proved about the best possible for these intentions\n");
+  else
+    std::printf(
+        "proved: no layout reaches a goal beyond %s; the best found is within %.3g %% of the best possible\n",
+        shortNumber(bound["goal"].get<double>()).c_str(), 100 * bound["within"].get<double>());
+}
+
 void solve(const SolveOptions& options) {
   if (!options.output.empty()) checkWritable(options.output);
   const Scene scene = orThrow(readSceneFile(options.scene));
@@ -94,10 +118,12 @@ void solve(const SolveOptions& options) {
   for (const Run& run : runs)
     if (isBetter(run.evaluation, best->evaluation)) best = &run;
   Json report = {{"runs", Json::array()}};
+  if (options.bound) report["bound"] = boundJson(prepared, intentions, best->evaluation);
   if (options.json) {
     for (const Run& run : runs) report["runs"].push_back(runJson(prepared, intentions, run));
   } else {
     for (const Run& run : runs) printRun(prepared, intentions, run);
+    if (options.bound) printBound(report["bound"]);
   }
   if (!options.output.empty()) writeFileAtomically(options.output, layoutJson(best->layout).dump(2) + "\n");
   if (options.json) std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
@@ -119,6 +145,8 @@ void addSolveCommand(CLI::App& app) {
   command->add_option("--evaluations", options->evaluations, "trial layouts a run")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{4000000000u}))
       ->capture_default_str();
+  command->add_flag("--bound", options->bound,
+                    "prove how far from the best possible it is at most (takes seconds)");
   command->add_flag("--json", options->json, "one JSON document on standard output");
   command->add_option("-o,--output", options->output, "write the best layout.json here");
   command->callback([options] { solve(*options); });
