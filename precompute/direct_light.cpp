@@ -14,8 +14,6 @@ namespace fiatlux {
 
 namespace {
 
-/// Shadow rays end this far in front of the source, m: what it hangs on (within 1 mm) never shadows it.
-constexpr double kClearance = 0.002;
 /// Receivers less than this in front of a source's plane get nothing from it, m: the mount itself, rounded.
 constexpr double kFront = 1e-5;
 
@@ -97,7 +95,7 @@ class Shadow {
       for (std::uint32_t part = 0; part < parts; ++part) {
         const double u = (part % split_ + random.unit()) / split_,
                      v = (part / split_ + random.unit()) / split_;
-        const Vec3 target = source_.at(u, v) + kClearance * source_.luminaire.normal;
+        const Vec3 target = source_.at(u, v) + kLuminaireClearance * source_.luminaire.normal;
         tracer_.aim(packet_, origin, target - origin, 1);
         lane_[packet_.count - 1] = i * parts + part;
         if (packet_.count == RayPacket::kSize) flush();

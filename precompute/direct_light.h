@@ -14,6 +14,9 @@
 
 namespace fiatlux {
 
+/// Shadow rays end this far in front of a luminaire, m: what it hangs on (within 1 mm) never shadows it.
+inline constexpr double kLuminaireClearance = 0.002;
+
 struct DirectLightOptions {
   std::uint32_t coarse = 2;  // points on a patch's edge, far from the source
   std::uint32_t fine = 4;    // within two patch edges of it

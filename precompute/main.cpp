@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
   fiatlux::addPrecomputeCommand(app);
   fiatlux::addInfoCommand(app);
   fiatlux::addEvaluateCommand(app);
+  fiatlux::addLightCommand(app);
+  fiatlux::addValidateCommand(app);
   fiatlux::installInterruptHandler();
   try {
     app.parse(argc, argv);

@@ -1,0 +1,238 @@
+// fiatlux light: the forward truth. Luminaires anywhere, no mount, no scene file, refined until converged.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "precompute/atomic_file.h"
+#include "precompute/build_room.h"
+#include "precompute/command_error.h"
+#include "precompute/commands.h"
+#include "precompute/forward_light.h"
+#include "precompute/layout_json.h"
+#include "precompute/measuring_grid.h"
+#include "precompute/point_light.h"
+#include "precompute/progress.h"
+#include "precompute/results_json.h"
+#include "precompute/room_options.h"
+#include "precompute/source_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LightOptions {
+  std::string source, layout, points, patches;
+  RoomOptions room;
+  ForwardOptions forward;
+  bool json = false, grid = false;
+};
+
+template <class T>
+T about(const std::string& path, Result<T> result) {
+  if (!result && result.error().message.rfind(path, 0) != 0)
+    throw CommandError(path + ": " + result.error().message);
+  return orThrow(std::move(result));
+}
+
+Room readRoom(const LightOptions& options, Progress& progress) {
+  progress.update("reading", 0);
+  const SourceScene source = about(options.source, readSourceScene(options.source, options.room.scale));
+  Room room = about(options.source, buildRoom(source, options.room));
+  progress.clear();
+  for (const std::string& warning : room.warnings) printNote("warning: " + options.source + ": " + warning);
+  return room;
+}
+
+Json pointsJson(const std::vector<MeasuringPoint>& points, const std::vector<PointReading>& readings) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [p, n] = points[i];
+    const PointReading& r = readings[i];
+    json.push_back(
+        {{"position", {p.x, p.y, p.z}},
+         {"normal", {n.x, n.y, n.z}},
+         {"direct", r.direct},
+         {"total", r.total},
+         {"cylindrical", r.cylindrical},
+         {"vertical",
+          {{"+x", r.vertical[0]}, {"-x", r.vertical[1]}, {"+z", r.vertical[2]}, {"-z", r.vertical[3]}}}});
+  }
+  return json;
+}
+
+struct GridResult {
+  MeasuringGrid grid;
+  double mean = 0, least = 0;
+};
+
+std::vector<GridResult> readGrids(const Room& room, const RayTracer& tracer,
+                                  const std::vector<Luminaire>& luminaires,
+                                  const std::vector<float>& radiosity, PointOptions options) {
+  options.spatial = false;
+  std::vector<GridResult> results;
+  for (MeasuringGrid& grid : measuringGrids(room)) {
+    const std::vector<PointReading> readings =
+        readPoints(tracer, grid.points, luminaires, radiosity, options);
+    GridResult result{std::move(grid), 0, readings[0].total};
+    for (const PointReading& reading : readings) {
+      result.mean += reading.total / static_cast<double>(readings.size());
+      result.least = std::min(result.least, reading.total);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+Json gridsJson(const Room& room, const std::vector<GridResult>& grids) {
+  Json json = Json::array();
+  for (const auto& [grid, mean, least] : grids) {
+    json.push_back({{"surface", room.surfaces[grid.surface].name},
+                    {"points", grid.points.size()},
+                    {"spacing", grid.spacing},
+                    {"rim", grid.rim},
+                    {"mean", mean},
+                    {"min", least},
+                    {"uniformity", mean > 0 ? least / mean : 0}});
+  }
+  return json;
+}
+
+Json energyJson(const EnergyBalance& energy) {
+  return {{"emitted", energy.emitted},
+          {"absorbed", energy.absorbed},
+          {"lostDirect", energy.lostDirect},
+          {"lostReflected", energy.lostReflected},
+          {"imbalance", energy.imbalance}};
+}
+
+Json lostJson(const Room& room, const ForwardLight& light) {
+  Json json = Json::array();
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    json.push_back({{"name", room.surfaces[s].name}, {"lost", light.lost[s]}});
+  }
+  return json;
+}
+
+void printReport(const Room& room, const ForwardLight& light, const LightResults& results) {
+  std::fputs(surfacesTable(results).c_str(), stdout);
+  const EnergyBalance& e = light.energy;
+  std::printf(
+      "\n%u patches of about %.3g m (sigma, least and uniformity depend on that size); residual %.2g after "
+      "%u steps\n",
+      room.patches.count, room.patchSize, light.residual, light.steps);
+  std::printf(
+      "energy: %.6g lm emitted = %.6g absorbed + %.6g lost directly + %.6g lost after reflection %+.3g (%.2f "
+      "%%)\n",
+      e.emitted, e.absorbed, e.lostDirect, e.lostReflected, e.imbalance,
+      e.emitted > 0 ? 100 * e.imbalance / e.emitted : 0.0);
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    if (light.lost[s] < 0.0005) continue;
+    std::printf("lost from %s: %.2f %% of its rays\n", printable(room.surfaces[s].name).c_str(),
+                100 * light.lost[s]);
+  }
+}
+
+void printGrids(const Room& room, const std::vector<GridResult>& grids) {
+  for (const auto& [grid, mean, least] : grids) {
+    std::printf(
+        "grid on %s: %zu points, spacing at most %.2f m, rim %.1f m: E_m %.4g lx, E_min %.4g lx, U_o %.3f\n",
+        printable(room.surfaces[grid.surface].name).c_str(), grid.points.size(), grid.spacing, grid.rim, mean,
+        least, mean > 0 ? least / mean : 0.0);
+  }
+}
+
+void light(LightOptions options) {
+  const LayoutFile file = orThrow(readLayoutFile(options.layout));
+  for (const std::string& note : file.notes) printNote(options.layout + ": " + note);
+  const std::vector<Luminaire> luminaires = about(options.layout, freeLuminaires(file));
+  std::vector<MeasuringPoint> points;
+  if (!options.points.empty()) {
+    const std::vector<std::uint8_t> bytes = readFileBytes(options.points);
+    points = about(options.points, parsePoints(std::string(bytes.begin(), bytes.end())));
+  }
+  if (!options.patches.empty()) checkWritable(options.patches);
+  Progress progress;
+  options.forward.progress = [&](const char* stage, double fraction) { progress.update(stage, fraction); };
+  options.room.requireSites = false;
+  options.room.rays = options.forward.rays;
+  const Room room = readRoom(options, progress);
+
+  const RayTracer tracer = about(options.source, RayTracer::build(room));
+  ForwardLight light = about(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
+  PointOptions pointOptions;
+  pointOptions.seed = options.forward.seed;
+  pointOptions.threads = options.forward.threads;
+  const std::vector<float> radiosity = options.forward.directOnly ? std::vector<float>{} : light.radiosity;
+  const std::vector<PointReading> readings = readPoints(tracer, points, luminaires, radiosity, pointOptions);
+  std::vector<GridResult> grids;
+  if (options.grid) grids = readGrids(room, tracer, luminaires, radiosity, pointOptions);
+  progress.clear();
+  if (light.residual > options.forward.tolerance) {
+    char line[120];
+    std::snprintf(line, sizeof line, "warning: not converged, residual %.2g after %u steps", light.residual,
+                  light.steps);
+    printNote(line);
+  }
+
+  const LightResults results = lightResults(room.patches, room.surfaces, light.illuminance);
+  if (!options.patches.empty()) {
+    writeFileAtomically(options.patches, patchesCsv(room.patches, room.surfaces, light.illuminance));
+  }
+  if (!options.json) {
+    printReport(room, light, results);
+    printGrids(room, grids);
+    if (!points.empty()) std::printf("\n%s", pointsCsv(points, readings).c_str());
+    return;
+  }
+  Json json = {{"surfaces", surfacesJson(results)}, {"all", surfaceJson(results.all)}};
+  json["patches"] = room.patches.count;
+  json["patchSize"] = room.patchSize;
+  json["directOnly"] = options.forward.directOnly;
+  json["residual"] = light.residual;
+  json["steps"] = light.steps;
+  json["energy"] = energyJson(light.energy);
+  json["lost"] = lostJson(room, light);
+  if (!options.points.empty()) json["points"] = pointsJson(points, readings);
+  if (options.grid) json["grids"] = gridsJson(room, grids);
+  json["seconds"] = light.seconds;
+  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+}  // namespace
+
+void addLightCommand(CLI::App& app) {
+  auto o = std::make_shared<LightOptions>();
+  CLI::App* command =
+      app.add_subcommand("light", "What luminaires anywhere do to a room, refined until converged");
+  const auto above = [](double low) { return CLI::Range(low, 1e6); };
+  command->add_option("room", o->source, "The room (.glb, or .gltf with its files)")->required();
+  command->add_option("--layout", o->layout, "Free luminaires (layout.json)")->required();
+  command->add_option("--points", o->points, "Read the light at the points x,y,z,nx,ny,nz of this .csv");
+  command->add_option("--patches", o->patches, "Write the light of every patch to this .csv");
+  command->add_flag("--grid", o->grid,
+                    "E_m, E_min and U_o on the EN 12464-1 grid of floors and measuring planes");
+  command->add_flag("--direct-only", o->forward.directOnly, "No reflections (emergency lighting)");
+  command->add_option("--patch", o->room.patch, "Edge of a patch, m (default: about 25 000 patches)")
+      ->check(above(1e-4));
+  command->add_option("--rays", o->forward.rays, "Rays from every patch")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  command->add_option("--measure", o->room.measures, "Node that is a measuring plane (repeatable)")
+      ->allow_extra_args(false);
+  command->add_option("--scale", o->room.scale, "Metres of one unit of the file")
+      ->check(above(1e-6))
+      ->capture_default_str();
+  command->add_option("--memory", o->room.memory, "GB that may be used")
+      ->check(above(0.01))
+      ->capture_default_str();
+  command->add_option("--seed", o->forward.seed, "Of the rays")->capture_default_str();
+  command->add_option("--threads", o->forward.threads, "0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", o->json, "One JSON document on standard output");
+  command->callback([o] { light(*o); });
+}
+
+}  // namespace fiatlux
