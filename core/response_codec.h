@@ -15,8 +15,8 @@
 
 namespace fiatlux {
 
-/// Step of the quantisation as a share of the surface's mean response: 0.46 % RMS, less where it is dim.
-inline constexpr double kResponseStep = 0.016;
+/// Step of the quantisation as a share of the surface's mean response: 0.40 % RMS, less where it is dim.
+inline constexpr double kResponseStep = 0.014;
 
 /// How one site's column is scaled on one surface, both lx per lm: value = step x number, or floor where that
 /// is 0.

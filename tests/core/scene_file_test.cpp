@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 #include "core/crc32.h"
 #include "core/scene_reader.h"
 #include "core/scene_sections.h"
+#include "tests/core/golden_scene_v1.h"
 #include "tests/core/synthetic_scene.h"
 
 namespace fiatlux {
@@ -120,6 +122,40 @@ TEST(SceneFile, StatisticsSurviveToATenThousandth) {
         ASSERT_NEAR(mean[1], mean[0], 1e-4 * mean[0]);
         ASSERT_NEAR(std::sqrt(variance[1]), std::sqrt(variance[0]), 1e-4 * std::sqrt(variance[0]));
       }
+}
+
+std::vector<std::uint8_t> fromBase64(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0, count = 0;
+  for (char c : text) {
+    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
+                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                      : c >= '0' && c <= '9' ? c - '0' + 52
+                      : c == '+'             ? 62
+                      : c == '/'             ? 63
+                                             : -1;
+    if (digit < 0) break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    if ((count += 6) >= 8) bytes.push_back(static_cast<std::uint8_t>(bits >> (count -= 8)));
+  }
+  return bytes;
+}
+
+TEST(SceneFile, Version1StaysReadable) {
+  const Scene scene = syntheticScene(2, 2);
+  const Result<Scene> back = read(fromBase64(kSceneFileVersion1));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->identity, "0123456789abcdef");
+  EXPECT_EQ(back->surfaces[1].name, "wall \xc3\xa9");
+  EXPECT_EQ(back->patches.count, 40u);
+  EXPECT_EQ(back->patches.rows(), 44u);
+  EXPECT_EQ(back->patches.left, scene.patches.left);
+  EXPECT_EQ(back->sites[1].position.x, 0.375);
+  // Numbers of the day it was written.
+  EXPECT_NEAR(back->illuminance[0].mean[1], 0.033451896393671632, 1e-15);
+  EXPECT_NEAR(back->exitance[1].covariance[1], 0.00020802727938613465, 1e-6 * 0.000208);
+  EXPECT_NEAR(back->responses.column(1)[5], 0.0345561281, 0.008 * 0.0335);
+  EXPECT_NEAR(back->responses.column(0)[20], 0.0182332676, 0.0005);
 }
 
 TEST(SceneFile, CutAnywhereIsRefused) {
