@@ -14,6 +14,7 @@ constexpr std::uint32_t kPairReach = 8;       // and around each of two in the l
 constexpr std::uint32_t kShakeReach = 16;     // how far a near shake throws
 constexpr double kPenalties[3] = {1, 4, 16};  // goals that a violation of 100 % is worth, in a walk
 constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kGatherings = 16;     // tried before the best of them is searched
 constexpr std::uint32_t kRoundsOnBase = 1;    // rounds in vain before the search restarts elsewhere
 
 std::vector<std::uint32_t> startSites(const PreparedScene& prepared, const LuminaireRules& rules,
@@ -62,6 +63,7 @@ void Vns::enter(Phase phase) {
 
 /// Goes on with the running scan for at most `limit` > 0 evaluations; returns how many it took.
 std::uint32_t Vns::spend(std::uint32_t limit) {
+  if (phase_ == Phase::kGather) return tryGatherings(limit);
   if (!scanning_) openScan();
   std::uint32_t spent = 0;
   if (phase_ == Phase::kSwap) {
@@ -178,13 +180,37 @@ void Vns::changeNeighborhood() {
 
 /// Levels alternate between near shakes, far shakes and gatherings, of growing strength.
 void Vns::shake() {
+  if (level_ % 3 == 2) {
+    enter(Phase::kGather);
+    position_ = 0;
+    return;
+  }
   std::vector<std::uint32_t> sites = base_;
   neighborhood_.load(sites);
-  const std::uint32_t movable = rules_.count - neighborhood_.firstMovable(), strength = 1 + level_ / 3;
-  if (level_ % 3 == 2)
+  neighborhood_.shake(sites, 1 + level_ / 3, level_ % 3 == 0 ? kShakeReach : 0, random_);
+  beginShaken(sites);
+}
+
+/// Luminaires thrown together around a site, at several sites: the best of these is worth a local search.
+std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
+  const std::uint32_t movable = rules_.count - neighborhood_.firstMovable();
+  std::uint32_t spent = 0;
+  for (; position_ < kGatherings && spent < limit; ++position_, ++spent) {
+    std::vector<std::uint32_t> sites = base_;
+    neighborhood_.load(sites);
     neighborhood_.gather(sites, 2 + random_.below(2 * movable), random_);
-  else
-    neighborhood_.shake(sites, strength, level_ % 3 == 0 ? kShakeReach : 0, random_);
+    evaluator_.load(sites);
+    if (position_ > 0 && !isBetter(evaluator_.current(), gatheredEvaluation_)) continue;
+    gathered_ = sites;
+    gatheredEvaluation_ = evaluator_.current();
+  }
+  if (position_ == kGatherings) beginShaken(gathered_);
+  return spent;
+}
+
+/// A local search from a shaken layout: near moves only, after a walk over broken bounds where there are
+/// some.
+void Vns::beginShaken(const std::vector<std::uint32_t>& sites) {
   thorough_ = false;
   begin(sites);
   if (!evaluator_.objective().hasConstraints() || baseEvaluation_.violation > 0) return;

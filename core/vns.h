@@ -35,7 +35,7 @@ class Vns {
   std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
 
  private:
-  enum class Phase : std::uint8_t { kWalk, kNear, kFar, kSwap, kPairs };
+  enum class Phase : std::uint8_t { kGather, kWalk, kNear, kFar, kSwap, kPairs };
 
   void begin(const std::vector<std::uint32_t>& sites);
   std::uint32_t spend(std::uint32_t limit);
@@ -45,8 +45,10 @@ class Vns {
   void nextPhase();
   std::uint32_t trySwaps(std::uint32_t limit);
   std::uint32_t tryPairs(std::uint32_t limit);
+  std::uint32_t tryGatherings(std::uint32_t limit);
   void changeNeighborhood();
   void shake();
+  void beginShaken(const std::vector<std::uint32_t>& sites);
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
   Evaluator evaluator_;
@@ -69,6 +71,8 @@ class Vns {
   bool scanning_ = false;
   std::vector<std::uint32_t> candidates_, partnerCandidates_;
   std::uint32_t partner_ = 0;
+  std::vector<std::uint32_t> gathered_;  // the best gathering so far of those tried
+  Evaluation gatheredEvaluation_;
   Trial found_;  // best of the current scan
 };
 

@@ -136,6 +136,16 @@ TEST(Vns, TrueMinimumHoldsOnThePatchesWithItsMargin) {
   EXPECT_GE(truth.minimum - 0.02 * truth.mean, 12 * (1 - 1e-5));
 }
 
+TEST(Vns, GoldenLayoutIsTheSameOnEveryMachine) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = ask(Statistic::kSigma, Sense::kMinimize, 6, {2});
+  intentions.luminaires.flux = {1000, 1150, 1320, 1510, 1730, 1970};
+  intentions.constraints = {{Statistic::kMean, 5, 8, 1, {2}, {}}};
+  Vns vns(prepared, intentions, 2024);
+  vns.advance(3000);
+  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{4, 1, 3, 2, 185, 187}));
+}
+
 TEST(Vns, StandsStillWhenNothingCanMove) {
   PreparedScene prepared(smallRoom());
   Intentions intentions = ask(Statistic::kSigma, Sense::kMinimize, 2);
