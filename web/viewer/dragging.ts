@@ -56,7 +56,6 @@ export class Dragging {
     element.addEventListener('pointerup', this.release);
     element.addEventListener('pointercancel', this.cancel);
     addEventListener('keydown', this.key, true);
-    event.preventDefault();
   }
 
   /** Puts the luminaire back to where it was. */

@@ -1,12 +1,12 @@
 /**
  * Automatic exposure: how bright the picture of a room is. The eye adapts, but not wholly: exposure falls with the
- * 0.8th power of the light, so that twice the light still looks a little brighter.
+ * 0.87th power of the light, so that twice the light still looks a little brighter.
  */
 
 const reference = 300; // lx, a usual office
-const adaptation = 0.8;
+const adaptation = 0.87;
 /** Light that a white surface of albedo 1 sends to the camera at the reference level, before the tone curve. */
-const key = 1.15;
+const key = 1.05;
 
 /**
  * The level that the exposure follows, lx: area-weighted, between the mean and the 80th percentile, so that a

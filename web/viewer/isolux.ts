@@ -8,7 +8,7 @@ const float = (value: number): string => value.toFixed(1);
 /**
  * GLSL: float isoluxLine(float light, float width) = how much of a line covers the pixel, 0..1. `width` in pixels.
  * The distance to a level in pixels is |light - level| / |grad light|; where the light is flat a floor under the
- * gradient keeps a level from flooding the surface.
+ * gradient keeps a level from flooding the surface. Where lines would crowd (small or steep things) they fade.
  */
 export const isoluxShader = /* glsl */ `
 float isoluxLine(float light, float width) {
@@ -17,7 +17,9 @@ float isoluxLine(float light, float width) {
   float levels[${isoluxLevels.length}] = float[${isoluxLevels.length}](${isoluxLevels.map(float).join(', ')});
   for (int i = 0; i < ${isoluxLevels.length}; i++) {
     float pixels = abs(light - levels[i]) / max(slope, 2e-4 * levels[i]);
-    covered = max(covered, 1.0 - smoothstep(0.5 * width, 0.5 * width + 1.0, pixels));
+    float apart = 0.35 * levels[i] / max(slope, 1e-6); // px to the next level, about
+    float line = 1.0 - smoothstep(0.5 * width, 0.5 * width + 1.0, pixels);
+    covered = max(covered, line * smoothstep(3.0, 9.0, apart));
   }
   return covered;
 }

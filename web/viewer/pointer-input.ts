@@ -66,7 +66,6 @@ export class PointerInput {
     }
     // A second finger makes it a gesture, not a click.
     this.down = this.down || event.button !== 0 ? null : pressOf(event);
-    this.canvas.focus({ preventScroll: true });
   };
 
   private moved = (event: PointerEvent): void => {

@@ -11,15 +11,19 @@ import type { LitMesh } from './room-mesh.ts';
 
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
 
+function edgesOfMesh(
+  geometry: BufferGeometry,
+  position: { array: ArrayLike<number>; count: number },
+): Float32Array {
+  const index = geometry.index?.array ?? [...Array(position.count).keys()];
+  return surfaceEdges(index, position.array, crease);
+}
+
 /** Line ends of a surface's edges in world space, xyz each. */
 function edgesOf(meshes: readonly LitMesh[]): Float32Array {
   const parts = meshes.map(({ mesh }) => {
     const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-    return surfaceEdges(
-      mesh.geometry.index?.array ?? [...Array(position.count).keys()],
-      position.array,
-      crease,
-    );
+    return edgesOfMesh(mesh.geometry, position);
   });
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
@@ -35,7 +39,7 @@ export class SurfaceOutlines {
   private hovered = this.material('#ffffff', 1.25, 0.6);
   private thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
   private shown = new Map<'selected' | 'hovered', LineSegments2[]>();
-  private drawing: LineSegments<BufferGeometry, LineBasicMaterial> | null = null;
+  private drawing: LineSegments[] = [];
 
   constructor() {
     this.through.depthTest = false;
@@ -44,9 +48,11 @@ export class SurfaceOutlines {
   setRoom(room: readonly LitMesh[]): void {
     this.show('selected', null);
     this.show('hovered', null);
-    if (this.drawing) this.root.remove(this.drawing);
-    this.drawing?.geometry.dispose();
-    this.drawing = null;
+    for (const lines of this.drawing) {
+      lines.removeFromParent();
+      lines.geometry.dispose();
+    }
+    this.drawing = [];
     this.room = room;
     this.edges.clear();
   }
@@ -70,16 +76,20 @@ export class SurfaceOutlines {
     this.shown.set(which, objects);
   }
 
-  /** Thin lines along every edge of the room, or none. */
+  /** Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it. */
   showAll(visible: boolean): void {
-    if (visible && !this.drawing) {
-      const ends = edgesOf(this.room.filter(({ measuring }) => !measuring));
-      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
-      this.drawing = new LineSegments(geometry, this.thin);
-      this.drawing.renderOrder = 1;
-      this.root.add(this.drawing);
+    if (visible && this.drawing.length === 0) {
+      for (const { mesh, measuring } of this.room) {
+        if (measuring) continue;
+        const ends = edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position'));
+        const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
+        const lines = new LineSegments(geometry, this.thin);
+        lines.renderOrder = 1;
+        mesh.add(lines);
+        this.drawing.push(lines);
+      }
     }
-    if (this.drawing) this.drawing.visible = visible;
+    for (const lines of this.drawing) lines.visible = visible;
   }
 
   dispose(): void {

@@ -42,6 +42,7 @@ export interface Viewer {
   preview(glb: ArrayBuffer): Promise<void>;
   /** The light of a layout: n + receivers values, lx. Cheap: once per solver update. */
   setLight(illuminance: Float32Array): void;
+  /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
   setSelection(surface: number | null, luminaire: number | null): void;
   setExcluded(sites: readonly number[]): void;

@@ -21,6 +21,8 @@ import { SurfaceOutlines } from './surface-outline.ts';
 import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
 import './viewer.css';
 
+/** A press by hand asks for no focus ring (the option is ignored where unknown). */
+const quietly = { preventScroll: true, focusVisible: false } as FocusOptions;
 const turnStep = (5 * Math.PI) / 180;
 const panStep = 0.05; // of the picture's height
 
@@ -102,7 +104,7 @@ class RoomViewer implements Viewer {
     this.layout = site === undefined ? layout : withSite(layout, held!, site);
     this.luminaires.setLayout(this.layout);
     this.tags.setCount(this.luminaires.objects.length);
-    this.emphasis.pinned = pinned;
+    this.emphasis.pinned = [...layout.sites.keys()].filter((i) => pinned.includes(layout.sites[i]!));
     this.emphasis.refresh();
   }
 
@@ -330,7 +332,7 @@ class RoomViewer implements Viewer {
 
   private grabTag(luminaire: number, event: PointerEvent): void {
     this.dragging.grab(luminaire, event.currentTarget as HTMLElement, event);
-    this.canvas.focus({ preventScroll: true });
+    this.canvas.focus(quietly);
   }
 
   private dragStarted(luminaire: number): void {

@@ -66,11 +66,26 @@ describe('edges of a surface', () => {
   test('are its boundary, however it is cut', () => {
     const plane = new PlaneGeometry(2, 1, 8, 4);
     const ends = surfaceEdges(plane.index!.array, plane.getAttribute('position').array, 35);
-    expect(count(ends)).toBe(2 * (8 + 4));
+    expect(count(ends)).toBe(2 * (8 + 4)); // the sides of the outermost cells
     for (let i = 0; i < ends.length; i += 3) {
       const onEdge = Math.abs(Math.abs(ends[i]!) - 1) < 1e-6 || Math.abs(Math.abs(ends[i + 1]!) - 0.5) < 1e-6;
       expect(onEdge).toBe(true);
     }
+  });
+
+  test('are not the seams of flat neighbours that are cut differently', () => {
+    const left = new PlaneGeometry(1, 1, 1, 3).translate(-0.5, 0, 0);
+    const right = new PlaneGeometry(1, 1, 1, 4).translate(0.5, 0, 0);
+    const shift = left.getAttribute('position').count;
+    const index = [...left.index!.array, ...[...right.index!.array].map((vertex) => vertex + shift)];
+    const positions = [...left.getAttribute('position').array, ...right.getAttribute('position').array];
+    const ends = surfaceEdges(index, positions, 35);
+    for (let i = 0; i < ends.length; i += 6)
+      expect(Math.abs(ends[i]!) + Math.abs(ends[i + 3]!)).toBeGreaterThan(0.9);
+    let length = 0;
+    for (let i = 0; i < ends.length; i += 6)
+      length += Math.hypot(ends[i + 3]! - ends[i]!, ends[i + 4]! - ends[i + 1]!);
+    expect(length).toBeCloseTo(6);
   });
 
   test('are the creases of a closed body, as three finds them', () => {
