@@ -3,7 +3,14 @@
  * their disposal, and are uploaded again when they are next drawn. To be called while a lost context is still lost;
  * afterwards the old buffers would be deleted in a context that they do not belong to.
  */
-import { Texture, type BufferGeometry, type Material, type Object3D, type ShaderMaterial } from 'three';
+import {
+  InstancedMesh,
+  Texture,
+  type BufferGeometry,
+  type Material,
+  type Object3D,
+  type ShaderMaterial,
+} from 'three';
 
 interface Drawn {
   readonly geometry?: BufferGeometry;
@@ -23,6 +30,7 @@ export function freeGpu(root: Object3D): void {
   root.traverse((object) => {
     const { geometry, material } = object as Drawn;
     geometry?.dispose();
+    if (object instanceof InstancedMesh) object.dispose();
     for (const each of [material ?? []].flat()) {
       for (const texture of texturesOf(each)) texture.dispose();
       each.dispose();

@@ -111,7 +111,8 @@ void main() {
   vec3 color = mapped ? colorOnLegend(quantity) : toneCurve(surface.rgb * vLight * exposure);
   if (isolux) {
     float line = isoluxLine(quantity, 0.7 * pixelRatio);
-    float bright = dot(color, vec3(0.2126, 0.7152, 0.0722));
+    // By the surface and not by its texture, so that a line does not flicker on a pattern.
+    float bright = mapped ? dot(color, vec3(0.2126, 0.7152, 0.0722)) : 0.8 * reflectance * vLight * exposure;
     color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
   }
   color = mix(color, accent, tint);

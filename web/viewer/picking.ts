@@ -1,8 +1,9 @@
 /** What lies under a point of the canvas: a luminaire, a surface, and the light there. */
-import { Raycaster, Vector2, Vector3, type Camera, type Mesh, type Object3D } from 'three';
+import { DoubleSide, Raycaster, Vector2, Vector3, type Camera, type Mesh, type Object3D } from 'three';
 import type { LuminaireObject } from './luminaire-objects.ts';
 import type { LitMesh } from './room-mesh.ts';
 import { barycentric, lightAtVertex } from './probe.ts';
+import { TriangleTree } from './triangle-tree.ts';
 
 export interface Hit {
   readonly luminaire: number | null;
@@ -11,9 +12,18 @@ export interface Hit {
   readonly lux: number; // illuminance; 0 on a luminaire
 }
 
+/** A mesh with its vertices in world space and the tree over its triangles; made when first needed. */
+interface Indexed {
+  readonly index: ArrayLike<number>;
+  readonly positions: ArrayLike<number>;
+  readonly tree: TriangleTree;
+}
+
 export class Picking {
   private caster = new Raycaster();
   private canvas: HTMLCanvasElement;
+  private indexed = new WeakMap<Mesh, Indexed>();
+  private center = new Vector3();
 
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
@@ -38,33 +48,55 @@ export class Picking {
   ): Hit | null {
     this.ray(clientX, clientY, camera);
     const panels: Object3D[] = luminaires.map((luminaire) => luminaire.panel);
-    const meshes: Object3D[] = room.filter(({ mesh }) => mesh.visible).map(({ mesh }) => mesh);
-    const [hit] = this.caster.intersectObjects([...panels, ...meshes], false);
-    if (!hit) return null;
-    const luminaire = panels.indexOf(hit.object);
-    if (luminaire >= 0) return { luminaire, surface: null, point: hit.point, lux: 0 };
-    const lit = room.find(({ mesh }) => mesh === hit.object)!;
-    const lux = light && hit.face ? lightAt(lit.mesh, hit.face, hit.point, light) : 0;
-    return { luminaire: null, surface: lit.surface >= 0 ? lit.surface : null, point: hit.point, lux };
+    const [panel] = this.caster.intersectObjects(panels, false);
+    const wall = this.nearest(room, panel?.distance ?? Infinity);
+    if (wall) return this.hitOf(wall.lit, wall.distance, wall.first, light);
+    if (!panel) return null;
+    return { luminaire: panels.indexOf(panel.object), surface: null, point: panel.point, lux: 0 };
   }
-}
 
-/** Light at a point of a triangle, as the shader interpolates it, lx. */
-function lightAt(
-  mesh: Mesh,
-  face: { a: number; b: number; c: number },
-  point: Vector3,
-  light: Float32Array,
-): number {
-  const geometry = mesh.geometry;
-  const position = geometry.getAttribute('position');
-  const [patches, weights] = [geometry.getAttribute('_patches'), geometry.getAttribute('_weights')];
-  const corner = (vertex: number) =>
-    new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(mesh.matrixWorld).toArray();
-  const share = barycentric(point.toArray(), corner(face.a), corner(face.b), corner(face.c));
-  const corners = [face.a, face.b, face.c];
-  return corners.reduce(
-    (sum, vertex, i) => sum + share[i]! * lightAtVertex(vertex, patches!.array, weights!.array, light),
-    0,
-  );
+  private nearest(room: readonly LitMesh[], limit: number) {
+    const { origin, direction } = this.caster.ray;
+    let best: { lit: LitMesh; distance: number; first: number } | null = null;
+    for (const lit of room) {
+      if (!lit.mesh.visible || this.misses(lit.mesh)) continue;
+      const both = lit.mesh.material.side === DoubleSide;
+      const { tree } = this.indexOf(lit.mesh);
+      const hit = tree.cast(origin.toArray(), direction.toArray(), both, best?.distance ?? limit);
+      if (hit) best = { lit, ...hit };
+    }
+    return best;
+  }
+
+  private misses(mesh: Mesh): boolean {
+    if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
+    const sphere = mesh.geometry.boundingSphere!;
+    this.center.copy(sphere.center).applyMatrix4(mesh.matrixWorld);
+    const radius = sphere.radius * mesh.matrixWorld.getMaxScaleOnAxis();
+    return this.caster.ray.distanceSqToPoint(this.center) > radius * radius;
+  }
+
+  private indexOf(mesh: Mesh): Indexed {
+    let indexed = this.indexed.get(mesh);
+    if (!indexed) {
+      const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+      const index = mesh.geometry.index?.array ?? Uint32Array.from({ length: world.count }, (_, i) => i);
+      indexed = { index, positions: world.array, tree: new TriangleTree(index, world.array) };
+      this.indexed.set(mesh, indexed);
+    }
+    return indexed;
+  }
+
+  private hitOf(lit: LitMesh, distance: number, first: number, light: Float32Array | null): Hit {
+    const { index, positions } = this.indexOf(lit.mesh);
+    const point = this.caster.ray.at(distance, new Vector3());
+    const corners = [0, 1, 2].map((i) => index[first + i]!);
+    const [a, b, c] = corners.map((v) => [0, 1, 2].map((axis) => positions[3 * v + axis]!));
+    const share = barycentric(point.toArray(), a!, b!, c!);
+    const { _patches: patches, _weights: weights } = lit.mesh.geometry.attributes;
+    const lightAt = (vertex: number) =>
+      light ? lightAtVertex(vertex, patches!.array, weights!.array, light) : 0;
+    const lux = corners.reduce((sum, vertex, i) => sum + share[i]! * lightAt(vertex), 0);
+    return { luminaire: null, surface: lit.surface >= 0 ? lit.surface : null, point, lux };
+  }
 }
