@@ -1,6 +1,7 @@
 // One batch of each kernel of the search, natively or as Wasm (the same file, the same flags): nanoseconds an
 // evaluation at the paper's size, m = 258 sites, for N luminaires. Prints one JSON object; bench.mjs
 // interleaves batches.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <vector>
@@ -12,7 +13,8 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kSites = 258, kLayouts = 512;
-constexpr double kBatchSeconds = 0.15;
+constexpr double kBatchSeconds = 0.1;
+constexpr int kRepeats = 4;  // rounds between two looks at the clock
 
 /// A symmetric matrix of the size of a surface's covariance, a mean row, and random layouts of n luminaires.
 struct Problem {
@@ -40,8 +42,8 @@ struct Problem {
 
 volatile double sink;
 
-/// Nanoseconds an evaluation: rounds of `round` (which makes `evaluations` of them) until the batch is full.
-/// The first third warms up.
+/// Nanoseconds an evaluation: the median of rounds (each makes `evaluations` of them), so that a machine that
+/// does other things meanwhile disturbs little. The first third of the batch warms up.
 template <class Round>
 double nanoseconds(std::uint32_t evaluations, Round round) {
   using Clock = std::chrono::steady_clock;
@@ -49,13 +51,14 @@ double nanoseconds(std::uint32_t evaluations, Round round) {
     return std::chrono::duration<double>(Clock::now() - from).count();
   };
   for (const auto begin = Clock::now(); seconds(begin) < kBatchSeconds / 2;) round();
-  std::uint64_t rounds = 0;
-  const auto begin = Clock::now();
-  do {
-    round();
-    ++rounds;
-  } while (seconds(begin) < kBatchSeconds);
-  return seconds(begin) * 1e9 / (static_cast<double>(rounds) * evaluations);
+  std::vector<double> rounds;
+  for (const auto begin = Clock::now(); rounds.empty() || seconds(begin) < kBatchSeconds;) {
+    const auto start = Clock::now();
+    for (int k = 0; k < kRepeats; ++k) round();
+    rounds.push_back(seconds(start));
+  }
+  std::nth_element(rounds.begin(), rounds.begin() + rounds.size() / 2, rounds.end());
+  return rounds[rounds.size() / 2] * 1e9 / (static_cast<double>(kRepeats) * evaluations);
 }
 
 double fullMean(const Problem& p) {

@@ -1,0 +1,186 @@
+/**
+ * The figures of the program: one JSON object a line, and build/bench.jsonl anew. Native and Wasm run the same work in
+ * batches that take turns; a figure is the median of the batches, `spread` the distance between their quartiles.
+ *   node tests/bench/bench.mjs [name ...]      after `npm run build` and both builds of the benchmarks
+ */
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync, inflateSync } from 'node:zlib';
+import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
+import { openSession } from './open-session.mjs';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const inRoot = (...parts) => path.join(root, ...parts);
+const corridor = inRoot('public/scenes/e-corridor.flux');
+const batches = 7;
+const wanted = new Set(process.argv.slice(2));
+const rows = [];
+
+function print(row) {
+  rows.push(JSON.stringify(row));
+  process.stdout.write(`${rows.at(-1)}\n`);
+}
+
+function need(file) {
+  if (existsSync(file)) return file;
+  process.stderr.write(`bench: ${path.relative(root, file)} is missing: run npm run bench\n`);
+  process.exit(2);
+}
+
+const round = (value, digits = 4) => Number(value.toPrecision(digits));
+
+/** Median and distance between the quartiles. */
+function summary(values) {
+  const sorted = [...values].sort((a, b) => a - b);
+  const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
+  return { median: at(0.5), spread: at(0.75) - at(0.25) };
+}
+
+/** One row from batches of both sides that took turns. */
+function compare(name, unit, native, wasm, more = {}) {
+  const [a, b] = [summary(native), summary(wasm)];
+  const ratios = native.map((value, i) => wasm[i] / value);
+  print({
+    ...{ name, native: round(a.median), wasm: round(b.median), unit, spread: round(a.spread, 2) },
+    ...{ wasmSpread: round(b.spread, 2), ratio: round(summary(ratios).median, 3), batches, ...more },
+  });
+}
+
+function output(command, args) {
+  const result = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
+  if (result.status === 0) return result.stdout;
+  process.stderr.write(`bench: ${command} ${args.join(' ')}: ${result.stderr}\n`);
+  process.exit(2);
+}
+
+/** Full sums and moves of the search, for several numbers of luminaires. */
+function kernels() {
+  const native = need(inRoot('build/native/tests/kernel_bench'));
+  const wasm = need(inRoot('build/wasm/tests/kernel_bench.js'));
+  const results = { native: [], wasm: [] };
+  for (let batch = 0; batch < batches; ++batch) {
+    results.native.push(JSON.parse(output(native, [])));
+    results.wasm.push(JSON.parse(output('node', [wasm])));
+  }
+  for (const name of Object.keys(results.native[0])) {
+    const side = (of) => of.map((batch) => batch[name]);
+    compare(name, 'ns', side(results.native), side(results.wasm), { sites: 258 });
+  }
+}
+
+/** 25 000 evaluations on the E corridor: N = 6, least sigma of all surfaces, 40 seeds a batch. */
+async function solve25000() {
+  const tool = need(inRoot('build/native/tests/solve_bench'));
+  const session = await openSession(need(inRoot('web/solver/core.wasm')), need(corridor), inflateSync);
+  const none = new Uint32Array();
+  const error = session.setIntentions({
+    quantity: 0,
+    luminaires: {
+      ...{ count: 6, flux: Float64Array.of(1000), dimmingLow: 1, dimmingHigh: 1 },
+      ...{ pinned: none, excluded: none, minDistance: 0 },
+    },
+    goals: [{ statistic: 1, sense: 0, weight: 1, surfaces: none, over: none }],
+    constraints: [],
+  });
+  if (error) throw new Error(error);
+  const inWasm = () => {
+    const times = [];
+    for (let seed = 1; seed <= 40; ++seed) {
+      const begin = performance.now();
+      session.start(seed);
+      session.advance(25_000);
+      times.push(performance.now() - begin);
+    }
+    return summary(times).median;
+  };
+  inWasm();
+  const native = [];
+  const wasm = [];
+  for (let batch = 0; batch < batches; ++batch) {
+    native.push(Number(output(tool, [corridor])));
+    wasm.push(inWasm());
+  }
+  compare('solve_25000', 'ms', native, wasm, { luminaires: 6, goal: 'min sigma of all' });
+  session.delete();
+}
+
+/** Runs the command to its end; seconds, and the peak of its memory. */
+function timed(command, args) {
+  return new Promise((resolve, reject) => {
+    const begin = performance.now();
+    const child = spawn(command, args, { cwd: root, stdio: 'ignore' });
+    let peak = 0;
+    const timer = setInterval(() => {
+      try {
+        const status = readFileSync(`/proc/${child.pid}/status`, 'utf8');
+        peak = Math.max(peak, Number(/VmHWM:\s+(\d+)/.exec(status)?.[1] ?? 0));
+      } catch {
+        // It has ended.
+      }
+    }, 20);
+    child.on('error', reject);
+    child.on('exit', (code) => {
+      clearInterval(timer);
+      if (code !== 0) reject(new Error(`${command} ${args.join(' ')} ended with status ${code}`));
+      else resolve({ seconds: (performance.now() - begin) / 1000, mebibytes: peak / 1024 });
+    });
+  });
+}
+
+async function precompute() {
+  const { catalog } = await import('../../rooms/catalog.mjs');
+  const options = catalog.find(({ id }) => id === 'e-corridor').precompute;
+  const folder = mkdtempSync(path.join(tmpdir(), 'fiatlux-bench-'));
+  const target = path.join(folder, 'e-corridor.flux');
+  const source = need(inRoot('public/scenes/e-corridor.glb'));
+  const runs = [];
+  for (let run = 0; run < 5; ++run) {
+    rmSync(target, { force: true });
+    runs.push(await timed(need(inRoot('build/fiatlux')), ['precompute', source, '-o', target, ...options]));
+  }
+  const { median, spread } = summary(runs.map(({ seconds }) => seconds));
+  print({
+    ...{ name: 'precompute_e_corridor', native: round(median), unit: 's', spread: round(spread, 2) },
+    ...{ peak_mib: Math.round(Math.max(...runs.map(({ mebibytes }) => mebibytes))), batches: runs.length },
+    stages: JSON.parse(output(inRoot('build/fiatlux'), ['info', target, '--json'])).seconds,
+  });
+  rmSync(folder, { recursive: true });
+}
+
+const bytes = (name, size, more = {}) => print({ name, native: size, unit: 'bytes', spread: 0, ...more });
+const packed = (file) => gzipSync(readFileSync(file), { level: 9 }).length;
+
+async function firstLoad() {
+  const scripts = await firstPaintScripts(need(inRoot('dist/index.html')));
+  const size = scripts.reduce((sum, file) => sum + packed(file), 0);
+  bytes('js_compressed', size, { files: scripts.map((file) => path.basename(file)) });
+}
+
+async function drag() {
+  need(inRoot('dist/index.html'));
+  print({ name: 'drag_to_layout', ...(await dragToLayout(root, corridor, inflateSync)) });
+}
+
+const figures = {
+  kernels,
+  solve_25000: solve25000,
+  scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
+  js_compressed: firstLoad,
+  wasm_compressed: () => bytes('wasm_compressed', packed(need(inRoot('web/solver/core.wasm')))),
+  drag_to_layout: drag,
+  precompute_e_corridor: precompute,
+};
+
+for (const name of wanted) {
+  if (Object.hasOwn(figures, name)) continue;
+  process.stderr.write(`bench: no figure "${name}"; there are ${Object.keys(figures).join(', ')}\n`);
+  process.exit(2);
+}
+for (const [name, measure] of Object.entries(figures)) {
+  if (wanted.size === 0 || wanted.has(name)) await measure();
+}
+mkdirSync(inRoot('build'), { recursive: true });
+if (wanted.size === 0) writeFileSync(inRoot('build/bench.jsonl'), `${rows.join('\n')}\n`);
