@@ -36,6 +36,7 @@ Result<Done> Session::finish() {
 void Session::adopt(Scene scene) {
   search_.reset();
   alpha_.reset();
+  bound_.reset();
   prepared_.reset();
   asked_ = false;
   intentions_ = {};
@@ -49,6 +50,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   if (!checked) return checked;
   search_.reset();
   alpha_.reset();
+  bound_.reset();
   intentions_ = intentions;
   asked_ = true;
   return Done{};
@@ -63,6 +65,7 @@ Result<Done> Session::ready() const {
 Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   Result<Done> can = ready();
   if (!can) return can;
+  bound_.reset();
   search_ = std::make_unique<Vns>(*prepared_, intentions_, seed, start);
   return Done{};
 }
@@ -95,6 +98,17 @@ Result<Done> Session::startAlpha(std::uint64_t seed) {
   options.seed = seed;
   alpha_ = std::make_unique<AlphaSearch>(*prepared_, intentions_, options);
   return Done{};
+}
+
+Result<Done> Session::startBound() {
+  if (!search_) return Error{"no search is running that could be bounded"};
+  bound_ = std::make_unique<OptimumBound>(*prepared_, intentions_, search_->evaluation());
+  return Done{};
+}
+
+std::optional<double> Session::boundGap() const {
+  if (!search_ || !bound_ || !bound_->supported()) return std::nullopt;
+  return bound_->within(search_->evaluation());
 }
 
 }  // namespace fiatlux

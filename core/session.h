@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/alpha_search.h"
+#include "core/bound.h"
 #include "core/scene_reader.h"
 #include "core/shown.h"
 #include "core/vns.h"
@@ -66,6 +67,13 @@ class Session {
   Result<Done> startAlpha(std::uint64_t seed);
   AlphaSearch* alpha() { return alpha_.get(); }
 
+  /// A provable bound on the goal of the search that runs or has run; nullptr before startBound succeeded. An
+  /// Error without a search.
+  Result<Done> startBound();
+  OptimumBound* bound() { return bound_.get(); }
+  /// The best possible is better than the incumbent by at most this share; nothing while nothing is proved.
+  std::optional<double> boundGap() const;
+
  private:
   Result<Done> ready() const;
 
@@ -77,6 +85,7 @@ class Session {
   Intentions intentions_;
   std::unique_ptr<Vns> search_;
   std::unique_ptr<AlphaSearch> alpha_;
+  std::unique_ptr<OptimumBound> bound_;
 };
 
 }  // namespace fiatlux

@@ -265,6 +265,23 @@ val advanceAlpha(Session& session, std::uint32_t evaluations, std::uint32_t from
   return result;
 }
 
+// --- the bound
+// ------------------------------------------------------------------------------------------------------
+
+std::string startBound(Session& session) { return errorOf(session.startBound()); }
+
+val advanceBound(Session& session, std::uint32_t steps) {
+  OptimumBound* bound = session.bound();
+  if (!bound) return val(std::string("no bound is being looked for"));
+  bound->advance(steps);
+  const std::optional<double> gap = session.boundGap();
+  val result = val::object();
+  result.set("done", bound->done());
+  result.set("goal", bound->goal());
+  result.set("gap", gap ? val(*gap) : val::null());
+  return result;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
@@ -283,7 +300,9 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("show", &show)
       .function("check", &check)
       .function("startAlpha", &startAlpha)
-      .function("advanceAlpha", &advanceAlpha);
+      .function("advanceAlpha", &advanceAlpha)
+      .function("startBound", &startBound)
+      .function("advanceBound", &advanceBound);
 }
 
 }  // namespace fiatlux

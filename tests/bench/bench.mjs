@@ -44,8 +44,15 @@ function compare(name, unit, native, wasm, more = {}) {
   const [a, b] = [summary(native), summary(wasm)];
   const ratios = native.map((value, i) => wasm[i] / value);
   print({
-    ...{ name, native: round(a.median), wasm: round(b.median), unit, spread: round(a.spread, 2) },
-    ...{ wasmSpread: round(b.spread, 2), ratio: round(summary(ratios).median, 3), batches, ...more },
+    name,
+    native: round(a.median),
+    wasm: round(b.median),
+    unit,
+    spread: round(a.spread, 2),
+    wasmSpread: round(b.spread, 2),
+    ratio: round(summary(ratios).median, 3),
+    batches,
+    ...more,
   });
 }
 
@@ -79,8 +86,13 @@ async function solve25000() {
   const error = session.setIntentions({
     quantity: 0,
     luminaires: {
-      ...{ count: 6, flux: Float64Array.of(1000), dimmingLow: 1, dimmingHigh: 1 },
-      ...{ pinned: none, excluded: none, minDistance: 0 },
+      count: 6,
+      flux: Float64Array.of(1e3),
+      dimmingLow: 1,
+      dimmingHigh: 1,
+      pinned: none,
+      excluded: none,
+      minDistance: 0,
     },
     goals: [{ statistic: 1, sense: 0, weight: 1, surfaces: none, over: none }],
     constraints: [],
@@ -143,8 +155,14 @@ async function precompute() {
   }
   const { median, spread } = summary(runs.map(({ seconds }) => seconds));
   print({
-    ...{ name: 'precompute_e_corridor', native: round(median), unit: 's', spread: round(spread, 2) },
-    ...{ peak_mib: Math.round(Math.max(...runs.map(({ mebibytes }) => mebibytes))), batches: runs.length },
+    name: 'precompute_e_corridor',
+    native: round(median),
+    unit: 's',
+    spread: round(spread, 2),
+    ...{
+      peak_mib: Math.round(Math.max(...runs.map(({ mebibytes }) => mebibytes))),
+      batches: runs.length,
+    },
     stages: JSON.parse(output(inRoot('build/fiatlux'), ['info', target, '--json'])).seconds,
   });
   rmSync(folder, { recursive: true });

@@ -81,15 +81,40 @@ async function linkOf(root, identity) {
   try {
     const { encodeLink } = await vite.ssrLoadModule('/document/share-link.ts');
     return encodeLink({
-      ...{ scene: identity, room: 'e-corridor', saving: false, quantity: 'illuminance', seed: 1 },
+      scene: identity,
+      room: 'e-corridor',
+      saving: false,
+      quantity: 'illuminance',
+      seed: 1,
       cards: [
         {
-          ...{ id: 'wall', surfaces: ['yellow wall'], verb: 'homogenize', weight: 1 },
-          ...{ mean: { min: 20, max: 60 }, guarantee: { by: 'chebyshev', alpha: 2, min: 5 } },
+          id: 'wall',
+          surfaces: ['yellow wall'],
+          verb: 'homogenize',
+          weight: 1,
+          ...{
+            mean: {
+              min: 20,
+              max: 60,
+            },
+            guarantee: {
+              by: 'chebyshev',
+              alpha: 2,
+              min: 5,
+            },
+          },
         },
       ],
-      luminaires: { count: 6, flux: 3000, dimming: [1, 1], excluded: [], minDistance: 0 },
-      ...{ layout: null, camera: null, display: null },
+      luminaires: {
+        count: 6,
+        flux: 3e3,
+        dimming: [1, 1],
+        excluded: [],
+        minDistance: 0,
+      },
+      layout: null,
+      camera: null,
+      display: null,
     });
   } finally {
     await vite.close();
@@ -152,15 +177,24 @@ function bestOf(session, { intentions, start }, leaves, milliseconds) {
   const error = session.setIntentions({
     quantity: 0,
     luminaires: {
-      ...{ count: intentions.luminaires.count, flux: Float64Array.of(intentions.luminaires.flux) },
-      ...{ dimmingLow: 1, dimmingHigh: 1, pinned: none, excluded: none, minDistance: 0 },
+      count: intentions.luminaires.count,
+      flux: Float64Array.of(intentions.luminaires.flux),
+      dimmingLow: 1,
+      dimmingHigh: 1,
+      pinned: none,
+      excluded: none,
+      minDistance: 0,
     },
     goals: [
       { statistic: 1, sense: 0, weight: 1, surfaces: indices(intentions.goals[0].surfaces), over: none },
     ],
     constraints: intentions.constraints.map(({ statistic, min, max, alpha, surfaces }) => ({
-      ...{ statistic: codes[statistic], lower: min ?? -Infinity, upper: max ?? Infinity, alpha: alpha ?? 1 },
-      ...{ surfaces: indices(surfaces), over: none },
+      statistic: codes[statistic],
+      lower: min ?? -Infinity,
+      upper: max ?? Infinity,
+      alpha: alpha ?? 1,
+      surfaces: indices(surfaces),
+      over: none,
     })),
   });
   if (error) throw new Error(error);
@@ -202,13 +236,21 @@ export async function dragToLayout(root, flux, inflate) {
   session.delete();
   const figure = (value) => (Number.isFinite(value) ? Number(value.toFixed(2)) : null);
   return {
-    ...{ native: null, wasm: figure(quantile(near, 0.5)), unit: 'ms' },
+    native: null,
+    wasm: figure(quantile(near, 0.5)),
+    unit: 'ms',
     spread: figure(quantile(near, 0.75) - quantile(near, 0.25)),
-    ...{ p50: figure(quantile(near, 0.5)), p95: figure(quantile(near, 0.95)) },
-    ...{ first_p50: figure(quantile(first, 0.5)), first_p95: figure(quantile(first, 0.95)) },
+    p50: figure(quantile(near, 0.5)),
+    p95: figure(quantile(near, 0.95)),
+    first_p50: figure(quantile(first, 0.5)),
+    first_p95: figure(quantile(first, 0.95)),
     first_gap_p95: Number(quantile(gaps, 0.95)?.toFixed(4) ?? NaN),
-    ...{ inputs: asked.length, answered: answered.length, canvas, within: settledWithin },
-    ...{ luminaires: 6, constraints: asked[0]?.intentions.constraints.length ?? 0 },
+    inputs: asked.length,
+    answered: answered.length,
+    canvas,
+    within: settledWithin,
+    luminaires: 6,
+    constraints: asked[0]?.intentions.constraints.length ?? 0,
   };
 }
 

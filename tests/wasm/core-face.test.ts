@@ -114,6 +114,23 @@ test('an alpha-search ends with a verdict and a layout that can be shown', () =>
   expect(session.show(sites, flux, dimming)).toMatchObject({ layout: { dimming } });
 });
 
+test('a bound is proved below the goal that the search reached', () => {
+  const info = session.info();
+  if (!info) throw new Error('no scene');
+  expect(session.setIntentions(coreIntentions({ ...even, constraints: [] }, info.surfaces))).toBe('');
+  expect(session.startBound()).toMatch(/no search/);
+  expect(session.start(1)).toBe('');
+  const { goal } = session.advance(50_000);
+  expect(session.startBound()).toBe('');
+  let progress = session.advanceBound(200);
+  for (let slice = 0; slice < 10_000 && typeof progress !== 'string' && !progress.done; ++slice)
+    progress = session.advanceBound(1000);
+  if (typeof progress === 'string') throw new Error(progress);
+  expect(progress.done).toBe(true);
+  expect(progress.goal).toBeLessThanOrEqual(goal);
+  expect(progress.gap).toBeCloseTo((goal - progress.goal) / Math.abs(progress.goal), 9);
+});
+
 describe('errors are one readable line', () => {
   const line = /^[^\n]{8,200}$/;
   test('before anything is open', () => {

@@ -97,8 +97,13 @@ test('a deflate bomb is stopped at the announced size', async () => {
   const fake: Partial<Session> = {
     openTable: () => [
       {
-        ...{ index: 0, name: 'responses', offset: 0, storedBytes: bomb.length, inflatedBytes: 1000 },
-        ...{ deflated: true, needed: true },
+        index: 0,
+        name: 'responses',
+        offset: 0,
+        storedBytes: bomb.length,
+        inflatedBytes: 1e3,
+        deflated: true,
+        needed: true,
       },
     ],
   };

@@ -1,5 +1,4 @@
 /** A search takes the same path natively (session_trajectory.cpp) and as Wasm: every incumbent, bit by bit. */
-import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
@@ -80,8 +79,7 @@ function compare(file: string, lux: number): void {
 describe('native and Wasm take the same path', () => {
   test('on a made-up scene', () => compare(syntheticFile(), 40));
 
-  const box = path.join(root, 'public/scenes/box.flux');
-  (existsSync(box) ? test : test.skip)('on a sample room', () => compare(box, 100));
+  test('on a sample room', () => compare(path.join(root, 'public/scenes/box.flux'), 100));
 });
 
 test('a golden layout for a fixed seed', () => {

@@ -88,6 +88,12 @@ export interface AlphaProgress {
   readonly layout: CoreLayout | null; // the answer, or the layout of the feasible bound
 }
 
+export interface BoundProgress {
+  readonly done: boolean;
+  readonly goal: number; // no layout has a goal below this; -Infinity until something is proved
+  readonly gap: number | null; // the best possible is better than the incumbent by at most this share; null = unknown
+}
+
 /** The order of core/intentions.h. */
 export const statisticCodes = {
   mean: 0,
@@ -167,6 +173,10 @@ export interface Session {
   startAlpha(seed: number): string;
   /** Spends about that many evaluations; tells the iterations from number `from` on. */
   advanceAlpha(evaluations: number, from: number): OrError<AlphaProgress>;
+  /** Begins to look for a provable bound on the goal of the search that runs or has run. */
+  startBound(): string;
+  /** Spends about that many steps (O(m) each). */
+  advanceBound(steps: number): OrError<BoundProgress>;
   /** Frees the session; nothing may be called after it. */
   delete(): void;
 }
@@ -187,6 +197,8 @@ export const sessionMethods = {
   check: 3,
   startAlpha: 1,
   advanceAlpha: 2,
+  startBound: 0,
+  advanceBound: 1,
   delete: 0,
 } as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
 

@@ -1,6 +1,7 @@
 /**
  * One search in slices short enough that a new slider value never waits. The first answer comes after some
- * milliseconds, near enough to the best one; then one a frame at most, only when it is better; the search settles when it has tried long in vain.
+ * milliseconds, then every better one of the same frame, then one a frame at most; the search settles when it has
+ * tried long in vain.
  */
 import type { Progress, Session } from './core.ts';
 
@@ -8,11 +9,11 @@ import type { Progress, Session } from './core.ts';
 export type Clock = () => number;
 
 export const pace = {
-  firstEvaluations: 75_000, // before the first answer, unless they take longer than
-  firstMilliseconds: 5,
+  firstEvaluations: 30_000, // before the first answer, unless they take longer than
+  firstMilliseconds: 4,
   probe: 1_000, // evaluations of a slice whose speed is not known yet
   sliceMilliseconds: 3,
-  answerGap: 16, // ms between answers
+  answerGap: 16, // ms between answers, but for the first so many, in which each slice may answer
   fruitlessEvaluations: 2_000_000, // without improvement: settled
   fruitlessMilliseconds: 2_000,
 } as const;
@@ -54,7 +55,9 @@ export class SearchJob {
     const { evaluations, foundAt } = this.#progress;
     const idle = evaluations - foundAt >= pace.fruitlessEvaluations;
     if (idle || now - this.#improvedAt >= pace.fruitlessMilliseconds) return 'settled';
-    if (foundAt === this.#answeredFoundAt || now - this.#answeredAt < pace.answerGap) return 'nothing';
+    const isEarly = now - this.#begun < pace.answerGap;
+    const isTooSoon = !isEarly && now - this.#answeredAt < pace.answerGap;
+    if (foundAt === this.#answeredFoundAt || isTooSoon) return 'nothing';
     return this.#answer(now);
   }
 

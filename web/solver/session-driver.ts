@@ -3,37 +3,31 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
-import { AlphaJob } from './alpha-job.ts';
-import type { AlphaProgress, Session } from './core.ts';
+import { AlphaTask } from './alpha-task.ts';
+import { BoundTask } from './bound-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
+import type { Session } from './core.ts';
 import { openScene } from './open-scene.ts';
-import type { FromWorker, Intentions, SceneInfo, Shown, ToWorker } from './protocol.ts';
-import { SearchJob, type Clock } from './search-job.ts';
+import type { FromWorker, Intentions, SceneInfo, ToWorker } from './protocol.ts';
+import { pace, type Clock } from './search-job.ts';
+import { SearchTask } from './search-task.ts';
+import type { Answer, Task } from './task.ts';
 
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
-
-interface Search {
-  readonly request: Request<'solve'>;
-  readonly job: SearchJob;
-}
-
-interface Alpha {
-  readonly request: Request<'alpha'>;
-  readonly job: AlphaJob;
-}
 
 export class SessionDriver {
   readonly #session: Session;
   readonly #post: Post;
   readonly #clock: Clock;
   #scene: SceneInfo | null = null;
-  #opening = 0; // counts the files that were asked for: the latest wins
-  #waiting: ToWorker[] = []; // requests that came while a file was being opened
+  #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
+  #waiting: Exclude<ToWorker, Request<'open'>>[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
-  #search: Search | null = null;
-  #alpha: Alpha | null = null;
+  #task: Task | null = null;
+  #bound: Request<'bound'> | null = null; // waits for the search to settle
+  #searched = ''; // the intentions of the session's search, as JSON; '' = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
   constructor(session: Session, post: Post, clock: Clock) {
@@ -44,7 +38,7 @@ export class SessionDriver {
 
   /** Whether `step` has something to do. */
   get busy(): boolean {
-    return this.#next !== null || this.#search !== null || this.#alpha !== null;
+    return this.#next !== null || this.#task !== null || this.#bound !== null;
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -56,25 +50,27 @@ export class SessionDriver {
 
   /** One slice of what runs. */
   step(): void {
-    if (this.#next) this.#begin(this.#next);
-    const { request } = this.#search ?? this.#alpha ?? {};
-    if (request)
-      this.#attempt(request.revision, () => (this.#search ? this.#advance() : this.#advanceAlpha()));
+    if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
+    else if (this.#bound && !this.#task) this.#attempt(this.#bound.revision, this.#beginBound, this.#bound);
+    const task = this.#task;
+    if (task) this.#attempt(task.revision, this.#advance, task);
   }
 
   #take(message: Exclude<ToWorker, Request<'open'>>): void {
     switch (message.type) {
       case 'solve':
         this.#next = message;
+        this.#bound = null; // it was meant for an older wish
         return;
       case 'show':
-        return this.#attempt(message.revision, () => this.#show(message));
-      case 'check':
-        return this.#attempt(message.revision, () => this.#check(message));
+        return this.#attempt(message.revision, this.#show, message);
       case 'alpha':
-        return this.#attempt(message.revision, () => this.#beginAlpha(message));
+        return this.#attempt(message.revision, this.#beginAlpha, message);
       case 'bound':
+        this.#bound = message;
         return;
+      case 'check':
+        return this.#attempt(message.revision, this.#check, message);
       case 'stop':
         return this.#stop();
       default:
@@ -83,8 +79,8 @@ export class SessionDriver {
   }
 
   async #open(message: Request<'open'>): Promise<void> {
-    const turn = ++this.#opening;
-    const isCurrent = () => turn === this.#opening;
+    const turn = ++this.#openings;
+    const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
     this.#drop();
     this.#waiting = [];
@@ -92,76 +88,50 @@ export class SessionDriver {
       const opened = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent);
       if (!opened) return;
       this.#scene = opened.scene;
+      this.#searched = '';
       this.#post({ type: 'opened', revision: message.revision, ...opened }, [opened.room]);
     } catch (error) {
       if (isCurrent()) this.#fail(message.revision, error);
     }
     if (!isCurrent()) return;
     this.#isOpening = false;
-    const waiting = this.#waiting.splice(0);
-    for (const request of waiting) if (request.type !== 'open') this.#take(request);
+    for (const request of this.#waiting.splice(0)) this.#take(request);
   }
 
-  /** Ends what runs, and what was to run. */
-  #drop(): void {
-    this.#next = this.#search = this.#alpha = null;
-  }
-
-  #begin(request: Request<'solve'>): void {
-    this.#drop();
-    this.#attempt(request.revision, () => {
-      this.#ask(request.intentions);
-      check(
-        request.start && request.start.sites.length > 0
-          ? this.#session.startFrom(request.seed, ...coreLayout(request.start))
-          : this.#session.start(request.seed),
-      );
-      this.#search = { request, job: new SearchJob(this.#session, this.#clock) };
-    });
-  }
-
-  #advance(): void {
-    if (!this.#search) return;
-    const report = this.#search.job.step();
-    if (report === 'nothing') return;
-    this.#answer(report, this.#search);
-    if (report === 'settled') this.#search = null;
-  }
-
-  #answer(type: 'improved' | 'settled', { request, job }: Search): void {
-    const core = this.#session.incumbent();
-    if (typeof core === 'string') throw new Error(core);
-    this.#tell(type, request.revision, shownOf(core, job.progress.goal, this.#leaves()), {
-      evaluations: job.progress.evaluations,
-      milliseconds: job.milliseconds,
-      askedAt: request.askedAt,
-    });
+  #beginSearch(request: Request<'solve'>): void {
+    this.#next = this.#task = null;
+    this.#ask(request.intentions);
+    check(
+      request.start && request.start.sites.length > 0
+        ? this.#session.startFrom(request.seed, ...coreLayout(request.start))
+        : this.#session.start(request.seed),
+    );
+    this.#searched = JSON.stringify(request.intentions);
+    this.#task = new SearchTask(this.#session, this.#clock, request, this.#leaves());
   }
 
   #beginAlpha(request: Request<'alpha'>): void {
     this.#drop();
     this.#ask(request.intentions);
     check(this.#session.startAlpha(request.seed));
-    this.#alpha = { request, job: new AlphaJob(this.#session, this.#clock) };
+    this.#task = new AlphaTask(this.#session, this.#clock, request.revision, this.#leaves());
   }
 
-  #advanceAlpha(): void {
-    if (!this.#alpha) return;
-    const { job, request } = this.#alpha;
-    const { revision } = request;
-    const { steps, end } = job.step();
-    for (const step of steps) this.#post({ type: 'alphaStep', revision, step }, []);
-    if (!end) return;
-    this.#alpha = null;
-    this.#concludeAlpha(revision, end);
+  /** Bounds the search that has been made for these intentions, or a short one made now. */
+  #beginBound(request: Request<'bound'>): void {
+    this.#drop();
+    if (this.#searched !== JSON.stringify(request.intentions)) {
+      this.#ask(request.intentions);
+      check(this.#session.start(1));
+      this.#session.advance(pace.firstEvaluations);
+    }
+    check(this.#session.startBound());
+    this.#task = new BoundTask(this.#session, this.#clock, request.revision);
   }
 
-  #concludeAlpha(revision: number, { alpha, verdict, feasibleBound, layout }: AlphaProgress): void {
-    const core = layout && this.#session.show(layout.sites, layout.flux, layout.dimming);
-    if (typeof core === 'string') throw new Error(core);
-    const shown = core && shownOf(core, 0, this.#leaves());
-    const transfer = shown ? [shown.illuminance.buffer] : [];
-    this.#post({ type: 'alphaDone', revision, alpha, verdict, shown, feasibleBound }, transfer);
+  #advance(task: Task): void {
+    this.#tell(task.step());
+    if (task.done) this.#task = null;
   }
 
   #show({ revision, intentions, layout }: Request<'show'>): void {
@@ -169,18 +139,10 @@ export class SessionDriver {
     this.#ask(intentions);
     const core = this.#session.show(...coreLayout(layout));
     if (typeof core === 'string') throw new Error(core);
-    const now = this.#clock();
     const shown = shownOf(core, 0, this.#leaves());
-    this.#tell('improved', revision, shown, { evaluations: 0, milliseconds: 0, askedAt: now });
-  }
-
-  #tell(
-    type: 'improved' | 'settled',
-    revision: number,
-    shown: Shown,
-    cost: { readonly evaluations: number; readonly milliseconds: number; readonly askedAt: number },
-  ): void {
-    this.#post({ type, revision, shown, ...cost, postedAt: this.#clock() }, [shown.illuminance.buffer]);
+    const now = this.#clock();
+    const cost = { evaluations: 0, milliseconds: 0, askedAt: now, postedAt: now };
+    this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
   }
 
   #check({ revision, intentions, layout }: Request<'check'>): void {
@@ -188,25 +150,25 @@ export class SessionDriver {
     this.#ask(intentions);
     const checked = this.#session.check(...coreLayout(layout));
     if (typeof checked === 'string') throw new Error(checked);
-    this.#post(
-      {
-        type: 'checked',
-        revision,
-        largestDifference: checked.largestDifference,
-        surface: this.#leaves()[checked.surface]?.name ?? 'all',
-        margins: Array.from(checked.margins, (margin, constraint) => ({ constraint, margin })),
-      },
-      [],
-    );
+    const { largestDifference } = checked;
+    const surface = this.#leaves()[checked.surface]?.name ?? 'all';
+    const margins = Array.from(checked.margins, (margin, constraint) => ({ constraint, margin }));
+    this.#post({ type: 'checked', revision, largestDifference, surface, margins }, []);
   }
 
   #stop(): void {
-    const search = this.#search;
+    const task = this.#task;
     this.#drop();
-    if (search) this.#attempt(search.request.revision, () => this.#answer('settled', search));
+    if (task) this.#attempt(task.revision, () => this.#tell(task.stop()), null);
+  }
+
+  /** Ends what runs, and what was to run. */
+  #drop(): void {
+    this.#next = this.#task = this.#bound = null;
   }
 
   #ask(intentions: Intentions): void {
+    this.#searched = '';
     check(this.#session.setIntentions(coreIntentions(intentions, this.#leaves())));
   }
 
@@ -215,9 +177,13 @@ export class SessionDriver {
     return this.#scene.surfaces;
   }
 
-  #attempt(revision: number, action: () => void): void {
+  #tell(answers: readonly Answer[]): void {
+    for (const { message, transfer } of answers) this.#post(message, transfer);
+  }
+
+  #attempt<T>(revision: number, action: (argument: T) => void, argument: T): void {
     try {
-      action();
+      action.call(this, argument);
     } catch (error) {
       this.#drop();
       this.#fail(revision, error);

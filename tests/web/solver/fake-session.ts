@@ -37,18 +37,29 @@ export class FakeSession implements Session {
   info() {
     const surface = { area: 2, patches: 2, reflectance: 0.5, lost: 0 };
     return {
-      ...{ identity: '0'.repeat(16), patches: 2, receivers: 2, clusters: 1 },
+      identity: '0'.repeat(16),
+      patches: 2,
+      receivers: 2,
+      clusters: 1,
       surfaces: [
-        { name: 'floor', measuring: false, ...surface },
-        { name: 'plane', measuring: true, ...surface },
+        {
+          name: 'floor',
+          measuring: false,
+          ...surface,
+        },
+        {
+          name: 'plane',
+          measuring: true,
+          ...surface,
+        },
       ],
-      ...{
-        sitePosition: new Float32Array(6),
-        siteNormal: new Float32Array(6),
-        siteAxis: new Float32Array(6),
-      },
-      ...{ siteSize: new Float32Array(2), surfaceOfPatch: Uint32Array.of(0, 0, 1, 1) },
-      ...{ patchArea: new Float32Array(4), patchCenter: new Float32Array(12) },
+      sitePosition: new Float32Array(6),
+      siteNormal: new Float32Array(6),
+      siteAxis: new Float32Array(6),
+      siteSize: new Float32Array(2),
+      surfaceOfPatch: Uint32Array.of(0, 0, 1, 1),
+      patchArea: new Float32Array(4),
+      patchCenter: new Float32Array(12),
     };
   }
   setIntentions(intentions: CoreIntentions) {
@@ -110,6 +121,18 @@ export class FakeSession implements Session {
       feasibleBound: null,
       layout: done ? shown([1]).layout : null,
     };
+  }
+  startBound() {
+    this.calls.push('bound');
+    this.evaluations = 0;
+    return '';
+  }
+  /** Proves a little more with each slice, 10 % at last. */
+  advanceBound(steps: number) {
+    this.evaluations += steps;
+    this.clock.now += steps / 100;
+    const gap = Math.max(0.1, 0.5 - this.evaluations / 5_000);
+    return { done: gap === 0.1, goal: -1 - gap, gap: this.evaluations > 100 ? gap : null };
   }
   delete() {
     this.calls.push('delete');

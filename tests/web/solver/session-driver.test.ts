@@ -27,10 +27,18 @@ beforeEach(() => {
 });
 
 const open = (revision: number, ...bytes: number[]): ToWorker => ({
-  ...{ type: 'open', revision, bytes: Uint8Array.from(bytes).buffer },
+  type: 'open',
+  revision,
+  bytes: Uint8Array.from(bytes).buffer,
 });
 const solve = (revision: number, more: Partial<Extract<ToWorker, { type: 'solve' }>> = {}): ToWorker => ({
-  ...{ type: 'solve', revision, intentions: asked, start: null, seed: 3, askedAt: clock.now, ...more },
+  type: 'solve',
+  revision,
+  intentions: asked,
+  start: null,
+  seed: 3,
+  askedAt: clock.now,
+  ...more,
 });
 const settle = () => {
   while (driver.busy) driver.step();
@@ -100,16 +108,42 @@ describe('solve', () => {
     driver.step();
     expect(answers).toMatchObject([
       {
-        ...{ type: 'improved', revision: 2, askedAt: 123.5, evaluations: pace.firstEvaluations },
+        type: 'improved',
+        revision: 2,
+        askedAt: 123.5,
+        evaluations: pace.firstEvaluations,
         shown: {
-          layout: { sites: [0, 1], flux: [100, 100], dimming: 1 },
+          layout: {
+            sites: [0, 1],
+            flux: [100, 100],
+            dimming: 1,
+          },
           surfaces: [
-            { name: 'floor', mean: 0, max: 3 },
+            {
+              name: 'floor',
+              mean: 0,
+              max: 3,
+            },
             { name: 'plane' },
-            { name: 'all', area: 2, mean: 8 },
+            {
+              name: 'all',
+              area: 2,
+              mean: 8,
+            },
           ],
-          goals: [{ value: 5, met: true }],
-          constraints: [{ value: 30, met: false, violation: 0.5 }],
+          goals: [
+            {
+              value: 5,
+              met: true,
+            },
+          ],
+          constraints: [
+            {
+              value: 30,
+              met: false,
+              violation: 0.5,
+            },
+          ],
           violation: 0.5,
         },
       },
@@ -213,8 +247,16 @@ describe('the other requests', () => {
     });
     expect(answers).toEqual([
       {
-        ...{ type: 'checked', revision: 2, largestDifference: 1e-5, surface: 'floor' },
-        margins: [{ constraint: 0, margin: 0.25 }],
+        type: 'checked',
+        revision: 2,
+        largestDifference: 1e-5,
+        surface: 'floor',
+        margins: [
+          {
+            constraint: 0,
+            margin: 0.25,
+          },
+        ],
       },
     ]);
   });
@@ -240,6 +282,41 @@ describe('the other requests', () => {
     await driver.receive(solve(3));
     settle();
     expect(kinds().filter((kind) => kind.startsWith('alpha'))).toEqual([]);
+  });
+
+  test('bound waits for the search, uses it, and tells smaller and smaller gaps', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    await driver.receive({ type: 'bound', revision: 3, intentions: asked });
+    settle();
+    expect(session.calls.filter((call) => call.startsWith('start') || call === 'bound')).toEqual([
+      'start 3',
+      'bound',
+    ]);
+    const first = kinds().indexOf('bounded 3');
+    expect(kinds()[first - 1]).toBe('settled 2');
+    const gaps = answers.flatMap((answer) => (answer.type === 'bounded' ? [answer.gap] : []));
+    expect(gaps.length).toBeGreaterThan(2);
+    expect(gaps).toEqual([...gaps].sort((a, b) => b - a));
+    expect(answers.at(-1)).toMatchObject({ type: 'bounded', gap: 0.1, done: true });
+  });
+
+  test('bound without a search of the same intentions makes one', async () => {
+    await opened();
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    settle();
+    expect(session.calls).toContain('start 1');
+    expect(answers.at(-1)).toMatchObject({ type: 'bounded', revision: 2, done: true });
+  });
+
+  test('a new wish ends the bound', async () => {
+    await opened();
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    driver.step();
+    await driver.receive(solve(3));
+    answers.length = 0;
+    settle();
+    expect(new Set(kinds())).toEqual(new Set(['improved 3', 'settled 3']));
   });
 
   test('stop ends the search with what it has', async () => {

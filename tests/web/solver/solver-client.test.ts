@@ -31,7 +31,10 @@ const worker = () => workers.at(-1) as FakeWorker;
 const layout = { sites: [0], flux: [1], dimming: 1 };
 const file = () => Uint8Array.of(1, 2, 3).buffer;
 const opened = (revision: number): FromWorker => ({
-  ...{ type: 'opened', revision, scene: {} as SceneInfo, room: new ArrayBuffer(0) },
+  type: 'opened',
+  revision,
+  scene: {} as SceneInfo,
+  room: new ArrayBuffer(0),
 });
 const bounded = (revision: number): FromWorker => ({
   type: 'bounded',

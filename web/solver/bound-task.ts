@@ -1,0 +1,38 @@
+/** A provable bound on the goal of the search before it: tells each time the gap has become clearly smaller. */
+import type { Session } from './core.ts';
+import { pace, type Clock } from './search-job.ts';
+import { noTransfer, Slicer, type Answer, type Task } from './task.ts';
+
+const clearly = 0.005; // of the goal
+
+export class BoundTask implements Task {
+  readonly #session: Session;
+  readonly #slicer: Slicer;
+  readonly revision: number;
+  #told = Infinity; // gap
+  done = false;
+
+  /** The session's bound has just been started. */
+  constructor(session: Session, clock: Clock, revision: number) {
+    this.#session = session;
+    this.#slicer = new Slicer(clock, pace.sliceMilliseconds, 20);
+    this.revision = revision;
+  }
+
+  /** Says nothing where nothing can be proved. */
+  step(): Answer[] {
+    const progress = this.#slicer.run((steps) => this.#session.advanceBound(steps));
+    if (typeof progress === 'string') throw new Error(progress);
+    const { done, goal, gap } = progress;
+    this.done = done;
+    if (gap === null || !(done || gap < this.#told - clearly)) return [];
+    this.#told = gap;
+    return [
+      noTransfer({ type: 'bounded', revision: this.revision, bound: goal, gap: Math.max(0, gap), done }),
+    ];
+  }
+
+  stop(): Answer[] {
+    return [];
+  }
+}

@@ -1,0 +1,53 @@
+/** A search whose answers carry everything that is shown. */
+import { shownOf } from './core-intentions.ts';
+import type { Session } from './core.ts';
+import type { SceneInfo, ToWorker } from './protocol.ts';
+import { SearchJob, type Clock } from './search-job.ts';
+import type { Answer, Task } from './task.ts';
+
+export class SearchTask implements Task {
+  readonly #session: Session;
+  readonly #clock: Clock;
+  readonly #request: Extract<ToWorker, { readonly type: 'solve' }>;
+  readonly #leaves: SceneInfo['surfaces'];
+  readonly #job: SearchJob;
+  done = false;
+
+  /** The session's search has just been started. */
+  constructor(
+    session: Session,
+    clock: Clock,
+    request: Extract<ToWorker, { readonly type: 'solve' }>,
+    leaves: SceneInfo['surfaces'],
+  ) {
+    this.#session = session;
+    this.#clock = clock;
+    this.#request = request;
+    this.#leaves = leaves;
+    this.#job = new SearchJob(session, clock);
+  }
+
+  get revision(): number {
+    return this.#request.revision;
+  }
+
+  step(): Answer[] {
+    const report = this.#job.step();
+    this.done = report === 'settled';
+    return report === 'nothing' ? [] : [this.#answer(report)];
+  }
+
+  stop(): Answer[] {
+    return [this.#answer('settled')];
+  }
+
+  #answer(type: 'improved' | 'settled'): Answer {
+    const core = this.#session.incumbent();
+    if (typeof core === 'string') throw new Error(core);
+    const { progress, milliseconds } = this.#job;
+    const shown = shownOf(core, progress.goal, this.#leaves);
+    const { revision, askedAt } = this.#request;
+    const cost = { evaluations: progress.evaluations, milliseconds, askedAt, postedAt: this.#clock() };
+    return { message: { type, revision, shown, ...cost }, transfer: [shown.illuminance.buffer] };
+  }
+}
