@@ -115,13 +115,14 @@ struct StreamReader {
 
   /// The next symbol; sets `bad` where the stream has ended.
   std::uint32_t next(bool& bad) {
-    if (symbols >> 2 >= packedBytes) return bad = true, 0;
-    const std::uint32_t symbol = (packed[symbols >> 2] >> (2 * (symbols & 3))) & 3;
+    const std::uint32_t byte = symbols >> 2;
+    if (byte >= packedBytes) return bad = true, 0;
+    const std::uint32_t symbol = (packed[byte] >> (2 * (symbols & 3))) & 3;
     ++symbols;
     const std::uint32_t escape = symbol == 3;
+    if (escaped + escape > escapeBytes) return bad = true, 0;
     const std::uint32_t rest = escapes[escaped & (0u - escape)] & (0u - escape);
     escaped += escape;
-    if (escaped > escapeBytes) return bad = true, 0;
     return rest < 255 ? symbol + rest : longSymbol(bad);
   }
   /// All bytes are used.
@@ -213,6 +214,34 @@ class Quantiser {
   std::vector<double> area_, mean_;
 };
 
+/// Decodes `width` columns side by side into out (column-major); false where a stream ends or a value is out
+/// of range. `scale`: of the first column's surfaces, then the next column's.
+template <std::uint32_t width>
+bool decodeLanes(const std::vector<Neighbours>& neighbours, const std::vector<std::uint32_t>& surface,
+                 const ResponseScale* scale, std::size_t surfaces,
+                 std::array<StreamReader, kStreams * kLanes>& streams, Quad& quad, float* out) {
+  const std::size_t rows = neighbours.size();
+  for (std::size_t p = 0; p < rows; ++p) {
+    Quad::Numbers prediction, stream, value{};
+    quad.expect(neighbours[p], prediction, stream);
+    bool bad = false;
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const auto symbol = streams[static_cast<std::uint32_t>(stream[i]) * kLanes + i].next(bad);
+      const std::int64_t number = std::int64_t{prediction[i]} + unzigzag(symbol);
+      bad |= number < 0 || number > kLargest;
+      value[i] = static_cast<std::int32_t>(number);
+    }
+    if (bad) return false;
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const ResponseScale s = scale[i * surfaces + surface[p]];
+      const float lit = static_cast<float>(value[i]) * s.step;
+      out[i * rows + p] = value[i] > 0 ? lit : s.floor;
+    }
+    quad.set(static_cast<std::uint32_t>(p + 1), value, prediction);
+  }
+  return true;
+}
+
 }  // namespace
 
 std::uint32_t responseBlockColumns(std::uint32_t rows) {
@@ -261,28 +290,23 @@ std::string decodeResponses(std::span<const std::uint8_t> block, const Patches& 
                             std::span<const ResponseScale> scales, std::uint32_t columns, float* out) {
   std::array<StreamReader, kStreams * kLanes> streams;
   if (!split(block, streams)) return "its streams do not have the lengths they announce";
-  const std::uint32_t rows = patches.rows();
-  const std::size_t surfaces = scales.size() / std::max(1u, columns);
+  const std::size_t surfaces = scales.size() / std::max(1u, columns), rows = patches.rows();
   const std::vector<Neighbours> neighbours = neighboursOf(patches);
-  Quad quad(rows);  // note: every slot is set before it is read again, so one serves all columns
-  bool bad = false;
-  for (std::uint32_t first = 0; first < columns; first += kLanes) {
-    const std::uint32_t width = std::min<std::uint32_t>(kLanes, columns - first);
-    for (std::uint32_t p = 0; p < rows; ++p) {
-      Quad::Numbers prediction, stream, value{};
-      quad.expect(neighbours[p], prediction, stream);
-      const ResponseScale* scale = &scales[first * surfaces + patches.surface[p]];
-      for (std::uint32_t i = 0; i < width; ++i, scale += surfaces) {
-        const std::int64_t number =
-            std::int64_t{prediction[i]} + unzigzag(streams[stream[i] * kLanes + i].next(bad));
-        if (bad || number < 0 || number > kLargest) return "a stream ends early or a value is out of range";
-        value[i] = static_cast<std::int32_t>(number);
-        const float lit = static_cast<float>(value[i]) * scale->step;
-        out[std::size_t{first + i} * rows + p] = number > 0 ? lit : scale->floor;
-      }
-      quad.set(p + 1, value, prediction);
-    }
+  Quad quad(patches.rows());  // note: every slot is set before it is read again, so one serves all columns
+  bool sane = true;
+  for (std::uint32_t first = 0; sane && first < columns; first += kLanes) {
+    const ResponseScale* scale = &scales[first * surfaces];
+    float* lanes = out + first * rows;
+    // note: a number of lanes that the compiler knows makes this a tenth faster.
+    sane = columns - first >= kLanes
+               ? decodeLanes<kLanes>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
+           : columns - first == 3
+               ? decodeLanes<3>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
+           : columns - first == 2
+               ? decodeLanes<2>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
+               : decodeLanes<1>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes);
   }
+  if (!sane) return "a stream ends early or a value is out of range";
   for (const StreamReader& stream : streams)
     if (!stream.finished()) return "a stream is longer than the patches and sites need";
   return "";
