@@ -88,15 +88,16 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     else solving.solveAfresh();
   }
 
-  /** An experiment's bounds are shares of the mean that "illuminate" reaches here: find that out first. */
+  /** An experiment's bounds are shares of what can be had in this room: find that out first. */
   async function settleBounds(entry: GalleryEntry, scene: SceneInfo): Promise<void> {
-    const surfaces = entry.asked.cards[0]?.surfaces;
-    if (!entry.relative || !surfaces) return;
-    const wish = { id: 'illuminate', surfaces, verb: 'illuminate', weight: 1 } as const;
-    const probe = documentFrom({ ...entry.asked, cards: [wish] }, scene.identity, entry.room);
-    const { goals } = await solving.probe(intentionsOf(probe).intentions);
-    const cards = entry.relative(goals[0]?.value ?? 0);
-    store.reset({ ...documentFrom({ ...entry.asked, cards }, scene.identity, entry.room) });
+    if (!entry.relative) return;
+    const cards = await entry.relative(async (verb, surfaces) => {
+      const wish = [{ id: 'best', surfaces, verb, weight: 1 }];
+      const probe = documentFrom({ ...entry.asked, cards: wish }, scene.identity, entry.room);
+      const { goals } = await solving.probe(intentionsOf(probe).intentions);
+      return goals[0]?.value ?? 0;
+    });
+    store.reset(documentFrom({ ...entry.asked, cards }, scene.identity, entry.room));
     store.card.value = cards[0]?.id ?? null;
     solving.solveAfresh();
   }

@@ -162,7 +162,10 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   function failed(message: string): void {
     if (opening) opening.reject(new Error(message));
     else if (probing) probing.reject(new Error(message));
-    else store.say('error', sentence(message), { label: 'Resume', run: resume });
+    else {
+      const isDead = /solver stopped/.test(message); // the client has given up on its workers
+      store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : undefined);
+    }
     opening = probing = null;
     const { evaluations, milliseconds } = store.progress.peek();
     store.progress.value = { state: 'idle', evaluations, milliseconds };

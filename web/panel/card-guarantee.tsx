@@ -1,8 +1,8 @@
 /** "At least 300 lx": by Chebyshev (mu - alpha sigma) or by the true minimum; and the search for the smallest alpha. */
 import { LocateFixed, Plus, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { niceStep, unitOf } from '../app/format.ts';
-import { intentionsOf, withOptional } from '../document/intentions.ts';
+import { compact, easedBound, niceStep, unitOf } from '../app/format.ts';
+import { intentionsOf, withBound, withOptional } from '../document/intentions.ts';
 import type { Card } from '../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
 import { useBound, type CardProps } from './intention-card.tsx';
@@ -118,18 +118,26 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
 }
 
 function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
-  const { store, solving } = useApp();
+  const app = useApp();
+  const { store, solving } = app;
   const run = store.alphaRun.value;
   const isMine = run?.card === card.id;
   if (guarantee.min === undefined && guarantee.max === undefined) return null;
+  // The search replaces the true least and most by Chebyshev's inequality, so those are what it is given.
   const find = () => {
     const document = store.document.peek();
     const cards = document.cards.map((each) =>
-      each.id === card.id ? { ...each, guarantee: { ...guarantee, by: 'chebyshev' as const } } : each,
+      each.id === card.id ? { ...each, guarantee: { ...guarantee, by: 'patches' as const } } : each,
     );
     solving.findAlpha(card.id, intentionsOf({ ...document, cards }).intentions);
   };
   const isRunning = isMine && run.done === null;
+  const isLeast = guarantee.min !== undefined;
+  const field = isLeast ? 'guarantee.min' : 'guarantee.max';
+  const asked = guarantee[isLeast ? 'min' : 'max'] ?? 0;
+  const bound = run?.done?.alpha === null ? run.done.feasibleBound : null;
+  const isMet = bound !== null && (isLeast ? bound >= asked : bound <= asked);
+  const feasible = bound === null ? null : isMet ? asked : easedBound(bound, isLeast ? 'min' : 'max') || null;
   return (
     <>
       <button class="button small" disabled={isRunning} onClick={find}>
@@ -137,6 +145,19 @@ function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
         {isRunning ? 'Searching …' : 'Find alpha'}
       </button>
       {isMine && (run.steps.length > 0 || run.done) && <AlphaPlot run={run} />}
+      {isMine && feasible !== null && (
+        <button
+          class="button small"
+          onClick={() =>
+            app.changeCard(card.id, 'Change the guarantee', (each) =>
+              withBound({ ...each, guarantee: { ...guarantee, by: 'patches' } }, field, feasible),
+            )
+          }
+        >
+          Guarantee {compact(feasible)} {unitOf(store.document.value.quantity)} by the true{' '}
+          {isLeast ? 'minimum' : 'maximum'}
+        </button>
+      )}
     </>
   );
 }

@@ -84,9 +84,11 @@ export function Histogram({ card }: CardProps) {
         })}
         <line class="axis" x1="0" x2={width} y1={base} y2={base} />
         <line class="mean-line" x1={x(sample.mean)} x2={x(sample.mean)} y1="6" y2={base} />
-        <text x="1" y={height - 4}>
-          0
-        </text>
+        {x(sample.mean) > 40 && (
+          <text x="1" y={height - 4}>
+            0
+          </text>
+        )}
         <text class="mean-text" x={x(sample.mean)} y={height - 4} text-anchor={anchorOf(x(sample.mean))}>
           μ {compact(sample.mean)}
         </text>

@@ -3,9 +3,11 @@ import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { bindingBounds, easedCards, fieldText, fluxThatWouldDo, type BindingBound } from '../app/explain.ts';
 import { compact, grouped, unitOf } from '../app/format.ts';
+import { namesText } from './surface-picker.tsx';
 
 export function InfeasibleHelp() {
-  const { store, solving } = useApp();
+  const app = useApp();
+  const { store, solving } = app;
   const shown = store.shown.value;
   const { state } = store.progress.value;
   if (!shown || shown.violation === 0 || state === 'improving' || state === 'idle') return null;
@@ -20,6 +22,10 @@ export function InfeasibleHelp() {
     if (store.edit('Ease a bound', (draft) => void (draft.cards = structuredClone(cards) as never)))
       solving.solve();
   };
+  const byPatches = ({ card }: BindingBound) =>
+    app.changeCard(card.id, 'Guarantee by the patches', (each) =>
+      each.guarantee ? { ...each, guarantee: { ...each.guarantee, by: 'patches' } } : each,
+    );
   const raise = () => {
     if (flux !== null && store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux)))
       solving.solve();
@@ -36,14 +42,21 @@ export function InfeasibleHelp() {
           return (
             <li key={`${bound.card.id} ${bound.field}`}>
               <span>
-                <strong>{bound.card.surfaces.join(', ')}</strong>: {fieldText(bound.card, bound.field)}{' '}
+                <strong>{namesText(bound.card.surfaces)}</strong>: {fieldText(bound.card, bound.field)}{' '}
                 {compact(bound.asked)}
                 {suffix}, the best found has {compact(bound.reached)}
                 {suffix}.
               </span>
-              <button class="button small" onClick={() => ease([bound])}>
-                {bound.eased > 0 ? `Ask for ${compact(bound.eased)}${suffix}` : 'Drop it'}
-              </button>
+              <span class="row">
+                <button class="button small" onClick={() => ease([bound])}>
+                  {bound.eased > 0 ? `Ask for ${compact(bound.eased)}${suffix}` : 'Drop it'}
+                </button>
+                {bound.card.guarantee?.by === 'chebyshev' && bound.field.startsWith('guarantee') && (
+                  <button class="button small" onClick={() => byPatches(bound)}>
+                    By the true {bound.field.endsWith('min') ? 'minimum' : 'maximum'}
+                  </button>
+                )}
+              </span>
             </li>
           );
         })}

@@ -11,7 +11,7 @@ import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
 import { NumberField } from './number-field.tsx';
 import { RangeSlider } from './slider.tsx';
-import { SurfacePicker } from './surface-picker.tsx';
+import { namesText, SurfacePicker } from './surface-picker.tsx';
 import { useReached } from './use-reached.ts';
 import { verbs } from './verbs.ts';
 
@@ -52,7 +52,7 @@ export function IntentionCard({ card }: CardProps) {
         <button class="card-title" aria-expanded={isOpen} onClick={toggle}>
           <ChevronRight size={15} aria-hidden class="twist" />
           <span class="card-verb">{verbs.find(({ verb }) => verb === card.verb)?.title}</span>
-          <span class="card-surface">{card.surfaces.join(', ')}</span>
+          <span class="card-surface">{namesText(card.surfaces)}</span>
         </button>
         {reached && (
           <span class="card-reached">
@@ -135,8 +135,8 @@ function CardBody({ card }: CardProps) {
           <Reading name="σ" value={compact(reached.sigma)} />
           <Reading name="min" value={compact(reached.min)} />
           <Reading name="max" value={compact(reached.max)} />
-          <Reading name="Uₒ" value={ratio(reached.min / reached.mean)} />
-          <Reading name="E min/max" value={ratio(reached.min / reached.max)} />
+          <Reading name="U" sub="o" value={ratio(reached.min / reached.mean)} />
+          <Reading name="U" sub="d" value={ratio(reached.min / reached.max)} />
         </dl>
       )}
       {store.document.value.cards.length > 1 && card.verb !== 'keep' && <Weight card={card} />}
@@ -144,10 +144,13 @@ function CardBody({ card }: CardProps) {
   );
 }
 
-function Reading({ name, value }: { name: string; value: string }) {
+function Reading({ name, sub, value }: { name: string; sub?: string; value: string }) {
   return (
     <div>
-      <dt>{name}</dt>
+      <dt>
+        {name}
+        {sub && <sub>{sub}</sub>}
+      </dt>
       <dd>{value}</dd>
     </div>
   );

@@ -2,6 +2,7 @@
 import { useApp } from '../app/app.ts';
 import { presets, presetText, withPreset, type Preset } from '../app/standards.ts';
 import { Dialog } from './dialog.tsx';
+import { namesText } from './surface-picker.tsx';
 
 export function PresetsDialog({ close }: { close: () => void }) {
   const app = useApp();
@@ -20,7 +21,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
   return (
     <Dialog title="Ready-made intentions" close={close}>
       <p>
-        For <strong>{names.join(', ')}</strong>. These are numbers to start from; check them in your own copy
+        For <strong>{namesText(names)}</strong>. These are numbers to start from; check them in your own copy
         of the standard.
       </p>
       {(['EN 12464-1:2021', 'CIE 157'] as const).map((standard) => (

@@ -116,7 +116,10 @@ function SurfaceTable() {
               σ
             </th>
             <th scope="col" class="number" title="Least / mean, and least / most">
-              Uₒ <span class="faint">/ U_d</span>
+              U<sub>o</sub>{' '}
+              <span class="faint">
+                U<sub>d</sub>
+              </span>
             </th>
           </tr>
         </thead>

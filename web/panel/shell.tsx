@@ -1,4 +1,5 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
+import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { AppContext, createApp, type App, type Parts } from '../app/app.ts';
 import { listenToKeys } from '../app/keyboard.ts';
@@ -36,10 +37,16 @@ export function Shell({ store, createViewer, createWorker }: Props) {
       if (location.hash.length > 1) void app.opening.link(location.hash);
     };
     window.addEventListener('hashchange', listen);
+    // A link stays in the address until something is changed: then it no longer tells what is on the screen.
+    const forget = effect(() => {
+      if (store.history.value.past.length > 0 && location.hash)
+        window.history.replaceState(null, '', location.pathname + location.search);
+    });
     const deaf = listenToKeys(app.actions, () => store.dialog.peek() !== null);
     return () => {
       window.removeEventListener('hashchange', listen);
       deaf();
+      forget();
     };
   }, [app]);
 

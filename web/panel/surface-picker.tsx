@@ -5,6 +5,14 @@ import { useApp } from '../app/app.ts';
 import type { SurfaceNames } from '../document/types.ts';
 import { useDismiss } from './menu.tsx';
 
+/** "desk 1, desk 2, ..." in few words. */
+export function namesText(names: SurfaceNames): string {
+  if (names.length === 1) return names[0] === 'all' ? 'the whole room' : (names[0] ?? '');
+  const families = new Set(names.map((name) => /^(.*\D)\s\d+$/.exec(name)?.[1]));
+  const [family] = families;
+  return families.size === 1 && family ? `${names.length} × ${family}` : names.join(', ');
+}
+
 /** Inner nodes of the tree ("room" of "room/floor") and families of numbered names, with what they stand for. */
 export function groupsOf(names: readonly string[]): { title: string; names: readonly string[] }[] {
   const groups = new Map<string, string[]>();
@@ -55,7 +63,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
         aria-label={`${label}: ${names.join(', ')}`}
         onClick={() => setOpen(!open)}
       >
-        <span>{names.join(', ')}</span>
+        <span>{namesText(names)}</span>
         <ChevronDown size={14} aria-hidden />
       </button>
       {open && (

@@ -11,12 +11,12 @@ export function useAction(id: string): Action {
   return action;
 }
 
-function ActionButton({ id, icon: Icon }: { id: string; icon: typeof Undo2 }) {
+function ActionButton({ id, icon: Icon, ...props }: { id: string; icon: typeof Undo2; class?: string }) {
   const action = useAction(id);
   const keys = action.keys?.[0];
   return (
     <button
-      class="icon-button"
+      class={`icon-button ${props.class ?? ''}`}
       disabled={!(action.enabled?.() ?? true)}
       aria-label={action.title}
       title={keys ? `${action.title} (${keyText(keys)})` : action.title}
@@ -47,19 +47,20 @@ export function TopBar() {
       <ActionButton id="undo" icon={Undo2} />
       <ActionButton id="redo" icon={Redo2} />
       <span class="rule" />
-      <ActionButton id="palette" icon={Command} />
+      <ActionButton id="palette" icon={Command} class="wide-only" />
       <Menu
         label="File and export"
         icon={Ellipsis}
-        items={[...files, ...actions.filter((a) => a.id === 'help')]}
+        items={[...files, ...actions.filter(({ id }) => id === 'palette' || id === 'help')]}
       />
       <button
         class="button primary"
+        aria-label="Share"
         disabled={store.scene.value === null}
         onClick={() => (store.dialog.value = 'share')}
       >
         <Share2 size={15} aria-hidden />
-        <span>Share</span>
+        <span class="wide-only">Share</span>
       </button>
     </header>
   );
