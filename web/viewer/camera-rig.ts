@@ -6,6 +6,7 @@
 import { MOUSE, OrthographicCamera, PerspectiveCamera, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Camera } from '../document/types.ts';
+import { poseBetween, type CameraPose } from './camera-flight.ts';
 import type { ViewName } from './types.ts';
 import { easeOut, reducedMotion, type Animation, type FrameLoop } from './frame-loop.ts';
 import * as framing from './framing.ts';
@@ -16,12 +17,6 @@ const flight = 420; // ms
 const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
 
 const facingAzimuth = { north: 0, east: 270, south: 180, west: 90 } as const; // the wall that is looked at
-
-interface Goal {
-  readonly target: Vector3;
-  readonly spherical: Spherical; // of the eye, around the target
-  readonly plan: boolean;
-}
 
 export class CameraRig {
   readonly controls: OrbitControls;
@@ -174,17 +169,17 @@ export class CameraRig {
     this.stop();
   };
 
-  private homePose(): Goal {
+  private homePose(): CameraPose {
     const azimuth = framing.cornerAzimuth(this.box, this.aspect, this.facing);
     return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.box, this.aspect)), 0.07);
   }
 
-  private framed(direction: framing.Vec, margin: number): Goal {
+  private framed(direction: framing.Vec, margin: number): CameraPose {
     const pose = framing.framePose(this.box, direction, fov, this.aspect, margin);
     return this.goal(new Vector3(...pose.position), new Vector3(...pose.target), false);
   }
 
-  private planPose(): Goal {
+  private planPose(): CameraPose {
     const { height } = framing.planFrame(this.box, this.aspect);
     const target = new Vector3(...framing.boxCenter(this.box));
     return this.goal(target.clone().setY(target.y + height / (2 * tangent)), target, true);
@@ -196,7 +191,7 @@ export class CameraRig {
     return (framing.cornerAzimuth(this.box, this.aspect, this.facing) < 180 ? 0.5 : -0.5) * Math.PI;
   }
 
-  private goal(eye: Vector3, target: Vector3, plan: boolean): Goal {
+  private goal(eye: Vector3, target: Vector3, plan: boolean): CameraPose {
     const offset = eye.clone().sub(target);
     if (offset.lengthSq() < 1e-6) offset.set(0, 0, 1);
     const spherical = new Spherical().setFromVector3(offset);
@@ -204,7 +199,7 @@ export class CameraRig {
     return { target, spherical, plan };
   }
 
-  private present(): Goal {
+  private present(): CameraPose {
     const { position, target, plan } = this.get();
     return this.goal(new Vector3(...position), new Vector3(...target), plan);
   }
@@ -213,7 +208,7 @@ export class CameraRig {
     return (this.orthographic.top - this.orthographic.bottom) / this.orthographic.zoom;
   }
 
-  private apply({ target, spherical, plan }: Goal): void {
+  private apply({ target, spherical, plan }: CameraPose): void {
     const camera = plan ? this.orthographic : this.perspective;
     const controls = this.controls;
     controls.object = camera;
@@ -254,33 +249,20 @@ export class CameraRig {
     this.flying = null;
   }
 
-  private fly(goal: Goal): void {
+  private fly(goal: CameraPose): void {
     this.stop();
     if (reducedMotion()) {
       this.apply(goal);
       return this.loop.invalidate();
     }
     const start = this.present();
-    if (start.plan && goal.plan) start.spherical.theta = goal.spherical.theta;
-    const turns = (goal.spherical.theta - start.spherical.theta) / (2 * Math.PI);
-    const sweep = 2 * Math.PI * (turns - Math.round(turns));
     let begun = 0;
     this.flying = (now) => {
       begun ||= now;
       const t = (now - begun) / flight;
-      if (t >= 1) {
-        this.flying = null;
-        this.apply(goal);
-        return false;
-      }
-      const k = easeOut(t);
-      const mix = (a: number, b: number) => a + (b - a) * k;
-      const [from, to] = [start.spherical, goal.spherical];
-      const radius = Math.exp(mix(Math.log(from.radius), Math.log(to.radius)));
-      const spherical = new Spherical(radius, mix(from.phi, to.phi), from.theta + sweep * k).makeSafe();
-      const plan = start.plan && goal.plan;
-      this.apply({ target: start.target.clone().lerp(goal.target, k), spherical, plan });
-      return true;
+      if (t >= 1) this.flying = null;
+      this.apply(t < 1 ? poseBetween(start, goal, easeOut(t)) : goal);
+      return t < 1;
     };
     this.loop.animate(this.flying);
   }

@@ -116,7 +116,7 @@ void main() {
     color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
   }
   color = mix(color, accent, tint);
-  gl_FragColor = linearToOutputTexel(vec4(color, measuring ? 0.82 : surface.a));
+  gl_FragColor = linearToOutputTexel(vec4(color, measuring ? 0.72 : surface.a));
 }
 `;
 

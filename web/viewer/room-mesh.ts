@@ -230,6 +230,8 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   root.updateMatrixWorld(true);
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
+  const box = boundsOf(root);
+  splitHungMeshes(root, box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], meshes: meshesOf(root), box: boundsOf(root), facing: [0, 0, 0, 0], dispose };
+  return { root, lit: [], meshes: meshesOf(root), box, facing: [0, 0, 0, 0], dispose };
 }

@@ -41,7 +41,7 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(new Color(0x000000), 1);
     this.renderer.toneMapping = AgXToneMapping;
-    this.daylight.add(new HemisphereLight(0xffffff, 0x8d8578, 2.4), new DirectionalLight(0xffffff, 1.2));
+    this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
     this.daylight.visible = false;
     this.scene.add(this.background.mesh, this.daylight);
     canvas.addEventListener('webglcontextlost', this.lost);

@@ -1,12 +1,12 @@
 /** The view: opens a room, shows light and luminaires, and tells what the person does with them. */
-import { DoubleSide, FrontSide, Mesh, Vector3, type Ray } from 'three';
+import { DoubleSide, FrontSide, Mesh } from 'three';
 import type { Camera, Layout } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import { CameraRig } from './camera-rig.ts';
 import { CutAway } from './cut-away.ts';
-import { Dragging } from './dragging.ts';
 import { Emphasis } from './emphasis.ts';
 import { FrameLoop } from './frame-loop.ts';
+import { LuminaireHand } from './luminaire-hand.ts';
 import { LuminaireObjects } from './luminaire-objects.ts';
 import { LuminaireTags } from './luminaire-tags.ts';
 import { Picking, type Hit } from './picking.ts';
@@ -15,7 +15,6 @@ import { freeGpu } from './free-gpu.ts';
 import { RoomLight } from './room-light.ts';
 import { loadPreview, loadRoomMesh, type RoomMesh } from './room-mesh.ts';
 import { SiteMarks } from './site-marks.ts';
-import { nextFreeSite, takenSites } from './site-snapping.ts';
 import { Stage } from './stage.ts';
 import { SurfaceOutlines } from './surface-outline.ts';
 import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
@@ -40,12 +39,10 @@ class RoomViewer implements Viewer {
   private tags: LuminaireTags;
   private emphasis: Emphasis;
   private picking: Picking;
-  private dragging: Dragging;
+  private hand: LuminaireHand;
   private input: PointerInput;
   private room: RoomMesh | null = null;
   private info: SceneInfo | null = null;
-  private layout: Layout = { sites: [], flux: [], dimming: 1 };
-  private excluded: readonly number[] = [];
   private display: Display | null = null;
   private opening = 0; // the latest open or preview wins
   private probing = false; // the app was told of a surface under the pointer
@@ -74,7 +71,7 @@ class RoomViewer implements Viewer {
     );
     this.emphasis = new Emphasis(this.loop, this.outlines, this.luminaires, this.tags);
     this.picking = new Picking(canvas);
-    this.dragging = this.createDragging();
+    this.hand = this.createHand();
     this.input = this.createInput();
     this.loop.invalidate();
   }
@@ -98,11 +95,7 @@ class RoomViewer implements Viewer {
   }
 
   setLayout(layout: Layout, pinned: readonly number[]): void {
-    const held = this.dragging.luminaire;
-    const site = held === null ? undefined : this.layout.sites[held];
-    // An answer to an earlier place does not tear a luminaire out of the hand.
-    this.layout = site === undefined ? layout : withSite(layout, held!, site);
-    this.luminaires.setLayout(this.layout);
+    this.hand.setLayout(layout);
     this.tags.setCount(this.luminaires.objects.length);
     this.emphasis.pinned = [...layout.sites.keys()].filter((i) => pinned.includes(layout.sites[i]!));
     this.emphasis.refresh();
@@ -113,8 +106,7 @@ class RoomViewer implements Viewer {
   }
 
   setExcluded(sites: readonly number[]): void {
-    this.excluded = sites;
-    this.marks.setExcluded(this.info?.sites ?? null, sites);
+    this.hand.setExcluded(sites);
     this.loop.invalidate();
   }
 
@@ -153,7 +145,6 @@ class RoomViewer implements Viewer {
   dispose(): void {
     this.disposed = true;
     this.loop.suspend();
-    this.dragging.cancel();
     this.input.dispose();
     this.clearRoom();
     this.tags.dispose();
@@ -166,7 +157,7 @@ class RoomViewer implements Viewer {
     this.room = room;
     this.info = info;
     this.light.setScene(info);
-    this.luminaires.setSites(info?.sites ?? null);
+    this.hand.setSites(info?.sites ?? null);
     this.emphasis.setRoom(room.lit);
     this.stage.daylight.visible = info === null;
     this.stage.scene.add(room.root);
@@ -177,12 +168,8 @@ class RoomViewer implements Viewer {
   }
 
   private clearRoom(): void {
-    this.dragging.cancel();
-    this.luminaires.setSites(null);
-    this.layout = { sites: [], flux: [], dimming: 1 };
+    this.hand.setSites(null);
     this.tags.setCount(0);
-    this.excluded = [];
-    this.marks.setExcluded(null, []);
     this.emphasis.setRoom([]);
     this.cutAway.setRoom(null, []);
     if (this.room) this.stage.scene.remove(this.room.root);
@@ -232,7 +219,7 @@ class RoomViewer implements Viewer {
   }
 
   private hover(at: { x: number; y: number } | null): void {
-    if (this.dragging.luminaire !== null) return;
+    if (this.hand.busy) return;
     const hit = at ? this.pick(at.x, at.y) : null;
     this.emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
     this.canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
@@ -248,6 +235,11 @@ class RoomViewer implements Viewer {
     this.events.hovered(surface, { x, y, lux: hit.lux, point: hit.point.toArray() });
   }
 
+  private createHand(): LuminaireHand {
+    const { canvas, loop, rig, picking, luminaires, marks, events } = this;
+    return new LuminaireHand({ canvas, loop, rig, picking, luminaires, marks, events });
+  }
+
   private createInput(): PointerInput {
     return new PointerInput(this.canvas, {
       hover: (at) => this.hover(at),
@@ -259,7 +251,7 @@ class RoomViewer implements Viewer {
       press: (event) => {
         const luminaire = this.pick(event.clientX, event.clientY)?.luminaire ?? null;
         if (luminaire === null) return false;
-        this.dragging.grab(luminaire, this.canvas, event);
+        this.hand.grab(luminaire, this.canvas, event);
         return true;
       },
       view: (name) => this.view(name),
@@ -278,79 +270,13 @@ class RoomViewer implements Viewer {
   private arrow(right: number, up: number, event: KeyboardEvent): void {
     const luminaire = this.emphasis.luminaire;
     if (event.shiftKey) this.rig.pan(panStep * right, panStep * up);
-    else if (luminaire !== null && !event.altKey) this.nudge(luminaire, right, up);
+    else if (luminaire !== null && !event.altKey) this.hand.nudge(luminaire, right, up);
     else this.rig.turn(turnStep * right, turnStep * up);
   }
 
-  private nudge(luminaire: number, right: number, up: number): void {
-    const from = this.layout.sites[luminaire];
-    if (!this.info || from === undefined) return;
-    const sites = this.info.sites;
-    const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
-    this.rig.active.matrixWorld.extractBasis(...axes);
-    const normal = new Vector3().fromArray(sites.normal, 3 * from);
-    // On a ceiling seen from the side, "up" means away from the eye.
-    const away = axes[2].clone().negate().addScaledVector(axes[1], 1).projectOnPlane(normal);
-    const direction = axes[0].clone().projectOnPlane(normal).multiplyScalar(right).addScaledVector(away, up);
-    const taken = takenSites(this.layout.sites, luminaire, this.excluded);
-    const site = nextFreeSite(sites.position, taken, from, direction.toArray());
-    if (site === null) return;
-    this.moveLuminaire(luminaire, site);
-    this.events.luminaireDropped(luminaire, site);
-  }
-
-  /** Shows a luminaire on another site at once; the solver's layout follows. */
-  private moveLuminaire(luminaire: number, site: number): void {
-    this.layout = withSite(this.layout, luminaire, site);
-    this.luminaires.setLayout(this.layout);
-    this.events.luminaireDragged(luminaire, site);
-  }
-
-  private createDragging(): Dragging {
-    return new Dragging({
-      ray: (x, y): Ray => this.picking.ray(x, y, this.rig.active),
-      camera: () => this.rig.active,
-      sites: () => this.info?.sites ?? null,
-      siteOf: (luminaire) => this.layout.sites[luminaire] ?? -1,
-      taken: (luminaire) => takenSites(this.layout.sites, luminaire, this.excluded),
-      place: (luminaire) => this.placeOf(luminaire),
-      started: (luminaire) => this.dragStarted(luminaire),
-      moved: (luminaire, site) => this.moveLuminaire(luminaire, site),
-      ended: (luminaire, site) => this.dragEnded(luminaire, site),
-    });
-  }
-
-  private placeOf(luminaire: number): { x: number; y: number } {
-    const frame = this.canvas.getBoundingClientRect();
-    const point = this.luminaires.objects[luminaire]?.group.position.clone() ?? new Vector3();
-    point.project(this.rig.active);
-    return {
-      x: frame.left + (0.5 + 0.5 * point.x) * frame.width,
-      y: frame.top + (0.5 - 0.5 * point.y) * frame.height,
-    };
-  }
-
   private grabTag(luminaire: number, event: PointerEvent): void {
-    this.dragging.grab(luminaire, event.currentTarget as HTMLElement, event);
+    this.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
     this.canvas.focus(quietly);
-  }
-
-  private dragStarted(luminaire: number): void {
-    this.events.luminairePicked(luminaire);
-    const sites = this.info!.sites;
-    const taken = takenSites(this.layout.sites, luminaire, this.excluded);
-    const free = [...sites.size.keys()].filter((site) => !taken.has(site));
-    this.marks.showCandidates(sites, free);
-    this.canvas.style.cursor = 'grabbing';
-    this.loop.invalidate();
-  }
-
-  private dragEnded(luminaire: number, site: number | null): void {
-    this.canvas.style.cursor = '';
-    this.marks.hideCandidates();
-    this.loop.invalidate();
-    if (site === null) this.events.luminairePicked(luminaire);
-    else this.events.luminaireDropped(luminaire, site);
   }
 
   private forwardWheel = (event: WheelEvent): void => {
@@ -358,10 +284,5 @@ class RoomViewer implements Viewer {
     this.canvas.dispatchEvent(new WheelEvent(event.type, event));
   };
 }
-
-const withSite = (layout: Layout, luminaire: number, site: number): Layout => ({
-  ...layout,
-  sites: layout.sites.map((old, i) => (i === luminaire ? site : old)),
-});
 
 export const createViewer: CreateViewer = (canvas, labels, events) => new RoomViewer(canvas, labels, events);
