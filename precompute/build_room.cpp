@@ -41,9 +41,10 @@ std::vector<std::string> nodeNames(const SourceScene& source) {
   return {names.begin(), names.end()};
 }
 
-[[noreturn]] void unknownName(const char* option, const std::string& name, const std::vector<std::string>& names) {
-  throw CommandError(std::string(option) + " '" + cleanText(name) + "': no node or surface is called that; the closest are " +
-                     closestNames(name, names));
+[[noreturn]] void unknownName(const char* option, const std::string& name,
+                              const std::vector<std::string>& names) {
+  throw CommandError(std::string(option) + " '" + cleanText(name) +
+                     "': no node or surface is called that; the closest are " + closestNames(name, names));
 }
 
 Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::vector<std::string>& warnings) {
@@ -55,7 +56,9 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
   std::set<std::string> transparent;
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
-    const auto named = [&](const std::string& name) { return name == mesh.node || name == mesh.extras.surface; };
+    const auto named = [&](const std::string& name) {
+      return name == mesh.node || name == mesh.extras.surface;
+    };
     if (mesh.extras.measure || std::any_of(options.measures.begin(), options.measures.end(), named)) {
       roles.measures.push_back(m);
     } else if (mesh.material >= 0 && source.materials[mesh.material].alpha == SourceMaterial::Alpha::kBlend) {
@@ -66,8 +69,9 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
   }
   for (const std::string& name : transparent)
     if (transparent.size() <= 8 || name == *transparent.begin())
-      warnings.push_back("material '" + name + "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
-                         (transparent.size() <= 8 ? "" : "; so are " + std::to_string(transparent.size() - 1) + " more"));
+      warnings.push_back(
+          "material '" + name + "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
+          (transparent.size() <= 8 ? "" : "; so are " + std::to_string(transparent.size() - 1) + " more"));
   return roles;
 }
 
@@ -80,9 +84,11 @@ void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
   const double width = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
   if (width > 100)
     warnings.push_back("the room is " + shortNumber(width) + " m wide: the file is probably in " +
-                       (width > 2000 ? "millimetres: pass --scale 0.001" : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
+                       (width > 2000 ? "millimetres: pass --scale 0.001"
+                                     : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
   if (width < 0.5)
-    warnings.push_back("the room is only " + shortNumber(width) + " m wide: pass --scale with the metres of one unit of the file");
+    warnings.push_back("the room is only " + shortNumber(width) +
+                       " m wide: pass --scale with the metres of one unit of the file");
 }
 
 std::vector<Face> frontFaces(const WeldedMesh& mesh) {
@@ -99,17 +105,23 @@ double areaOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
 }
 
 /// Refuses what would not fit, before it is allocated; the message names the largest part.
-void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites, double surfaces) {
+void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites,
+                 double surfaces) {
   struct Part {
     double bytes;
     std::string what, cure;
   };
   const std::string n = shortNumber(patches);
   const Part parts[] = {
-      {patches * clusters * 4, n + " patches x " + shortNumber(clusters) + " clusters", "a larger --patch or --cluster"},
-      {patches * options.rays * 4, n + " patches x " + std::to_string(options.rays) + " rays", "a larger --patch or fewer --rays"},
-      {rows * sites * 4, shortNumber(rows) + " patches x " + shortNumber(sites) + " sites", "a larger --patch or --site-spacing"},
-      {surfaces * sites * sites * 8, shortNumber(surfaces) + " surfaces x " + shortNumber(sites) + " sites squared", "a larger --site-spacing"},
+      {patches * clusters * 4, n + " patches x " + shortNumber(clusters) + " clusters",
+       "a larger --patch or --cluster"},
+      {patches * options.rays * 4, n + " patches x " + std::to_string(options.rays) + " rays",
+       "a larger --patch or fewer --rays"},
+      {rows * sites * 4, shortNumber(rows) + " patches x " + shortNumber(sites) + " sites",
+       "a larger --patch or --site-spacing"},
+      {surfaces * sites * sites * 8,
+       shortNumber(surfaces) + " surfaces x " + shortNumber(sites) + " sites squared",
+       "a larger --site-spacing"},
       {rows * 600, n + " patches", "a larger --patch"}};
   double total = 0;
   const Part* largest = parts;
@@ -118,13 +130,15 @@ void checkMemory(const RoomOptions& options, double patches, double clusters, do
     if (part.bytes > largest->bytes) largest = &part;
   }
   if (!(total <= options.memory * 1e9))
-    throw CommandError("this would need " + shortNumber(total / 1e9) + " GB, and --memory allows " + shortNumber(options.memory) +
-                       ": too many are " + largest->what + "; pass " + largest->cure);
+    throw CommandError("this would need " + shortNumber(total / 1e9) + " GB, and --memory allows " +
+                       shortNumber(options.memory) + ": too many are " + largest->what + "; pass " +
+                       largest->cure);
 }
 
 double foreseenPatches(const std::vector<ChartDraft>& charts) {
   double patches = 0;
-  for (const ChartDraft& draft : charts) patches += std::max(1.0, draft.area / (draft.chart.cellU * draft.chart.cellV));
+  for (const ChartDraft& draft : charts)
+    patches += std::max(1.0, draft.area / (draft.chart.cellU * draft.chart.cellV));
   return patches;
 }
 
@@ -135,15 +149,19 @@ void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& option
     cells += static_cast<double>(draft.chart.columns) * draft.chart.rows;
   }
   if (cells * 24 > options.memory * 1e9)
-    throw CommandError("patches of " + shortNumber(patch) + " m need " + shortNumber(cells) + " grid cells, more than --memory allows; pass a larger --patch");
+    throw CommandError("patches of " + shortNumber(patch) + " m need " + shortNumber(cells) +
+                       " grid cells, more than --memory allows; pass a larger --patch");
   const double patches = foreseenPatches(charts);
-  const double clusters = options.paper ? patches / (options.cluster * options.cluster) : std::min<double>(patches / 4, kMostClusters);
+  const double clusters = options.paper ? patches / (options.cluster * options.cluster)
+                                        : std::min<double>(patches / 4, kMostClusters);
   checkMemory(options, patches, clusters, patches, 0, 0);
 }
 
-/// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000 patches), and where
-/// a mount's site spacing is known a whole fraction of it, so that squares of light end where patches do.
-double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree, double area) {
+/// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000
+/// patches), and where a mount's site spacing is known a whole fraction of it, so that squares of light end
+/// where patches do.
+double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+                        double area) {
   double spacing = 0;
   for (const SourceMesh& from : source.meshes)
     if (from.extras.mount && from.extras.siteSpacing && spacing == 0) spacing = *from.extras.siteSpacing;
@@ -186,12 +204,19 @@ void sumSurfaces(Room& room) {
 void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts, Room& room) {
   room.positions = mesh.positions;
   for (const WeldedTriangle& t : mesh.triangles)
-    room.triangles.push_back({t.vertex, kNone, kNone, {t.mesh, t.source}, {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource}});
+    room.triangles.push_back(
+        {t.vertex,
+         kNone,
+         kNone,
+         {t.mesh, t.source},
+         {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource}});
   for (std::uint32_t d = 0; d < drafts.size(); ++d)
-    for (const Face& face : drafts[d].faces) (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
+    for (const Face& face : drafts[d].faces)
+      (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
 }
 
-void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double patch, UniqueNames& names, Room& room) {
+void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double patch, UniqueNames& names,
+                        Room& room) {
   if (roles.measures.empty()) return;
   const WeldedMesh mesh = weld(source, roles.measures);
   std::vector<Face> faces = frontFaces(mesh);
@@ -206,7 +231,8 @@ void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double pa
   appendPatches(mesh, charts, patch, nullptr, room);
 }
 
-// --- mounts ----------------------------------------------------------------------------------------------------------
+// --- mounts
+// ----------------------------------------------------------------------------------------------------------
 
 struct Mount {
   std::string name;
@@ -215,7 +241,8 @@ struct Mount {
 };
 
 bool within(const std::string& path, const std::string& name) {
-  return path == name || (path.size() > name.size() && path.compare(0, name.size(), name) == 0 && path[name.size()] == '/');
+  return path == name ||
+         (path.size() > name.size() && path.compare(0, name.size(), name) == 0 && path[name.size()] == '/');
 }
 
 std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Face>& faces) {
@@ -224,7 +251,8 @@ std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Fac
   for (const Face& face : faces) {
     const SourceMesh& mesh = source.meshes[face.mesh];
     if (!mesh.extras.mount) continue;
-    auto found = std::find_if(ofNode.begin(), ofNode.end(), [&](const auto& e) { return e.first == mesh.nodeIndex; });
+    auto found =
+        std::find_if(ofNode.begin(), ofNode.end(), [&](const auto& e) { return e.first == mesh.nodeIndex; });
     if (found == ofNode.end()) {
       ofNode.emplace_back(mesh.nodeIndex, mounts.size());
       mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0)});
@@ -241,7 +269,8 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
     Mount mount{name, {}, 0};
     for (const SurfaceGroup& group : tree.groups)
       for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (within(tree.names[group.leafOfRegion[r]], name) || within(tree.names[group.leafOfRegion[r]], name + " (back)"))
+        if (within(tree.names[group.leafOfRegion[r]], name) ||
+            within(tree.names[group.leafOfRegion[r]], name + " (back)"))
           for (const std::uint32_t f : group.regions[r].faces) mount.faces.push_back(group.set.faces[f]);
     if (mount.faces.empty())
       for (const Face& face : faces)
@@ -252,13 +281,15 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
       unknownName("--mount", name, names);
     }
     for (const Face& face : mount.faces)
-      if (source.meshes[face.mesh].extras.siteSpacing) mount.spacing = *source.meshes[face.mesh].extras.siteSpacing;
+      if (source.meshes[face.mesh].extras.siteSpacing)
+        mount.spacing = *source.meshes[face.mesh].extras.siteSpacing;
     mounts.push_back(std::move(mount));
   }
 }
 
 /// The ceiling: the largest plane that faces down in the upper half, and others about as high.
-std::vector<Mount> proposedMounts(const WeldedMesh& mesh, const SurfaceTree& tree, std::vector<std::string>& warnings) {
+std::vector<Mount> proposedMounts(const WeldedMesh& mesh, const SurfaceTree& tree,
+                                  std::vector<std::string>& warnings) {
   double low = 1e300, high = -1e300;
   for (const Vec3& p : mesh.positions) low = std::min(low, p.y), high = std::max(high, p.y);
   struct Candidate {
@@ -282,49 +313,64 @@ std::vector<Mount> proposedMounts(const WeldedMesh& mesh, const SurfaceTree& tre
   mounts.push_back({tree.names[best->leaf], {}, 0});
   double area = 0;
   for (const Candidate& c : candidates) {
-    if (c.region->area < 0.1 * best->region->area || std::abs(c.region->centroid.y - best->region->centroid.y) > 0.3) continue;
+    if (c.region->area < 0.1 * best->region->area ||
+        std::abs(c.region->centroid.y - best->region->centroid.y) > 0.3)
+      continue;
     area += c.region->area;
     for (const std::uint32_t f : c.region->faces) mounts[0].faces.push_back(c.group->set.faces[f]);
   }
-  warnings.push_back("no mount is marked: luminaires are proposed to hang on '" + mounts[0].name + "' (" + shortNumber(area) + " m2, " +
-                     shortNumber(best->region->centroid.y - low) + " m up); choose with --mount");
+  warnings.push_back("no mount is marked: luminaires are proposed to hang on '" + mounts[0].name + "' (" +
+                     shortNumber(area) + " m2, " + shortNumber(best->region->centroid.y - low) +
+                     " m up); choose with --mount");
   return mounts;
 }
 
-void addSites(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree, const std::vector<Face>& faces,
-              const RoomOptions& options, Room& room) {
+void addSites(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+              const std::vector<Face>& faces, const RoomOptions& options, Room& room) {
   std::vector<Mount> mounts = markedMounts(source, faces);
   addNamedMounts(source, tree, faces, options.mounts, mounts);
   if (mounts.empty() && options.requireSites) {
     mounts = proposedMounts(mesh, tree, room.warnings);
     if (mounts.empty())
-      throw CommandError("nowhere to hang luminaires: no node is marked as mount and nothing large and high faces down; pass --mount with one of " +
-                         closestNames("ceiling", tree.names));
+      throw CommandError(
+          "nowhere to hang luminaires: no node is marked as mount and nothing large and high faces down; "
+          "pass --mount with one of " +
+          closestNames("ceiling", tree.names));
   }
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
-  const double sensible = std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, std::max(1.5, std::sqrt(area / 1000)));
+  const double sensible =
+      std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, std::max(1.5, std::sqrt(area / 1000)));
   for (const Mount& mount : mounts) {
-    const double spacing = options.siteSpacing > 0 ? options.siteSpacing : mount.spacing > 0 ? mount.spacing : sensible;
+    const double spacing = options.siteSpacing > 0 ? options.siteSpacing
+                           : mount.spacing > 0     ? mount.spacing
+                                                   : sensible;
     const double size = options.siteSize > 0 ? options.siteSize : spacing;
     const double expected = mountArea(mesh, mount.faces) / (spacing * spacing);
-    checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(), static_cast<double>(room.sites.size()) + expected, 1);
+    checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
+                static_cast<double>(room.sites.size()) + expected, 1);
     const std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
     if (sites.empty())
-      room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " + shortNumber(size) + " m; pass a smaller --site-spacing");
+      room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +
+                              shortNumber(size) + " m; pass a smaller --site-spacing");
     room.sites.insert(room.sites.end(), sites.begin(), sites.end());
   }
   if (room.sites.empty() && options.requireSites)
-    throw CommandError("no site fits on any mount (" + (mounts.empty() ? "none" : "'" + mounts[0].name + "'") +
+    throw CommandError("no site fits on any mount (" +
+                       (mounts.empty() ? "none" : "'" + mounts[0].name + "'") +
                        "): pass a smaller --site-spacing, or another --mount");
 }
 
-// --- the whole -------------------------------------------------------------------------------------------------------
+// --- the whole
+// -------------------------------------------------------------------------------------------------------
 
 void checkOptions(const RoomOptions& options) {
-  const auto refuse = [](const char* what) { throw CommandError(std::string(what) + " must be positive and finite"); };
+  const auto refuse = [](const char* what) {
+    throw CommandError(std::string(what) + " must be positive and finite");
+  };
   if (!(options.patch >= 0 && options.patch < 1e6)) refuse("--patch");
-  if (options.cluster < 1 || options.cluster > 4096) throw CommandError("--cluster must be between 1 and 4096");
+  if (options.cluster < 1 || options.cluster > 4096)
+    throw CommandError("--cluster must be between 1 and 4096");
   if (!(options.siteSpacing >= 0 && options.siteSpacing < 1e6)) refuse("--site-spacing");
   if (!(options.siteSize >= 0 && options.siteSize < 1e6)) refuse("--site-size");
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
@@ -338,10 +384,14 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   const Roles roles = assignRoles(source, options, room.warnings);
   const WeldedMesh mesh = weld(source, roles.reflectors);
   if (mesh.triangles.empty())
-    throw CommandError(roles.reflectors.empty() ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
-                                                : "no surfaces: every triangle has zero area; check the scale of the nodes");
-  if (mesh.withoutArea > 0) room.warnings.push_back(std::to_string(mesh.withoutArea) + " triangles without area are left out");
-  if (mesh.duplicates > 0) room.warnings.push_back(std::to_string(mesh.duplicates) + " triangles that repeat others are left out");
+    throw CommandError(
+        roles.reflectors.empty()
+            ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
+            : "no surfaces: every triangle has zero area; check the scale of the nodes");
+  if (mesh.withoutArea > 0)
+    room.warnings.push_back(std::to_string(mesh.withoutArea) + " triangles without area are left out");
+  if (mesh.duplicates > 0)
+    room.warnings.push_back(std::to_string(mesh.duplicates) + " triangles that repeat others are left out");
   warnOfScale(mesh, room.warnings);
 
   std::vector<Face> faces = frontFaces(mesh);
@@ -349,7 +399,8 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   faces.insert(faces.end(), backs.begin(), backs.end());
   UniqueNames names;
   const SurfaceTree tree = findSurfaces(source, mesh, faces, 0.01, names);
-  room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(mesh, faces));
+  room.patchSize =
+      options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(mesh, faces));
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
   checkGrids(charts, options, room.patchSize);
 
@@ -360,12 +411,13 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   addTriangles(mesh, charts, room);
   const std::uint32_t edge = assignClusters(room, options.cluster, kMostClusters, options.paper);
   if (edge != options.cluster)
-    room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) + " patches, so that there are at most 3000");
+    room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
+                            " patches, so that there are at most 3000");
   addMeasuringPlanes(source, roles, room.patchSize, names, room);
   sumSurfaces(room);
   addSites(source, mesh, tree, faces, options, room);
-  checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(), static_cast<double>(room.sites.size()),
-              static_cast<double>(room.surfaces.size()));
+  checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
+              static_cast<double>(room.sites.size()), static_cast<double>(room.surfaces.size()));
   return room;
 }
 

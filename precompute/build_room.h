@@ -10,7 +10,8 @@
 
 namespace fiatlux {
 
-/// Builds surfaces, patches and sites of a source scene. Errors name what is missing or too much, and the cure.
+/// Builds surfaces, patches and sites of a source scene. Errors name what is missing or too much, and the
+/// cure.
 Result<Room> buildRoom(const SourceScene& source, const RoomOptions& options);
 
 }  // namespace fiatlux

@@ -11,8 +11,10 @@ namespace {
 constexpr double kCone = 0.819;    // cos 35 degrees: how far a face may turn from its chart
 constexpr double kCrease = 0.707;  // cos 45 degrees: a sharper edge ends a chart
 
-/// Frame and grid of a set of faces: u along the longest straight side, cells a side = max(1, round(length / patch)).
-void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces, double patch, ChartDraft& draft) {
+/// Frame and grid of a set of faces: u along the longest straight side, cells a side = max(1, round(length /
+/// patch)).
+void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces,
+             double patch, ChartDraft& draft) {
   Chart& chart = draft.chart;
   Vec3 u = outlineOf(mesh, set, faces).longestDirection;
   u = u - dot(u, chart.normal) * chart.normal;
@@ -39,8 +41,9 @@ void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::
   chart.cellV = std::max(high[1] - low[1], mesh.tolerance) / chart.rows;
 }
 
-ChartDraft chartOf(const WeldedMesh& mesh, const SurfaceGroup& group, const std::vector<std::uint32_t>& regions, const Vec3& normal,
-                   double patch, std::uint32_t surface) {
+ChartDraft chartOf(const WeldedMesh& mesh, const SurfaceGroup& group,
+                   const std::vector<std::uint32_t>& regions, const Vec3& normal, double patch,
+                   std::uint32_t surface) {
   ChartDraft draft;
   draft.chart.surface = surface;
   draft.chart.normal = normal;
@@ -55,8 +58,8 @@ ChartDraft chartOf(const WeldedMesh& mesh, const SurfaceGroup& group, const std:
   return draft;
 }
 
-void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double patch, std::uint32_t firstSurface,
-                   std::vector<ChartDraft>& charts) {
+void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double patch,
+                   std::uint32_t firstSurface, std::vector<ChartDraft>& charts) {
   const std::size_t n = group.regions.size();
   std::vector<std::uint32_t> regionOfFace(group.set.faces.size());
   for (std::uint32_t r = 0; r < n; ++r)
@@ -65,7 +68,8 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
   std::vector<bool> taken(n, false);
   std::vector<std::uint32_t> order(n);
   for (std::uint32_t r = 0; r < n; ++r) order[r] = r;
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return group.regions[a].area > group.regions[b].area; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return group.regions[a].area > group.regions[b].area; });
 
   // Planes that are about a patch wide or more stand alone.
   for (const std::uint32_t r : order) {
@@ -89,24 +93,28 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
           const std::uint32_t r = regionOfFace[group.set.neighbors[i]];
           if (taken[r] || group.leafOfRegion[r] != group.leafOfRegion[seed]) continue;
           const Region& region = group.regions[r];
-          if (dot(region.normal, normalized(sum)) < kCone || dot(region.normal, group.regions[members[next]].normal) < kCrease ||
+          if (dot(region.normal, normalized(sum)) < kCone ||
+              dot(region.normal, group.regions[members[next]].normal) < kCrease ||
               dot(region.normal, group.regions[seed].normal) < kCone)
             continue;
           taken[r] = true;
           members.push_back(r);
           sum += region.area * region.normal;
         }
-    charts.push_back(chartOf(mesh, group, members, normalized(sum), patch, firstSurface + group.leafOfRegion[seed]));
+    charts.push_back(
+        chartOf(mesh, group, members, normalized(sum), patch, firstSurface + group.leafOfRegion[seed]));
   }
 }
 
 }  // namespace
 
-std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch, std::uint32_t firstSurface) {
+std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch,
+                                   std::uint32_t firstSurface) {
   std::vector<ChartDraft> charts;
   for (const SurfaceGroup& group : tree.groups) chartsOfGroup(mesh, group, patch, firstSurface, charts);
-  std::stable_sort(charts.begin(), charts.end(),
-                   [](const ChartDraft& a, const ChartDraft& b) { return a.chart.surface < b.chart.surface; });
+  std::stable_sort(charts.begin(), charts.end(), [](const ChartDraft& a, const ChartDraft& b) {
+    return a.chart.surface < b.chart.surface;
+  });
   return charts;
 }
 

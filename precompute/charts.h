@@ -16,8 +16,10 @@ struct ChartDraft {
   bool flat = false;  // one plane: cells that are whole are exact rectangles
 };
 
-/// Cuts each surface of `tree` into charts for patches of edge `patch`. Planes wider than a patch are charts by
-/// themselves; the rest grows together up to 35 degrees from its mean normal. Surface indices are shifted by `firstSurface`.
-std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch, std::uint32_t firstSurface);
+/// Cuts each surface of `tree` into charts for patches of edge `patch`. Planes wider than a patch are charts
+/// by themselves; the rest grows together up to 35 degrees from its mean normal. Surface indices are shifted
+/// by `firstSurface`.
+std::vector<ChartDraft> makeCharts(const WeldedMesh& mesh, const SurfaceTree& tree, double patch,
+                                   std::uint32_t firstSurface);
 
 }  // namespace fiatlux

@@ -29,7 +29,8 @@ std::uint32_t blockClusters(const Room& room, std::uint32_t edge, std::vector<st
 
 /// Joins clusters below half of `full` (m2) with others of their surface and direction that come next on a
 /// space-filling curve, until they reach it. Returns the new number of clusters.
-std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full, std::vector<std::uint32_t>& cluster) {
+std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full,
+                                std::vector<std::uint32_t>& cluster) {
   const Patches& patches = room.patches;
   std::vector<double> area(k, 0);
   std::vector<std::uint32_t> sample(k, kNone);
@@ -42,7 +43,8 @@ std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full, 
     if (sample[cluster[p]] == kNone) sample[cluster[p]] = p;
   }
   const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-9});
-  std::vector<std::tuple<std::uint32_t, int, std::uint32_t, std::uint32_t>> small;  // surface, direction, curve, cluster
+  std::vector<std::tuple<std::uint32_t, int, std::uint32_t, std::uint32_t>>
+      small;  // surface, direction, curve, cluster
   std::vector<std::uint32_t> target(k);
   std::uint32_t joined = 0;
   for (std::uint32_t c = 0; c < k; ++c) {
@@ -53,7 +55,8 @@ std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full, 
     const Vec3 at = (1023 / side) * (patches.center[sample[c]] - low);
     std::uint32_t curve = 0;
     for (int bit = 9; bit >= 0; --bit)
-      for (const double x : {at.x, at.y, at.z}) curve = curve << 1 | (static_cast<std::uint32_t>(x) >> bit & 1);
+      for (const double x : {at.x, at.y, at.z})
+        curve = curve << 1 | (static_cast<std::uint32_t>(x) >> bit & 1);
     small.emplace_back(patches.surface[sample[c]], dominantDirection(patches.normal[sample[c]]), curve, c);
   }
   std::sort(small.begin(), small.end());

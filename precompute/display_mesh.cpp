@@ -1,4 +1,5 @@
-// Cutting the room's triangles where their charts' grid lines pass, blending patches at the corners, and packing it all.
+// Cutting the room's triangles where their charts' grid lines pass, blending patches at the corners, and
+// packing it all.
 #include "precompute/display_mesh.h"
 
 #include <algorithm>
@@ -33,7 +34,8 @@ struct VertexHash {
       const auto* at = static_cast<const unsigned char*>(bytes);
       for (std::size_t i = 0; i < size; ++i) h = (h ^ at[i]) * 0x100000001b3ull;
     };
-    add(&v.position, sizeof v.position), add(&v.normal, sizeof v.normal), add(&v.uv, sizeof v.uv), add(&v.color, sizeof v.color);
+    add(&v.position, sizeof v.position), add(&v.normal, sizeof v.normal), add(&v.uv, sizeof v.uv),
+        add(&v.color, sizeof v.color);
     add(&v.blend.patch[0], sizeof v.blend.patch[0]);
     return h;
   }
@@ -57,7 +59,9 @@ struct Part {
 float tidy(double x, double steps) { return static_cast<float>(std::round(x * steps) / steps); }
 
 std::array<std::int8_t, 4> packedNormal(const Vec3& n) {
-  const auto byte = [](double x) { return static_cast<std::int8_t>(std::lround(127 * std::clamp(x, -1.0, 1.0))); };
+  const auto byte = [](double x) {
+    return static_cast<std::int8_t>(std::lround(127 * std::clamp(x, -1.0, 1.0)));
+  };
   return {byte(n.x), byte(n.y), byte(n.z), 0};
 }
 
@@ -65,7 +69,10 @@ std::array<std::int8_t, 4> packedNormal(const Vec3& n) {
 class Shader {
  public:
   Shader(const SourceScene& source, const SourceTriangle& from, const Vec3& faceNormal, bool turned)
-      : mesh_(source.meshes[from.mesh]), v_(mesh_.triangles[from.triangle]), faceNormal_(faceNormal), turned_(turned) {
+      : mesh_(source.meshes[from.mesh]),
+        v_(mesh_.triangles[from.triangle]),
+        faceNormal_(faceNormal),
+        turned_(turned) {
     const auto& p = mesh_.positions;
     e1_ = p[v_[1]] - p[v_[0]], e2_ = p[v_[2]] - p[v_[0]], n_ = cross(e1_, e2_);
     textured_ = mesh_.material >= 0 && source.materials[mesh_.material].image >= 0 && !mesh_.uv.empty();
@@ -80,17 +87,21 @@ class Shader {
     const double w1 = dot(cross(d, e2_), n_) / nn, w2 = dot(cross(e1_, d), n_) / nn, w0 = 1 - w1 - w2;
     Vec3 normal = faceNormal_;
     if (!mesh_.normals.empty()) {
-      const auto vec = [&](int i) { return Vec3{mesh_.normals[v_[i]][0], mesh_.normals[v_[i]][1], mesh_.normals[v_[i]][2]}; };
+      const auto vec = [&](int i) {
+        return Vec3{mesh_.normals[v_[i]][0], mesh_.normals[v_[i]][1], mesh_.normals[v_[i]][2]};
+      };
       const Vec3 smooth = normalized((turned_ ? -1.0 : 1.0) * (w0 * vec(0) + w1 * vec(1) + w2 * vec(2)));
       if (dot(smooth, faceNormal_) > 0.1) normal = smooth;
     }
     vertex.normal = packedNormal(normal);
     if (textured_)
       for (int c = 0; c < 2; ++c)
-        vertex.uv[c] = tidy(w0 * mesh_.uv[v_[0]][c] + w1 * mesh_.uv[v_[1]][c] + w2 * mesh_.uv[v_[2]][c], 65536);
+        vertex.uv[c] =
+            tidy(w0 * mesh_.uv[v_[0]][c] + w1 * mesh_.uv[v_[1]][c] + w2 * mesh_.uv[v_[2]][c], 65536);
     if (!mesh_.colors.empty())
       for (int c = 0; c < 4; ++c) {
-        const double tint = w0 * mesh_.colors[v_[0]][c] + w1 * mesh_.colors[v_[1]][c] + w2 * mesh_.colors[v_[2]][c];
+        const double tint =
+            w0 * mesh_.colors[v_[0]][c] + w1 * mesh_.colors[v_[1]][c] + w2 * mesh_.colors[v_[2]][c];
         vertex.color[c] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(tint, 0.0, 1.0)));
       }
     return vertex;
@@ -150,7 +161,8 @@ class Mesher {
         if (piece.area > 1e-7) pieces_.push_back(std::move(piece));
       });
     }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const CellPiece& a, const CellPiece& b) { return a.cell < b.cell; });
+    std::stable_sort(pieces_.begin(), pieces_.end(),
+                     [](const CellPiece& a, const CellPiece& b) { return a.cell < b.cell; });
     for (std::size_t i = 0, j; i < pieces_.size(); i = j) {
       double area = 0;
       for (j = i; j < pieces_.size() && pieces_[j].cell == pieces_[i].cell; ++j) area += pieces_[j].area;
@@ -171,13 +183,15 @@ class Mesher {
     // Turned over when the side drawn is not the side the source drew.
     const SourceMesh& mesh = source_.meshes[from.mesh];
     const auto& v = mesh.triangles[from.triangle];
-    const Vec3 drawn = cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]);
+    const Vec3 drawn =
+        cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]);
     return {source_, from, normal, dot(drawn, normal) < 0};
   }
 
   Part& partOf(const Chart& chart, const DrawnFace& face, const Shader& shader) {
     const RoomTriangle& triangle = room_.triangles[face.triangle];
-    Part& part = parts[{chart.surface, source_.meshes[(face.back ? triangle.backSource : triangle.source).mesh].material}];
+    Part& part = parts[{chart.surface,
+                        source_.meshes[(face.back ? triangle.backSource : triangle.source).mesh].material}];
     part.textured = part.textured || shader.textured();
     part.colored = part.colored || shader.colored();
     return part;
@@ -194,8 +208,10 @@ class Mesher {
     return high[0] - low[0] < 1.2 && high[1] - low[1] < 1.2;
   }
 
-  /// A cell that is covered wholly by triangles that agree on material and texture coordinates: two triangles.
-  bool drawRectangle(std::uint32_t index, const std::vector<DrawnFace>& faces, std::size_t begin, std::size_t end) {
+  /// A cell that is covered wholly by triangles that agree on material and texture coordinates: two
+  /// triangles.
+  bool drawRectangle(std::uint32_t index, const std::vector<DrawnFace>& faces, std::size_t begin,
+                     std::size_t end) {
     const Chart& chart = room_.charts[index];
     const std::uint32_t r = pieces_[begin].cell / chart.columns, c = pieces_[begin].cell % chart.columns;
     std::array<Vertex, 4> corners;
@@ -206,14 +222,17 @@ class Mesher {
       Part& own = partOf(chart, face, shader);
       if (part && part != &own) return false;
       for (const Vec3& p : pieces_[i].polygon)
-        if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-3 * std::min(chart.cellU, chart.cellV)) return false;
+        if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-3 * std::min(chart.cellU, chart.cellV))
+          return false;
       for (int k = 0; k < 4; ++k) {
-        const Vec3 p = chart.origin + (c + (k == 1 || k == 2)) * chart.cellU * chart.uAxis + (r + (k >= 2)) * chart.cellV * chart.vAxis;
+        const Vec3 p = chart.origin + (c + (k == 1 || k == 2)) * chart.cellU * chart.uAxis +
+                       (r + (k >= 2)) * chart.cellV * chart.vAxis;
         const Vertex vertex = shader.at(p, part ? corners[k].blend : blender_.inChart(index, p));
         if (!part) {
           corners[k] = vertex;
-        } else if (std::abs(vertex.uv[0] - corners[k].uv[0]) > 2e-4 || std::abs(vertex.uv[1] - corners[k].uv[1]) > 2e-4 ||
-                   vertex.normal != corners[k].normal || vertex.color != corners[k].color) {
+        } else if (std::abs(vertex.uv[0] - corners[k].uv[0]) > 2e-4 ||
+                   std::abs(vertex.uv[1] - corners[k].uv[1]) > 2e-4 || vertex.normal != corners[k].normal ||
+                   vertex.color != corners[k].color) {
           return false;
         }
       }
@@ -224,17 +243,20 @@ class Mesher {
     return true;
   }
 
-  void drawPieces(std::uint32_t index, const std::vector<DrawnFace>& faces, std::size_t begin, std::size_t end) {
+  void drawPieces(std::uint32_t index, const std::vector<DrawnFace>& faces, std::size_t begin,
+                  std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const DrawnFace& face = faces[pieces_[i].face];
       const auto v = vertices(face);
-      const Vec3 normal = normalized(cross(room_.positions[v[1]] - room_.positions[v[0]], room_.positions[v[2]] - room_.positions[v[0]]));
+      const Vec3 normal = normalized(cross(room_.positions[v[1]] - room_.positions[v[0]],
+                                           room_.positions[v[2]] - room_.positions[v[0]]));
       const Shader shader = shaderOf(face, normal);
       Part& part = partOf(room_.charts[index], face, shader);
       const auto& polygon = pieces_[i].polygon;
       const auto vertexAt = [&](const Vec3& p) {
         for (const std::uint32_t corner : v)
-          if (length(room_.positions[corner] - p) == 0) return shader.at(p, blender_.atVertex(corner, index, normal));
+          if (length(room_.positions[corner] - p) == 0)
+            return shader.at(p, blender_.atVertex(corner, index, normal));
         return shader.at(p, blender_.inChart(index, p));
       };
       for (std::size_t k = 2; k < polygon.size(); ++k)
@@ -268,17 +290,20 @@ void addUnlit(const SourceScene& source, std::uint32_t m, Part& part) {
   part.lit = false;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    const Vec3 normal = normalized(cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]));
+    const Vec3 normal = normalized(
+        cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]));
     const Shader shader(source, {m, t}, normal, false);
     part.textured = shader.textured(), part.colored = shader.colored();
     for (const std::uint32_t i : v) part.corner(shader.at(mesh.positions[i], {}));
   }
 }
 
-// --- packing ---------------------------------------------------------------------------------------------------------
+// --- packing
+// ---------------------------------------------------------------------------------------------------------
 
 template <class T, class Get>
-int packAttribute(GlbWriter& glb, const Part& part, int componentType, bool normalized, const char* type, Get get) {
+int packAttribute(GlbWriter& glb, const Part& part, int componentType, bool normalized, const char* type,
+                  Get get) {
   std::vector<T> values;
   values.reserve(part.vertices.size());
   for (const Vertex& vertex : part.vertices) values.push_back(get(vertex));
@@ -289,15 +314,18 @@ int packAttribute(GlbWriter& glb, const Part& part, int componentType, bool norm
 int packIndices(GlbWriter& glb, const Part& part) {
   const std::size_t count = part.indices.size();
   if (part.vertices.size() > 65535)
-    return glb.addAccessor(glb.addView(part.indices.data(), 4 * count, 0, 34963), 5125, false, count, "SCALAR");
+    return glb.addAccessor(glb.addView(part.indices.data(), 4 * count, 0, 34963), 5125, false, count,
+                           "SCALAR");
   const std::vector<std::uint16_t> narrow(part.indices.begin(), part.indices.end());
   return glb.addAccessor(glb.addView(narrow.data(), 2 * count, 0, 34963), 5123, false, count, "SCALAR");
 }
 
-void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows, const std::string& name, ordered_json extras) {
+void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows, const std::string& name,
+              ordered_json extras) {
   if (part.indices.empty()) return;
   ordered_json attributes;
-  attributes["POSITION"] = packAttribute<std::array<float, 3>>(glb, part, 5126, false, "VEC3", [](const Vertex& v) { return v.position; });
+  attributes["POSITION"] = packAttribute<std::array<float, 3>>(glb, part, 5126, false, "VEC3",
+                                                               [](const Vertex& v) { return v.position; });
   ordered_json &accessor = glb.json["accessors"].back(), low = part.vertices[0].position, high = low;
   for (const Vertex& v : part.vertices)
     for (int c = 0; c < 3; ++c) {
@@ -305,11 +333,14 @@ void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows
       high[c] = std::max(high[c].get<float>(), v.position[c]);
     }
   accessor["min"] = low, accessor["max"] = high;
-  attributes["NORMAL"] = packAttribute<std::array<std::int8_t, 4>>(glb, part, 5120, true, "VEC3", [](const Vertex& v) { return v.normal; });
+  attributes["NORMAL"] = packAttribute<std::array<std::int8_t, 4>>(glb, part, 5120, true, "VEC3",
+                                                                   [](const Vertex& v) { return v.normal; });
   if (part.textured)
-    attributes["TEXCOORD_0"] = packAttribute<std::array<float, 2>>(glb, part, 5126, false, "VEC2", [](const Vertex& v) { return v.uv; });
+    attributes["TEXCOORD_0"] = packAttribute<std::array<float, 2>>(glb, part, 5126, false, "VEC2",
+                                                                   [](const Vertex& v) { return v.uv; });
   if (part.colored)
-    attributes["COLOR_0"] = packAttribute<std::array<std::uint8_t, 4>>(glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.color; });
+    attributes["COLOR_0"] = packAttribute<std::array<std::uint8_t, 4>>(
+        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.color; });
   if (part.lit) {
     const auto narrowed = [](const Vertex& v) {
       std::array<std::uint16_t, 4> patch{};
@@ -321,9 +352,11 @@ void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows
       for (int i = 0; i < 4; ++i) patch[i] = static_cast<float>(v.blend.patch[i]);
       return patch;
     };
-    attributes["_PATCHES"] = rows <= 65536 ? packAttribute<std::array<std::uint16_t, 4>>(glb, part, 5123, false, "VEC4", narrowed)
-                                           : packAttribute<std::array<float, 4>>(glb, part, 5126, false, "VEC4", wide);
-    attributes["_WEIGHTS"] = packAttribute<std::array<std::uint8_t, 4>>(glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.blend.share; });
+    attributes["_PATCHES"] =
+        rows <= 65536 ? packAttribute<std::array<std::uint16_t, 4>>(glb, part, 5123, false, "VEC4", narrowed)
+                      : packAttribute<std::array<float, 4>>(glb, part, 5126, false, "VEC4", wide);
+    attributes["_WEIGHTS"] = packAttribute<std::array<std::uint8_t, 4>>(
+        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.blend.share; });
   }
   ordered_json primitive = {{"attributes", attributes}, {"indices", packIndices(glb, part)}};
   if (material >= 0) primitive["material"] = material;
@@ -337,7 +370,9 @@ void packMaterials(GlbWriter& glb, const SourceScene& source) {
   bool transformed = false;
   std::vector<int> imageOf(source.images.size(), -1);
   for (const SourceMaterial& material : source.materials) {
-    ordered_json pbr = {{"baseColorFactor", material.baseColor}, {"metallicFactor", material.metallic}, {"roughnessFactor", material.roughness}};
+    ordered_json pbr = {{"baseColorFactor", material.baseColor},
+                        {"metallicFactor", material.metallic},
+                        {"roughnessFactor", material.roughness}};
     if (material.image >= 0 && !source.images[material.image].encoded.empty()) {
       const SourceImage& image = source.images[material.image];
       int& packed = imageOf[material.image];
@@ -345,16 +380,21 @@ void packMaterials(GlbWriter& glb, const SourceScene& source) {
         const int view = glb.addView(image.encoded.data(), image.encoded.size(), 0, 0);
         packed = glb.append("images", {{"bufferView", view}, {"mimeType", image.mimeType}});
       }
-      const int sampler = glb.append("samplers", {{"wrapS", material.wrapS}, {"wrapT", material.wrapT}, {"magFilter", 9729}, {"minFilter", 9987}});
-      pbr["baseColorTexture"] = {{"index", glb.append("textures", {{"source", packed}, {"sampler", sampler}})}};
+      const int sampler = glb.append(
+          "samplers",
+          {{"wrapS", material.wrapS}, {"wrapT", material.wrapT}, {"magFilter", 9729}, {"minFilter", 9987}});
+      pbr["baseColorTexture"] = {
+          {"index", glb.append("textures", {{"source", packed}, {"sampler", sampler}})}};
       const auto& t = material.uvTransform;
       if (t != std::array<double, 5>{0, 0, 1, 1, 0}) {
         transformed = true;
-        pbr["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {{"offset", {t[0], t[1]}}, {"scale", {t[2], t[3]}}, {"rotation", t[4]}};
+        pbr["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+            {"offset", {t[0], t[1]}}, {"scale", {t[2], t[3]}}, {"rotation", t[4]}};
       }
     }
     ordered_json entry = {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
-    if (material.alpha == SourceMaterial::Alpha::kBlend) entry["alphaMode"] = "BLEND", entry["doubleSided"] = true;
+    if (material.alpha == SourceMaterial::Alpha::kBlend)
+      entry["alphaMode"] = "BLEND", entry["doubleSided"] = true;
     if (material.alpha == SourceMaterial::Alpha::kMask) entry["alphaMode"] = "MASK";
     glb.append("materials", std::move(entry));
   }
@@ -387,7 +427,9 @@ std::vector<std::uint8_t> displayMesh(const SourceScene& source, const Room& roo
   }
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
-    if (mesh.extras.measure || mesh.material < 0 || source.materials[mesh.material].alpha != SourceMaterial::Alpha::kBlend) continue;
+    if (mesh.extras.measure || mesh.material < 0 ||
+        source.materials[mesh.material].alpha != SourceMaterial::Alpha::kBlend)
+      continue;
     Part part;
     addUnlit(source, m, part);
     packPart(glb, part, mesh.material, room.patches.rows(), mesh.node, {{"lit", false}});

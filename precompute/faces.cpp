@@ -55,7 +55,8 @@ class Welder {
 
 bool hasArea(const std::vector<Vec3>& p, const std::array<std::uint32_t, 3>& v, double tolerance) {
   if (v[0] == v[1] || v[1] == v[2] || v[0] == v[2]) return false;
-  const double longest = std::max({length(p[v[1]] - p[v[0]]), length(p[v[2]] - p[v[1]]), length(p[v[0]] - p[v[2]])});
+  const double longest =
+      std::max({length(p[v[1]] - p[v[0]]), length(p[v[2]] - p[v[1]]), length(p[v[0]] - p[v[2]])});
   return 2 * length(areaVector(p, v)) > tolerance * longest;
 }
 
@@ -70,8 +71,9 @@ void mergeDuplicates(WeldedMesh& mesh) {
     keys[i] = {mesh.triangles[i].vertex, i};
     std::sort(keys[i].sorted.begin(), keys[i].sorted.end());
   }
-  std::sort(keys.begin(), keys.end(),
-            [](const Key& a, const Key& b) { return std::tie(a.sorted, a.index) < std::tie(b.sorted, b.index); });
+  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+    return std::tie(a.sorted, a.index) < std::tie(b.sorted, b.index);
+  });
   const auto isEven = [](const std::array<std::uint32_t, 3>& v) {
     return (v[0] < v[1]) + (v[1] < v[2]) + (v[2] < v[0]) == 2;  // an even rotation of the sorted order
   };
@@ -102,7 +104,9 @@ struct DisjointSets {
     while (parent[x] != x) x = parent[x] = parent[parent[x]];
     return x;
   }
-  void join(std::uint32_t a, std::uint32_t b) { parent[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+  void join(std::uint32_t a, std::uint32_t b) {
+    parent[std::max(find(a), find(b))] = std::min(find(a), find(b));
+  }
 };
 
 }  // namespace
@@ -159,7 +163,8 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
     const auto& v = mesh.triangles[t].vertex;
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-      edges.push_back({source.meshes[mesh.triangles[t].mesh].nodeIndex, std::min(a, b), std::max(a, b), t, a < b});
+      edges.push_back(
+          {source.meshes[mesh.triangles[t].mesh].nodeIndex, std::min(a, b), std::max(a, b), t, a < b});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
@@ -169,7 +174,9 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
   std::vector<bool> open(mesh.triangles.size(), false);
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     int balance = 0;
-    for (j = i; j < edges.size() && edges[j].node == edges[i].node && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j) {
+    for (j = i; j < edges.size() && edges[j].node == edges[i].node && edges[j].a == edges[i].a &&
+                edges[j].b == edges[i].b;
+         ++j) {
       pieces.join(edges[i].triangle, edges[j].triangle);
       balance += edges[j].forward ? 1 : -1;
     }
@@ -177,7 +184,8 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
   }
   std::vector<bool> pieceOpen(mesh.triangles.size(), false);
   std::vector<double> volume(mesh.triangles.size(), 0);
-  std::vector<Vec3> low(mesh.triangles.size(), Vec3{1e300, 1e300, 1e300}), high(mesh.triangles.size(), Vec3{-1e300, -1e300, -1e300});
+  std::vector<Vec3> low(mesh.triangles.size(), Vec3{1e300, 1e300, 1e300}),
+      high(mesh.triangles.size(), Vec3{-1e300, -1e300, -1e300});
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!doubleSided(mesh.triangles[t].mesh)) continue;
     const std::uint32_t piece = pieces.find(t);
@@ -187,7 +195,8 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
     for (const std::uint32_t i : v) {
       const Vec3& p = mesh.positions[i];
       low[piece] = {std::min(low[piece].x, p.x), std::min(low[piece].y, p.y), std::min(low[piece].z, p.z)};
-      high[piece] = {std::max(high[piece].x, p.x), std::max(high[piece].y, p.y), std::max(high[piece].z, p.z)};
+      high[piece] = {std::max(high[piece].x, p.x), std::max(high[piece].y, p.y),
+                     std::max(high[piece].z, p.z)};
     }
   }
   std::vector<Face> faces;

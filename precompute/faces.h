@@ -23,8 +23,8 @@ struct WeldedTriangle {
 struct WeldedMesh {
   std::vector<Vec3> positions;  // m
   std::vector<WeldedTriangle> triangles;
-  double tolerance = 0;    // m, vertices closer than this are one
-  double diagonal = 0;     // m, of the bounding box
+  double tolerance = 0;                         // m, vertices closer than this are one
+  double diagonal = 0;                          // m, of the bounding box
   std::size_t withoutArea = 0, duplicates = 0;  // triangles that were dropped
 };
 
@@ -43,8 +43,8 @@ inline Vec3 areaVector(const std::vector<Vec3>& positions, const std::array<std:
   return 0.5 * cross(positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]]);
 }
 
-/// The back faces that double-sided sheets have: those of double-sided materials whose connected piece is open, or is a
-/// solid turned inside out. Closed pieces need none: nothing can be seen from behind them.
+/// The back faces that double-sided sheets have: those of double-sided materials whose connected piece is
+/// open, or is a solid turned inside out. Closed pieces need none: nothing can be seen from behind them.
 std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh);
 
 }  // namespace fiatlux

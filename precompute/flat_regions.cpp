@@ -16,7 +16,8 @@ class VertexLattice {
  public:
   VertexLattice(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& vertices, double cell)
       : positions_(positions), cell_(cell) {
-    for (const std::uint32_t v : vertices) cells_[key(at(positions[v].x), at(positions[v].y), at(positions[v].z))].push_back(v);
+    for (const std::uint32_t v : vertices)
+      cells_[key(at(positions[v].x), at(positions[v].y), at(positions[v].z))].push_back(v);
   }
 
   /// Calls visit(v) for vertices near the segment (some more than once); returns how much work that was.
@@ -60,15 +61,17 @@ class VertexLattice {
  private:
   std::int64_t at(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-    return (static_cast<std::uint64_t>(x) & 0x1fffff) << 42 | (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 |
-           (static_cast<std::uint64_t>(z) & 0x1fffff);
+    return (static_cast<std::uint64_t>(x) & 0x1fffff) << 42 |
+           (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 | (static_cast<std::uint64_t>(z) & 0x1fffff);
   }
   const std::vector<Vec3>& positions_;
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-bool edgeLess(const SubEdge& x, const SubEdge& y) { return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face); }
+bool edgeLess(const SubEdge& x, const SubEdge& y) {
+  return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+}
 
 SubEdge makeEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face) {
   return {std::min(from, to), std::max(from, to), face, from < to};
@@ -95,7 +98,8 @@ void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-  const double cell = std::max({lengths[lengths.size() / 2], total / (16.0 * open.size()), 4 * mesh.tolerance});
+  const double cell =
+      std::max({lengths[lengths.size() / 2], total / (16.0 * open.size()), 4 * mesh.tolerance});
   const VertexLattice lattice(mesh.positions, vertices, cell);
 
   const std::size_t budget = 20'000'000 + 500 * open.size();
@@ -139,13 +143,15 @@ void straightSides(const std::vector<Vec3>& loop, double tolerance, Side side) {
   std::size_t start = 0;
   double sharpest = 2;
   for (std::size_t i = 0; i < n; ++i) {
-    const double turn = dot(normalized(loop[i] - loop[(i + n - 1) % n]), normalized(loop[(i + 1) % n] - loop[i]));
+    const double turn =
+        dot(normalized(loop[i] - loop[(i + n - 1) % n]), normalized(loop[(i + 1) % n] - loop[i]));
     if (turn < sharpest) sharpest = turn, start = i;
   }
   Vec3 from = loop[start], direction = normalized(loop[(start + 1) % n] - from), last = from;
   for (std::size_t i = 1; i <= n; ++i) {
     const Vec3 p = loop[(start + i) % n], d = p - from;
-    const bool onLine = length(d - dot(d, direction) * direction) < 4 * tolerance && dot(p - last, direction) > 0;
+    const bool onLine =
+        length(d - dot(d, direction) * direction) < 4 * tolerance && dot(p - last, direction) > 0;
     if (!onLine) {
       side(from, last);
       from = last;
@@ -165,7 +171,8 @@ FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   set.faces = std::move(faces);
   set.edges.reserve(3 * set.faces.size());
   for (std::uint32_t f = 0; f < set.faces.size(); ++f)
-    for (int i = 0; i < 3; ++i) set.edges.push_back(makeEdge(set.faces[f].vertex[i], set.faces[f].vertex[(i + 1) % 3], f));
+    for (int i = 0; i < 3; ++i)
+      set.edges.push_back(makeEdge(set.faces[f].vertex[i], set.faces[f].vertex[(i + 1) % 3], f));
   std::sort(set.edges.begin(), set.edges.end(), edgeLess);
   splitAtJunctions(mesh, set.edges);
   set.faceEdgeOffset.assign(set.faces.size() + 1, 0);
@@ -178,7 +185,9 @@ FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   // Neighbours: all pairs on an edge; where very many faces meet, each with the next.
   const auto eachPair = [&](auto visit) {
     for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
-      for (j = i + 1; j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b; ++j) {
+      for (j = i + 1;
+           j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b;
+           ++j) {
       }
       for (std::size_t k = i + 1; k < j; ++k)
         for (std::size_t m = j - i < 16 ? i : k - 1; m < k; ++m)
@@ -241,7 +250,8 @@ std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool
         const double height = 2 * areas[f] / longest;
         const bool narrow = height <= 40 * mesh.tolerance;
         const double least = narrow ? 0.5 : kSameNormal;
-        const double most = strict || narrow ? planeTolerance : std::max(planeTolerance, 0.01 * std::sqrt(region.area));
+        const double most =
+            strict || narrow ? planeTolerance : std::max(planeTolerance, 0.01 * std::sqrt(region.area));
         if (off <= most && dot(vectors[f], normal) >= least * areas[f]) take(f);
       }
     }
@@ -256,7 +266,8 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
   // Boundary = sub-edges that the faces' turns do not cancel.
   std::vector<SubEdge> pieces;
   for (const std::uint32_t f : faces)
-    for (std::uint32_t i = set.faceEdgeOffset[f]; i < set.faceEdgeOffset[f + 1]; ++i) pieces.push_back(set.edges[set.faceEdges[i]]);
+    for (std::uint32_t i = set.faceEdgeOffset[f]; i < set.faceEdgeOffset[f + 1]; ++i)
+      pieces.push_back(set.edges[set.faceEdges[i]]);
   std::sort(pieces.begin(), pieces.end(), edgeLess);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;  // directed, from -> to
   for (std::size_t i = 0, j; i < pieces.size(); i = j) {
@@ -277,13 +288,16 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
     if (l < longest * (1 - 1e-3) || l <= 0) return;
     Vec3 unit = (1 / l) * d;
     const double largest = std::max({std::abs(unit.x), std::abs(unit.y), std::abs(unit.z)});
-    const double lead = std::abs(unit.x) > largest - 1e-9 ? unit.x : std::abs(unit.y) > largest - 1e-9 ? unit.y : unit.z;
+    const double lead = std::abs(unit.x) > largest - 1e-9   ? unit.x
+                        : std::abs(unit.y) > largest - 1e-9 ? unit.y
+                                                            : unit.z;
     if (lead < 0) unit = -unit;
     const auto rank = [](const Vec3& u) {
       const auto rounded = [](double x) { return std::round(std::abs(x) * 1e4); };
       return std::array{rounded(u.x), rounded(u.y), rounded(u.z)};
     };
-    if (l > longest * (1 + 1e-3) || rank(unit) > rank(outline.longestDirection)) outline.longestDirection = unit;
+    if (l > longest * (1 + 1e-3) || rank(unit) > rank(outline.longestDirection))
+      outline.longestDirection = unit;
     longest = std::max(longest, l);
   };
   std::vector<Vec3> loop;
@@ -296,11 +310,14 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
       // Where boundaries touch, go on as straight as possible.
       std::size_t best = steps.size();
       double straightest = -3;
-      for (auto s = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), std::pair{at, 0u}) - steps.begin());
+      for (auto s = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), std::pair{at, 0u}) -
+                                             steps.begin());
            s < steps.size() && steps[s].first == at; ++s) {
         if (used[s]) continue;
-        const double straight = loop.empty() ? 0 : dot(normalized(mesh.positions[at] - loop.back()),
-                                                       normalized(mesh.positions[steps[s].second] - mesh.positions[at]));
+        const double straight = loop.empty()
+                                    ? 0
+                                    : dot(normalized(mesh.positions[at] - loop.back()),
+                                          normalized(mesh.positions[steps[s].second] - mesh.positions[at]));
         if (straight > straightest) straightest = straight, best = s;
       }
       loop.push_back(mesh.positions[at]);

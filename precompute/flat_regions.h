@@ -17,13 +17,13 @@ struct SubEdge {
 /// Faces of one group with their neighbourhood.
 struct FaceSet {
   std::vector<Face> faces;
-  std::vector<SubEdge> edges;  // sorted by (a, b, face)
+  std::vector<SubEdge> edges;                            // sorted by (a, b, face)
   std::vector<std::uint32_t> faceEdgeOffset, faceEdges;  // indices into edges, per face
   std::vector<std::uint32_t> neighborOffset, neighbors;  // faces that share a sub-edge, per face
 };
 
-/// Splits edges at vertices that lie on them and finds who shares what. O(N log N) but for pathological soups, which
-/// are cut short (their T-junctions stay open).
+/// Splits edges at vertices that lie on them and finds who shares what. O(N log N) but for pathological
+/// soups, which are cut short (their T-junctions stay open).
 FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces);
 
 struct Region {
@@ -32,14 +32,15 @@ struct Region {
   double area = 0;                   // m2
 };
 
-/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent by up to
-/// 3 degrees and 1 % of its size, as hand-made walls are.
+/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent
+/// by up to 3 degrees and 1 % of its size, as hand-made walls are.
 std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
 
 /// The straight sides of a region's boundary: neighbouring edges in one line are one side.
 struct Outline {
-  double perimeter = 0;      // m
-  Vec3 longestDirection;     // unit, of the longest side (ties: nearest to x, then y, then z); zero without a boundary
+  double perimeter = 0;   // m
+  Vec3 longestDirection;  // unit, of the longest side (ties: nearest to x, then y, then z); zero without a
+                          // boundary
 };
 Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces);
 

@@ -25,7 +25,8 @@ class GlbWriter {
   }
 
   int addAccessor(int view, int componentType, bool normalized, std::size_t count, const char* type) {
-    nlohmann::ordered_json accessor = {{"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}};
+    nlohmann::ordered_json accessor = {
+        {"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}};
     if (normalized) accessor["normalized"] = true;
     return append("accessors", std::move(accessor));
   }

@@ -1,5 +1,6 @@
 // Every count, index, extent and reference of a glTF's JSON, checked before a library trusts them.
-// glTF 2.0 specification, sections 3.6 (buffers, accessors), 3.7 (geometry), 3.5 (scenes) and 3.12 (extensions).
+// glTF 2.0 specification, sections 3.6 (buffers, accessors), 3.7 (geometry), 3.5 (scenes) and 3.12
+// (extensions).
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -13,14 +14,17 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kAgain = "; export the file again";
-constexpr std::array kAcceptedExtensions = {"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform",
-                                            "KHR_lights_punctual", "KHR_materials_emissive_strength"};
+constexpr std::array kAcceptedExtensions = {"KHR_mesh_quantization", "KHR_materials_unlit",
+                                            "KHR_texture_transform", "KHR_lights_punctual",
+                                            "KHR_materials_emissive_strength"};
 
-std::string placeOf(const char* kind, std::size_t index) { return std::string(kind) + " " + std::to_string(index); }
+std::string placeOf(const char* kind, std::size_t index) {
+  return std::string(kind) + " " + std::to_string(index);
+}
 
 /// A whole number of `object`, at most `most`; `fallback` when absent, or an error when `required`.
-std::size_t whole(const json& object, const char* key, const std::string& place, std::size_t most, bool required = false,
-                  std::size_t fallback = 0) {
+std::size_t whole(const json& object, const char* key, const std::string& place, std::size_t most,
+                  bool required = false, std::size_t fallback = 0) {
   const auto found = object.find(key);
   if (found == object.end()) {
     if (required) throw GltfError(place + " lacks its '" + key + "'" + kAgain);
@@ -46,14 +50,17 @@ const json& arrayOf(const json& object, const char* key) {
   if (found == object.end()) return kEmpty;
   if (!found->is_array()) throw GltfError(std::string("'") + key + "' is not a list" + kAgain);
   for (const json& entry : *found)
-    if (!entry.is_object()) throw GltfError(std::string("'") + key + "' holds something that is not an object" + kAgain);
+    if (!entry.is_object())
+      throw GltfError(std::string("'") + key + "' holds something that is not an object" + kAgain);
   return *found;
 }
 
 /// Checks that `key`, where present, is the index of one of `count` things.
-void checkIndex(const json& object, const char* key, const std::string& place, std::size_t count, bool required = false) {
+void checkIndex(const json& object, const char* key, const std::string& place, std::size_t count,
+                bool required = false) {
   if (!object.contains(key) && !required) return;
-  if (count == 0) throw GltfError(place + ": '" + key + "' points at something the file does not have" + kAgain);
+  if (count == 0)
+    throw GltfError(place + ": '" + key + "' points at something the file does not have" + kAgain);
   whole(object, key, place, count - 1, required);
 }
 
@@ -67,11 +74,13 @@ void checkNumbers(const json& object, const char* key, const std::string& place,
 }
 
 void checkString(const json& object, const char* key, const std::string& place) {
-  if (object.contains(key) && !object[key].is_string()) throw GltfError(place + ": '" + key + "' is not text" + kAgain);
+  if (object.contains(key) && !object[key].is_string())
+    throw GltfError(place + ": '" + key + "' is not text" + kAgain);
 }
 
 void checkObject(const json& object, const char* key, const std::string& place) {
-  if (object.contains(key) && !object[key].is_object()) throw GltfError(place + ": '" + key + "' is not an object" + kAgain);
+  if (object.contains(key) && !object[key].is_object())
+    throw GltfError(place + ": '" + key + "' is not an object" + kAgain);
 }
 
 void checkAssetAndExtensions(const json& gltf) {
@@ -80,17 +89,19 @@ void checkAssetAndExtensions(const json& gltf) {
     throw GltfError("it does not say which glTF version it is ('asset.version'); export as glTF 2.0");
   const std::string version = (*asset)["version"];
   if (version.compare(0, 2, "2.") != 0)
-    throw GltfError("glTF version '" + cleanText(version.substr(0, 200)) + "' is not 2.0; export as glTF 2.0");
+    throw GltfError("glTF version '" + cleanText(version.substr(0, 200)) +
+                    "' is not 2.0; export as glTF 2.0");
   if (!gltf.contains("extensionsRequired")) return;
-  if (!gltf["extensionsRequired"].is_array()) throw GltfError(std::string("'extensionsRequired' is not a list") + kAgain);
+  if (!gltf["extensionsRequired"].is_array())
+    throw GltfError(std::string("'extensionsRequired' is not a list") + kAgain);
   for (const json& name : gltf["extensionsRequired"]) {
     const std::string text = name.is_string() ? name.get<std::string>() : "?";
     bool accepted = false;
     for (const char* known : kAcceptedExtensions) accepted = accepted || text == known;
     if (accepted) continue;
     const bool packed = text.find("draco") != std::string::npos || text.find("meshopt") != std::string::npos;
-    throw GltfError("it requires the extension '" + cleanText(text.substr(0, 400)) + "', which is not understood; export without " +
-                    (packed ? "compression" : "it"));
+    throw GltfError("it requires the extension '" + cleanText(text.substr(0, 400)) +
+                    "', which is not understood; export without " + (packed ? "compression" : "it"));
   }
 }
 
@@ -99,7 +110,8 @@ void checkBuffers(const json& gltf) {
   for (const json& buffer : arrayOf(gltf, "buffers")) {
     const std::string place = placeOf("buffer", index++);
     total += whole(buffer, "byteLength", place, GltfBudget::kBytes, true);
-    if (total > GltfBudget::kBytes) throw GltfError("its buffers exceed 256 MB together; make the meshes or textures smaller");
+    if (total > GltfBudget::kBytes)
+      throw GltfError("its buffers exceed 256 MB together; make the meshes or textures smaller");
     checkString(buffer, "uri", place);
   }
   const json& buffers = arrayOf(gltf, "buffers");
@@ -120,7 +132,10 @@ void checkBuffers(const json& gltf) {
 }
 
 std::size_t componentBytes(std::size_t type) {
-  return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : type == 5125 || type == 5126 ? 4 : 0;
+  return type == 5120 || type == 5121   ? 1
+         : type == 5122 || type == 5123 ? 2
+         : type == 5125 || type == 5126 ? 4
+                                        : 0;
 }
 
 std::size_t elementBytes(const std::string& type, std::size_t component) {
@@ -135,7 +150,8 @@ std::size_t elementBytes(const std::string& type, std::size_t component) {
 }
 
 /// Checks that `count` elements fit into the view that `object` names.
-void checkExtent(const json& object, const json& views, const std::string& place, std::size_t count, std::size_t element) {
+void checkExtent(const json& object, const json& views, const std::string& place, std::size_t count,
+                 std::size_t element) {
   checkIndex(object, "bufferView", place, views.size(), true);
   const json& view = views[object["bufferView"].get<std::size_t>()];
   const auto length = view["byteLength"].get<std::size_t>();
@@ -143,7 +159,8 @@ void checkExtent(const json& object, const json& views, const std::string& place
   const std::size_t stride = view.contains("byteStride") ? view["byteStride"].get<std::size_t>() : element;
   if (stride < element) throw GltfError(place + ": its elements overlap in the buffer view" + kAgain);
   if (offset > length || element > length - offset || (count - 1) > (length - offset - element) / stride)
-    throw GltfError(place + ": " + std::to_string(count) + " elements do not fit into its buffer view" + kAgain);
+    throw GltfError(place + ": " + std::to_string(count) + " elements do not fit into its buffer view" +
+                    kAgain);
 }
 
 void checkAccessors(const json& gltf) {
@@ -171,7 +188,8 @@ void checkAccessors(const json& gltf) {
     if (changed == 0 || !sparse.contains("indices") || !sparse.contains("values"))
       throw GltfError(place + ": its sparse part lacks indices or values" + kAgain);
     const std::size_t type = whole(sparse["indices"], "componentType", place + " (sparse)", 5126, true);
-    if (type != 5121 && type != 5123 && type != 5125) throw GltfError(place + ": its sparse indices have a wrong type" + kAgain);
+    if (type != 5121 && type != 5123 && type != 5125)
+      throw GltfError(place + ": its sparse indices have a wrong type" + kAgain);
     checkExtent(sparse["indices"], views, place + " (sparse indices)", changed, componentBytes(type));
     checkExtent(sparse["values"], views, place + " (sparse values)", changed, element);
   }
@@ -199,9 +217,11 @@ void checkMeshes(const json& gltf) {
         if (count != 0 && accessor["count"] != count)
           throw GltfError(place + ": its attributes have different counts" + kAgain);
         count = accessor["count"].get<std::size_t>();
-        if (name == "POSITION" && accessor["type"] != "VEC3") throw GltfError(place + ": POSITION is not three numbers a vertex" + kAgain);
+        if (name == "POSITION" && accessor["type"] != "VEC3")
+          throw GltfError(place + ": POSITION is not three numbers a vertex" + kAgain);
       }
-      if (primitive.contains("indices") && accessors[primitive["indices"].get<std::size_t>()]["type"] != "SCALAR")
+      if (primitive.contains("indices") &&
+          accessors[primitive["indices"].get<std::size_t>()]["type"] != "SCALAR")
         throw GltfError(place + ": its indices are not single numbers" + kAgain);
     }
   }
@@ -249,7 +269,8 @@ void checkMaterials(const json& gltf) {
 /// Every node has at most one parent, so that a walk from the roots meets each node once and ends.
 void checkNodes(const json& gltf) {
   const json& nodes = arrayOf(gltf, "nodes");
-  if (nodes.size() > GltfBudget::kNodes) throw GltfError("more than a million nodes; join meshes before export");
+  if (nodes.size() > GltfBudget::kNodes)
+    throw GltfError("more than a million nodes; join meshes before export");
   std::vector<std::uint32_t> parent(nodes.size(), UINT32_MAX);
   const std::size_t meshes = arrayOf(gltf, "meshes").size();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -265,7 +286,8 @@ void checkNodes(const json& gltf) {
       if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes.size())
         throw GltfError(place + ": 'children' names a node that is not there" + kAgain);
       auto& up = parent[child.get<std::size_t>()];
-      if (up != UINT32_MAX) throw GltfError(placeOf("node", child.get<std::size_t>()) + " has two parents" + kAgain);
+      if (up != UINT32_MAX)
+        throw GltfError(placeOf("node", child.get<std::size_t>()) + " has two parents" + kAgain);
       up = static_cast<std::uint32_t>(i);
     }
   }
@@ -276,7 +298,8 @@ void checkNodes(const json& gltf) {
       if (mark[at] != UINT32_MAX) break;
       mark[at] = i;
       if (parent[at] != UINT32_MAX && mark[parent[at]] == i)
-        throw GltfError(placeOf("node", at) + " is its own ancestor; untie the cycle in the modelling program");
+        throw GltfError(placeOf("node", at) +
+                        " is its own ancestor; untie the cycle in the modelling program");
     }
   std::size_t index = 0;
   for (const json& scene : arrayOf(gltf, "scenes")) {

@@ -1,4 +1,5 @@
-// Opening of a glTF container: GLB chunks or plain JSON, a depth-limited parse, and the bytes behind each uri.
+// Opening of a glTF container: GLB chunks or plain JSON, a depth-limited parse, and the bytes behind each
+// uri.
 #include "precompute/gltf_document.h"
 
 #include <algorithm>
@@ -58,7 +59,8 @@ struct DepthGuard : json::json_sax_t {
 };
 
 std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
-  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
 }
 
 struct Container {
@@ -69,7 +71,8 @@ struct Container {
 
 Container openGlb(const std::vector<std::uint8_t>& bytes) {
   if (bytes.size() < 20) throw GltfError("the GLB is cut off; export it again");
-  if (word(bytes, 4) != 2) throw GltfError("GLB version " + std::to_string(word(bytes, 4)) + " is not 2; export as glTF 2.0");
+  if (word(bytes, 4) != 2)
+    throw GltfError("GLB version " + std::to_string(word(bytes, 4)) + " is not 2; export as glTF 2.0");
   const std::size_t total = word(bytes, 8);
   if (total > bytes.size() || total < 20)
     throw GltfError("the GLB says it has " + std::to_string(total) + " bytes but the file has " +
@@ -78,7 +81,8 @@ Container openGlb(const std::vector<std::uint8_t>& bytes) {
   for (std::size_t at = 12; at + 8 <= total;) {
     const std::size_t size = word(bytes, at), type = word(bytes, at + 4);
     if (size > total - at - 8)
-      throw GltfError("the GLB chunk at byte " + std::to_string(at) + " is longer than the file; it is damaged, export it again");
+      throw GltfError("the GLB chunk at byte " + std::to_string(at) +
+                      " is longer than the file; it is damaged, export it again");
     if (at == 12 && type != 0x4e4f534a) throw GltfError("the GLB does not start with JSON; export it again");
     if (at == 12) {
       found.text = reinterpret_cast<const char*>(bytes.data()) + 20;
@@ -96,7 +100,8 @@ Container openContainer(const std::vector<std::uint8_t>& bytes) {
   if (bytes.empty()) throw GltfError("the file is empty; export it again");
   if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) return openGlb(bytes);
   Container found{reinterpret_cast<const char*>(bytes.data()), bytes.size(), 0, 0};
-  if (bytes.size() >= 3 && std::memcmp(bytes.data(), "\xef\xbb\xbf", 3) == 0) found.text += 3, found.textSize -= 3;
+  if (bytes.size() >= 3 && std::memcmp(bytes.data(), "\xef\xbb\xbf", 3) == 0)
+    found.text += 3, found.textSize -= 3;
   std::size_t first = 0;
   while (first < found.textSize && std::strchr(" \t\r\n", found.text[first]) && found.text[first]) ++first;
   if (first == found.textSize || found.text[first] != '{')
@@ -111,7 +116,8 @@ int base64Value(unsigned char c) {
   return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
 }
 
-std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::string& place, std::string* mimeType) {
+std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::string& place,
+                                        std::string* mimeType) {
   const std::size_t comma = uri.find(',');
   const std::string head = uri.substr(0, std::min<std::size_t>(comma, 100));
   if (comma == std::string::npos || head.find(";base64") == std::string::npos)
@@ -125,7 +131,8 @@ std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::strin
   int count = 0;
   for (std::size_t i = comma + 1; i < end; ++i) {
     const int value = base64Value(uri[i]);
-    if (value < 0) throw GltfError(place + ": bad base64 at character " + std::to_string(i) + "; export the file again");
+    if (value < 0)
+      throw GltfError(place + ": bad base64 at character " + std::to_string(i) + "; export the file again");
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     if ((count += 6) >= 8) bytes.push_back(static_cast<std::uint8_t>(bits >> (count -= 8)));
   }
@@ -135,7 +142,12 @@ std::vector<std::uint8_t> decodeDataUri(const std::string& uri, const std::strin
 
 std::string percentDecoded(const std::string& uri) {
   std::string text;
-  const auto hex = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; };
+  const auto hex = [](char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+  };
   for (std::size_t i = 0; i < uri.size(); ++i) {
     if (uri[i] == '%' && i + 2 < uri.size() && hex(uri[i + 1]) >= 0 && hex(uri[i + 2]) >= 0) {
       text += static_cast<char>(hex(uri[i + 1]) * 16 + hex(uri[i + 2]));
@@ -153,11 +165,14 @@ std::string siblingPath(const std::string& uri, const std::string& folder, const
   const std::string cure = "; put the file beside the glTF and name it plainly, or export as .glb";
   if (name.find("//") != std::string::npos || name.find(':') != std::string::npos)
     throw GltfError(place + " names the address " + shown + ", and nothing is fetched" + cure);
-  if (name.empty() || name[0] == '/' || name[0] == '~' || name.find('\\') != std::string::npos || name.find('\0') != std::string::npos)
+  if (name.empty() || name[0] == '/' || name[0] == '~' || name.find('\\') != std::string::npos ||
+      name.find('\0') != std::string::npos)
     throw GltfError(place + " names " + shown + ", which is not a plain relative name" + cure);
   for (const fs::path& part : fs::path(name))
-    if (part == "..") throw GltfError(place + " names " + shown + ", which lies outside the file's folder" + cure);
-  if (folder.empty()) throw GltfError(place + " names " + shown + ", but this file stands alone; export as .glb");
+    if (part == "..")
+      throw GltfError(place + " names " + shown + ", which lies outside the file's folder" + cure);
+  if (folder.empty())
+    throw GltfError(place + " names " + shown + ", but this file stands alone; export as .glb");
   std::error_code error;
   const fs::path root = fs::canonical(folder, error), path = fs::canonical(root / name, error);
   if (error) throw MissingFile(place + " names " + shown + ", which is not there" + cure);
@@ -166,13 +181,18 @@ std::string siblingPath(const std::string& uri, const std::string& folder, const
   return path.string();
 }
 
-std::string placeOf(const char* kind, std::size_t index) { return std::string(kind) + " " + std::to_string(index); }
+std::string placeOf(const char* kind, std::size_t index) {
+  return std::string(kind) + " " + std::to_string(index);
+}
 
-std::vector<std::uint8_t> bytesBehind(const std::string& uri, const std::string& folder, const std::string& place,
-                                      std::size_t& budget, std::string* mimeType = nullptr) {
+std::vector<std::uint8_t> bytesBehind(const std::string& uri, const std::string& folder,
+                                      const std::string& place, std::size_t& budget,
+                                      std::string* mimeType = nullptr) {
   auto bytes = uri.compare(0, 5, "data:") == 0 ? decodeDataUri(uri, place, mimeType)
                                                : readWholeFile(siblingPath(uri, folder, place));
-  if (bytes.size() > budget) throw GltfError(place + ": the file and what it names exceed 256 MB; make the textures or meshes smaller");
+  if (bytes.size() > budget)
+    throw GltfError(place +
+                    ": the file and what it names exceed 256 MB; make the textures or meshes smaller");
   budget -= bytes.size();
   return bytes;
 }
@@ -189,13 +209,14 @@ void loadBuffers(GltfDocument& document, const std::vector<std::uint8_t>& file, 
       bytes = bytesBehind(buffer["uri"].get<std::string>(), folder, place, budget);
       buffer.erase("uri");
     } else if (index == 0 && container.binSize > 0) {
-      bytes.assign(file.begin() + container.binOffset, file.begin() + container.binOffset + container.binSize);
+      bytes.assign(file.begin() + container.binOffset,
+                   file.begin() + container.binOffset + container.binSize);
     } else {
       throw GltfError(place + " has neither an address nor a GLB chunk; export the file again");
     }
     if (bytes.size() < length)
-      throw GltfError(place + " should have " + std::to_string(length) + " bytes but has " + std::to_string(bytes.size()) +
-                      "; the file is cut off, copy or export it again");
+      throw GltfError(place + " should have " + std::to_string(length) + " bytes but has " +
+                      std::to_string(bytes.size()) + "; the file is cut off, copy or export it again");
     document.buffers.push_back(std::move(bytes));
     ++index;
   }
@@ -206,7 +227,8 @@ std::set<std::size_t> imagesInUse(const json& gltf) {
   std::set<std::size_t> used;
   if (!gltf.contains("materials")) return used;
   for (const json& material : gltf["materials"]) {
-    const json texture = material.value("pbrMetallicRoughness", json::object()).value("baseColorTexture", json::object());
+    const json texture =
+        material.value("pbrMetallicRoughness", json::object()).value("baseColorTexture", json::object());
     if (!texture.contains("index")) continue;
     const json& entry = gltf["textures"][texture["index"].get<std::size_t>()];
     if (entry.contains("source")) used.insert(entry["source"].get<std::size_t>());
@@ -224,14 +246,17 @@ void loadImages(GltfDocument& document, const std::string& folder, std::size_t& 
     loaded.mimeType = image.contains("mimeType") ? cleanText(image["mimeType"].get<std::string>()) : "";
     if (image.contains("uri")) {
       try {
-        if (used.count(index)) loaded.bytes = bytesBehind(image["uri"], folder, place, budget, &loaded.mimeType);
+        if (used.count(index))
+          loaded.bytes = bytesBehind(image["uri"], folder, place, budget, &loaded.mimeType);
       } catch (const MissingFile& missing) {
-        document.warnings.push_back(std::string(missing.what()) + " (its colour is taken without the picture)");
+        document.warnings.push_back(std::string(missing.what()) +
+                                    " (its colour is taken without the picture)");
       }
     } else if (image.contains("bufferView") && used.count(index)) {
       const json& view = document.json["bufferViews"][image["bufferView"].get<std::size_t>()];
       const auto& buffer = document.buffers[view["buffer"].get<std::size_t>()];
-      const auto begin = buffer.begin() + static_cast<std::ptrdiff_t>(view.value("byteOffset", std::size_t{0}));
+      const auto begin =
+          buffer.begin() + static_cast<std::ptrdiff_t>(view.value("byteOffset", std::size_t{0}));
       loaded.bytes.assign(begin, begin + static_cast<std::ptrdiff_t>(view["byteLength"].get<std::size_t>()));
     }
     document.images.push_back(std::move(loaded));
@@ -260,7 +285,8 @@ std::vector<std::uint8_t> readWholeFile(const std::string& path) {
   if (!fs::is_regular_file(path, error)) throw GltfError(shown + " is not a file; name a .glb or .gltf file");
   const auto size = fs::file_size(path, error);
   if (error || size > GltfBudget::kBytes)
-    throw GltfError(shown + " has " + std::to_string(size >> 20) + " MB, and 256 MB are accepted; make the textures or meshes smaller");
+    throw GltfError(shown + " has " + std::to_string(size >> 20) +
+                    " MB, and 256 MB are accepted; make the textures or meshes smaller");
   std::ifstream file(path, std::ios::binary);
   std::vector<std::uint8_t> bytes(size);
   if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)) && size > 0)
@@ -269,7 +295,8 @@ std::vector<std::uint8_t> readWholeFile(const std::string& path) {
 }
 
 GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const std::string& folder) {
-  if (bytes.size() > GltfBudget::kBytes) throw GltfError("more than 256 MB; make the textures or meshes smaller");
+  if (bytes.size() > GltfBudget::kBytes)
+    throw GltfError("more than 256 MB; make the textures or meshes smaller");
   const Container container = openContainer(bytes);
   const char* end = container.text + container.textSize;
   while (end > container.text && (end[-1] == '\0' || end[-1] == ' ')) --end;  // padding of a GLB chunk

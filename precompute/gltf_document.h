@@ -1,5 +1,5 @@
-// A glTF file as checked JSON with its bytes at hand: container, depth, sizes and addresses are verified here, before
-// any glTF library sees them. Files named inside are opened only below the file's own folder.
+// A glTF file as checked JSON with its bytes at hand: container, depth, sizes and addresses are verified
+// here, before any glTF library sees them. Files named inside are opened only below the file's own folder.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct GltfError : std::runtime_error {
 };
 
 struct GltfDocument {
-  nlohmann::json json;                              // counts, indices and extents checked; uris removed
-  std::vector<std::vector<std::uint8_t>> buffers;   // at least byteLength bytes each
+  nlohmann::json json;                             // counts, indices and extents checked; uris removed
+  std::vector<std::vector<std::uint8_t>> buffers;  // at least byteLength bytes each
   struct Image {
     std::vector<std::uint8_t> bytes;  // encoded; empty when no material needs it or it could not be read
     std::string mimeType;
@@ -33,7 +33,7 @@ struct GltfBudget {
   static constexpr int kDepth = 64;                              // of the JSON
   static constexpr std::size_t kValues = 16'000'000;             // of the JSON
   static constexpr std::size_t kNodes = 1'000'000;
-  static constexpr std::size_t kTriangles = 5'000'000;           // after instancing
+  static constexpr std::size_t kTriangles = 5'000'000;  // after instancing
 };
 
 /// Reads a file whole; throws GltfError when it is not a plain file or too large.

@@ -1,5 +1,6 @@
-// glTF 2.0 -> SourceScene: accessors of any type, node transforms, materials. The only file that includes tinygltf,
-// which gets checked JSON (gltf_document.h) and virtual buffers, so that it opens nothing and trusts nothing new.
+// glTF 2.0 -> SourceScene: accessors of any type, node transforms, materials. The only file that includes
+// tinygltf, which gets checked JSON (gltf_document.h) and virtual buffers, so that it opens nothing and
+// trusts nothing new.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +33,8 @@ constexpr double kFarthest = 1e5;  // m from the origin; beyond, single precisio
 
 std::string inQuotes(const std::string& name) { return "'" + name + "'"; }
 
-// --- tinygltf, with its doors shut -----------------------------------------------------------------------------------
+// --- tinygltf, with its doors shut
+// -----------------------------------------------------------------------------------
 
 /// Gives the document's JSON to tinygltf; buffers come from memory under made-up names, images stay outside.
 Model parseModel(GltfDocument& document) {
@@ -40,12 +42,14 @@ Model parseModel(GltfDocument& document) {
   json.erase("images");
   json.erase("animations");
   json.erase("cameras");
-  for (std::size_t i = 0; i < document.buffers.size(); ++i) json["buffers"][i]["uri"] = "buffer-" + std::to_string(i);
+  for (std::size_t i = 0; i < document.buffers.size(); ++i)
+    json["buffers"][i]["uri"] = "buffer-" + std::to_string(i);
   tinygltf::FsCallbacks files{};
   files.user_data = &document;
   files.FileExists = [](const std::string& name, void*) { return name.find("buffer-") != std::string::npos; };
   files.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name, void* user) {
+  files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name,
+                           void* user) {
     auto& source = *static_cast<GltfDocument*>(user);
     const auto index = std::strtoul(name.c_str() + name.rfind('-') + 1, nullptr, 10);
     if (index >= source.buffers.size()) return false;
@@ -53,19 +57,23 @@ Model parseModel(GltfDocument& document) {
     out->resize(source.json["buffers"][index]["byteLength"].get<std::size_t>());
     return true;
   };
-  files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
 
   const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(files);
   Model model;
   std::string error, warning;
-  if (!loader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()), ""))
+  if (!loader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()),
+                                  ""))
     throw GltfError("not understood: " + cleanText(error.substr(0, 400)) + "; export the file again");
   return model;
 }
 
-// --- accessors -------------------------------------------------------------------------------------------------------
+// --- accessors
+// -------------------------------------------------------------------------------------------------------
 
 double componentAt(const unsigned char* at, int type, bool normalized) {
   const auto read = [&](auto value) {
@@ -73,12 +81,18 @@ double componentAt(const unsigned char* at, int type, bool normalized) {
     return static_cast<double>(value);
   };
   switch (type) {
-    case 5120: return normalized ? std::max(read(std::int8_t{}) / 127, -1.0) : read(std::int8_t{});
-    case 5121: return read(std::uint8_t{}) / (normalized ? 255 : 1);
-    case 5122: return normalized ? std::max(read(std::int16_t{}) / 32767, -1.0) : read(std::int16_t{});
-    case 5123: return read(std::uint16_t{}) / (normalized ? 65535 : 1);
-    case 5125: return read(std::uint32_t{});
-    default: return read(float{});
+    case 5120:
+      return normalized ? std::max(read(std::int8_t{}) / 127, -1.0) : read(std::int8_t{});
+    case 5121:
+      return read(std::uint8_t{}) / (normalized ? 255 : 1);
+    case 5122:
+      return normalized ? std::max(read(std::int16_t{}) / 32767, -1.0) : read(std::int16_t{});
+    case 5123:
+      return read(std::uint16_t{}) / (normalized ? 65535 : 1);
+    case 5125:
+      return read(std::uint32_t{});
+    default:
+      return read(float{});
   }
 }
 
@@ -89,34 +103,42 @@ std::vector<T> readAccessor(const Model& model, int index) {
   const int width = tinygltf::GetNumComponentsInType(accessor.type);
   const int bytes = tinygltf::GetComponentSizeInBytes(accessor.componentType);
   std::vector<T> values(accessor.count * width, T{0});
-  const auto copy = [&](const tinygltf::BufferView& view, std::size_t offset, std::size_t element, std::size_t target) {
+  const auto copy = [&](const tinygltf::BufferView& view, std::size_t offset, std::size_t element,
+                        std::size_t target) {
     const std::size_t stride = view.byteStride ? view.byteStride : std::size_t(width) * bytes;
-    const unsigned char* at = model.buffers[view.buffer].data.data() + view.byteOffset + offset + element * stride;
+    const unsigned char* at =
+        model.buffers[view.buffer].data.data() + view.byteOffset + offset + element * stride;
     for (int c = 0; c < width; ++c)
-      values[target * width + c] = static_cast<T>(componentAt(at + c * bytes, accessor.componentType, accessor.normalized));
+      values[target * width + c] =
+          static_cast<T>(componentAt(at + c * bytes, accessor.componentType, accessor.normalized));
   };
   if (accessor.bufferView >= 0)
-    for (std::size_t i = 0; i < accessor.count; ++i) copy(model.bufferViews[accessor.bufferView], accessor.byteOffset, i, i);
+    for (std::size_t i = 0; i < accessor.count; ++i)
+      copy(model.bufferViews[accessor.bufferView], accessor.byteOffset, i, i);
   if (!accessor.sparse.isSparse) return values;
   const auto& sparse = accessor.sparse;
   const tinygltf::BufferView& view = model.bufferViews[sparse.indices.bufferView];
   const int indexBytes = tinygltf::GetComponentSizeInBytes(sparse.indices.componentType);
   for (int i = 0; i < sparse.count; ++i) {
-    const unsigned char* at = model.buffers[view.buffer].data.data() + view.byteOffset + sparse.indices.byteOffset + std::size_t(i) * indexBytes;
+    const unsigned char* at = model.buffers[view.buffer].data.data() + view.byteOffset +
+                              sparse.indices.byteOffset + std::size_t(i) * indexBytes;
     const double target = componentAt(at, sparse.indices.componentType, false);
     if (target >= static_cast<double>(accessor.count))
-      throw GltfError("accessor " + std::to_string(index) + ": a sparse index is out of range; export the file again");
-    copy(model.bufferViews[sparse.values.bufferView], sparse.values.byteOffset, i, static_cast<std::size_t>(target));
+      throw GltfError("accessor " + std::to_string(index) +
+                      ": a sparse index is out of range; export the file again");
+    copy(model.bufferViews[sparse.values.bufferView], sparse.values.byteOffset, i,
+         static_cast<std::size_t>(target));
   }
   return values;
 }
 
 template <std::size_t N>
-std::vector<std::array<float, N>> readVectors(const Model& model, const tinygltf::Primitive& primitive, const std::string& name,
-                                              float fill) {
+std::vector<std::array<float, N>> readVectors(const Model& model, const tinygltf::Primitive& primitive,
+                                              const std::string& name, float fill) {
   const auto found = primitive.attributes.find(name);
   if (found == primitive.attributes.end()) return {};
-  const auto width = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(model.accessors[found->second].type));
+  const auto width =
+      static_cast<std::size_t>(tinygltf::GetNumComponentsInType(model.accessors[found->second].type));
   const std::vector<float> values = readAccessor<float>(model, found->second);
   std::vector<std::array<float, N>> vectors(values.size() / width);
   for (std::size_t i = 0; i < vectors.size(); ++i)
@@ -127,7 +149,8 @@ std::vector<std::array<float, N>> readVectors(const Model& model, const tinygltf
   return vectors;
 }
 
-// --- primitives ------------------------------------------------------------------------------------------------------
+// --- primitives
+// ------------------------------------------------------------------------------------------------------
 
 std::size_t triangleCount(const Model& model, const tinygltf::Primitive& primitive) {
   const auto position = primitive.attributes.find("POSITION");
@@ -138,12 +161,14 @@ std::size_t triangleCount(const Model& model, const tinygltf::Primitive& primiti
 }
 
 /// A primitive in its own space, triangulated, only with the vertices it uses.
-SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitive, int texCoord, const std::string& place) {
+SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitive, int texCoord,
+                         const std::string& place) {
   auto positions = readVectors<3>(model, primitive, "POSITION", 0);
   const std::vector<float> raw = readAccessor<float>(model, primitive.attributes.at("POSITION"));
   for (std::size_t i = 0; i < raw.size(); ++i)
     if (!std::isfinite(raw[i]))
-      throw GltfError(place + ": vertex " + std::to_string(i / 3) + " is not a number; repair the mesh in the modelling program");
+      throw GltfError(place + ": vertex " + std::to_string(i / 3) +
+                      " is not a number; repair the mesh in the modelling program");
   std::vector<std::uint32_t> indices;
   if (primitive.indices >= 0) {
     indices = readAccessor<std::uint32_t>(model, primitive.indices);
@@ -153,8 +178,8 @@ SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitiv
   }
   for (std::size_t i = 0; i < indices.size(); ++i)
     if (indices[i] >= positions.size())
-      throw GltfError(place + ": index " + std::to_string(indices[i]) + " is out of range (" + std::to_string(positions.size()) +
-                      " vertices); export the file again");
+      throw GltfError(place + ": index " + std::to_string(indices[i]) + " is out of range (" +
+                      std::to_string(positions.size()) + " vertices); export the file again");
 
   SourceMesh mesh;
   const std::size_t triangles = triangleCount(model, primitive);
@@ -188,7 +213,8 @@ SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitiv
   return mesh;
 }
 
-// --- nodes -----------------------------------------------------------------------------------------------------------
+// --- nodes
+// -----------------------------------------------------------------------------------------------------------
 
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix c{};
@@ -209,9 +235,22 @@ Matrix parentFromNode(const tinygltf::Node& node) {
     const double norm = std::sqrt(x * x + y * y + z * z + w * w);
     if (norm > 0) {
       x /= norm, y /= norm, z /= norm, w /= norm;
-      m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
-           2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
-           2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1};
+      m = {1 - 2 * (y * y + z * z),
+           2 * (x * y + z * w),
+           2 * (x * z - y * w),
+           0,
+           2 * (x * y - z * w),
+           1 - 2 * (x * x + z * z),
+           2 * (y * z + x * w),
+           0,
+           2 * (x * z + y * w),
+           2 * (y * z - x * w),
+           1 - 2 * (x * x + y * y),
+           0,
+           0,
+           0,
+           0,
+           1};
     }
   }
   for (int c = 0; c < 3; ++c) {
@@ -231,11 +270,13 @@ void transform(SourceMesh& mesh, const Matrix& m, double scale) {
     if (!(farthest < kFarthest)) {
       char text[32];
       std::snprintf(text, sizeof text, "%.3g", farthest);
-      throw GltfError("node " + inQuotes(mesh.node) + " reaches " + text + " m from the origin; check its scale, or pass --scale");
+      throw GltfError("node " + inQuotes(mesh.node) + " reaches " + text +
+                      " m from the origin; check its scale, or pass --scale");
     }
   }
   const bool mirrored = dot(cross(a, b), c) < 0;
-  const Vec3 na = cross(b, c), nb = cross(c, a), nc = cross(a, b);  // rows of the inverse transpose, up to a factor
+  const Vec3 na = cross(b, c), nb = cross(c, a),
+             nc = cross(a, b);  // rows of the inverse transpose, up to a factor
   for (auto& normal : mesh.normals) {
     const Vec3 n = normalized((mirrored ? -1.0 : 1.0) * (normal[0] * na + normal[1] * nb + normal[2] * nc));
     normal = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
@@ -244,9 +285,11 @@ void transform(SourceMesh& mesh, const Matrix& m, double scale) {
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-NodeExtras readExtras(const tinygltf::Node& node, const std::string& name, std::vector<std::string>& warnings) {
+NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
+                      std::vector<std::string>& warnings) {
   NodeExtras extras;
-  if (!node.extras.IsObject() || !node.extras.Has("fiatlux") || !node.extras.Get("fiatlux").IsObject()) return extras;
+  if (!node.extras.IsObject() || !node.extras.Has("fiatlux") || !node.extras.Get("fiatlux").IsObject())
+    return extras;
   const tinygltf::Value& own = node.extras.Get("fiatlux");
   const auto wrong = [&](const char* key, const char* cure) {
     warnings.push_back("node " + inQuotes(name) + ": extras.fiatlux." + key + " is ignored; " + cure);
@@ -256,7 +299,8 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name, std::
     if (!own.Get(key).IsBool()) return wrong(key, "write true or false"), false;
     return own.Get(key).Get<bool>();
   };
-  const auto number = [&](const char* key, double least, double most, const char* cure) -> std::optional<double> {
+  const auto number = [&](const char* key, double least, double most,
+                          const char* cure) -> std::optional<double> {
     if (!own.Has(key)) return {};
     const double value = own.Get(key).IsNumber() ? own.Get(key).GetNumberAsDouble() : NAN;
     if (!(value >= least && value <= most)) return wrong(key, cure), std::nullopt;
@@ -271,7 +315,8 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name, std::
   extras.siteSpacing = number("siteSpacing", 1e-3, 1e3, "write metres");
   extras.reflectance = number("reflectance", 0, 1, "write a number from 0 to 0.95");
   if (extras.reflectance && *extras.reflectance > 0.95) {
-    warnings.push_back("node " + inQuotes(name) + ": reflectance " + std::to_string(*extras.reflectance).substr(0, 4) + " is taken as 0.95");
+    warnings.push_back("node " + inQuotes(name) + ": reflectance " +
+                       std::to_string(*extras.reflectance).substr(0, 4) + " is taken as 0.95");
     extras.reflectance = 0.95;
   }
   return extras;
@@ -311,7 +356,8 @@ std::vector<PlacedNode> placedNodes(const Model& model) {
   return placed;
 }
 
-// --- materials -------------------------------------------------------------------------------------------------------
+// --- materials
+// -------------------------------------------------------------------------------------------------------
 
 double numberOf(const tinygltf::Value& value, double fallback) {
   return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
@@ -323,7 +369,8 @@ void readTextureTransform(const tinygltf::ExtensionMap& extensions, SourceMateri
   const tinygltf::Value& value = found->second;
   const auto pair = [&](const char* key, int at) {
     if (!value.Has(key) || !value.Get(key).IsArray() || value.Get(key).ArrayLen() != 2) return;
-    for (int i = 0; i < 2; ++i) material.uvTransform[at + i] = numberOf(value.Get(key).Get(i), material.uvTransform[at + i]);
+    for (int i = 0; i < 2; ++i)
+      material.uvTransform[at + i] = numberOf(value.Get(key).Get(i), material.uvTransform[at + i]);
   };
   pair("offset", 0), pair("scale", 2);
   material.uvTransform[4] = numberOf(value.Get("rotation"), 0);
@@ -343,7 +390,9 @@ std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::s
       to.baseColor[c] = std::clamp(pbr.baseColorFactor[c], 0.0, 1.0);
       odd = odd || to.baseColor[c] != pbr.baseColorFactor[c];
     }
-    if (odd) warnings.push_back("material " + inQuotes(to.name) + ": its base colour lies outside 0..1 and is clamped");
+    if (odd)
+      warnings.push_back("material " + inQuotes(to.name) +
+                         ": its base colour lies outside 0..1 and is clamped");
     to.roughness = pbr.roughnessFactor, to.metallic = pbr.metallicFactor;
     to.doubleSided = from.doubleSided;
     to.unlit = from.extensions.count("KHR_materials_unlit") != 0;
@@ -371,18 +420,21 @@ std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::str
     if (images[i].encoded.empty()) continue;
     std::string why;
     if (!decodeImage(images[i], why)) {
-      warnings.push_back("image " + std::to_string(i) + " " + why + ": its colour is taken as white times the material's factor");
+      warnings.push_back("image " + std::to_string(i) + " " + why +
+                         ": its colour is taken as white times the material's factor");
       images[i] = {};
       continue;
     }
     pixels += images[i].rgba.size() / 4;
-    if (pixels > std::size_t{256} << 20) throw GltfError("its textures exceed 256 million pixels together; make them smaller");
+    if (pixels > std::size_t{256} << 20)
+      throw GltfError("its textures exceed 256 million pixels together; make them smaller");
     images[i].mimeType = images[i].encoded[0] == 0x89 ? "image/png" : "image/jpeg";
   }
   return images;
 }
 
-// --- the scene -------------------------------------------------------------------------------------------------------
+// --- the scene
+// -------------------------------------------------------------------------------------------------------
 
 void warnOfWhatIsIgnored(const nlohmann::json& json, std::vector<std::string>& warnings) {
   const auto any = [&](const char* list, const char* key) {
@@ -391,23 +443,28 @@ void warnOfWhatIsIgnored(const nlohmann::json& json, std::vector<std::string>& w
         if (entry.contains(key)) return true;
     return false;
   };
-  if (json.contains("animations") && !json["animations"].empty()) warnings.push_back("the file is animated: its rest pose is used");
+  if (json.contains("animations") && !json["animations"].empty())
+    warnings.push_back("the file is animated: its rest pose is used");
   if (any("nodes", "skin")) warnings.push_back("the file holds skinned meshes: their bind pose is used");
-  bool shines = json.contains("extensions") && json["extensions"].is_object() && json["extensions"].contains("KHR_lights_punctual");
+  bool shines = json.contains("extensions") && json["extensions"].is_object() &&
+                json["extensions"].contains("KHR_lights_punctual");
   if (json.contains("materials"))
     for (const auto& material : json["materials"])
       if (material.contains("emissiveFactor"))
         for (const auto& factor : material["emissiveFactor"]) shines = shines || factor.get<double>() > 0;
-  if (shines) warnings.push_back("lights and emissive materials of the file do not shine: only the luminaires that are placed do");
+  if (shines)
+    warnings.push_back(
+        "lights and emissive materials of the file do not shine: only the luminaires that are placed do");
 }
 
 void refuseCompressed(const Model& model) {
   for (const auto& mesh : model.meshes)
     for (const auto& primitive : mesh.primitives) {
       const auto position = primitive.attributes.find("POSITION");
-      if (primitive.extensions.count("KHR_draco_mesh_compression") && position != primitive.attributes.end() &&
-          model.accessors[position->second].bufferView < 0)
-        throw GltfError("mesh '" + cleanName(mesh.name) + "' is compressed with KHR_draco_mesh_compression; export without compression");
+      if (primitive.extensions.count("KHR_draco_mesh_compression") &&
+          position != primitive.attributes.end() && model.accessors[position->second].bufferView < 0)
+        throw GltfError("mesh '" + cleanName(mesh.name) +
+                        "' is compressed with KHR_draco_mesh_compression; export without compression");
     }
 }
 
@@ -416,10 +473,13 @@ void flatten(const Model& model, double scale, SourceScene& scene) {
   std::size_t triangles = 0;
   for (const PlacedNode& placed : nodes)
     if (const int mesh = model.nodes[placed.index].mesh; mesh >= 0)
-      for (const auto& primitive : model.meshes[mesh].primitives) triangles += triangleCount(model, primitive);
+      for (const auto& primitive : model.meshes[mesh].primitives)
+        triangles += triangleCount(model, primitive);
   if (triangles > GltfBudget::kTriangles)
-    throw GltfError(std::to_string(triangles) + " triangles after instancing, and 5 million are accepted; simplify the meshes");
-  if (triangles == 0) throw GltfError("no surfaces: it holds no triangles; export meshes, not points or lines");
+    throw GltfError(std::to_string(triangles) +
+                    " triangles after instancing, and 5 million are accepted; simplify the meshes");
+  if (triangles == 0)
+    throw GltfError("no surfaces: it holds no triangles; export meshes, not points or lines");
 
   // Read each primitive once; copy it to each node that shows it.
   std::vector<std::vector<SourceMesh>> local(model.meshes.size());
@@ -447,10 +507,12 @@ void flatten(const Model& model, double scale, SourceScene& scene) {
   }
 }
 
-Result<SourceScene> read(const std::vector<std::uint8_t>& bytes, const std::string& name, const std::string& folder, double scale) {
+Result<SourceScene> read(const std::vector<std::uint8_t>& bytes, const std::string& name,
+                         const std::string& folder, double scale) {
   const std::string file = cleanText(name);
   try {
-    if (!(scale > 1e-9 && scale < 1e9)) throw GltfError("--scale must be a positive number of metres per unit");
+    if (!(scale > 1e-9 && scale < 1e9))
+      throw GltfError("--scale must be a positive number of metres per unit");
     GltfDocument document = readGltfDocument(bytes, folder);
     SourceScene scene;
     scene.warnings = document.warnings;
@@ -484,7 +546,8 @@ Result<SourceScene> readSourceScene(const std::string& path, double scale) {
   return read(bytes, path, folder.empty() ? "." : folder, scale);
 }
 
-Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name, double scale) {
+Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name,
+                                    double scale) {
   return read(bytes, name, "", scale);
 }
 

@@ -1,4 +1,5 @@
-// A triangle cut along the grid lines of its chart (Sutherland and Hodgman's clipping, row by row, then cell by cell).
+// A triangle cut along the grid lines of its chart (Sutherland and Hodgman's clipping, row by row, then cell
+// by cell).
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,8 @@ inline GridCorner gridCorner(const Chart& chart, const Vec3& p) {
 /// Keeps its buffers between calls.
 class GridCut {
  public:
-  /// Calls visit(cell, polygon) for each cell that the triangle touches. Points outside the grid count to the nearest cell.
+  /// Calls visit(cell, polygon) for each cell that the triangle touches. Points outside the grid count to the
+  /// nearest cell.
   template <class Visit>
   void cut(const Chart& chart, const std::array<Vec3, 3>& triangle, Visit visit) {
     whole_.clear();
@@ -40,7 +42,8 @@ class GridCut {
         cell_ = band_;
         if (c > columns.first) clip(cell_, &GridCorner::u, c, 1);
         if (c < columns.second) clip(cell_, &GridCorner::u, c + 1, -1);
-        if (cell_.size() >= 3) visit(r * chart.columns + c, static_cast<const std::vector<GridCorner>&>(cell_));
+        if (cell_.size() >= 3)
+          visit(r * chart.columns + c, static_cast<const std::vector<GridCorner>&>(cell_));
       }
     }
   }
@@ -49,7 +52,8 @@ class GridCut {
   using Coordinate = double GridCorner::*;
 
   /// First and last cell that a polygon touches along one coordinate.
-  static std::pair<std::uint32_t, std::uint32_t> range(const std::vector<GridCorner>& polygon, Coordinate x, std::uint32_t count) {
+  static std::pair<std::uint32_t, std::uint32_t> range(const std::vector<GridCorner>& polygon, Coordinate x,
+                                                       std::uint32_t count) {
     double low = 1e300, high = -1e300;
     for (const GridCorner& c : polygon) low = std::min(low, c.*x), high = std::max(high, c.*x);
     const auto cell = [&](double at) { return static_cast<std::uint32_t>(std::clamp(at, 0.0, count - 1.0)); };

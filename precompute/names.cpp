@@ -14,7 +14,11 @@ constexpr std::size_t kLongest = 120;  // characters of a name that are shown
 std::uint32_t nextCodePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
-  const std::size_t extra = first < 0x80 ? 0 : first >= 0xf0 && first < 0xf5 ? 3 : first >= 0xe0 ? 2 : first >= 0xc2 ? 1 : 9;
+  const std::size_t extra = first < 0x80                    ? 0
+                            : first >= 0xf0 && first < 0xf5 ? 3
+                            : first >= 0xe0                 ? 2
+                            : first >= 0xc2                 ? 1
+                                                            : 9;
   if (first >= 0xf5 || extra == 9 || at + extra >= text.size()) return ++at, 0xfffd;
   std::uint32_t code = extra == 0 ? first : first & (0x3f >> extra);
   for (std::size_t i = 1; i <= extra; ++i) {
@@ -58,7 +62,8 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) == std::tolower(static_cast<unsigned char>(b[j - 1]));
+      const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
+                        std::tolower(static_cast<unsigned char>(b[j - 1]));
       const std::size_t best = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (same ? 0 : 1)});
       diagonal = row[j];
       row[j] = best;

@@ -1,4 +1,5 @@
-// Names from files are text of strangers: cleaned before anybody sees them, made unique before they become paths.
+// Names from files are text of strangers: cleaned before anybody sees them, made unique before they become
+// paths.
 #pragma once
 
 #include <set>
@@ -7,8 +8,8 @@
 
 namespace fiatlux {
 
-/// `name` without control and bidirectional-override characters, '/' turned into '-' (it separates the levels of a
-/// surface's path), trimmed, cut at 120 characters with an ellipsis. May be empty.
+/// `name` without control and bidirectional-override characters, '/' turned into '-' (it separates the levels
+/// of a surface's path), trimmed, cut at 120 characters with an ellipsis. May be empty.
 std::string cleanName(const std::string& name);
 
 /// `text` made fit for one line of a message: as cleanName, but '/' stays.

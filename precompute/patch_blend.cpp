@@ -19,7 +19,8 @@ void addShare(Shares& shares, std::uint32_t patch, double share) {
 
 void addChart(const Chart& chart, const Vec3& point, double factor, Shares& shares) {
   const Vec3 local = point - chart.origin;
-  const double x = dot(local, chart.uAxis) / chart.cellU - 0.5, y = dot(local, chart.vAxis) / chart.cellV - 0.5;
+  const double x = dot(local, chart.uAxis) / chart.cellU - 0.5,
+               y = dot(local, chart.vAxis) / chart.cellV - 0.5;
   // note: corners of cells are met within rounding, and must give equal quarters
   const auto split = [](double at) {
     const double low = std::floor(at), fraction = std::round((at - low) * 4096) / 4096;
@@ -46,7 +47,8 @@ void addChart(const Chart& chart, const Vec3& point, double factor, Shares& shar
 /// The four largest shares in their order, rounded so that they sum to 255.
 PatchBlend rounded(Shares shares) {
   while (shares.size() > 4)
-    shares.erase(std::min_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.second < b.second; }));
+    shares.erase(std::min_element(shares.begin(), shares.end(),
+                                  [](const auto& a, const auto& b) { return a.second < b.second; }));
   double sum = 0;
   for (const auto& entry : shares) sum += entry.second;
   PatchBlend blend;
@@ -71,8 +73,9 @@ PatchBlender::PatchBlender(const Room& room) : room_(room) {
   std::vector<bool> several(room.positions.size(), false);
   const auto eachFace = [&](auto visit) {
     for (const RoomTriangle& triangle : room.triangles) {
-      const Vec3 normal = normalized(cross(room.positions[triangle.vertex[1]] - room.positions[triangle.vertex[0]],
-                                           room.positions[triangle.vertex[2]] - room.positions[triangle.vertex[0]]));
+      const Vec3 normal =
+          normalized(cross(room.positions[triangle.vertex[1]] - room.positions[triangle.vertex[0]],
+                           room.positions[triangle.vertex[2]] - room.positions[triangle.vertex[0]]));
       if (triangle.chart != kNone) visit(triangle, triangle.chart, normal, 0);
       if (triangle.backChart != kNone) visit(triangle, triangle.backChart, -normal, 1);
     }
@@ -106,12 +109,14 @@ PatchBlend PatchBlender::atVertex(std::uint32_t v, std::uint32_t chart, const Ve
   if (found == shared_.end()) return inChart(chart, room_.positions[v]);
   std::vector<std::uint32_t> charts{chart};
   for (const Corner& corner : found->second)
-    if (room_.charts[corner.chart].surface == room_.charts[chart].surface && dot(corner.normal, normal) > kSmooth &&
+    if (room_.charts[corner.chart].surface == room_.charts[chart].surface &&
+        dot(corner.normal, normal) > kSmooth &&
         std::find(charts.begin(), charts.end(), corner.chart) == charts.end())
       charts.push_back(corner.chart);
   std::sort(charts.begin(), charts.end());
   Shares shares;
-  for (const std::uint32_t c : charts) addChart(room_.charts[c], room_.positions[v], 1.0 / static_cast<double>(charts.size()), shares);
+  for (const std::uint32_t c : charts)
+    addChart(room_.charts[c], room_.positions[v], 1.0 / static_cast<double>(charts.size()), shares);
   return shares.empty() ? inChart(chart, room_.positions[v]) : rounded(shares);
 }
 

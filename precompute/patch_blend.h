@@ -10,7 +10,8 @@
 
 namespace fiatlux {
 
-/// Up to four patches and their shares in 1/255, which sum to 255. Unused entries repeat a patch with share 0.
+/// Up to four patches and their shares in 1/255, which sum to 255. Unused entries repeat a patch with share
+/// 0.
 struct PatchBlend {
   std::array<std::uint32_t, 4> patch{};
   std::array<std::uint8_t, 4> share{};
@@ -25,8 +26,8 @@ class PatchBlender {
   /// Bilinear among the 2 x 2 cells of the chart around a point (those that exist).
   PatchBlend inChart(std::uint32_t chart, const Vec3& point) const;
 
-  /// At vertex v of the room, for a face of `chart` with unit `normal`: also with charts of the same surface whose faces
-  /// meet there within 30 degrees, so that curved things are not faceted.
+  /// At vertex v of the room, for a face of `chart` with unit `normal`: also with charts of the same surface
+  /// whose faces meet there within 30 degrees, so that curved things are not faceted.
   PatchBlend atVertex(std::uint32_t v, std::uint32_t chart, const Vec3& normal) const;
 
  private:
@@ -35,7 +36,8 @@ class PatchBlender {
     Vec3 normal;
   };
   const Room& room_;
-  std::unordered_map<std::uint32_t, std::vector<Corner>> shared_;  // vertices where charts of one surface meet
+  std::unordered_map<std::uint32_t, std::vector<Corner>>
+      shared_;  // vertices where charts of one surface meet
 };
 
 }  // namespace fiatlux

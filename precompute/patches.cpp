@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSliver = 0.05;      // of a cell's area: smaller pieces join a neighbour
 constexpr double kSmallChart = 0.25;  // of a patch's area: smaller charts share patches
-constexpr int kSamples = 32;          // points per patch at which a texture is read
+constexpr int kSamples = 128;         // points per patch at which a texture is read
 
 /// A triangle of a patch, with the source it came from.
 struct Piece {
@@ -55,7 +55,9 @@ std::vector<std::uint32_t> joinSlivers(const Chart& chart, const std::vector<dou
       double best = area[i];
       for (std::int64_t dr = -1; dr <= 1; ++dr)
         for (std::int64_t dc = -1; dc <= 1; ++dc) {
-          if ((dr != 0 && dc != 0) != diagonal || r + dr < 0 || r + dr >= rows || c + dc < 0 || c + dc >= columns) continue;
+          if ((dr != 0 && dc != 0) != diagonal || r + dr < 0 || r + dr >= rows || c + dc < 0 ||
+              c + dc >= columns)
+            continue;
           const std::int64_t j = (r + dr) * columns + c + dc;
           if (area[j] > best) best = area[j], target[i] = static_cast<std::uint32_t>(j);
         }
@@ -76,7 +78,8 @@ bool wholeCell(const ChartDraft& draft, std::uint32_t cell, double area, const s
   const std::uint32_t r = cell / chart.columns, c = cell % chart.columns;
   for (const std::uint32_t m : members)
     for (const Vec3& p : pieces[m].fragment.corner)
-      if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-6 * std::min(chart.cellU, chart.cellV)) return false;
+      if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-6 * std::min(chart.cellU, chart.cellV))
+        return false;
   const auto at = [&](int i, int j) {
     return chart.origin + (c + i) * chart.cellU * chart.uAxis + (r + j) * chart.cellV * chart.vAxis;
   };
@@ -102,7 +105,8 @@ double meanReflectance(const ReflectanceMap& map, const std::vector<Piece>& piec
     double local = 0;
     for (int i = 0; i < count; ++i) {
       // A low-discrepancy sequence (R2), folded into the triangle.
-      double s = std::fmod(0.5 + (i + 1) * 0.7548776662466927, 1.0), t = std::fmod(0.5 + (i + 1) * 0.5698402909980532, 1.0);
+      double s = std::fmod(0.5 + (i + 1) * 0.7548776662466927, 1.0),
+             t = std::fmod(0.5 + (i + 1) * 0.5698402909980532, 1.0);
       if (s + t > 1) s = 1 - s, t = 1 - t;
       const auto& corner = piece.fragment.corner;
       const Vec3 d = corner[0] + s * (corner[1] - corner[0]) + t * (corner[2] - corner[0]) - p[v[0]];
@@ -116,7 +120,8 @@ double meanReflectance(const ReflectanceMap& map, const std::vector<Piece>& piec
 }
 
 /// Grid neighbours with smaller index of each patch of a chart.
-void linkNeighbors(const Chart& chart, const std::vector<std::uint32_t>& homeCell, std::uint32_t first, Patches& patches) {
+void linkNeighbors(const Chart& chart, const std::vector<std::uint32_t>& homeCell, std::uint32_t first,
+                   Patches& patches) {
   for (std::uint32_t p = first; p < patches.rows(); ++p) {
     const std::uint32_t cell = homeCell[p - first];
     const auto neighbor = [&](bool exists, std::uint32_t back) {
@@ -144,8 +149,9 @@ SharedKey sharedKey(const ChartDraft& draft, const std::vector<Piece>& pieces, d
 }
 
 /// Numbers the patches of one chart; sets each piece's cell to its patch.
-void numberPatches(ChartDraft& draft, std::uint32_t index, double patch, std::vector<Piece>& pieces, std::vector<Home>& homes,
-                   std::map<SharedKey, std::uint32_t>& shared, std::uint32_t firstRow, Patches& patches) {
+void numberPatches(ChartDraft& draft, std::uint32_t index, double patch, std::vector<Piece>& pieces,
+                   std::vector<Home>& homes, std::map<SharedKey, std::uint32_t>& shared,
+                   std::uint32_t firstRow, Patches& patches) {
   Chart& chart = draft.chart;
   const std::size_t cells = std::size_t{chart.columns} * chart.rows;
   std::vector<double> area(cells, 0);
@@ -185,16 +191,19 @@ void warnOfClamped(const std::map<std::string, double>& clamped, Room& room) {
   std::size_t listed = 0;
   for (const auto& [name, value] : clamped) {
     if (++listed > 8) {
-      room.warnings.push_back(std::to_string(clamped.size() - 8) + " more materials reflect more than 0.95 and are taken as 0.95");
+      room.warnings.push_back(std::to_string(clamped.size() - 8) +
+                              " more materials reflect more than 0.95 and are taken as 0.95");
       break;
     }
-    room.warnings.push_back(name + " reflects " + std::to_string(value).substr(0, 4) + " of the light: taken as 0.95");
+    room.warnings.push_back(name + " reflects " + std::to_string(value).substr(0, 4) +
+                            " of the light: taken as 0.95");
   }
 }
 
 }  // namespace
 
-void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, double patch, const ReflectanceMap* reflectance, Room& room) {
+void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, double patch,
+                   const ReflectanceMap* reflectance, Room& room) {
   Patches& patches = room.patches;
   const std::uint32_t firstRow = patches.rows(), firstChart = static_cast<std::uint32_t>(room.charts.size());
   std::vector<Home> homes;
@@ -230,7 +239,8 @@ void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, doub
     }
     const ChartDraft& draft = drafts[homes[i].draft];
     double raw = 0;
-    patches.reflectance.push_back(static_cast<float>(reflectance ? meanReflectance(*reflectance, pieces, members, area, raw) : 0));
+    patches.reflectance.push_back(
+        static_cast<float>(reflectance ? meanReflectance(*reflectance, pieces, members, area, raw) : 0));
     if (raw > kMostReflectance + 1e-6) {
       double& most = clamped[reflectance->materialName(pieces[members[0]].mesh)];
       most = std::max(most, raw);

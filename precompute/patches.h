@@ -1,4 +1,5 @@
-// Charts -> patches: what of a chart's faces lies in one cell of its grid. DESIGN: patches follow area, not triangles.
+// Charts -> patches: what of a chart's faces lies in one cell of its grid. DESIGN: patches follow area, not
+// triangles.
 #pragma once
 
 #include <string>
@@ -10,9 +11,10 @@
 
 namespace fiatlux {
 
-/// Appends the patches of `drafts` (and their charts, fragments) to the room, in order. `reflectance` null: receivers,
-/// which have none. Slivers below 5 % of a cell join a neighbour; charts far smaller than a patch share patches with
-/// like-minded ones nearby. Nothing of the area is lost.
-void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, double patch, const ReflectanceMap* reflectance, Room& room);
+/// Appends the patches of `drafts` (and their charts, fragments) to the room, in order. `reflectance` null:
+/// receivers, which have none. Slivers below 5 % of a cell join a neighbour; charts far smaller than a patch
+/// share patches with like-minded ones nearby. Nothing of the area is lost.
+void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, double patch,
+                   const ReflectanceMap* reflectance, Room& room);
 
 }  // namespace fiatlux

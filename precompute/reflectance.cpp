@@ -1,4 +1,5 @@
-// Base colour factor x texture x vertex colour, weighted by how bright the eye finds red, green and blue (Rec. 709).
+// Base colour factor x texture x vertex colour, weighted by how bright the eye finds red, green and blue
+// (Rec. 709).
 #include "precompute/reflectance.h"
 
 #include <algorithm>
@@ -33,7 +34,8 @@ bool ReflectanceMap::isConstant(std::uint32_t m) const {
   return !textured && mesh.colors.empty();
 }
 
-double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle, const std::array<double, 3>& weights) const {
+double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle,
+                          const std::array<double, 3>& weights) const {
   const SourceMesh& mesh = source_.meshes[m];
   if (mesh.extras.reflectance) return *mesh.extras.reflectance;
   std::array<double, 3> color{1, 1, 1};
@@ -50,7 +52,8 @@ double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle, const std::ar
       const double x = du + std::cos(angle) * su * s + std::sin(angle) * sv * t;
       const double y = dv - std::sin(angle) * su * s + std::cos(angle) * sv * t;
       if (std::isfinite(x) && std::isfinite(y)) {
-        const std::size_t texel = std::size_t{wrapped(y, image.height, material.wrapT)} * image.width + wrapped(x, image.width, material.wrapS);
+        const std::size_t texel = std::size_t{wrapped(y, image.height, material.wrapT)} * image.width +
+                                  wrapped(x, image.width, material.wrapS);
         for (int c = 0; c < 3; ++c) color[c] *= linear_[image.rgba[4 * texel + c]];
       }
     }

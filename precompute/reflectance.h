@@ -1,4 +1,5 @@
-// How much light a point of the source reflects: luminance of its linear base colour. Metal, gloss and glow are ignored.
+// How much light a point of the source reflects: luminance of its linear base colour. Metal, gloss and glow
+// are ignored.
 #pragma once
 
 #include <string>
@@ -20,7 +21,8 @@ class ReflectanceMap {
   /// True when `at` is the same everywhere on a mesh.
   bool isConstant(std::uint32_t mesh) const;
 
-  /// Luminance 0..1 at a point of a triangle of a mesh, given by its barycentric weights; not yet clamped to 0.95.
+  /// Luminance 0..1 at a point of a triangle of a mesh, given by its barycentric weights; not yet clamped to
+  /// 0.95.
   double at(std::uint32_t mesh, std::uint32_t triangle, const std::array<double, 3>& weights) const;
 
   /// What a message calls the mesh's material.

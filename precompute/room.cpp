@@ -17,14 +17,16 @@ std::uint32_t Room::patchAt(std::uint32_t triangle, bool back, const Vec3& point
   const std::uint32_t row = cell(dot(local, chart.vAxis), chart.cellV, chart.rows);
   const std::uint32_t patch = chart.patchOfCell[row * chart.columns + column];
   if (patch != kNone) return patch;
-  // note: a point on the edge of a chart may round into an empty cell; it belongs to the nearest cell beside it
+  // note: a point on the edge of a chart may round into an empty cell; it belongs to the nearest cell beside
+  // it
   std::uint32_t nearest = kNone;
   double least = 1e300;
   for (std::uint32_t r = row - (row > 0); r <= std::min(row + 1, chart.rows - 1); ++r)
     for (std::uint32_t c = column - (column > 0); c <= std::min(column + 1, chart.columns - 1); ++c) {
       const std::uint32_t p = chart.patchOfCell[r * chart.columns + c];
       if (p == kNone) continue;
-      const double du = dot(local, chart.uAxis) / chart.cellU - (c + 0.5), dv = dot(local, chart.vAxis) / chart.cellV - (r + 0.5);
+      const double du = dot(local, chart.uAxis) / chart.cellU - (c + 0.5),
+                   dv = dot(local, chart.vAxis) / chart.cellV - (r + 0.5);
       const double distance = std::max(std::abs(du), std::abs(dv));
       if (distance < least) least = distance, nearest = p;
     }

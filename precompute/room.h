@@ -1,5 +1,6 @@
-// A room as the tracer sees it: triangles, the charts that cut them into patches, and where luminaires may hang.
-// Product of glTF import, surface finding and patch cutting; input of form factors, direct light and the picture.
+// A room as the tracer sees it: triangles, the charts that cut them into patches, and where luminaires may
+// hang. Product of glTF import, surface finding and patch cutting; input of form factors, direct light and
+// the picture.
 #pragma once
 
 #include <array>
@@ -11,12 +12,13 @@
 
 namespace fiatlux {
 
-/// A near-planar connected piece of one surface with a grid of square-ish cells in its own plane. A patch is what of
-/// the chart's triangles lies in one cell; cells without area have no patch.
+/// A near-planar connected piece of one surface with a grid of square-ish cells in its own plane. A patch is
+/// what of the chart's triangles lies in one cell; cells without area have no patch.
 struct Chart {
   std::uint32_t surface = 0;
-  Vec3 origin, uAxis, vAxis, normal;  // m; unit vectors, right-handed (u x v = normal), u along the outline's longest edge
-  double cellU = 0, cellV = 0;        // m, edges of a cell
+  Vec3 origin, uAxis, vAxis,
+      normal;  // m; unit vectors, right-handed (u x v = normal), u along the outline's longest edge
+  double cellU = 0, cellV = 0;  // m, edges of a cell
   std::uint32_t columns = 0, rows = 0;
   std::vector<std::uint32_t> patchOfCell;  // rows x columns, row-major along u; kNone where empty
 };
@@ -27,9 +29,9 @@ struct SourceTriangle {
 };
 
 struct RoomTriangle {
-  std::array<std::uint32_t, 3> vertex;  // counter-clockwise seen from the front
-  std::uint32_t chart = kNone;          // of the front
-  std::uint32_t backChart = kNone;      // of the back: kNone = a ray that meets the back is lost
+  std::array<std::uint32_t, 3> vertex;          // counter-clockwise seen from the front
+  std::uint32_t chart = kNone;                  // of the front
+  std::uint32_t backChart = kNone;              // of the back: kNone = a ray that meets the back is lost
   SourceTriangle source = {}, backSource = {};  // for display: where front and back got their material
 };
 
@@ -39,23 +41,24 @@ struct Fragment {
 };
 
 struct Room {
-  std::vector<Vec3> positions;           // m, world space
-  std::vector<RoomTriangle> triangles;   // reflectors and blockers; measuring planes are not among them
-  std::vector<Chart> charts;             // receivers' charts after those of reflectors
+  std::vector<Vec3> positions;          // m, world space
+  std::vector<RoomTriangle> triangles;  // reflectors and blockers; measuring planes are not among them
+  std::vector<Chart> charts;            // receivers' charts after those of reflectors
   Patches patches;
-  std::vector<std::uint32_t> chartOfPatch;     // rows()
-  std::vector<std::uint32_t> fragmentOffset;   // rows() + 1: fragments of patch p are [offset[p], offset[p + 1])
+  std::vector<std::uint32_t> chartOfPatch;  // rows()
+  std::vector<std::uint32_t>
+      fragmentOffset;  // rows() + 1: fragments of patch p are [offset[p], offset[p + 1])
   std::vector<Fragment> fragments;
   std::vector<Surface> surfaces;
   std::vector<Site> sites;
-  double patchSize = 0;                  // m, the nominal edge of a patch
-  std::vector<std::string> warnings;     // one readable line each
-  std::string sourceHash;                // 16 hex digits of the source's bytes (buffers and images included)
+  double patchSize = 0;               // m, the nominal edge of a patch
+  std::vector<std::string> warnings;  // one readable line each
+  std::string sourceHash;             // 16 hex digits of the source's bytes (buffers and images included)
 
   /// The patch of a point on a triangle's front or back; kNone when the back is no surface.
   std::uint32_t patchAt(std::uint32_t triangle, bool back, const Vec3& point) const;
-  /// A point on patch p for (u, v) in [0, 1)^2, uniform by area: stratified (u, v) give stratified points on a patch
-  /// that is a full cell of a flat chart. Second member: geometric unit normal there.
+  /// A point on patch p for (u, v) in [0, 1)^2, uniform by area: stratified (u, v) give stratified points on
+  /// a patch that is a full cell of a flat chart. Second member: geometric unit normal there.
   struct PointOnPatch {
     Vec3 position, normal;
   };

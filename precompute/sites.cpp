@@ -22,7 +22,8 @@ MountPlanes planesOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
   planes.regions = flatRegions(mesh, planes.set, true);
   const auto down = [](const Region& r) { return r.normal.y < -0.5; };
   if (std::any_of(planes.regions.begin(), planes.regions.end(), down))
-    planes.regions.erase(std::remove_if(planes.regions.begin(), planes.regions.end(), [&](const Region& r) { return !down(r); }),
+    planes.regions.erase(std::remove_if(planes.regions.begin(), planes.regions.end(),
+                                        [&](const Region& r) { return !down(r); }),
                          planes.regions.end());
   return planes;
 }
@@ -60,7 +61,9 @@ struct Axis {
   Axis(double low, double high, double spacing, double side) : pitch(spacing), size(side) {
     const double length = high - low, slack = 1e-4 * spacing;
     count = static_cast<int>(std::min(1e6, std::floor((length + slack) / spacing)));
-    if (side > spacing) count = static_cast<int>(std::min(1e6, std::floor((length - side + slack) / spacing))) + (length + slack >= side);
+    if (side > spacing)
+      count = static_cast<int>(std::min(1e6, std::floor((length - side + slack) / spacing))) +
+              (length + slack >= side);
     if (count <= 0 && length + slack >= side) count = 1;
     count = std::max(count, 0);
     first = 0.5 * (low + high) - 0.5 * (count - 1) * spacing - 0.5 * side;
@@ -71,8 +74,8 @@ struct Axis {
   }
 };
 
-void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Region& region, double spacing, double size,
-                  std::vector<Site>& sites) {
+void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Region& region, double spacing,
+                  double size, std::vector<Site>& sites) {
   Vec3 u = outlineOf(mesh, planes.set, region.faces).longestDirection;
   u = normalized(u - dot(u, region.normal) * region.normal);
   if (length(u) == 0) return;
@@ -84,7 +87,8 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
     for (int c = 0; c < 3; ++c) {
       const Vec3& p = mesh.positions[planes.set.faces[f].vertex[c]];
       flat.back()[c] = {dot(p, u), dot(p, v)};
-      for (int i = 0; i < 2; ++i) low[i] = std::min(low[i], flat.back()[c][i]), high[i] = std::max(high[i], flat.back()[c][i]);
+      for (int i = 0; i < 2; ++i)
+        low[i] = std::min(low[i], flat.back()[c][i]), high[i] = std::max(high[i], flat.back()[c][i]);
     }
   }
   const Axis columns(low[0], high[0], spacing, size), rows(low[1], high[1], spacing, size);
@@ -97,7 +101,8 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
     for (int r = lines.first; r < lines.second; ++r)
       for (int c = cols.first; c < cols.second; ++c) {
         Polygon polygon(triangle.begin(), triangle.end());
-        clip(polygon, 0, columns.first + c * spacing, 1), clip(polygon, 0, columns.first + c * spacing + size, -1);
+        clip(polygon, 0, columns.first + c * spacing, 1),
+            clip(polygon, 0, columns.first + c * spacing + size, -1);
         clip(polygon, 1, rows.first + r * spacing, 1), clip(polygon, 1, rows.first + r * spacing + size, -1);
         covered[std::size_t{1} * r * columns.count + c] += areaOf(polygon);
       }
@@ -113,7 +118,8 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
 
 }  // namespace
 
-std::vector<Site> sitesOn(const WeldedMesh& mesh, const std::vector<Face>& faces, double spacing, double size) {
+std::vector<Site> sitesOn(const WeldedMesh& mesh, const std::vector<Face>& faces, double spacing,
+                          double size) {
   const MountPlanes planes = planesOf(mesh, faces);
   std::vector<Site> sites;
   for (const Region& region : planes.regions) sitesOnPlane(mesh, planes, region, spacing, size, sites);

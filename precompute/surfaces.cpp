@@ -9,8 +9,8 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::size_t kMostNodes = 256;      // with more surfaces than this, small nodes share one
-constexpr double kOnePlane = 0.995;          // of a group's area: then the group is that plane
+constexpr std::size_t kMostNodes = 256;  // with more surfaces than this, small nodes share one
+constexpr double kOnePlane = 0.995;      // of a group's area: then the group is that plane
 
 /// What makes faces one group.
 struct GroupKey {
@@ -28,9 +28,12 @@ struct Draft {
 };
 
 /// The word for a plane of a group, before numbering.
-std::string wordFor(const Region& region, const Vec3& low, const Vec3& high, bool roomLike, double lowestFloor) {
+std::string wordFor(const Region& region, const Vec3& low, const Vec3& high, bool roomLike,
+                    double lowestFloor) {
   const double middle = 0.5 * (low.y + high.y);
-  if (region.normal.y > 0.7) return roomLike && region.centroid.y < lowestFloor + 0.5 && region.centroid.y <= middle + 1e-9 ? "floor" : "top";
+  if (region.normal.y > 0.7)
+    return roomLike && region.centroid.y < lowestFloor + 0.5 && region.centroid.y <= middle + 1e-9 ? "floor"
+                                                                                                   : "top";
   if (region.normal.y < -0.7) return roomLike && region.centroid.y >= middle ? "ceiling" : "underside";
   if (std::abs(region.normal.y) > 0.3) return "slope";
   return roomLike ? "wall" : "side";
@@ -53,16 +56,18 @@ std::vector<std::string> regionWords(const WeldedMesh& mesh, const SurfaceGroup&
   // Number equal words in an order that depends on the geometry only: by direction, then by place.
   std::map<std::string, std::vector<std::uint32_t>> byWord;
   for (std::uint32_t r = 0; r < group.regions.size(); ++r)
-    if (group.regions[r].area > least) byWord[wordFor(group.regions[r], low, high, roomLike, lowestFloor)].push_back(r);
+    if (group.regions[r].area > least)
+      byWord[wordFor(group.regions[r], low, high, roomLike, lowestFloor)].push_back(r);
   std::vector<std::string> words(group.regions.size());
   for (auto& [word, members] : byWord) {
     const auto key = [&](std::uint32_t r) {
       const Region& region = group.regions[r];
       const auto rounded = [](double x) { return std::round(x * 100); };
-      return std::tuple(std::round(std::atan2(region.normal.x, region.normal.z) * 50), rounded(region.centroid.y),
-                        rounded(region.centroid.z), rounded(region.centroid.x));
+      return std::tuple(std::round(std::atan2(region.normal.x, region.normal.z) * 50),
+                        rounded(region.centroid.y), rounded(region.centroid.z), rounded(region.centroid.x));
     };
-    std::sort(members.begin(), members.end(), [&](auto a, auto b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    std::sort(members.begin(), members.end(),
+              [&](auto a, auto b) { return std::pair(key(a), a) < std::pair(key(b), b); });
     for (std::size_t i = 0; i < members.size(); ++i)
       words[members[i]] = members.size() == 1 ? word : word + " " + std::to_string(i + 1);
   }
@@ -76,8 +81,8 @@ struct NodeFacts {
 
 }  // namespace
 
-SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces, double regionShare,
-                         UniqueNames& names) {
+SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
+                         double regionShare, UniqueNames& names) {
   // Gather facts of nodes, and the named surfaces.
   std::map<std::uint32_t, NodeFacts> nodes;
   std::map<std::string, std::uint32_t> namedIds;
@@ -98,7 +103,8 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
   const bool crowded = nodes.size() > kMostNodes;
   SurfaceTree tree;
   if (crowded)
-    tree.warnings.push_back(std::to_string(nodes.size()) + " nodes: those below 0.5 % of the area are one surface, 'small things'");
+    tree.warnings.push_back(std::to_string(nodes.size()) +
+                            " nodes: those below 0.5 % of the area are one surface, 'small things'");
 
   // Names first for what the file's author named on purpose, then for nodes as they come.
   std::map<GroupKey, Draft> drafts;
@@ -146,7 +152,8 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
   }
 
   // Cut groups into leaves. Backs follow the leaf of their front, so that 'x (back)' is the back of 'x'.
-  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second.back < b.second.back; });
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.second.back < b.second.back; });
   std::vector<std::uint32_t> leafOfTriangle(mesh.triangles.size(), kNone);
   std::map<std::uint32_t, std::uint32_t> backOfLeaf;
   for (const auto& entry : order) {
@@ -164,10 +171,12 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
       }
     } else {
       double area = 0, largest = 0;
-      for (const Region& region : group.regions) area += region.area, largest = std::max(largest, region.area);
+      for (const Region& region : group.regions)
+        area += region.area, largest = std::max(largest, region.area);
       std::vector<std::string> words(group.regions.size());
       if (draft.splits && largest < kOnePlane * area) words = regionWords(mesh, group, regionShare * total);
-      const bool split = std::any_of(words.begin(), words.end(), [](const std::string& w) { return !w.empty(); });
+      const bool split =
+          std::any_of(words.begin(), words.end(), [](const std::string& w) { return !w.empty(); });
       std::map<std::string, std::uint32_t> leafOfWord;
       std::vector<std::string> sorted(words);
       std::sort(sorted.begin(), sorted.end());
@@ -181,7 +190,8 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
       }
       for (std::size_t r = 0; r < group.regions.size(); ++r) {
         group.leafOfRegion[r] = leafOfWord[words[r]];
-        for (const std::uint32_t f : group.regions[r].faces) leafOfTriangle[group.set.faces[f].triangle] = group.leafOfRegion[r];
+        for (const std::uint32_t f : group.regions[r].faces)
+          leafOfTriangle[group.set.faces[f].triangle] = group.leafOfRegion[r];
       }
     }
     tree.groups.push_back(std::move(group));

@@ -1,5 +1,6 @@
 // The surface tree: which faces a person would point at together, and what they are called.
-// node -> node/material -> node/material/region; `extras.fiatlux.surface` overrides; backs of sheets are their own.
+// node -> node/material -> node/material/region; `extras.fiatlux.surface` overrides; backs of sheets are
+// their own.
 #pragma once
 
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace fiatlux {
 
-/// Faces that may share charts (one node and material, or one named surface), with the leaf of each planar region.
+/// Faces that may share charts (one node and material, or one named surface), with the leaf of each planar
+/// region.
 struct SurfaceGroup {
   FaceSet set;
   std::vector<Region> regions;
@@ -18,14 +20,14 @@ struct SurfaceGroup {
 };
 
 struct SurfaceTree {
-  std::vector<std::string> names;     // of the leaves, unique
+  std::vector<std::string> names;  // of the leaves, unique
   std::vector<SurfaceGroup> groups;
   std::vector<std::string> warnings;
 };
 
-/// Groups all `faces` (fronts, and backs of sheets) of a welded mesh. `regionShare` of the whole area makes a plane a
-/// surface of its own; 0 = never (measuring planes). Names are taken from `names`.
-SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces, double regionShare,
-                         UniqueNames& names);
+/// Groups all `faces` (fronts, and backs of sheets) of a welded mesh. `regionShare` of the whole area makes a
+/// plane a surface of its own; 0 = never (measuring planes). Names are taken from `names`.
+SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
+                         double regionShare, UniqueNames& names);
 
 }  // namespace fiatlux

@@ -1,4 +1,5 @@
-// Random bytes at the glTF door: reading, then building a room with small limits. Nothing may crash or run away.
+// Random bytes at the glTF door: reading, then building a room with small limits. Nothing may crash or run
+// away.
 #include <cstdint>
 #include <vector>
 

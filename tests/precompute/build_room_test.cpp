@@ -11,14 +11,14 @@
 namespace fiatlux {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::UnorderedElementsAre;
 using testing::allWarnings;
 using testing::boxRoom;
+using ::testing::HasSubstr;
 using testing::ordered_json;
 using testing::surfaceIndex;
 using testing::TestGltf;
 using testing::TestMesh;
+using ::testing::UnorderedElementsAre;
 
 std::vector<std::string> surfaceNames(const Room& room) {
   std::vector<std::string> names;
@@ -48,17 +48,18 @@ void expectConsistent(const Room& room) {
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     ASSERT_GT(patches.area[p], 0);
     ASSERT_NEAR(length(patches.normal[p]), 1, 1e-9);
-    for (const std::uint32_t q : {patches.left[p], patches.up[p]})
-      ASSERT_TRUE(q == kNone || q < p);
+    for (const std::uint32_t q : {patches.left[p], patches.up[p]}) ASSERT_TRUE(q == kNone || q < p);
     const auto point = room.pointOnPatch(p, 0.3, 0.6);
     ASSERT_GT(dot(point.normal, patches.normal[p]), 0);
   }
   for (std::uint32_t t = 0; t < room.triangles.size(); ++t) {
     const RoomTriangle& triangle = room.triangles[t];
     ASSERT_NE(triangle.chart, kNone);
-    const Vec3 center = (1.0 / 3) * (room.positions[triangle.vertex[0]] + room.positions[triangle.vertex[1]] + room.positions[triangle.vertex[2]]);
+    const Vec3 center = (1.0 / 3) * (room.positions[triangle.vertex[0]] + room.positions[triangle.vertex[1]] +
+                                     room.positions[triangle.vertex[2]]);
     ASSERT_LT(room.patchAt(t, false, center), patches.count);
-    for (const std::uint32_t v : triangle.vertex) ASSERT_LT(room.patchAt(t, false, room.positions[v]), patches.count);
+    for (const std::uint32_t v : triangle.vertex)
+      ASSERT_LT(room.patchAt(t, false, room.positions[v]), patches.count);
   }
 }
 
@@ -137,7 +138,8 @@ TEST(BuildRoom, SitesLieOnTheirMountAndShineIntoTheRoom) {
 TEST(BuildRoom, TriangulationDoesNotMatter) {
   RoomOptions options;
   options.patch = 0.21;
-  const auto plain = boxRoom({4.1, 2.9, 5.3}, 0.5).build(options), fine = boxRoom({4.1, 2.9, 5.3}, 0.5, 7).build(options);
+  const auto plain = boxRoom({4.1, 2.9, 5.3}, 0.5).build(options),
+             fine = boxRoom({4.1, 2.9, 5.3}, 0.5, 7).build(options);
   ASSERT_TRUE(plain && fine);
   EXPECT_EQ(plain->patches.count, fine->patches.count);
   EXPECT_EQ(plain->sites.size(), fine->sites.size());
@@ -149,7 +151,8 @@ TEST(BuildRoom, TriangulationDoesNotMatter) {
 }
 
 TEST(BuildRoom, JunctionsAndSliversDoNotMatter) {
-  // One wall of two halves, cut differently: vertices of one lie on edges of the other; plus a needle without area.
+  // One wall of two halves, cut differently: vertices of one lie on edges of the other; plus a needle without
+  // area.
   TestGltf gltf = boxRoom({4, 3, 5}, 1);
   TestMesh mesh;
   mesh.quad({}, {0, 0, 5}, {1.7, 0, 0}, 3, 1);
@@ -171,8 +174,10 @@ TEST(BuildRoom, RotationMirrorAndInstancingDoNotMatter) {
   const auto plain = boxRoom({4.1, 2.9, 5.3}, 0.5).build(options);
   ASSERT_TRUE(plain);
   const double s = std::sin(0.35), c = std::cos(0.35);
-  for (const ordered_json& change : {ordered_json{{"rotation", {0, s, 0, c}}}, ordered_json{{"scale", {-1, 1, 1}}}, ordered_json{{"scale", {-1, 1, -1}}},
-                                     ordered_json{{"matrix", {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 7, 8, 9, 1}}}}) {
+  for (const ordered_json& change :
+       {ordered_json{{"rotation", {0, s, 0, c}}}, ordered_json{{"scale", {-1, 1, 1}}},
+        ordered_json{{"scale", {-1, 1, -1}}},
+        ordered_json{{"matrix", {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 7, 8, 9, 1}}}}) {
     TestGltf gltf = boxRoom({4.1, 2.9, 5.3}, 0.5);
     for (auto& node : gltf.glb.json["nodes"])
       for (const auto& [key, value] : change.items()) node[key] = value;
@@ -194,7 +199,9 @@ TEST(BuildRoom, OneMeshBecomesFloorCeilingAndWalls) {
   gltf.node("room", gltf.mesh(mesh, gltf.material("paint", 0.5)));
   const auto room = gltf.build();
   ASSERT_TRUE(room) << room.error().message;
-  EXPECT_THAT(surfaceNames(*room), UnorderedElementsAre("room/floor", "room/ceiling", "room/wall 1", "room/wall 2", "room/wall 3", "room/wall 4", "room/rest"));
+  EXPECT_THAT(surfaceNames(*room),
+              UnorderedElementsAre("room/floor", "room/ceiling", "room/wall 1", "room/wall 2", "room/wall 3",
+                                   "room/wall 4", "room/rest"));
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "room/floor")].area, 20, 1e-4);
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "room/rest")].area, 4 * 0.08 + 2 * 0.04, 1e-4);
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("proposed to hang on 'room/ceiling'"));
@@ -213,7 +220,8 @@ TEST(BuildRoom, NamesFollowNodesMaterialsAndExtras) {
   for (int i = 0; i < 4; ++i) gltf.glb.json["nodes"][6 + i]["translation"] = {i * 0.01, i * 0.03, 0};
   const auto room = gltf.build();
   ASSERT_TRUE(room) << room.error().message;
-  EXPECT_THAT(surfaceNames(*room), UnorderedElementsAre("floor", "ceiling", "south", "north", "west", "east", "shelf/oak", "shelf/steel", "floor 2", "desks"));
+  EXPECT_THAT(surfaceNames(*room), UnorderedElementsAre("floor", "ceiling", "south", "north", "west", "east",
+                                                        "shelf/oak", "shelf/steel", "floor 2", "desks"));
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "desks")].reflectance, 0.25, 1e-6);
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "shelf/steel")].reflectance, 0.4, 1e-6);
 }
@@ -229,8 +237,10 @@ TEST(BuildRoom, ASheetHasTwoSidesASolidHasOne) {
   ASSERT_TRUE(room) << room.error().message;
   ASSERT_GE(surfaceIndex(*room, "table (back)"), 0);
   EXPECT_EQ(surfaceIndex(*room, "chest (back)"), -1);
-  EXPECT_EQ(room->surfaces[surfaceIndex(*room, "table")].patches, room->surfaces[surfaceIndex(*room, "table (back)")].patches);
-  const auto table = std::find_if(room->triangles.begin(), room->triangles.end(), [](const RoomTriangle& t) { return t.backChart != kNone; });
+  EXPECT_EQ(room->surfaces[surfaceIndex(*room, "table")].patches,
+            room->surfaces[surfaceIndex(*room, "table (back)")].patches);
+  const auto table = std::find_if(room->triangles.begin(), room->triangles.end(),
+                                  [](const RoomTriangle& t) { return t.backChart != kNone; });
   ASSERT_NE(table, room->triangles.end());
   const auto index = static_cast<std::uint32_t>(table - room->triangles.begin());
   const Vec3 point{1.2, 1, 1.3};
@@ -338,7 +348,8 @@ TEST(BuildRoom, ABallIsOneSurfaceOfFewPatches) {
   constexpr int kSteps = 96;  // 18 000 triangles
   const auto at = [](int i, int j) {
     const double a = M_PI * i / kSteps, b = 2 * M_PI * j / kSteps;
-    return Vec3{2 + 0.5 * std::sin(a) * std::cos(b), 1 + 0.5 * std::cos(a), 2 - 0.5 * std::sin(a) * std::sin(b)};
+    return Vec3{2 + 0.5 * std::sin(a) * std::cos(b), 1 + 0.5 * std::cos(a),
+                2 - 0.5 * std::sin(a) * std::sin(b)};
   };
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {

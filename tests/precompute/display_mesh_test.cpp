@@ -1,4 +1,5 @@
-// The picture's mesh, read back: the same area, every vertex blends patches of its own surface, shares sum to one.
+// The picture's mesh, read back: the same area, every vertex blends patches of its own surface, shares sum to
+// one.
 #include "precompute/display_mesh.h"
 
 #include <gtest/gtest.h>
@@ -79,10 +80,12 @@ TEST(DisplayMesh, WholeCellsAreTwoTrianglesAndNothingIsLost) {
   for (int i = 0; i < 24; ++i)
     for (int j = 0; j < 24; ++j) {
       const auto at = [](int a, int b) {
-        return Vec3{2 + 0.5 * std::sin(M_PI * a / 24) * std::cos(2 * M_PI * b / 24), 1 + 0.5 * std::cos(M_PI * a / 24),
+        return Vec3{2 + 0.5 * std::sin(M_PI * a / 24) * std::cos(2 * M_PI * b / 24),
+                    1 + 0.5 * std::cos(M_PI * a / 24),
                     2 - 0.5 * std::sin(M_PI * a / 24) * std::sin(2 * M_PI * b / 24)};
       };
-      ball.triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1)), ball.triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      ball.triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1)),
+          ball.triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   gltf.node("ball", gltf.mesh(ball));
   const auto scene = gltf.read();
@@ -95,7 +98,8 @@ TEST(DisplayMesh, WholeCellsAreTwoTrianglesAndNothingIsLost) {
   for (const SourceMesh& mesh : again->meshes) {
     double area = 0;
     for (const auto& t : mesh.triangles)
-      area += 0.5 * length(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
+      area += 0.5 * length(cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                                 mesh.positions[t[2]] - mesh.positions[t[0]]));
     const Surface& surface = room->surfaces[testing::surfaceIndex(*room, mesh.node)];
     EXPECT_NEAR(area, surface.area, 1e-3 * surface.area) << mesh.node;
     if (mesh.node == "floor") {

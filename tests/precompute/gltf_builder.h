@@ -40,10 +40,12 @@ struct TestMesh {
   /// A box; fronts inward (a room) or outward (a thing). Each side is split into cuts x cuts quads.
   void box(const Vec3& low, const Vec3& size, bool inward, int cuts = 1) {
     const Vec3 x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z};
-    const auto side = [&](const Vec3& o, const Vec3& u, const Vec3& v) { inward ? quad(o, u, v, cuts, cuts) : quad(o, v, u, cuts, cuts); };
-    side(low, z, x), side(low + y, x, z);      // floor, ceiling
-    side(low, x, y), side(low + z, y, x);      // z = low, z = high
-    side(low, y, z), side(low + x, z, y);      // x = low, x = high
+    const auto side = [&](const Vec3& o, const Vec3& u, const Vec3& v) {
+      inward ? quad(o, u, v, cuts, cuts) : quad(o, v, u, cuts, cuts);
+    };
+    side(low, z, x), side(low + y, x, z);  // floor, ceiling
+    side(low, x, y), side(low + z, y, x);  // z = low, z = high
+    side(low, y, z), side(low + x, z, y);  // x = low, x = high
   }
 };
 
@@ -58,15 +60,19 @@ struct TestGltf {
     return glb.addAccessor(view, 5126, false, mesh.positions.size(), "VEC3");
   }
   int indices(const std::vector<std::uint32_t>& values) {
-    return glb.addAccessor(glb.addView(values.data(), values.size() * 4, 0, 0), 5125, false, values.size(), "SCALAR");
+    return glb.addAccessor(glb.addView(values.data(), values.size() * 4, 0, 0), 5125, false, values.size(),
+                           "SCALAR");
   }
   ordered_json primitive(const TestMesh& mesh, int material = -1) {
-    ordered_json result = {{"attributes", {{"POSITION", positions(mesh)}}}, {"indices", indices(mesh.indices)}};
+    ordered_json result = {{"attributes", {{"POSITION", positions(mesh)}}},
+                           {"indices", indices(mesh.indices)}};
     if (material >= 0) result["material"] = material;
     return result;
   }
   int mesh(ordered_json primitives) { return glb.append("meshes", {{"primitives", std::move(primitives)}}); }
-  int mesh(const TestMesh& m, int material = -1) { return mesh(ordered_json::array({primitive(m, material)})); }
+  int mesh(const TestMesh& m, int material = -1) {
+    return mesh(ordered_json::array({primitive(m, material)}));
+  }
   /// A root node; `more` is merged into it.
   int node(const std::string& name, int mesh, const ordered_json& more = ordered_json::object()) {
     ordered_json entry = {{"name", name}, {"mesh", mesh}};
@@ -76,7 +82,8 @@ struct TestGltf {
     return index;
   }
   int material(const std::string& name, double grey, const ordered_json& more = ordered_json::object()) {
-    ordered_json entry = {{"name", name}, {"pbrMetallicRoughness", {{"baseColorFactor", {grey, grey, grey, 1}}}}};
+    ordered_json entry = {{"name", name},
+                          {"pbrMetallicRoughness", {{"baseColorFactor", {grey, grey, grey, 1}}}}};
     for (const auto& [key, value] : more.items()) entry[key] = value;
     return glb.append("materials", std::move(entry));
   }
@@ -93,13 +100,15 @@ inline TestGltf boxRoom(const Vec3& size, double spacing, int cuts = 1) {
   TestGltf gltf;
   const int grey = gltf.material("grey", 0.5);
   const Vec3 x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z};
-  const auto side = [&](const char* name, const Vec3& o, const Vec3& u, const Vec3& v, const ordered_json& more = ordered_json::object()) {
+  const auto side = [&](const char* name, const Vec3& o, const Vec3& u, const Vec3& v,
+                        const ordered_json& more = ordered_json::object()) {
     TestMesh mesh;
     mesh.quad(o, u, v, cuts, cuts);
     gltf.node(name, gltf.mesh(mesh, grey), more);
   };
   side("floor", {}, z, x);
-  side("ceiling", y, x, z, spacing > 0 ? TestGltf::extras({{"mount", true}, {"siteSpacing", spacing}}) : ordered_json::object());
+  side("ceiling", y, x, z,
+       spacing > 0 ? TestGltf::extras({{"mount", true}, {"siteSpacing", spacing}}) : ordered_json::object());
   side("south", {}, x, y), side("north", z, y, x), side("west", {}, y, z), side("east", x, z, y);
   return gltf;
 }

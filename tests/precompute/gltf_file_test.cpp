@@ -8,8 +8,8 @@
 namespace fiatlux {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::allWarnings;
+using ::testing::HasSubstr;
 using testing::ordered_json;
 using testing::TestGltf;
 using testing::TestMesh;
@@ -18,7 +18,8 @@ using testing::TestMesh;
 std::vector<std::array<Vec3, 3>> trianglesOf(const SourceScene& scene) {
   std::vector<std::array<Vec3, 3>> all;
   for (const SourceMesh& mesh : scene.meshes)
-    for (const auto& t : mesh.triangles) all.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+    for (const auto& t : mesh.triangles)
+      all.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
   return all;
 }
 
@@ -88,7 +89,8 @@ TEST(GltfFile, IndicesOfEveryWidth) {
     mesh.indices = {0, 1, 2};
     ordered_json primitive = gltf.primitive(mesh);
     const std::vector<T> indices{0, 1, 2, 2, 1, 3};
-    primitive["indices"] = gltf.glb.addAccessor(gltf.glb.addView(indices.data(), 6 * sizeof(T), 0, 0), type, false, 6, "SCALAR");
+    primitive["indices"] =
+        gltf.glb.addAccessor(gltf.glb.addView(indices.data(), 6 * sizeof(T), 0, 0), type, false, 6, "SCALAR");
     gltf.node("square", gltf.mesh(ordered_json::array({primitive})));
     const auto scene = gltf.read();
     ASSERT_TRUE(scene) << scene.error().message;
@@ -105,7 +107,9 @@ TEST(GltfFile, SparseChangesAreApplied) {
   const std::uint8_t index[4] = {1, 3, 0, 0};
   const float values[6] = {5, 0, 0, 5, 1, 0};
   const int i = gltf.glb.addView(index, 2, 0, 0), v = gltf.glb.addView(values, 24, 0, 0);
-  gltf.glb.json["accessors"][0]["sparse"] = {{"count", 2}, {"indices", {{"bufferView", i}, {"componentType", 5121}}}, {"values", {{"bufferView", v}}}};
+  gltf.glb.json["accessors"][0]["sparse"] = {{"count", 2},
+                                             {"indices", {{"bufferView", i}, {"componentType", 5121}}},
+                                             {"values", {{"bufferView", v}}}};
   const auto scene = gltf.read();
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_NEAR(areaVectorOf(*scene).z, 5, 1e-6);
@@ -116,9 +120,10 @@ TEST(GltfFile, TransformsMultiplyDownTheTree) {
   TestMesh mesh = unitSquare();
   mesh.indices = {0, 1, 2, 2, 1, 3};
   const int m = gltf.mesh(mesh);
-  gltf.glb.json["nodes"] = {{{"children", {1}}, {"translation", {10, 0, 0}}, {"rotation", {0, 0.70710678, 0, 0.70710678}}},
-                            {{"children", {2}}, {"scale", {2, 2, 2}}},
-                            {{"name", "leaf"}, {"mesh", m}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1}}}};
+  gltf.glb.json["nodes"] = {
+      {{"children", {1}}, {"translation", {10, 0, 0}}, {"rotation", {0, 0.70710678, 0, 0.70710678}}},
+      {{"children", {2}}, {"scale", {2, 2, 2}}},
+      {{"name", "leaf"}, {"mesh", m}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1}}}};
   gltf.glb.json["scenes"][0]["nodes"] = {0};
   const auto scene = gltf.read(0.5);
   ASSERT_TRUE(scene) << scene.error().message;
@@ -141,7 +146,8 @@ TEST(GltfFile, WhatIsIgnoredIsSaid) {
   TestGltf gltf;
   TestMesh mesh = unitSquare();
   mesh.indices = {0, 1, 2};
-  gltf.node("lamp", gltf.mesh(mesh, gltf.material("glow", 0.5, {{"emissiveFactor", {1, 1, 0}}})), {{"skin", 0}});
+  gltf.node("lamp", gltf.mesh(mesh, gltf.material("glow", 0.5, {{"emissiveFactor", {1, 1, 0}}})),
+            {{"skin", 0}});
   gltf.glb.json["skins"] = {{{"joints", {0}}}};
   gltf.glb.json["animations"] = {{{"channels", ordered_json::array()}, {"samplers", ordered_json::array()}}};
   const auto scene = gltf.read();

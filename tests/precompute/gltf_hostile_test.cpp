@@ -1,4 +1,5 @@
-// Files made to hurt: each is refused in one readable line, or opened with a warning; never a crash, never a request.
+// Files made to hurt: each is refused in one readable line, or opened with a warning; never a crash, never a
+// request.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,10 +13,10 @@
 namespace fiatlux {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::allWarnings;
 using testing::boxRoom;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::ordered_json;
 using testing::TestGltf;
 using testing::TestMesh;
@@ -46,7 +47,9 @@ TestGltf plainRoom() { return boxRoom({4, 3, 5}, 1); }
 /// A .gltf in a folder of its own, with whatever lies around it.
 struct Folder {
   std::filesystem::path path;
-  Folder() : path(std::filesystem::temp_directory_path() / ("fiatlux-" + std::to_string(::getpid()) + "-" + std::to_string(counter()++))) {
+  Folder()
+      : path(std::filesystem::temp_directory_path() /
+             ("fiatlux-" + std::to_string(::getpid()) + "-" + std::to_string(counter()++))) {
     std::filesystem::create_directories(path / "inner");
   }
   ~Folder() { std::filesystem::remove_all(path); }
@@ -54,9 +57,13 @@ struct Folder {
     static int value = 0;
     return value;
   }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
   std::string refusal(const std::string& bufferUri) const {
-    write("inner/room.gltf", ordered_json({{"asset", {{"version", "2.0"}}}, {"buffers", {{{"byteLength", 4}, {"uri", bufferUri}}}}}).dump());
+    write("inner/room.gltf", ordered_json({{"asset", {{"version", "2.0"}}},
+                                           {"buffers", {{{"byteLength", 4}, {"uri", bufferUri}}}}})
+                                 .dump());
     const auto scene = readSourceScene((path / "inner/room.gltf").string(), 1);
     EXPECT_FALSE(scene) << "opened " << bufferUri;
     return scene ? "" : scene.error().message;
@@ -141,7 +148,8 @@ TEST(HostileGltf, TwoHundredThousandInstances) {  // item 7
   const int m = gltf.mesh(small);
   for (int i = 0; i < 200000; ++i) {
     gltf.glb.json["scenes"][0]["nodes"].push_back(gltf.glb.json["nodes"].size());
-    gltf.glb.json["nodes"].push_back({{"mesh", m}, {"translation", {i % 100 * 0.02, i / 100 % 100 * 0.01, i / 10000 * 0.1}}});
+    gltf.glb.json["nodes"].push_back(
+        {{"mesh", m}, {"translation", {i % 100 * 0.02, i / 100 % 100 * 0.01, i / 10000 * 0.1}}});
   }
   const auto room = gltf.build();
   ASSERT_TRUE(room) << room.error().message;
@@ -170,7 +178,8 @@ TEST(HostileGltf, AddressesOutsideTheFolderAreNeverOpened) {  // items 8, 9, 10
   std::filesystem::create_symlink(folder.path / "secret.bin", folder.path / "inner/link.bin");
   EXPECT_THAT(folder.refusal("link.bin"), HasSubstr("links to outside"));
   EXPECT_THAT(folder.refusal("data:application/octet-stream;base64,AA!AA==="), HasSubstr("bad base64"));
-  EXPECT_THAT(folder.refusal("data:application/octet-stream;base64,AAAA"), HasSubstr("should have 4 bytes but has 3"));
+  EXPECT_THAT(folder.refusal("data:application/octet-stream;base64,AAAA"),
+              HasSubstr("should have 4 bytes but has 3"));
   EXPECT_THAT(folder.refusal("data:text/plain,AAAA"), HasSubstr("not base64"));
 }
 
@@ -179,8 +188,9 @@ TEST(HostileGltf, SparseIndexOutOfRange) {  // item 11
   const std::uint16_t index = 60000;
   const float value[3] = {0, 0, 0};
   const int indices = gltf.glb.addView(&index, 2, 0, 0), values = gltf.glb.addView(value, 12, 0, 0);
-  gltf.glb.json["accessors"][0]["sparse"] = {
-      {"count", 1}, {"indices", {{"bufferView", indices}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
+  gltf.glb.json["accessors"][0]["sparse"] = {{"count", 1},
+                                             {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                             {"values", {{"bufferView", values}}}};
   EXPECT_THAT(refusal(gltf), HasSubstr("sparse index is out of range"));
   gltf.glb.json["accessors"][0]["sparse"]["count"] = 3;
   EXPECT_THAT(refusal(gltf), HasSubstr("do not fit"));
@@ -244,8 +254,9 @@ TEST(HostileGltf, ColoursOutsideTheirRange) {  // item 16
 }
 
 TEST(HostileGltf, NamesAreTextAndShort) {  // item 17
-  for (const std::string& name : {std::string("<img src=x onerror=alert(1)>"), std::string("</script>"), std::string("a\u202Egnp.exe"),
-                                  std::string(5 << 20, 'n'), std::string("all"), std::string("\n\x1b[31m"), std::string("a/b/c")}) {
+  for (const std::string& name :
+       {std::string("<img src=x onerror=alert(1)>"), std::string("</script>"), std::string("a\u202Egnp.exe"),
+        std::string(5 << 20, 'n'), std::string("all"), std::string("\n\x1b[31m"), std::string("a/b/c")}) {
     TestGltf gltf = plainRoom();
     for (auto& node : gltf.glb.json["nodes"]) node["name"] = name;
     gltf.glb.json["materials"][0]["name"] = name;
@@ -267,7 +278,8 @@ TEST(HostileGltf, NamesAreTextAndShort) {  // item 17
 TEST(HostileGltf, KeysOfPrototypesMeanNothing) {  // item 18
   TestGltf gltf = plainRoom();
   gltf.glb.json["__proto__"] = {{"polluted", true}};
-  gltf.glb.json["nodes"][0]["extras"] = {{"__proto__", {{"fiatlux", {{"mount", true}}}}}, {"constructor", {{"prototype", 1}}}};
+  gltf.glb.json["nodes"][0]["extras"] = {{"__proto__", {{"fiatlux", {{"mount", true}}}}},
+                                         {"constructor", {{"prototype", 1}}}};
   EXPECT_TRUE(gltf.build());
 }
 
@@ -301,22 +313,26 @@ TEST(HostileGltf, GlbLengthsThatLie) {  // item 20
       std::memcpy(bytes.data() + word, &value, 4);
       refusal(bytes);
     }
-  for (std::size_t size = 0; size < good.size(); size += 97) refusal({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)});
+  for (std::size_t size = 0; size < good.size(); size += 97)
+    refusal({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)});
 }
 
 TEST(HostileGltf, JsonOfTheWrongShape) {
-  const ordered_json values[] = {nullptr, true, -1, 1e18, "text", ordered_json::array(), ordered_json::object(), {1, "x", nullptr}};
+  const ordered_json values[] = {
+      nullptr, true, -1, 1e18, "text", ordered_json::array(), ordered_json::object(), {1, "x", nullptr}};
   for (const char* list : {"nodes", "meshes", "accessors", "bufferViews", "buffers", "materials", "scenes"})
     for (const ordered_json& value : values) {
       TestGltf whole = plainRoom(), first = plainRoom();
       whole.glb.json[list] = value;
       first.glb.json[list][0] = value;
       for (TestGltf* gltf : {&whole, &first})
-        if (const auto scene = readSourceScene(gltf->glb.bytes(), "shape.glb", 1)) (void)buildRoom(*scene, {});
+        if (const auto scene = readSourceScene(gltf->glb.bytes(), "shape.glb", 1))
+          (void)buildRoom(*scene, {});
       for (const auto& [key, unused] : plainRoom().glb.json[list][0].items()) {
         TestGltf inner = plainRoom();
         inner.glb.json[list][0][key] = value;
-        if (const auto scene = readSourceScene(inner.glb.bytes(), "shape.glb", 1)) (void)buildRoom(*scene, {});
+        if (const auto scene = readSourceScene(inner.glb.bytes(), "shape.glb", 1))
+          (void)buildRoom(*scene, {});
       }
     }
 }
