@@ -159,10 +159,8 @@ async function precompute() {
     native: round(median),
     unit: 's',
     spread: round(spread, 2),
-    ...{
-      peak_mib: Math.round(Math.max(...runs.map(({ mebibytes }) => mebibytes))),
-      batches: runs.length,
-    },
+    peak_mib: Math.round(Math.max(...runs.map(({ mebibytes }) => mebibytes))),
+    batches: runs.length,
     stages: JSON.parse(output(inRoot('build/fiatlux'), ['info', target, '--json'])).seconds,
   });
   rmSync(folder, { recursive: true });
