@@ -13,19 +13,20 @@ using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 
 /// Adds weight x (sum of the hits' rows of `detail`) to `out`, kWidth columns known to the compiler.
 template <std::uint32_t kWidth>
-void addHits(const std::uint32_t* hits, std::uint32_t rays, float weight, const float* detail, float* out) {
+void addHits(const std::uint32_t* hits, const std::uint32_t* end, float weight, const float* detail,
+             float* out) {
   float sums[kWidth] = {};
-  for (std::uint32_t i = 0; i < rays && hits[i] != kNone; ++i) {
-    const float* source = detail + std::size_t{hits[i]} * kWidth;
+  for (; hits < end && *hits != kNone; ++hits) {
+    const float* source = detail + std::size_t{*hits} * kWidth;
     for (std::uint32_t j = 0; j < kWidth; ++j) sums[j] += source[j];
   }
   for (std::uint32_t j = 0; j < kWidth; ++j) out[j] += weight * sums[j];
 }
 
-void addHits(const std::uint32_t* hits, std::uint32_t rays, float weight, const float* detail,
+void addHits(const std::uint32_t* hits, const std::uint32_t* end, float weight, const float* detail,
              std::uint32_t width, float* out) {
-  for (std::uint32_t i = 0; i < rays && hits[i] != kNone; ++i) {
-    const float* source = detail + std::size_t{hits[i]} * width;
+  for (; hits < end && *hits != kNone; ++hits) {
+    const float* source = detail + std::size_t{*hits} * width;
     for (std::uint32_t j = 0; j < width; ++j) out[j] += weight * source[j];
   }
 }
@@ -57,14 +58,15 @@ void irradiance(const FormFactors& factors, const float* b, std::uint32_t width,
     }
   }
   for (std::uint32_t p = 0; p < factors.rows; ++p) {
-    const std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
+    const std::uint32_t* hits = factors.hits.data() + factors.hitOffset[p];
+    const std::uint32_t* end = factors.hits.data() + factors.hitOffset[p + 1];
     float* row = out + std::size_t{p} * width;
     if (width == 16) {
-      addHits<16>(hits, factors.rays, factors.hitWeight[p], detail.data(), row);
+      addHits<16>(hits, end, factors.hitWeight[p], detail.data(), row);
     } else if (width == 8) {
-      addHits<8>(hits, factors.rays, factors.hitWeight[p], detail.data(), row);
+      addHits<8>(hits, end, factors.hitWeight[p], detail.data(), row);
     } else {
-      addHits(hits, factors.rays, factors.hitWeight[p], detail.data(), width, row);
+      addHits(hits, end, factors.hitWeight[p], detail.data(), width, row);
     }
   }
 }

@@ -15,16 +15,17 @@ namespace fiatlux {
 /// met there ("hits") correct it. What p loses through openings and to back faces is simply missing: sum of
 /// U_pc over c = 1 - lost_p.
 struct FormFactors {
-  std::uint32_t rows = 0;              // patches and receivers
-  std::uint32_t count = 0;             // n, columns of F
-  std::uint32_t clusters = 0;          // k
-  std::uint32_t rays = 0;              // cast from each row
-  std::vector<float> u;                // rows x k, row-major
-  std::vector<std::uint32_t> cluster;  // n: V's only non-zero of row q is in this column,
-  std::vector<double> share;           // n: and is this: A_q / A_c
-  std::vector<std::uint32_t> hits;     // rows x rays, row-major: patches met, ascending, then kNone
-  std::vector<float> hitWeight;        // rows: the form factor that one hit stands for
-  std::vector<float> lost;             // rows: share of the rays that were lost
+  std::uint32_t rows = 0;                // patches and receivers
+  std::uint32_t count = 0;               // n, columns of F
+  std::uint32_t clusters = 0;            // k
+  std::uint32_t rays = 0;                // cast from each row
+  std::vector<float> u;                  // rows x k, row-major
+  std::vector<std::uint32_t> cluster;    // n: V's only non-zero of row q is in this column,
+  std::vector<double> share;             // n: and is this: A_q / A_c
+  std::vector<std::uint64_t> hitOffset;  // rows + 1: row p's places in hits; how many rays it cast
+  std::vector<std::uint32_t> hits;       // patches met, ascending, then kNone up to the row's end
+  std::vector<float> hitWeight;          // rows: the form factor that one hit stands for
+  std::vector<float> lost;               // rows: share of the rays that were lost
 };
 
 /// V^T e: k x width from n x width, row-major; summed in double.

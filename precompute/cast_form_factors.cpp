@@ -15,12 +15,12 @@ namespace {
 
 /// Casts the rays of one patch; hits[i] is the patch that ray i met.
 void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
-              std::uint64_t seed, std::uint32_t* hits) {
+              std::uint64_t seed, std::uint32_t rays, std::uint32_t* hits) {
   const auto scramble = RaySequence::scramble(seed);
   Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
-  for (std::uint32_t first = 0; first < sequence.count(); first += RayPacket::kSize) {
+  for (std::uint32_t first = 0; first < rays; first += RayPacket::kSize) {
     RayPacket packet;
-    const std::uint32_t last = std::min(first + RayPacket::kSize, sequence.count());
+    const std::uint32_t last = std::min(first + RayPacket::kSize, rays);
     for (std::uint32_t i = first; i < last; ++i) {
       const auto sample = sequence.point(i, scramble);
       const PatchPoint point = sampler.at(sample[2], sample[3]);
@@ -38,11 +38,12 @@ void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySeq
 
 /// Turns the rays of row p into its U, its hits and their weight; `ranges` and `u` come from FarField::row.
 void finishRow(FormFactors& factors, std::uint32_t p, const std::vector<FarField::Range>& ranges, float* u) {
-  std::uint32_t* hits = factors.hits.data() + std::size_t{p} * factors.rays;
-  std::uint32_t* end = hits + factors.rays;
+  std::uint32_t* hits = factors.hits.data() + factors.hitOffset[p];
+  std::uint32_t* end = factors.hits.data() + factors.hitOffset[p + 1];
+  const auto rays = static_cast<double>(end - hits);
   const auto rangeOf = [&](std::uint32_t q) { return ranges[factors.cluster[q]]; };
   std::uint32_t* met = std::remove(hits, end, kNone);
-  const auto lost = static_cast<double>(end - met) / factors.rays;
+  const auto lost = static_cast<double>(end - met) / rays;
   std::uint32_t* kept =
       std::remove_if(hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kFar; });
   std::sort(hits, kept);
@@ -51,24 +52,23 @@ void finishRow(FormFactors& factors, std::uint32_t p, const std::vector<FarField
   // One factor for near and far alike makes the row sum to what was not lost.
   const auto near =
       std::count_if(hits, kept, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kNear; });
-  double sum = static_cast<double>(near) / factors.rays;
+  double sum = static_cast<double>(near) / rays;
   for (std::uint32_t c = 0; c < factors.clusters; ++c) sum += u[c];
   const double scale = sum > 0 ? (1 - lost) / sum : 0;
   for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = static_cast<float>(scale * u[c]);
   factors.lost[p] = static_cast<float>(lost);
-  factors.hitWeight[p] = static_cast<float>(scale / factors.rays);
+  factors.hitWeight[p] = static_cast<float>(scale / rays);
   for (const std::uint32_t* hit = hits; hit < kept; ++hit) {
     if (rangeOf(*hit) == FarField::Range::kNear) u[factors.cluster[*hit]] += factors.hitWeight[p];
   }
 }
 
 /// Sizes everything and fills in V.
-FormFactors emptyFactors(const Patches& patches, std::uint32_t rays) {
+FormFactors emptyFactors(const Patches& patches, const std::vector<std::uint32_t>& rays) {
   FormFactors factors;
   factors.rows = patches.rows();
   factors.count = patches.count;
   factors.clusters = patches.clusterCount;
-  factors.rays = rays;
   factors.cluster.assign(patches.cluster.begin(), patches.cluster.begin() + patches.count);
   std::vector<double> clusterArea(patches.clusterCount, 0.0);
   for (std::uint32_t q = 0; q < patches.count; ++q) clusterArea[patches.cluster[q]] += patches.area[q];
@@ -76,7 +76,9 @@ FormFactors emptyFactors(const Patches& patches, std::uint32_t rays) {
     factors.share.push_back(patches.area[q] / clusterArea[patches.cluster[q]]);
   }
   factors.u.resize(std::size_t{factors.rows} * factors.clusters);
-  factors.hits.resize(std::size_t{factors.rows} * rays);
+  factors.hitOffset.push_back(0);
+  for (const std::uint32_t count : rays) factors.hitOffset.push_back(factors.hitOffset.back() + count);
+  factors.hits.resize(factors.hitOffset.back());
   factors.hitWeight.resize(factors.rows);
   factors.lost.resize(factors.rows);
   return factors;
@@ -85,8 +87,11 @@ FormFactors emptyFactors(const Patches& patches, std::uint32_t rays) {
 }  // namespace
 
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
-  FormFactors factors = emptyFactors(room.patches, options.rays);
-  const RaySequence sequence(options.rays);
+  const std::vector<std::uint32_t> rays = options.plain
+                                              ? std::vector<std::uint32_t>(room.patches.rows(), options.rays)
+                                              : raysOfRows(room.patches, options.rays);
+  FormFactors factors = emptyFactors(room.patches, rays);
+  const RaySequence sequence(rays.empty() ? 0 : *std::max_element(rays.begin(), rays.end()));
   const std::uint64_t seed = mixBits(options.seed);
   const FarField farField(room, tracer, seed);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
@@ -96,14 +101,34 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
     for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
       const PatchSampler sampler(room, p);
       float* u = factors.u.data() + std::size_t{p} * factors.clusters;
-      castRays(tracer, sampler, sequence, seed ^ mixBits(p),
-               factors.hits.data() + std::size_t{p} * options.rays);
-      if (options.farField) farField.row(p, sampler, ranges, u);
+      castRays(tracer, sampler, sequence, seed ^ mixBits(p), rays[p],
+               factors.hits.data() + factors.hitOffset[p]);
+      if (!options.plain) farField.row(p, sampler, ranges, u);
       finishRow(factors, p, ranges, u);
     }
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
   return factors;
+}
+
+std::vector<std::uint32_t> raysOfRows(const Patches& patches, std::uint32_t rays) {
+  constexpr std::uint32_t kMost = 16;
+  std::vector<std::uint32_t> size;
+  for (const std::uint32_t s : patches.surface) {
+    size.resize(std::max<std::size_t>(size.size(), s + 1), 0);
+    ++size[s];
+  }
+  // The surface size up to which rays are multiplied, so that together they stay within twice the plain
+  // number.
+  for (std::uint32_t enough = 512;; enough /= 2) {
+    std::vector<std::uint32_t> result;
+    std::uint64_t total = 0;
+    for (const std::uint32_t s : patches.surface) {
+      result.push_back(rays * std::clamp(enough / size[s], 1u, kMost));
+      total += result.back();
+    }
+    if (enough == 1 || total <= 2 * std::uint64_t{rays} * patches.rows()) return result;
+  }
 }
 
 std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors) {

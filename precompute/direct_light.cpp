@@ -146,26 +146,34 @@ class Shadow {
   std::size_t lane_[RayPacket::kSize];
 };
 
-/// Mean illuminance over points of one patch.
-double patchLight(const RayTracer& tracer, const Source& source, const std::vector<PatchPoint>& points,
-                  std::uint32_t split, std::uint64_t seed, std::vector<double>& lit) {
+/// Light at each point if nothing were between; returns the mean.
+double unshadowedMean(const Source& source, const std::vector<PatchPoint>& points, std::vector<double>& lit) {
   lit.assign(points.size(), 0.0);
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     lit[i] = unshadowed(source, points[i].position, points[i].normal);
     sum += points[i].weight * lit[i];
   }
+  return sum;
+}
+
+/// Mean illuminance over one patch: by `points`, or by the finer ones where a shadow's edge crosses it.
+double patchLight(const RayTracer& tracer, const Source& source, const std::vector<PatchPoint>& points,
+                  const std::vector<PatchPoint>& fine, std::uint32_t split, std::uint64_t seed,
+                  std::vector<double>& lit) {
+  const double sum = unshadowedMean(source, points, lit);
   if (sum <= 0) return 0;
   Shadow probe(tracer, source);
   probe.cast(points, lit, split, Random(seed));
   if (probe.verdict() != 0) return probe.verdict() > 0 ? sum : 0;
 
-  // Penumbra, or the edge of a shadow: probe twice as finely and weigh the parts of the source that are seen.
+  // Penumbra: probe twice as finely and weigh the parts of the source that are seen.
+  unshadowedMean(source, fine, lit);
   Shadow shadow(tracer, source);
-  shadow.cast(points, lit, 2 * split, Random(seed, 1));
+  shadow.cast(fine, lit, 2 * split, Random(seed, 1));
   double seen = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (lit[i] > 0) seen += points[i].weight * lit[i] * shadow.visibleShare(points[i], i);
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    if (lit[i] > 0) seen += fine[i].weight * lit[i] * shadow.visibleShare(fine[i], i);
   }
   return seen;
 }
@@ -190,7 +198,7 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
       for (std::size_t j = 0; j < sources.size(); ++j) {
         const bool near = sources[j].distance(room.patches.center[p]) < 2.5 * edge;
         light[j * rows + p] =
-            static_cast<float>(patchLight(tracer, sources[j], near ? fine : coarse, options.split,
+            static_cast<float>(patchLight(tracer, sources[j], near ? fine : coarse, fine, options.split,
                                           mixBits(seed ^ (std::uint64_t{p} << 32 | j)), lit));
       }
     }

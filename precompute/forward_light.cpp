@@ -83,7 +83,7 @@ Result<Done> solve(const Room& room, const RayTracer& tracer, const ForwardOptio
                    ForwardLight& light) {
   const Patches& patches = room.patches;
   const FormFactors factors = castFormFactors(
-      room, tracer, {options.rays, true, options.seed, options.threads, stage("form factors")});
+      room, tracer, {options.rays, false, options.seed, options.threads, stage("form factors")});
   stage("interreflection");
   const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(factors, patches);
   if (!lowRank) return lowRank.error();

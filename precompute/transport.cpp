@@ -116,7 +116,7 @@ void collectStatistics(const Room& room, unsigned threads, Transport& result) {
 double transportBytes(const Patches& patches, std::size_t sites, const TransportOptions& options) {
   const double n = patches.count, rows = patches.rows(), k = patches.clusterCount,
                m = static_cast<double>(sites);
-  const double hits = 4 * rows * options.rays, u = 4 * rows * k, core = 3 * 8 * k * k,
+  const double hits = (options.paper ? 4 : 8) * rows * options.rays, u = 4 * rows * k, core = 3 * 8 * k * k,
                responses = 4 * rows * m;
   const double blocks = threadCount(options.threads) * 4.0 * kBlockWidth * (4 * n + 2 * rows);
   double surfaces = 0;
@@ -138,7 +138,7 @@ Result<Transport> computeTransport(const Room& room, const TransportOptions& opt
   Stages stages(options, result);
   result.factors = castFormFactors(
       room, *tracer,
-      {options.rays, !options.paper, options.seed, options.threads, stages.begin("form factors")});
+      {options.rays, options.paper, options.seed, options.threads, stages.begin("form factors")});
   result.lost = lostShares(room.patches, room.surfaces.size(), result.factors);
 
   stages.begin("low-rank radiosity");

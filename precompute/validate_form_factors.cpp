@@ -18,7 +18,7 @@ const std::string kTopic = "form factors";
 double castFactor(const ValidationScene& scene, const ValidationOptions& options, const std::string& from,
                   const std::string& onto) {
   const FormFactors factors =
-      castFormFactors(scene.room(), scene.tracer(), {options.rays, true, options.seed, options.threads, {}});
+      castFormFactors(scene.room(), scene.tracer(), {options.rays, false, options.seed, options.threads, {}});
   std::vector<float> shining(factors.count, 0.0f), received(factors.rows);
   for (std::uint32_t p = 0; p < factors.count; ++p) shining[p] = scene.belongs(p, onto) ? 1.0f : 0.0f;
   irradiance(factors, shining.data(), 1, received.data());
@@ -79,7 +79,7 @@ void sphere(Validation& validation) {
   const Patches& patches = scene.room().patches;
   const FormFactors factors = castFormFactors(
       scene.room(), scene.tracer(),
-      {validation.options.rays, true, validation.options.seed, validation.options.threads, {}});
+      {validation.options.rays, false, validation.options.seed, validation.options.threads, {}});
   // Any part of a sphere sees another part in proportion to its area alone: here a cap and the rest.
   std::vector<float> shining(factors.count, 0.0f), received(factors.rows);
   double cap = 0, all = 0, low = 0, lowArea = 0, squares = 0;

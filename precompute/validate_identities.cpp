@@ -68,7 +68,7 @@ void formFactorIdentities(Validation& validation) {
   if (!scene) return;
   const ValidationOptions& o = validation.options;
   const FormFactors factors =
-      castFormFactors(scene.room(), scene.tracer(), {o.rays, true, o.seed, o.threads, {}});
+      castFormFactors(scene.room(), scene.tracer(), {o.rays, false, o.seed, o.threads, {}});
   double worst = 0;
   for (std::uint32_t p = 0; p < factors.count; ++p) {
     double sum = 0;

@@ -32,13 +32,13 @@ struct RandomRoom {
     }
     factors.rows = factors.count = n;
     factors.clusters = k;
-    factors.rays = rays;
     factors.cluster = patches.cluster;
     factors.u.assign(std::size_t{n} * k, 0.0f);
     factors.hitWeight.assign(n, 1.0f / static_cast<float>(rays));
     factors.lost.assign(n, 0.0f);
     full.assign(std::size_t{n} * n, 0.0);
     for (std::uint32_t p = 0; p < n; ++p) factors.share.push_back(patches.area[p] / clusterArea[p % k]);
+    for (std::uint32_t p = 0; p <= n; ++p) factors.hitOffset.push_back(std::uint64_t{p} * rays);
     for (std::uint32_t p = 0; p < n; ++p) {
       std::vector<std::uint32_t> hits(rays);
       for (std::uint32_t& hit : hits) hit = random.below(n);
