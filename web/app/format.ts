@@ -18,6 +18,11 @@ export function grouped(text: string): string {
   return fraction === undefined ? spaced : `${spaced}.${fraction}`;
 }
 
+/** 950, 12 400, 2.07 million: how many layouts were tried. */
+export function count(value: number): string {
+  return value >= 1e6 ? `${(value / 1e6).toPrecision(3)} M` : grouped(String(value));
+}
+
 export function percent(share: number): string {
   if (!Number.isFinite(share)) return '–';
   const value = share * 100;

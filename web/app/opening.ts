@@ -74,6 +74,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       store.scene.value = scene;
       store.roomTitle.value = title;
       store.preview.value = null;
+      store.messages.value = [];
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = null;

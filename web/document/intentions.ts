@@ -162,6 +162,17 @@ function endsOf({ min, max }: { min?: number; max?: number }): Range {
   return { ...(min !== undefined && { min }), ...(max !== undefined && { max }) };
 }
 
+/** withBound, where an end that passes the other one pushes it along. */
+export function withPushedBound(card: Card, field: BoundField, value: number | undefined): Card {
+  const [group, end] = field.split('.');
+  const next = withBound(card, field, value);
+  if (!end || value === undefined) return next;
+  const other = `${group}.${end === 'min' ? 'max' : 'min'}` as BoundField;
+  const limit = boundOf(card, other);
+  if (limit === undefined) return next;
+  return (end === 'min' ? value > limit : value < limit) ? withBound(next, other, value) : next;
+}
+
 /** Sets an optional property of a card, or takes it away (never stores `undefined`). */
 export function withOptional<Key extends 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast'>(
   card: Card,

@@ -86,6 +86,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
           unit={unit}
           step={step}
           placeholder="no least"
+          waits={(value) => value > (guarantee.max ?? Infinity)}
           onInput={(value) => set('guarantee.min', value)}
           onEnd={end}
         />
@@ -96,6 +97,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
           unit={unit}
           step={step}
           placeholder="no most"
+          waits={(value) => value < (guarantee.min ?? 0)}
           onInput={(value) => set('guarantee.max', value)}
           onEnd={end}
         />

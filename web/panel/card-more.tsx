@@ -83,6 +83,7 @@ function SpreadFields({ card, reached }: FieldsProps) {
           unit={unit}
           step={step}
           placeholder="no least"
+          waits={(value) => value > (card.spread?.max ?? Infinity)}
           onInput={(value) => set('spread.min', value)}
           onEnd={end}
         />
@@ -93,6 +94,7 @@ function SpreadFields({ card, reached }: FieldsProps) {
           unit={unit}
           step={step}
           placeholder="no most"
+          waits={(value) => value < (card.spread?.min ?? 0)}
           onInput={(value) => set('spread.max', value)}
           onEnd={end}
         />

@@ -5,6 +5,11 @@ import { bindingBounds, easedCards, fieldText, fluxThatWouldDo, type BindingBoun
 import { compact, grouped, unitOf } from '../app/format.ts';
 import { namesText } from './surface-picker.tsx';
 
+/** What is reached, with as many digits as tell it from what is asked. */
+function apart(reached: number, asked: number): string {
+  return compact(reached) === compact(asked) ? String(Number(reached.toPrecision(6))) : compact(reached);
+}
+
 export function InfeasibleHelp() {
   const app = useApp();
   const { store, solving } = app;
@@ -44,7 +49,7 @@ export function InfeasibleHelp() {
               <span>
                 <strong>{namesText(bound.card.surfaces)}</strong>: {fieldText(bound.card, bound.field)}{' '}
                 {compact(bound.asked)}
-                {suffix}, the best found has {compact(bound.reached)}
+                {suffix}, the best found has {apart(bound.reached, bound.asked)}
                 {suffix}.
               </span>
               <span class="row">

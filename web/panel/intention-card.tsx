@@ -4,7 +4,7 @@ import { useRef } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { compact, niceCeiling, niceStep, ratio, unitOf } from '../app/format.ts';
 import { leavesOf } from '../app/statistics.ts';
-import { keepRange, withBound, withOptional, type BoundField } from '../document/intentions.ts';
+import { keepRange, withOptional, withPushedBound, type BoundField } from '../document/intentions.ts';
 import type { Card, Verb } from '../document/types.ts';
 import { CardGuarantee } from './card-guarantee.tsx';
 import { CardMore } from './card-more.tsx';
@@ -27,7 +27,7 @@ export function useBound(card: Card) {
       app.changeCard(
         card.id,
         `Change a bound of ${card.surfaces[0]}`,
-        (each) => withBound(each, field, value),
+        (each) => withPushedBound(each, field, value),
         `${card.id} ${field}`,
       ),
     end: () => app.store.endGesture(),
@@ -213,8 +213,8 @@ function MeanRange({ card }: CardProps) {
           value={min}
           unit={unit}
           step={step}
-          {...(max !== undefined && { max })}
           placeholder="no least"
+          waits={(value) => value > (max ?? Infinity)}
           onInput={(value) => set('mean.min', value || undefined)}
           onEnd={end}
         />
@@ -224,8 +224,8 @@ function MeanRange({ card }: CardProps) {
           value={max}
           unit={unit}
           step={step}
-          min={min ?? 0}
           placeholder="no most"
+          waits={(value) => value < (min ?? 0)}
           onInput={(value) => set('mean.max', value)}
           onEnd={end}
         />

@@ -11,6 +11,8 @@ interface Props {
   readonly max?: number;
   readonly placeholder?: string;
   readonly whole?: boolean;
+  /** What is typed and not yet so (a maximum on its way past the minimum) waits for Enter or the end of the typing. */
+  readonly waits?: (value: number) => boolean;
   readonly onInput: (value: number | undefined) => void; // undefined only when `placeholder` is given
   readonly onEnd?: () => void;
 }
@@ -24,20 +26,23 @@ export function readNumber(text: string): number | null {
 }
 
 const written = (value: number | undefined) =>
-  value === undefined ? '' : String(Number(value.toPrecision(6)));
+  value === undefined ? '' : String(Number(value.toPrecision(5)));
 
 export function NumberField(props: Props) {
-  const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, onInput, onEnd } = props;
+  const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
   const isWrong = draft !== null && draft !== '' && readNumber(draft) === null;
   const take = (text: string) => {
     setDraft(text);
     const next = readNumber(text);
-    if (next !== null) onInput(fit(next));
+    if (next !== null && !waits?.(next)) onInput(fit(next));
+    else if (next !== null) return;
     else if (text.trim() === '' && placeholder !== undefined) onInput(undefined);
   };
   const end = () => {
+    const waiting = draft === null ? null : readNumber(draft);
+    if (waiting !== null && waits?.(waiting)) onInput(fit(waiting));
     setDraft(null);
     onEnd?.();
   };

@@ -1,7 +1,7 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { grouped, percent } from '../app/format.ts';
+import { count, grouped, percent } from '../app/format.ts';
 
 const words = {
   idle: 'Not solved',
@@ -10,23 +10,26 @@ const words = {
   shown: 'As given',
 } as const;
 
+// A proved bound further away than this says nothing that helps.
+const loosest = 0.5;
+
 export function StatusLine() {
   const { store, solving } = useApp();
   const { state, evaluations, milliseconds } = store.progress.value;
   const shown = store.shown.value;
   const bound = store.bound.value;
   const isMet = shown !== null && shown.violation === 0;
+  const isTelling = bound !== null && bound.gap <= loosest;
   return (
     <footer class="status-line">
       <span class={`lamp ${state}`} aria-hidden="true" />
       <span class="status-state">{words[state]}</span>
       {evaluations > 0 && (
         <span class="status-figures">
-          {grouped(String(evaluations))} layouts · {grouped(milliseconds.toFixed(milliseconds < 10 ? 1 : 0))}{' '}
-          ms
+          {count(evaluations)} layouts · {grouped(milliseconds.toFixed(milliseconds < 10 ? 1 : 0))} ms
         </span>
       )}
-      {state === 'settled' && bound && isMet && (
+      {state === 'settled' && isTelling && isMet && (
         <span class="status-bound" title="A proved bound: no layout can be better by more than this">
           within {percent(bound.gap)} of the best
         </span>

@@ -5,6 +5,7 @@ import {
   intentionsOf,
   keepRange,
   withBound,
+  withPushedBound,
   type BoundField,
 } from '../../../web/document/intentions.ts';
 import type { Card, FiatLuxDocument } from '../../../web/document/types.ts';
@@ -104,6 +105,13 @@ describe('bounds of a card', () => {
     expect(boundOf(set, field)).toBe(value);
     expect(withBound(set, field, undefined)).toEqual(wall);
     expect(Object.values(withBound(set, field, undefined))).not.toContain(undefined);
+  });
+
+  test('an end that passes the other one pushes it along', () => {
+    const both = { ...wall, mean: { min: 1, max: 2 } };
+    expect(withPushedBound(both, 'mean.min', 5).mean).toEqual({ min: 5, max: 5 });
+    expect(withPushedBound(both, 'mean.max', 0.5).mean).toEqual({ min: 0.5, max: 0.5 });
+    expect(withPushedBound(both, 'mean.max', 3).mean).toEqual({ min: 1, max: 3 });
   });
 
   test('taking away one end leaves the other', () => {
