@@ -15,5 +15,6 @@ void addLightCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
 void addSolveCommand(CLI::App& app);
 void addAlphaCommand(CLI::App& app);
+void addExperimentsCommand(CLI::App& app);
 
 }  // namespace fiatlux

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   fiatlux::addSolveCommand(app);
   fiatlux::addAlphaCommand(app);
+  fiatlux::addExperimentsCommand(app);
   fiatlux::addPrecomputeCommand(app);
   fiatlux::addInfoCommand(app);
   fiatlux::addEvaluateCommand(app);
