@@ -5,7 +5,7 @@ import { compact, easedBound, niceStep, unitOf } from '../app/format.ts';
 import { intentionsOf, withBound, withOptional } from '../document/intentions.ts';
 import type { Card } from '../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
-import { useBound, type CardProps } from './intention-card.tsx';
+import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from './number-field.tsx';
 import { useReached } from './use-reached.ts';
 

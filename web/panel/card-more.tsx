@@ -3,7 +3,7 @@ import { Plus, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, niceStep, ratio, unitOf } from '../app/format.ts';
 import { withOptional } from '../document/intentions.ts';
-import { useBound, type CardProps } from './intention-card.tsx';
+import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from './number-field.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
 import { useReached, type Reached } from './use-reached.ts';

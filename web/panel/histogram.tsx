@@ -7,7 +7,7 @@ import { useApp } from '../app/app.ts';
 import { compact, niceStep, percent, unitOf } from '../app/format.ts';
 import { histogram, promises, shareBelow, type AreaSample } from '../app/statistics.ts';
 import { boundOf, type BoundField } from '../document/intentions.ts';
-import { useBound, useScale, type CardProps } from './intention-card.tsx';
+import { useBound, useScale, type CardProps } from './card-hooks.ts';
 import { stepped } from './slider.tsx';
 import { useSample } from './use-reached.ts';
 

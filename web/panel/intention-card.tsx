@@ -1,38 +1,19 @@
 /** A card: surface, verb, what is asked and what it reaches. The opened card carries all its controls and the histogram. */
 import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
-import { useRef } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import { compact, niceCeiling, niceStep, ratio, unitOf } from '../app/format.ts';
+import { compact, ratio, unitOf } from '../app/format.ts';
 import { leavesOf } from '../app/statistics.ts';
-import { keepRange, withOptional, withPushedBound, type BoundField } from '../document/intentions.ts';
+import { keepRange, withOptional } from '../document/intentions.ts';
 import type { Card, Verb } from '../document/types.ts';
 import { CardGuarantee } from './card-guarantee.tsx';
+import type { CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
 import { NumberField } from './number-field.tsx';
-import { RangeSlider } from './slider.tsx';
+import { MeanRange } from './mean-range.tsx';
 import { namesText, SurfacePicker } from './surface-picker.tsx';
 import { useReached } from './use-reached.ts';
 import { verbs } from './verbs.ts';
-
-export interface CardProps {
-  readonly card: Card;
-}
-
-/** Sets a bound of a card; all changes until the gesture ends are one step. */
-export function useBound(card: Card) {
-  const app = useApp();
-  return {
-    set: (field: BoundField, value: number | undefined) =>
-      app.changeCard(
-        card.id,
-        `Change a bound of ${card.surfaces[0]}`,
-        (each) => withPushedBound(each, field, value),
-        `${card.id} ${field}`,
-      ),
-    end: () => app.store.endGesture(),
-  };
-}
 
 export function IntentionCard({ card }: CardProps) {
   const app = useApp();
@@ -152,84 +133,6 @@ function Reading({ name, sub, value }: { name: string; sub?: string; value: stri
         {sub && <sub>{sub}</sub>}
       </dt>
       <dd>{value}</dd>
-    </div>
-  );
-}
-
-/** A scale that does not move under the hand: it follows the numbers only while nobody drags. */
-export function useScale(needed: number): { scale: number; hold: () => void; release: () => void } {
-  const held = useRef<number | null>(null);
-  const last = useRef(0);
-  const fits = last.current >= needed && last.current <= needed * 3;
-  if (!fits && held.current === null) last.current = niceCeiling(needed);
-  return {
-    scale: held.current ?? last.current,
-    hold: () => (held.current ??= last.current),
-    release: () => (held.current = null),
-  };
-}
-
-function MeanRange({ card }: CardProps) {
-  const { store } = useApp();
-  const { set, end } = useBound(card);
-  const reached = useReached(card.surfaces);
-  const unit = unitOf(store.document.value.quantity);
-  const { min, max } = card.mean ?? {};
-  const { scale, hold, release } = useScale(
-    Math.max(1, (reached?.mean ?? 0) * 1.8, (min ?? 0) * 1.4, (max ?? 0) * 1.25),
-  );
-  const step = niceStep(scale);
-  const name = card.surfaces[0] ?? '';
-  const finish = () => {
-    release();
-    end();
-  };
-  return (
-    <div class="field">
-      <div class="field-head">
-        <span class="field-name">Mean</span>
-        {reached && (
-          <span class="field-note">
-            now {compact(reached.mean)} {unit}
-          </span>
-        )}
-      </div>
-      <RangeSlider
-        label={`${name}: mean`}
-        low={min ?? 0}
-        high={max ?? scale}
-        {...{ scale, step, unit }}
-        reached={reached?.mean}
-        onInput={(which, value) => {
-          hold();
-          if (which === 'min') set('mean.min', value > 0 ? value : undefined);
-          else set('mean.max', value < scale ? value : undefined);
-        }}
-        onEnd={finish}
-      />
-      <div class="field-pair">
-        <NumberField
-          label={`${name}: mean at least`}
-          value={min}
-          unit={unit}
-          step={step}
-          placeholder="no least"
-          waits={(value) => value > (max ?? Infinity)}
-          onInput={(value) => set('mean.min', value || undefined)}
-          onEnd={end}
-        />
-        <span aria-hidden="true">to</span>
-        <NumberField
-          label={`${name}: mean at most`}
-          value={max}
-          unit={unit}
-          step={step}
-          placeholder="no most"
-          waits={(value) => value < (min ?? 0)}
-          onInput={(value) => set('mean.max', value)}
-          onEnd={end}
-        />
-      </div>
     </div>
   );
 }
