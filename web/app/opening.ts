@@ -9,7 +9,7 @@ import type { FiatLuxDocument } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { askedOfUnknown, documentFrom, entryOf, firstRoom, rooms, type GalleryEntry } from './catalog.ts';
-import { sentence, type Solving } from './solving.ts';
+import { sentence, Superseded, type Solving } from './solving.ts';
 import { firstDisplay, type Store } from './store.ts';
 
 const largestFile = 256 << 20; // bytes
@@ -41,7 +41,8 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       await action(() => mine === turn);
       return true;
     } catch (error) {
-      if (mine === turn) store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      if (mine === turn && !(error instanceof Superseded))
+        store.say('error', sentence(error instanceof Error ? error.message : String(error)));
       return false;
     } finally {
       if (mine === turn) store.loading.value = null;

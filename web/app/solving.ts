@@ -33,6 +33,9 @@ export interface Solving {
   stop(): void;
 }
 
+/** Something newer was asked for: nothing that a person has to be told. */
+export class Superseded extends Error {}
+
 interface Waiting<T> {
   readonly resolve: (value: T) => void;
   readonly reject: (error: Error) => void;
@@ -185,8 +188,8 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   }
 
   function open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }> {
-    opening?.reject(new Error('another room was asked for'));
-    probing?.reject(new Error('another room was asked for'));
+    opening?.reject(new Superseded());
+    probing?.reject(new Superseded());
     probing = null;
     return new Promise<{ scene: SceneInfo; room: ArrayBuffer }>((resolve, reject) => {
       opening = { resolve, reject };
@@ -198,7 +201,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   }
 
   function begin(): Intentions {
-    probing?.reject(new Error('something else was asked for'));
+    probing?.reject(new Superseded());
     probing = null;
     if (store.bound.peek()) store.bound.value = null;
     return store.traced.peek().intentions;
