@@ -1,13 +1,16 @@
 // The real app, built and served as a person gets it, in Debian's Chromium.
 import { defineConfig } from '@playwright/test';
 
+const port = Number(process.env['FIATLUX_TEST_PORT'] ?? 4174); // another one where several runs share a machine
+const address = `http://127.0.0.1:${port}/`;
+
 export default defineConfig({
   testDir: 'tests/e2e',
   timeout: 90_000,
   workers: 1,
   retries: 0,
   use: {
-    baseURL: 'http://127.0.0.1:4174/',
+    baseURL: address,
     viewport: { width: 1280, height: 800 },
     launchOptions: {
       executablePath: '/usr/bin/chromium',
@@ -20,8 +23,8 @@ export default defineConfig({
     },
   },
   webServer: {
-    command: 'npx vite preview --port 4174 --strictPort --host 127.0.0.1',
-    url: 'http://127.0.0.1:4174/',
+    command: `npx vite preview --port ${port} --strictPort --host 127.0.0.1`,
+    url: address,
     reuseExistingServer: false,
   },
 });

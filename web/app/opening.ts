@@ -65,6 +65,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     isCurrent: () => boolean,
     make: (scene: SceneInfo) => { document: FiatLuxDocument; view?: Pick<Link, 'camera' | 'display'> },
   ): Promise<void> {
+    if (!isCurrent()) return;
     const { scene, room } = await solving.open(bytes);
     if (!isCurrent()) return;
     const { document, view } = make(scene);
@@ -238,6 +239,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     link: readLink,
     endPreview,
     async start(hash, last) {
+      if (turn > 0) return; // a person was faster
       if (hash.length > 1 && (await readLink(hash))) return;
       if (hash.length <= 1 && last && isRoom(last.document.room) && (await openProject(last))) return;
       await openEntry(firstRoom);

@@ -163,6 +163,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   }
 
   function failed(message: string): void {
+    const wasOpening = opening !== null;
     if (opening) opening.reject(new Error(message));
     else if (probing) probing.reject(new Error(message));
     else {
@@ -170,8 +171,10 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : undefined);
     }
     opening = probing = null;
-    const { evaluations, milliseconds } = store.progress.peek();
-    store.progress.value = { state: 'idle', evaluations, milliseconds };
+    const { state, evaluations, milliseconds } = store.progress.peek();
+    // A file that cannot be opened takes nothing from what is shown, except a search that was running.
+    const isOver = wasOpening && state !== 'improving';
+    if (!isOver) store.progress.value = { state: 'idle', evaluations, milliseconds };
     if (store.alphaRun.peek()?.done === null) store.alphaRun.value = null;
   }
 

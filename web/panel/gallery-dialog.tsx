@@ -66,7 +66,7 @@ function Thumbnail({ entry }: { entry: GalleryEntry }) {
   return (
     <img
       class="thumbnail"
-      src={`./scenes/${entry.room}.png`}
+      src={`./thumbnails/${entry.id}.jpg`}
       alt=""
       loading="lazy"
       width={240}

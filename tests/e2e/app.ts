@@ -1,0 +1,131 @@
+/**
+ * The real app for a test: opened, watched (console, violations of the content security policy, requests that leave
+ * the site; a test fails on any of them), and read the way a person reads it.
+ */
+import { test as base, expect, type BrowserContext, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+
+export { expect };
+
+/** Everything that must not happen while a test runs; a test that provokes something empties what it expects. */
+export interface Watched {
+  readonly faults: string[];
+}
+
+export const test = base.extend<{ watched: Watched }>({
+  watched: [
+    async ({ context, baseURL }, use) => {
+      const watched = { faults: await watch(context, new URL(baseURL ?? '').origin) };
+      await use(watched);
+      expect(watched.faults, 'errors, violations and requests that leave the site').toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+async function watch(context: BrowserContext, origin: string): Promise<string[]> {
+  const faults: string[] = [];
+  context.on('console', (message) => {
+    if (message.type() === 'error') faults.push(`console: ${message.text()}`);
+  });
+  context.on('weberror', (error) => faults.push(`page error: ${error.error().message}`));
+  context.on('request', (request) => {
+    const { protocol, origin: asked } = new URL(request.url());
+    if (/^https?:$/.test(protocol) && asked !== origin) faults.push(`request: ${request.url()}`);
+  });
+  await context.exposeFunction('reportViolation', (what: string) => faults.push(`policy: ${what}`));
+  await context.addInitScript(() => {
+    document.addEventListener('securitypolicyviolation', (event) => {
+      const { reportViolation } = window as unknown as { reportViolation(what: string): void };
+      reportViolation(`${event.violatedDirective} ${event.blockedURI}`);
+    });
+  });
+  return faults;
+}
+
+const patience = { timeout: 60_000 }; // for rooms to load; nothing measures time
+
+/** The first screen, or what a link shows. */
+export async function openApp(page: Page, address = './'): Promise<void> {
+  await page.goto(address);
+  await expect(status(page)).toHaveText(/^(Settled|As given)$/, patience);
+}
+
+/** Another room or experiment, by the gallery. The first room need not be there yet. */
+export async function openRoom(page: Page, title: string, address = './'): Promise<void> {
+  if (page.url() === 'about:blank') await page.goto(address);
+  await page.getByRole('banner').getByRole('button').first().click();
+  const gallery = page.getByRole('dialog', { name: 'Rooms' });
+  await gallery.getByRole('button', { name: title }).first().click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText(title, patience);
+  await settled(page);
+}
+
+export function status(page: Page) {
+  return page.getByLabel('Intentions and results').getByText(/^(Settled|Improving|As given|Not solved)$/);
+}
+
+/** The search has ended. For use after the page was seen to take the wish. */
+export async function settled(page: Page): Promise<void> {
+  await expect(status(page)).toHaveText('Settled', patience);
+}
+
+export async function tab(page: Page, name: 'Intentions' | 'Luminaires' | 'Results'): Promise<void> {
+  await page.getByRole('tab', { name }).click();
+}
+
+/** Where the luminaires are: "x, y, z" in metres, by the list on the tab of the luminaires. */
+export async function places(page: Page): Promise<string[]> {
+  await tab(page, 'Luminaires');
+  return page.getByRole('table', { name: /Luminaires in place/ }).locator('tbody td:nth-of-type(1)').allTextContents();
+}
+
+/** Every number of the table of results. */
+export async function results(page: Page): Promise<string[]> {
+  await tab(page, 'Results');
+  return page.getByRole('table', { name: /Light by surface/ }).locator('tbody tr').allInnerTexts();
+}
+
+/** Where the tags stand on the picture: what tells that luminaires moved while a pointer is held. */
+export function tagPlaces(page: Page): Promise<string[]> {
+  return page.locator('[data-luminaire]').evaluateAll((tags) => tags.map((tag) => (tag as HTMLElement).style.transform));
+}
+
+export function canvas(page: Page) {
+  return page.getByRole('application');
+}
+
+/** The pixels of the canvas as they are on the screen. */
+export async function picture(page: Page): Promise<PNG> {
+  // note: hiding the caret would need a style sheet, which the policy of the page forbids
+  return PNG.sync.read(await canvas(page).screenshot({ caret: 'initial' }));
+}
+
+/** How many colours a picture has (5 bits a channel) and how bright it is on average (0 to 255). */
+export function look({ data }: PNG): { colors: number; mean: number } {
+  const colors = new Set<number>();
+  let sum = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const [r, g, b] = [data[i]!, data[i + 1]!, data[i + 2]!];
+    colors.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
+    sum += (r + g + b) / 3;
+  }
+  return { colors: colors.size, mean: sum / (data.length / 4) };
+}
+
+/** The share of pixels that differ by more than a few levels. */
+export function difference(a: PNG, b: PNG): number {
+  if (a.width !== b.width || a.height !== b.height) return 1;
+  let different = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    const by = Math.max(...[0, 1, 2].map((c) => Math.abs(a.data[i + c]! - b.data[i + c]!)));
+    if (by > 4) different += 1;
+  }
+  return different / (a.width * a.height);
+}
+
+/** A lit room: neither blank nor flat nor black. */
+export async function expectLit(page: Page): Promise<void> {
+  await expect.poll(async () => look(await picture(page)).colors, patience).toBeGreaterThan(150);
+  expect(look(await picture(page)).mean).toBeGreaterThan(20);
+}
