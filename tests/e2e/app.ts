@@ -23,7 +23,8 @@ export const test = base.extend<{ watched: Watched }>({
   ],
 });
 
-async function watch(context: BrowserContext, origin: string): Promise<string[]> {
+/** Collects, as long as the context lives, what must not happen on its pages. */
+export async function watch(context: BrowserContext, origin: string): Promise<string[]> {
   const faults: string[] = [];
   context.on('console', (message) => {
     if (message.type() === 'error') faults.push(`console: ${message.text()}`);
@@ -125,7 +126,7 @@ export function difference(a: PNG, b: PNG): number {
 }
 
 /** A lit room: neither blank nor flat nor black. */
-export async function expectLit(page: Page): Promise<void> {
-  await expect.poll(async () => look(await picture(page)).colors, patience).toBeGreaterThan(150);
+export async function expectLit(page: Page, colors = 150): Promise<void> {
+  await expect.poll(async () => look(await picture(page)).colors, patience).toBeGreaterThan(colors);
   expect(look(await picture(page)).mean).toBeGreaterThan(20);
 }

@@ -1,0 +1,88 @@
+// Files by button and by drop: scenes open, a .glb is shown with its command, damaged files leave what is there.
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import type { Page } from '@playwright/test';
+import { difference, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
+
+const scenes = path.join(import.meta.dirname, '../../public/scenes');
+const messages = (page: Page) => page.getByRole('region', { name: 'Messages' });
+
+async function chooseFile(page: Page, name: string, buffer: Buffer): Promise<void> {
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'File and export' }).click();
+  await page.getByRole('menuitem', { name: /^Open a/ }).click();
+  await (await chooser).setFiles({ name, mimeType: 'application/octet-stream', buffer });
+}
+
+/** A drop as the browser makes it: a DataTransfer with a file, on the page. */
+async function dropFile(page: Page, name: string, buffer: Buffer): Promise<void> {
+  const transfer = await page.evaluateHandle(
+    ([base64, fileName]) => {
+      const bytes = Uint8Array.from(atob(base64!), (character) => character.charCodeAt(0));
+      const data = new DataTransfer();
+      data.items.add(new File([bytes], fileName!));
+      return data;
+    },
+    [buffer.toString('base64'), name],
+  );
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
+}
+
+test('files by button and by drop, good and damaged', async ({ page }) => {
+  const box = readFileSync(path.join(scenes, 'box.flux'));
+  await openRoom(page, 'E corridor');
+  const corridor = await places(page);
+  const lit = await picture(page);
+
+  const flipped = Buffer.from(box);
+  flipped[flipped.length >> 1]! ^= 0x10;
+  const future = Buffer.from(box);
+  future.writeUInt32LE(99, 8);
+  const damaged: [string, Buffer, RegExp][] = [
+    ['cut.flux', box.subarray(0, box.length >> 1), /./],
+    ['flipped.flux', flipped, /damaged/i],
+    ['future.flux', future, /version/i],
+    ['empty.flux', Buffer.alloc(0), /./],
+    ['text.glb', Buffer.from('this is no picture'), /./],
+    ['notes.txt', Buffer.from('hello'), /“notes.txt” is not a file of Fiat Lux/],
+    ['broken.json', Buffer.from('{"format": 1'), /“broken.json”/],
+  ];
+  for (const [name, bytes, message] of damaged) {
+    await test.step(name, async () => {
+      await dropFile(page, name, bytes);
+      const alert = messages(page).getByRole('alert').filter({ hasText: message });
+      await expect(alert).toHaveCount(1);
+      await expect(alert).toContainText(/\w+ \w+/);
+      await alert.getByRole('button', { name: 'Dismiss this message' }).click();
+      await expect(alert).toHaveCount(0);
+    });
+  }
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('E corridor');
+  expect(await places(page)).toEqual(corridor);
+  await page.mouse.move(2, 2);
+  await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.01);
+
+  await dropFile(page, 'my room.flux', box);
+  await expect(messages(page).getByText(/stays on this computer/)).toBeVisible();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('my room');
+  await settled(page);
+  await expectLit(page);
+
+  await chooseFile(page, 'second.flux', box);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('second');
+  await settled(page);
+});
+
+test('a .glb is shown with the line that makes it live', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const lit = await picture(page);
+  await dropFile(page, 'my hall.glb', readFileSync(path.join(scenes, 'e-corridor.glb')));
+  const note = page.getByRole('region', { name: 'A room without light' });
+  await expect(note.getByText("fiatlux precompute 'my hall.glb' -o 'my hall.flux'", { exact: true })).toBeVisible();
+  await expectLit(page, 60);
+  expect(difference(await picture(page), lit)).toBeGreaterThan(0.1);
+  await note.getByRole('button', { name: 'Close the preview' }).click();
+  await expect(note).toHaveCount(0);
+  await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.3);
+});

@@ -1,0 +1,96 @@
+// Without a pointer: every control has its turn, the palette and help open by key, luminaires move by arrows.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Page } from '@playwright/test';
+import { expect, openRoom, places, settled, tab, test } from './app.ts';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** Serious and critical violations of the page as it is. */
+async function violations(page: Page): Promise<string[]> {
+  // note: evaluated, not added as a script element, which the policy of the page forbids
+  await page.evaluate(`{ const module = undefined; ${axe} }`);
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: any[] }> } };
+    const found = (await axe.run()).violations.filter(({ impact }) => /serious|critical/.test(impact));
+    return found.map(({ id, nodes }) => `${id}: ${nodes.map((node: any) => node.target.join(' ')).join(', ')}`);
+  });
+}
+
+test('everything can be reached and done by keyboard', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await tab(page, 'Intentions');
+  const controls = await page.evaluate(() => {
+    const all = document.querySelectorAll<HTMLElement>(
+      'button:not(:disabled), input, select, canvas, [role="slider"], [role="tab"]',
+    );
+    const reachable = [...all].filter((element) => element.checkVisibility() && element.tabIndex >= 0);
+    reachable.forEach((element, index) => (element.dataset['order'] = String(index)));
+    (document.activeElement as HTMLElement | null)?.blur();
+    return reachable.length;
+  });
+  const visited = new Set<string>();
+  for (let presses = 0; presses < controls + 10; presses++) {
+    await page.keyboard.press('Tab');
+    const order = await page.evaluate(() => (document.activeElement as HTMLElement).dataset['order']);
+    if (order !== undefined) visited.add(order);
+  }
+  expect(visited.size).toBe(controls);
+
+  await page.keyboard.press('Control+K');
+  const palette = page.getByRole('dialog', { name: 'All actions' });
+  await expect(palette.getByRole('combobox')).toBeFocused();
+  await page.keyboard.type('false colour');
+  await page.keyboard.press('Enter');
+  await expect(palette).toHaveCount(0);
+  await expect(page.getByRole('region', { name: 'Legend' })).toBeVisible();
+
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Keys and help' });
+  await expect(help).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(help).toHaveCount(0);
+
+  await page.getByRole('tab', { name: 'Intentions' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('tab', { name: 'Luminaires' })).toHaveAttribute('aria-selected', 'true');
+  const before = await places(page);
+  await page.getByRole('button', { name: 'L1', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  const x = before.map(Number.parseFloat);
+  const isLeft = x[0]! <= x.reduce((sum, each) => sum + each, 0) / x.length;
+  await page.keyboard.press(isLeft ? 'ArrowRight' : 'ArrowLeft');
+  await expect(page.getByRole('button', { name: 'Unpin L1' })).toBeVisible();
+  await expect.poll(async () => (await places(page))[0]).not.toBe(before[0]);
+  await settled(page);
+  await page.keyboard.press('Control+Z');
+  await expect.poll(() => places(page)).toEqual(before);
+});
+
+test('axe finds nothing serious: wide and narrow, light and dark, every tab and dialogue', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const colorScheme of ['light', 'dark'] as const) {
+    for (const width of [1280, 390]) {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height: 800 });
+      for (const name of ['Intentions', 'Luminaires', 'Results'] as const) {
+        await tab(page, name);
+        expect(await violations(page), `${name}, ${colorScheme}, ${width} px`).toEqual([]);
+      }
+    }
+    await tab(page, 'Results');
+    await page.getByRole('button', { name: 'wall north', exact: true }).click();
+    await page.keyboard.press('c');
+    expect(await violations(page), `selection and false colour, ${colorScheme}`).toEqual([]);
+    await page.keyboard.press('c');
+    for (const key of ['Control+K', '?', 'g']) {
+      await page.keyboard.press(key);
+      await expect(page.getByRole('dialog')).toBeVisible();
+      expect(await violations(page), `dialogue of ${key}, ${colorScheme}`).toEqual([]);
+      await page.keyboard.press('Escape');
+      await expect(page.getByRole('dialog')).toHaveCount(0);
+    }
+    await page.getByRole('button', { name: 'wall north', exact: true }).click();
+  }
+});

@@ -1,0 +1,98 @@
+// What happens around the app: any folder of any host under a strict policy, a lost graphics card, a dead worker.
+import { createReadStream, existsSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import path from 'node:path';
+import { test as plain } from '@playwright/test';
+import { difference, expect, expectLit, openRoom, picture, places, settled, status, test, watch } from './app.ts';
+
+const dist = path.join(import.meta.dirname, '../../dist');
+const folder = '/deep/sub/path/';
+const policy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; " +
+  "connect-src 'self' blob: data:; worker-src 'self'; base-uri 'none'; form-action 'none'";
+const types: Record<string, string> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.jpg': 'image/jpeg',
+  '.wasm': 'application/wasm',
+};
+
+/** A static host that knows nothing but a folder, with the policy as a header. */
+function serve(): Promise<Server> {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://host');
+    const name = pathname.startsWith(folder) ? pathname.slice(folder.length) || 'index.html' : '';
+    const file = path.join(dist, path.normalize(`/${name}`));
+    if (!name || !existsSync(file)) return void response.writeHead(404).end();
+    const type = types[path.extname(file)] ?? 'application/octet-stream';
+    response.writeHead(200, { 'Content-Type': type, 'Content-Security-Policy': policy });
+    createReadStream(file).pipe(response);
+  });
+  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
+}
+
+plain('works in a folder of a static host that sends a strict policy', async ({ page, context }) => {
+  const server = await serve();
+  try {
+    const { origin } = new URL(`http://127.0.0.1:${(server.address() as AddressInfo).port}`);
+    const faults = await watch(context, origin);
+    await openRoom(page, 'Box', `${origin}${folder}`);
+    await expectLit(page);
+    await page.keyboard.press('g');
+    for (const thumbnail of await page.getByRole('dialog').locator('img').all())
+      await expect(thumbnail).toHaveJSProperty('naturalWidth', 480);
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Share', exact: true }).click();
+    const link = await page.getByRole('textbox', { name: 'Link' }).inputValue();
+    expect(link).toContain(`${origin}${folder}#`);
+    expect(faults).toEqual([]);
+  } finally {
+    server.closeAllConnections();
+    server.close();
+  }
+});
+
+test('a lost WebGL context comes back with the same layout and light', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const [layout, lit] = [await places(page), await picture(page)];
+  await page.getByRole('application').evaluate((element: HTMLCanvasElement) => {
+    const extension = element.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    element.addEventListener('webglcontextlost', () => setTimeout(() => extension.restoreContext()), { once: true });
+    extension.loseContext();
+  });
+  await expect(page.getByRole('region', { name: 'Messages' }).getByText(/comes back by itself/)).toBeVisible();
+  await page.getByRole('button', { name: 'Dismiss this message' }).click();
+  await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.005);
+  expect(await places(page)).toEqual(layout);
+});
+
+test('a worker that dies for good is told, and one click goes on from the last layout', async ({ page }) => {
+  await page.addInitScript(() => {
+    const [Real, made] = [Worker, [] as Worker[]];
+    window.Worker = class extends Real {
+      constructor(...given: ConstructorParameters<typeof Worker>) {
+        super(...given);
+        made.push(this);
+      }
+    };
+    // As the browser reports a worker that ended with an error.
+    (window as any).killWorker = () => made.at(-1)!.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
+  });
+  await openRoom(page, 'Box');
+  const layout = await places(page);
+  await page.evaluate(() => {
+    for (let deaths = 0; deaths < 3; deaths++) (window as any).killWorker();
+  });
+  const alert = page.getByRole('alert').filter({ hasText: /out of memory/ });
+  await expect(alert).toBeVisible();
+  await expect(status(page)).toHaveText('Not solved');
+  expect(await places(page)).toEqual(layout);
+  await alert.getByRole('button', { name: 'Resume' }).click();
+  await settled(page);
+  await page.getByRole('textbox', { name: /Flux of each/ }).fill('2500');
+  await settled(page);
+  await expect(page.getByRole('table', { name: /Luminaires in place/ })).toContainText('2 500');
+});
