@@ -217,6 +217,14 @@ const commands = {
     run('node', ['tests/bench/bench.mjs']);
   },
 
+  async pictures() {
+    systemPackages(packages.browser);
+    await build();
+    run('node', ['scripts/pictures.mjs', ...process.argv.slice(3)]);
+    say('Building the site with its thumbnails');
+    run('npx', ['vite', 'build', '--logLevel', 'warn']);
+  },
+
   async sanitize() {
     systemPackages(packages.build);
     cmake('sanitize');

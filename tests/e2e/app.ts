@@ -78,18 +78,26 @@ export async function tab(page: Page, name: 'Intentions' | 'Luminaires' | 'Resul
 /** Where the luminaires are: "x, y, z" in metres, by the list on the tab of the luminaires. */
 export async function places(page: Page): Promise<string[]> {
   await tab(page, 'Luminaires');
-  return page.getByRole('table', { name: /Luminaires in place/ }).locator('tbody td:nth-of-type(1)').allTextContents();
+  return page
+    .getByRole('table', { name: /Luminaires in place/ })
+    .locator('tbody td:nth-of-type(1)')
+    .allTextContents();
 }
 
 /** Every number of the table of results. */
 export async function results(page: Page): Promise<string[]> {
   await tab(page, 'Results');
-  return page.getByRole('table', { name: /Light by surface/ }).locator('tbody tr').allInnerTexts();
+  return page
+    .getByRole('table', { name: /Light by surface/ })
+    .locator('tbody tr')
+    .allInnerTexts();
 }
 
 /** Where the tags stand on the picture: what tells that luminaires moved while a pointer is held. */
 export function tagPlaces(page: Page): Promise<string[]> {
-  return page.locator('[data-luminaire]').evaluateAll((tags) => tags.map((tag) => (tag as HTMLElement).style.transform));
+  return page
+    .locator('[data-luminaire]')
+    .evaluateAll((tags) => tags.map((tag) => (tag as HTMLElement).style.transform));
 }
 
 export function canvas(page: Page) {

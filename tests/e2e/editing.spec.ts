@@ -1,6 +1,18 @@
 // Intentions, luminaires and history, by pointer: the light follows while the pointer is held.
 import type { Locator, Page } from '@playwright/test';
-import { canvas, difference, expect, openRoom, picture, places, results, settled, tab, tagPlaces, test } from './app.ts';
+import {
+  canvas,
+  difference,
+  expect,
+  openRoom,
+  picture,
+  places,
+  results,
+  settled,
+  tab,
+  tagPlaces,
+  test,
+} from './app.ts';
 
 /** The middle of an element, px of the page. */
 async function middle(element: Locator): Promise<{ x: number; y: number }> {
@@ -22,7 +34,9 @@ async function thumb(slider: Locator): Promise<{ x: number; y: number; width: nu
 const undo = (page: Page) => page.getByRole('button', { name: 'Undo', exact: true });
 const redo = (page: Page) => page.getByRole('button', { name: 'Redo', exact: true });
 
-test('a slider moves luminaires and light while it is held; the whole drag is one step of undo', async ({ page }) => {
+test('a slider moves luminaires and light while it is held; the whole drag is one step of undo', async ({
+  page,
+}) => {
   await openRoom(page, 'E corridor');
   const before = { picture: await picture(page), tags: await tagPlaces(page) };
   // note: the histogram's handles have the same names, which is right for them
@@ -65,7 +79,9 @@ test('a luminaire that is dragged pins itself while the others place themselves 
   const tag = page.locator('[data-luminaire="0"]');
   const still = async () => {
     const first = await middle(tag);
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
     const then = await middle(tag);
     return Math.hypot(then.x - first.x, then.y - first.y);
   };
@@ -116,7 +132,9 @@ test('intentions are added, edited and removed, with every verb', async ({ page 
   const means = new Map<string, string>();
   for (const verb of verbs) {
     await body.getByRole('button', { name: verb }).click();
-    await expect(cards.last().getByRole('button', { name: `${verb} wall north`, exact: true })).toHaveAttribute('aria-expanded', 'true');
+    await expect(
+      cards.last().getByRole('button', { name: `${verb} wall north`, exact: true }),
+    ).toHaveAttribute('aria-expanded', 'true');
     await settled(page);
     const rows = await results(page);
     means.set(verb, rows.find((row) => row.startsWith('wall north')) ?? '');

@@ -79,7 +79,9 @@ test('a .glb is shown with the line that makes it live', async ({ page }) => {
   const lit = await picture(page);
   await dropFile(page, 'my hall.glb', readFileSync(path.join(scenes, 'e-corridor.glb')));
   const note = page.getByRole('region', { name: 'A room without light' });
-  await expect(note.getByText("fiatlux precompute 'my hall.glb' -o 'my hall.flux'", { exact: true })).toBeVisible();
+  await expect(
+    note.getByText("fiatlux precompute 'my hall.glb' -o 'my hall.flux'", { exact: true }),
+  ).toBeVisible();
   await expectLit(page, 60);
   expect(difference(await picture(page), lit)).toBeGreaterThan(0.1);
   await note.getByRole('button', { name: 'Close the preview' }).click();

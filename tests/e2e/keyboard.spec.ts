@@ -13,7 +13,9 @@ async function violations(page: Page): Promise<string[]> {
   return page.evaluate(async () => {
     const { axe } = window as unknown as { axe: { run(): Promise<{ violations: any[] }> } };
     const found = (await axe.run()).violations.filter(({ impact }) => /serious|critical/.test(impact));
-    return found.map(({ id, nodes }) => `${id}: ${nodes.map((node: any) => node.target.join(' ')).join(', ')}`);
+    return found.map(
+      ({ id, nodes }) => `${id}: ${nodes.map((node: any) => node.target.join(' ')).join(', ')}`,
+    );
   });
 }
 
@@ -67,7 +69,9 @@ test('everything can be reached and done by keyboard', async ({ page }) => {
   await expect.poll(() => places(page)).toEqual(before);
 });
 
-test('axe finds nothing serious: wide and narrow, light and dark, every tab and dialogue', async ({ page }) => {
+test('axe finds nothing serious: wide and narrow, light and dark, every tab and dialogue', async ({
+  page,
+}) => {
   await openRoom(page, 'Box');
   await page.emulateMedia({ reducedMotion: 'reduce' });
   for (const colorScheme of ['light', 'dark'] as const) {

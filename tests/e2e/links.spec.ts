@@ -16,7 +16,11 @@ async function linkOf(page: Page): Promise<string> {
 
 /** The link with its contents changed and a checksum that fits again. */
 function forged(link: string, change: (contents: Record<string, any>) => void): string {
-  const [address, version, payload] = /^(.*#)(f\d+)\.([\w-]+)\./.exec(link)!.slice(1) as [string, string, string];
+  const [address, version, payload] = /^(.*#)(f\d+)\.([\w-]+)\./.exec(link)!.slice(1) as [
+    string,
+    string,
+    string,
+  ];
   const contents = JSON.parse(inflateRawSync(fromBase64Url(payload)!).toString());
   change(contents);
   const bytes = deflateRawSync(JSON.stringify(contents));
@@ -50,11 +54,23 @@ test('a link shows the same layout and the same numbers in a new page', async ({
     ['a light outside of the sites', forged(link, ({ y }) => void (y.p[0][0] += 5000)), /L1 .*no place/],
     ['two lights at one place', forged(link, ({ y }) => void (y.p[1] = y.p[0])), /same place/],
     ['a negative flux', forged(link, ({ y }) => void (y.f = [-1])), /cannot be read/],
-    ['an unknown room', forged(link, (contents) => void (contents.r = 'attic')), /“attic”.*not part of this site/],
-    ['another version of the room', forged(link, (c) => void (c.i = '0123456789abcdef')), /another version of “Box”/],
+    [
+      'an unknown room',
+      forged(link, (contents) => void (contents.r = 'attic')),
+      /“attic”.*not part of this site/,
+    ],
+    [
+      'another version of the room',
+      forged(link, (c) => void (c.i = '0123456789abcdef')),
+      /another version of “Box”/,
+    ],
     ['a later version', link.replace('#f1.', '#f9.'), /another version of Fiat Lux/],
     ['half of it', link.slice(0, -60), /cannot be read/],
-    ['a changed letter', link.replace(/(#f1\.\w{20})(\w)/, (_, head, c) => head + (c === 'A' ? 'B' : 'A')), /checksum/],
+    [
+      'a changed letter',
+      link.replace(/(#f1\.\w{20})(\w)/, (_, head, c) => head + (c === 'A' ? 'B' : 'A')),
+      /checksum/,
+    ],
     ['bad base64', link.replace(/#.*/, '#f1.%%%notbase64***.00000000'), /cannot be read/],
     ['a script', link.replace(/#.*/, '#javascript:alert(1)'), /cannot be read/],
     ['markup', link.replace(/#.*/, '#<img src=x onerror=alert(1)>'), /cannot be read/],

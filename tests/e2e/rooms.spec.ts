@@ -1,5 +1,17 @@
 // What a person sees first: a lit, solved room; every room and experiment of the gallery.
-import { canvas, difference, expect, expectLit, openApp, openRoom, picture, places, results, settled, test } from './app.ts';
+import {
+  canvas,
+  difference,
+  expect,
+  expectLit,
+  openApp,
+  openRoom,
+  picture,
+  places,
+  results,
+  settled,
+  test,
+} from './app.ts';
 
 test('the first screen is a lit, solved room, and every room of the gallery is', async ({ page }) => {
   test.setTimeout(180_000);
@@ -25,7 +37,10 @@ test('the first screen is a lit, solved room, and every room of the gallery is',
 test('an experiment of the paper states its bounds and meets them', async ({ page }) => {
   await openRoom(page, '5.2 Homogenize');
   const card = page.getByRole('article');
-  await expect(card.getByRole('button', { name: 'Homogenize', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(card.getByRole('button', { name: 'Homogenize', exact: true })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
   await expect(card.getByRole('img', { name: 'met', exact: true })).toBeVisible();
   await expect(card.getByRole('textbox', { name: /mean at least/ })).not.toHaveValue('');
   await expect(page.getByRole('button', { name: /Exitance/ })).toHaveAttribute('aria-pressed', 'true');

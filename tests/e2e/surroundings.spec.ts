@@ -4,7 +4,18 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import path from 'node:path';
 import { test as plain } from '@playwright/test';
-import { difference, expect, expectLit, openRoom, picture, places, settled, status, test, watch } from './app.ts';
+import {
+  difference,
+  expect,
+  expectLit,
+  openRoom,
+  picture,
+  places,
+  settled,
+  status,
+  test,
+  watch,
+} from './app.ts';
 
 const dist = path.join(import.meta.dirname, '../../dist');
 const folder = '/deep/sub/path/';
@@ -60,10 +71,14 @@ test('a lost WebGL context comes back with the same layout and light', async ({ 
   const [layout, lit] = [await places(page), await picture(page)];
   await page.getByRole('application').evaluate((element: HTMLCanvasElement) => {
     const extension = element.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
-    element.addEventListener('webglcontextlost', () => setTimeout(() => extension.restoreContext()), { once: true });
+    element.addEventListener('webglcontextlost', () => setTimeout(() => extension.restoreContext()), {
+      once: true,
+    });
     extension.loseContext();
   });
-  await expect(page.getByRole('region', { name: 'Messages' }).getByText(/comes back by itself/)).toBeVisible();
+  await expect(
+    page.getByRole('region', { name: 'Messages' }).getByText(/comes back by itself/),
+  ).toBeVisible();
   await page.getByRole('button', { name: 'Dismiss this message' }).click();
   await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.005);
   expect(await places(page)).toEqual(layout);
@@ -79,7 +94,8 @@ test('a worker that dies for good is told, and one click goes on from the last l
       }
     };
     // As the browser reports a worker that ended with an error.
-    (window as any).killWorker = () => made.at(-1)!.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
+    (window as any).killWorker = () =>
+      made.at(-1)!.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
   });
   await openRoom(page, 'Box');
   const layout = await places(page);

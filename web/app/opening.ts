@@ -5,12 +5,19 @@ import { documentOf } from '../document/sites.ts';
 import { intentionsOf } from '../document/intentions.ts';
 import type { Project } from '../document/project-file.ts';
 import { cleanName } from '../document/schema.ts';
-import type { FiatLuxDocument } from '../document/types.ts';
+import type { FiatLuxDocument, Layout } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { askedOfUnknown, documentFrom, entryOf, firstRoom, rooms, type GalleryEntry } from './catalog.ts';
 import { sentence, Superseded, type Solving } from './solving.ts';
 import { firstDisplay, type Store } from './store.ts';
+
+/** What is on the screen: its file, and what the solver made of it. */
+interface Placed {
+  readonly bytes: ArrayBuffer;
+  readonly room: ArrayBuffer;
+  readonly scene: SceneInfo;
+}
 
 const largestFile = 256 << 20; // bytes
 
@@ -28,7 +35,7 @@ const isRoom = (id: string) => rooms.some((room) => room.room === id);
 
 export function createOpening(store: Store, solving: Solving, viewer: Viewer): Opening {
   let turn = 0; // the latest wish to open something wins
-  let placed: { readonly room: ArrayBuffer; readonly scene: SceneInfo } | null = null;
+  let placed: Placed | null = null;
 
   /** Runs one opening; errors become one message, and what was on the screen stays. */
   async function attempt(
@@ -66,17 +73,25 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     make: (scene: SceneInfo) => { document: FiatLuxDocument; view?: Pick<Link, 'camera' | 'display'> },
   ): Promise<void> {
     if (!isCurrent()) return;
+    const layout = solving.layout();
     const { scene, room } = await solving.open(bytes);
     if (!isCurrent()) return;
-    const { document, view } = make(scene);
-    await viewer.open(room.slice(0), scene);
+    let made: ReturnType<typeof make>;
+    try {
+      made = make(scene);
+      await viewer.open(room.slice(0), scene);
+    } catch (error) {
+      // The solver has the new scene by now, the screen still the old one.
+      if (isCurrent()) await takeBack(layout);
+      throw error;
+    }
     if (!isCurrent()) return;
-    placed = { room, scene };
+    const { document, view } = made;
+    placed = { bytes, room, scene };
     batch(() => {
       store.scene.value = scene;
       store.roomTitle.value = title;
       store.preview.value = null;
-      store.messages.value = [];
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = null;
@@ -89,6 +104,13 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     else viewer.home();
     if (document.layout) solving.show(document.layout);
     else solving.solveAfresh();
+  }
+
+  /** Gives the solver the scene and the layout back that are on the screen. */
+  async function takeBack(layout: Layout | null): Promise<void> {
+    if (!placed) return;
+    await solving.open(placed.bytes);
+    if (layout) solving.show(layout);
   }
 
   /** An experiment's bounds are shares of what can be had in this room: find that out first. */
@@ -234,8 +256,14 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
   }
 
   return {
-    entry: async (id) => void (await openEntry(id)),
-    file: openFile,
+    entry: async (id) => {
+      store.messages.value = [];
+      await openEntry(id);
+    },
+    file: async (file) => {
+      store.messages.value = [];
+      await openFile(file);
+    },
     link: readLink,
     endPreview,
     async start(hash, last) {
