@@ -1,4 +1,4 @@
-// The one script behind `npm start`, `npm test`, `npm run build`, `npm run bench`, `npm run fuzz` and
+// The one script behind `npm start`, `npm test`, `npm run build`, `npm run bench`, `npm run pictures`, `npm run fuzz` and
 // `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
