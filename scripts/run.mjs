@@ -125,13 +125,17 @@ function cmake(preset, targets = []) {
   run('cmake', ['--build', '--preset', preset, '-j', jobs, ...wanted], { env });
 }
 
+/** Sources that use a scene file or ask another question: the sample rooms do not change with them. */
+const notTransport =
+  /_command\.cpp$|^(main|alpha|bound|vns|neighborhood|evaluator|objective|dimming|kernels|prepared|session|shown|start_|intentions_json|convex|diagonal|patch_extremes|validat|svg|experiment|solve|forward_light|point_light|results)/;
+
 /** Makes the sample rooms and precomputes those whose room, options or method changed. */
 async function sampleRooms() {
   const scenes = path.join(root, 'public', 'scenes');
   mkdirSync(scenes, { recursive: true });
   const sources = (folder) =>
     readdirSync(path.join(root, folder))
-      .filter((name) => /\.(cpp|h|mjs)$/.test(name) && !/_command\.cpp$|^main\.cpp$/.test(name))
+      .filter((name) => /\.(cpp|h|mjs)$/.test(name) && !notTransport.test(name))
       .sort()
       .map((name) => readFileSync(path.join(root, folder, name)));
   const { catalog } = await import('../rooms/catalog.mjs');
@@ -214,7 +218,7 @@ const commands = {
     await build();
     cmake('native');
     cmake('wasm');
-    run('node', ['tests/bench/bench.mjs']);
+    run('node', ['tests/bench/bench.mjs', ...process.argv.slice(3)]);
   },
 
   async pictures() {
