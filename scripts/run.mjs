@@ -13,11 +13,10 @@ const isRoot = process.getuid?.() === 0;
 const jobs = String(cpus().length);
 
 const packages = {
-  build: [
-    ...['g++', 'cmake', 'ninja-build', 'emscripten', 'libeigen3-dev', 'libembree-dev', 'libtinygltf-dev'],
-    ...['nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev', 'libstb-dev', 'libgtest-dev', 'libgmock-dev'],
-    'libbenchmark-dev',
-  ],
+  build:
+    'g++ cmake ninja-build emscripten libeigen3-dev libembree-dev libtinygltf-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libstb-dev libgtest-dev libgmock-dev libbenchmark-dev'.split(
+      ' ',
+    ),
   browser: ['chromium', 'fonts-dejavu-core'],
   fuzz: ['clang-14', 'libclang-rt-14-dev'],
 };
