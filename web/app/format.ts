@@ -23,6 +23,12 @@ export function count(value: number): string {
   return value >= 1e6 ? `${(value / 1e6).toPrecision(3)} M` : grouped(String(value));
 }
 
+/** 0.8 ms, 42 ms, 2.8 s. */
+export function duration(milliseconds: number): string {
+  if (milliseconds >= 1000) return `${(milliseconds / 1000).toFixed(1)} s`;
+  return `${milliseconds.toFixed(milliseconds < 10 ? 1 : 0)} ms`;
+}
+
 export function percent(share: number): string {
   if (!Number.isFinite(share)) return '–';
   const value = share * 100;

@@ -16,7 +16,11 @@ export function GalleryDialog({ close }: { close: () => void }) {
       <ul class="room-grid">
         {rooms.map((entry) => (
           <li key={entry.id}>
-            <button class="room-card" onClick={() => open(entry.id)}>
+            <button
+              class="room-card"
+              autoFocus={entry.room === app.store.document.value.room}
+              onClick={() => open(entry.id)}
+            >
               <Thumbnail entry={entry} />
               <strong>{entry.title}</strong>
               <span>{entry.description}</span>

@@ -76,13 +76,15 @@ function SurfaceTable() {
   if (!shown || !scene) return null;
   const { quantity } = store.document.value;
   const symbol = quantity === 'illuminance' ? 'E' : 'M';
+  const isPlane = (index: number) => scene.surfaces[index]?.measuring ?? false;
   const rows = shown.surfaces
     .map((row, index) => ({ row, index }))
     .filter(({ row, index }) => {
-      const isReceiver = scene.surfaces[index]?.measuring ?? false;
-      if (isReceiver && quantity === 'exitance') return false;
+      if (isPlane(index) && quantity === 'exitance') return false;
       return row.name.toLowerCase().includes(filter.toLowerCase());
-    });
+    })
+    // What is measured is what is looked for: planes come first.
+    .sort((a, b) => Number(isPlane(b.index)) - Number(isPlane(a.index)));
   return (
     <>
       {scene.surfaces.length > 12 && (

@@ -1,7 +1,7 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, grouped, percent } from '../app/format.ts';
+import { count, duration, percent } from '../app/format.ts';
 
 const words = {
   idle: 'Not solved',
@@ -19,17 +19,19 @@ export function StatusLine() {
   const shown = store.shown.value;
   const bound = store.bound.value;
   const isMet = shown !== null && shown.violation === 0;
-  const isTelling = bound !== null && bound.gap <= loosest;
+  const isTelling = state === 'settled' && isMet && bound !== null && bound.gap <= loosest;
+  const took = duration(milliseconds);
   return (
     <footer class="status-line">
       <span class={`lamp ${state}`} aria-hidden="true" />
       <span class="status-state">{words[state]}</span>
       {evaluations > 0 && (
-        <span class="status-figures">
-          {count(evaluations)} layouts · {grouped(milliseconds.toFixed(milliseconds < 10 ? 1 : 0))} ms
+        <span class="status-figures" title={`in ${took}`}>
+          {count(evaluations)} layouts
+          {!isTelling && ` · ${took}`}
         </span>
       )}
-      {state === 'settled' && isTelling && isMet && (
+      {isTelling && (
         <span class="status-bound" title="A proved bound: no layout can be better by more than this">
           within {percent(bound.gap)} of the best
         </span>

@@ -97,9 +97,9 @@ export function cornerAzimuth(box: Box, aspect: number, shares: readonly number[
   for (let q = 1; q < 4; q++) if ((shares[q] ?? 0) > 1.03 * (shares[quadrant] ?? 0)) quadrant = q;
   const width = box.max[0] - box.min[0];
   const depth = box.max[2] - box.min[2];
-  // The turn away from the diagonal grows with the room's slimness, up to 28 degrees.
+  // The turn away from the diagonal grows with the room's slimness, up to 14 degrees: walls across it are not seen edge-on.
   const slimness = Math.log2(Math.max(depth, 1e-3) / Math.max(width, 1e-3));
-  const towardsEast = Math.max(-28, Math.min(28, 20 * slimness)) * (aspect >= 1 ? 1 : -1);
+  const towardsEast = Math.max(-14, Math.min(14, 20 * slimness)) * (aspect >= 1 ? 1 : -1);
   const eastern = [45 + towardsEast, 135 - towardsEast, 225 + towardsEast, 315 - towardsEast];
   return eastern[quadrant]!;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { bindingBounds, easedCards, fluxThatWouldDo } from '../../../web/app/explain.ts';
-import { compact, easedBound, niceCeiling, niceStep, percent } from '../../../web/app/format.ts';
+import { compact, duration, easedBound, niceCeiling, niceStep, percent } from '../../../web/app/format.ts';
 import { coreOrder, fromCore, toCore } from '../../../web/app/luminaire-order.ts';
 import {
   histogram,
@@ -18,6 +18,10 @@ import { stepped } from '../../../web/panel/slider.tsx';
 import { groupsOf } from '../../../web/panel/surface-picker.tsx';
 import { precomputeLine } from '../../../web/panel/preview-note.tsx';
 import { fakeScene } from '../fake-solver.ts';
+
+test('times in the unit that keeps them short', () => {
+  expect([0.84, 42.4, 999.4, 2818].map(duration)).toEqual(['0.8 ms', '42 ms', '999 ms', '2.8 s']);
+});
 
 test('numbers as people write them', () => {
   expect([0, 0.0123, 1.234, 12.34, 123.4, 1234.5].map(compact)).toEqual([
