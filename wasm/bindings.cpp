@@ -139,6 +139,7 @@ val info(const Session& session) {
   result.set("surfaceOfPatch", copied(scene.patches.surface));
   result.set("patchArea", copied(std::vector<float>(scene.patches.area.begin(), scene.patches.area.end())));
   result.set("patchCenter", copied(center));
+  result.set("patchReflectance", copied(scene.patches.reflectance));
   return result;
 }
 

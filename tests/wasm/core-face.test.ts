@@ -54,6 +54,15 @@ describe('values have the declared shapes', () => {
     expect(info.surfaceOfPatch).toHaveLength(rows);
     expect(info.patchArea).toHaveLength(rows);
     expect(info.patchCenter).toHaveLength(3 * rows);
+    expect(info.patchReflectance).toHaveLength(rows);
+    info.surfaces.forEach((surface, s) => {
+      const rowsOf = [...info.surfaceOfPatch.keys()].filter((row) => info.surfaceOfPatch[row] === s);
+      const reflected = rowsOf.reduce(
+        (sum, row) => sum + (info.patchReflectance[row] ?? 0) * (info.patchArea[row] ?? 0),
+        0,
+      );
+      expect(reflected / surface.area).toBeCloseTo(surface.measuring ? 0 : surface.reflectance, 5);
+    });
     expect(sites).toBe(40);
     for (const array of [info.sitePosition, info.siteNormal, info.siteAxis])
       expect(array).toHaveLength(3 * sites);

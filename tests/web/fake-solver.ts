@@ -26,6 +26,7 @@ export function fakeScene(): SceneInfo {
     },
     surfaceOfPatch: Uint32Array.from(cells, ([, z]) => (z === side - 1 ? 1 : 0)),
     patchArea: Float32Array.from(cells, () => 1),
+    patchReflectance: Float32Array.from(cells, ([, z]) => (z === side - 1 ? 0.25 : 0.5)),
     patchCenter: Float32Array.from(cells.flatMap(([x, z]) => [x, 0, z])),
     provenance: {},
   };
@@ -57,13 +58,19 @@ export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentio
     const value = meanOf(constraint.surfaces[0]);
     const excess = Math.max(0, (constraint.min ?? -Infinity) - value, value - (constraint.max ?? Infinity));
     const violation = excess / Math.abs(constraint.min ?? constraint.max ?? 1);
-    return { value, met: violation === 0, violation };
+    const margin = excess > 0 ? -violation : 0.1;
+    return { value, met: violation === 0, violation, margin };
   });
   return {
     layout,
     illuminance,
     surfaces,
-    goals: intentions.goals.map((goal) => ({ value: meanOf(goal.surfaces[0]), met: true, violation: 0 })),
+    goals: intentions.goals.map((goal) => ({
+      value: meanOf(goal.surfaces[0]),
+      met: true,
+      violation: 0,
+      margin: Infinity,
+    })),
     constraints,
     goal: 1,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),

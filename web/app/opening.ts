@@ -94,7 +94,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       store.preview.value = null;
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
-      store.alphaRun.value = store.bound.value = null;
+      store.alphaRun.value = store.bound.value = store.check.value = null;
       store.reset(document);
       const display = view?.display ?? { ...firstDisplay, mode: store.display.peek().mode };
       store.legendLocked.value = Boolean(view?.display);

@@ -23,6 +23,8 @@ export interface Solving {
   /** Shows exactly this layout. */
   show(layout: Layout): void;
   findAlpha(card: string, intentions: Intentions): void;
+  /** Recomputes the layout shown from the patches; the answer is store.check. */
+  check(): void;
   /** Runs other intentions to their end and returns the light they reach; the document's stay. */
   probe(intentions: Intentions): Promise<Shown>;
   /** The layout shown now (or just put there by hand), in the page's order. */
@@ -60,6 +62,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   let live: Shown | null = null; // the newest answer, in the page's order
   let current: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
   let order: Order = [];
+  let checking: Layout | null = null; // was asked to be checked
   let pending: (() => void) | null = null;
 
   function later(action: () => void): void {
@@ -102,8 +105,11 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       case 'bounded':
         store.bound.value = { gap: message.gap, done: message.done };
         return;
-      case 'checked':
+      case 'checked': {
+        const { largestDifference, surface, margins } = message;
+        if (checking) store.check.value = { layout: checking, largestDifference, surface, margins };
         return;
+      }
       case 'failed':
         return failed(message.message);
       default:
@@ -242,6 +248,12 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       begin();
       store.alphaRun.value = { card, steps: [], done: null };
       client.alpha(intentions, store.document.peek().seed);
+    },
+    check() {
+      const layout = store.shown.peek()?.layout;
+      if (!layout) return;
+      checking = layout;
+      client.check(store.traced.peek().intentions, toCore(layout, order));
     },
     probe(intentions) {
       begin();

@@ -44,12 +44,12 @@ export function sampleOf(
   quantity: Quantity,
 ): AreaSample | null {
   if (patches.length === 0) return null;
-  const reflected = (patch: number) => scene.surfaces[scene.surfaceOfPatch[patch] ?? 0]?.reflectance ?? 0;
   const values = new Float32Array(patches.length);
   const areas = new Float32Array(patches.length);
   let [area, sum, squares, least, most] = [0, 0, 0, Infinity, 0];
   patches.forEach((patch, index) => {
-    const value = (illuminance[patch] ?? 0) * (quantity === 'exitance' ? reflected(patch) : 1);
+    const value =
+      (illuminance[patch] ?? 0) * (quantity === 'exitance' ? (scene.patchReflectance[patch] ?? 0) : 1);
     const patchArea = scene.patchArea[patch] ?? 0;
     values[index] = value;
     areas[index] = patchArea;

@@ -6,6 +6,7 @@ import { batch, computed, signal, type ReadonlySignal, type Signal } from '@prea
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History } from '../document/history.ts';
 import { intentionsOf, type TracedIntentions } from '../document/intentions.ts';
+import type { LayoutCheck } from './layout-check.ts';
 import type { Link } from '../document/share-link.ts';
 import type { Camera, FiatLuxDocument, Layout } from '../document/types.ts';
 import type { AlphaStep, SceneInfo, Shown } from '../solver/protocol.ts';
@@ -41,6 +42,7 @@ export interface Hover {
   readonly x: number;
   readonly y: number;
   readonly lux: number;
+  readonly exitance: number; // lm/m2
 }
 
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | null;
@@ -59,6 +61,7 @@ export interface Store {
   readonly shown: Signal<Shown | null>; // at most once a frame
   readonly progress: Signal<Progress>;
   readonly bound: Signal<{ readonly gap: number; readonly done: boolean } | null>;
+  readonly check: Signal<LayoutCheck | null>; // of the layout shown, or of an older one
   readonly alphaRun: Signal<AlphaRun | null>;
   readonly surface: Signal<number | null>; // selected leaf
   readonly luminaire: Signal<number | null>; // selected, 0 = L1
@@ -126,6 +129,7 @@ export function createStore(): Store {
     shown,
     progress: signal({ state: 'idle', evaluations: 0, milliseconds: 0 }),
     bound: signal(null),
+    check: signal(null),
     alphaRun: signal(null),
     surface: signal(null),
     luminaire: signal(null),

@@ -25,6 +25,10 @@ export function HelpDialog({ close }: { close: () => void }) {
         Pick a surface, choose a verb, drag its range: a search places the luminaires anew and the bounced
         light follows while you drag. Drag a luminaire by hand and it stays; the others make up for it.
       </p>
+      <p class="fine-print">
+        Computed: illuminance and exitance of matt surfaces under these luminaires, with all bounces, as means
+        over patches. Not computed: glare, shine, daylight and the time of day.
+      </p>
       <div class="help-columns">
         <section>
           <h3>Pointer</h3>

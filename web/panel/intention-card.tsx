@@ -2,6 +2,7 @@
 import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, ratio, unitOf } from '../app/format.ts';
+import { marginText } from '../app/layout-check.ts';
 import { leavesOf } from '../app/statistics.ts';
 import { keepRange, withOptional } from '../document/intentions.ts';
 import type { Card, Verb } from '../document/types.ts';
@@ -54,28 +55,35 @@ export function IntentionCard({ card }: CardProps) {
   );
 }
 
-type Status = 'met' | 'unmet' | 'none';
+interface Status {
+  readonly met: boolean;
+  readonly margin: number; // the least of the card's bounds, relative
+}
 
-function useStatus(card: Card): Status {
+function useStatus(card: Card): Status | null {
   const { store } = useApp();
   const results = store.shown.value?.constraints;
   const mine = store.traced.value.origins.flatMap((origin, i) =>
-    origin.card === card.id ? [results?.[i]] : [],
+    origin.card === card.id ? [results?.[i] ?? null] : [],
   );
-  if (mine.length === 0 || mine.includes(undefined)) return 'none';
-  return mine.every((result) => result?.met) ? 'met' : 'unmet';
+  const known = mine.filter((result) => result !== null);
+  if (known.length === 0 || known.length < mine.length) return null;
+  return {
+    met: known.every((result) => result.met),
+    margin: Math.min(...known.map((result) => result.margin)),
+  };
 }
 
-function Met({ status }: { status: Status }) {
-  if (status === 'none') return null;
+function Met({ status }: { status: Status | null }) {
+  if (!status) return null;
   return (
     <span
-      class={`met ${status}`}
+      class={`met ${status.met ? 'met' : 'unmet'}`}
       role="img"
-      aria-label={status === 'met' ? 'met' : 'not met'}
-      title={status === 'met' ? 'Met' : 'Not met'}
+      aria-label={status.met ? 'met' : 'not met'}
+      title={`${status.met ? 'Met' : 'Not met'}: ${marginText(status.margin)}`}
     >
-      {status === 'met' ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
+      {status.met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
     </span>
   );
 }

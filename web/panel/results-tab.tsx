@@ -3,6 +3,8 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { compact, ratio, unitOf } from '../app/format.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
+import { AboutRoom } from './about-room.tsx';
+import { CheckLayout } from './check-layout.tsx';
 import { NumberField } from './number-field.tsx';
 
 export function ResultsTab() {
@@ -12,7 +14,8 @@ export function ResultsTab() {
     <>
       <Power />
       <SurfaceTable />
-      <Provenance />
+      <CheckLayout />
+      <AboutRoom />
     </>
   );
 }
@@ -163,30 +166,4 @@ function SurfaceRow({ row, leaf }: { row: SurfaceResult; leaf: number | null }) 
       </td>
     </tr>
   );
-}
-
-/** What the numbers rest on: σ, min and Uₒ depend on how finely the room is cut. */
-function Provenance() {
-  const { store } = useApp();
-  const scene = store.scene.value;
-  if (!scene) return null;
-  const area = scene.patchArea.reduce((sum, each) => sum + each, 0) / (scene.patchArea.length || 1);
-  return (
-    <p class="fine-print">
-      {scene.patches} patches of {Math.sqrt(area).toFixed(2)} m on average, {scene.sites.size.length} places,
-      scene {scene.identity}. Spread, least and uniformity depend on the size of the patches. Glare is not
-      computed. Autosave: {savingText(store.saving.value)}.
-    </p>
-  );
-}
-
-function savingText(saving: ReturnType<typeof useApp>['store']['saving']['value']): string {
-  switch (saving.state) {
-    case 'saved':
-      return `kept in this browser at ${new Date(saving.at).toLocaleTimeString()}`;
-    case 'refused':
-      return `refused by the browser (${saving.why})`;
-    case 'unsaved':
-      return 'nothing kept yet';
-  }
 }

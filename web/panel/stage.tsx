@@ -64,7 +64,7 @@ function Probe() {
   const surface = hover && app?.store.scene.value?.surfaces[hover.surface];
   if (!app || !hover || !surface) return null;
   const { quantity } = app.store.document.value;
-  const value = quantity === 'exitance' ? hover.lux * surface.reflectance : hover.lux;
+  const value = quantity === 'exitance' ? hover.exitance : hover.lux;
   return (
     <div
       class="probe"

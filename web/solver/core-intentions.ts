@@ -70,7 +70,7 @@ export function shownOf(
       min: core.surfaces[4 * s + 2] ?? 0,
       max: core.surfaces[4 * s + 3] ?? 0,
     })),
-    goals: Array.from(core.goals, (value) => ({ value, met: true, violation: 0 })),
+    goals: Array.from(core.goals, (value) => ({ value, met: true, violation: 0, margin: Infinity })),
     constraints,
     goal,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
@@ -81,6 +81,7 @@ function triples(numbers: Float64Array): IntentionResult[] {
   return Array.from({ length: numbers.length / 3 }, (_, i) => {
     const violation = numbers[3 * i + 1] ?? 0;
     const met = violation <= metUpTo;
-    return { value: numbers[3 * i] ?? 0, met, violation: met ? 0 : violation };
+    const margin = numbers[3 * i + 2] ?? 0;
+    return { value: numbers[3 * i] ?? 0, met, violation: met ? 0 : violation, margin };
   });
 }

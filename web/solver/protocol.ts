@@ -36,6 +36,7 @@ export interface SceneInfo {
   readonly surfaceOfPatch: Uint32Array; // n + receivers
   readonly patchArea: Float32Array; // n + receivers, m2
   readonly patchCenter: Float32Array; // (n + receivers) x 3, m
+  readonly patchReflectance: Float32Array; // n + receivers: exitance = this x illuminance; 0 on receivers
   readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
 }
 
@@ -53,6 +54,7 @@ export interface IntentionResult {
   readonly value: number; // mu - alpha sigma (or mu + alpha sigma) for chebyshev
   readonly met: boolean; // true for goals
   readonly violation: number; // relative, 0 when met
+  readonly margin: number; // to the nearer bound, relative to it, negative when not met; Infinity for goals
 }
 
 /** A layout and its light: everything that the page shows. Buffers are transferred. */

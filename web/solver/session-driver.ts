@@ -146,8 +146,11 @@ export class SessionDriver {
   }
 
   #check({ revision, intentions, layout }: Request<'check'>): void {
-    this.#drop();
-    this.#ask(intentions);
+    // The search that answers these very intentions may go on: a check only reads.
+    if (this.#searched !== JSON.stringify(intentions)) {
+      this.#drop();
+      this.#ask(intentions);
+    }
     const checked = this.#session.check(...coreLayout(layout));
     if (typeof checked === 'string') throw new Error(checked);
     const { largestDifference } = checked;

@@ -1,7 +1,8 @@
 /**
  * The room's shader. Light at a vertex = sum of weight x patch illuminance, fetched from the light texture; then
  *   realistic:    albedo x light x exposure, through the tone curve
- *   false colour: the place of light (or of reflectance x light) on the legend, through the colour table
+ *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
+ *                 colour table
  * One program family; what is common to all meshes lives in shared uniforms, so a change of light, exposure or
  * legend touches no mesh.
  */
@@ -21,22 +22,31 @@ const vertexShader = /* glsl */ `
 attribute vec4 _patches;
 attribute vec4 _weights;
 uniform highp sampler2D lightTexture;
+uniform highp sampler2D reflectanceTexture;
+uniform bool exitance;
 uniform mat3 mapTransform;
 varying float vLight;
+varying float vQuantity;
 varying vec2 vMapUv;
 #ifdef USE_COLOR
 varying vec3 vTint;
 #endif
 
-float lightOfPatch(float patchIndex) {
+ivec2 texelOf(float patchIndex) {
   int i = int(patchIndex + 0.5);
-  return texelFetch(lightTexture, ivec2(i & 255, i >> 8), 0).r;
+  return ivec2(i & 255, i >> 8);
+}
+
+vec4 atPatches(highp sampler2D values) {
+  return vec4(texelFetch(values, texelOf(_patches.x), 0).r, texelFetch(values, texelOf(_patches.y), 0).r,
+              texelFetch(values, texelOf(_patches.z), 0).r, texelFetch(values, texelOf(_patches.w), 0).r);
 }
 
 void main() {
-  vec4 light = vec4(lightOfPatch(_patches.x), lightOfPatch(_patches.y),
-                    lightOfPatch(_patches.z), lightOfPatch(_patches.w));
-  vLight = dot(_weights, light) / max(dot(_weights, vec4(1.0)), 1e-6);
+  vec4 weights = _weights / max(dot(_weights, vec4(1.0)), 1e-6);
+  vec4 light = atPatches(lightTexture);
+  vLight = dot(weights, light);
+  vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
 #ifdef MAP_UV
   vMapUv = (mapTransform * vec3(MAP_UV, 1.0)).xy;
 #endif
@@ -59,12 +69,12 @@ uniform vec2 legend;      // low, high; logarithms on a logarithmic scale
 uniform bool logarithmic;
 uniform float steps;
 uniform bool isolux;
-uniform bool exitance;
 uniform float reflectance;
 uniform float pixelRatio;
 uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
 varying float vLight;
+varying float vQuantity;
 varying vec2 vMapUv;
 #ifdef USE_COLOR
 varying vec3 vTint;
@@ -106,11 +116,10 @@ void main() {
     gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
     return;
   }
-  float quantity = exitance ? reflectance * vLight : vLight;
   bool mapped = falseColor || measuring;
-  vec3 color = mapped ? colorOnLegend(quantity) : toneCurve(surface.rgb * vLight * exposure);
+  vec3 color = mapped ? colorOnLegend(vQuantity) : toneCurve(surface.rgb * vLight * exposure);
   if (isolux) {
-    float line = isoluxLine(quantity, 0.7 * pixelRatio);
+    float line = isoluxLine(vQuantity, 0.7 * pixelRatio);
     // By the surface and not by its texture, so that a line does not flicker on a pattern.
     float bright = mapped ? dot(color, vec3(0.2126, 0.7152, 0.0722)) : 0.8 * reflectance * vLight * exposure;
     color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
@@ -124,6 +133,7 @@ void main() {
 export function sharedUniforms() {
   return {
     lightTexture: { value: null as Texture | null },
+    reflectanceTexture: { value: null as Texture | null },
     colorTable: { value: null as Texture | null },
     falseColor: { value: false },
     exposure: { value: 1 },
@@ -152,7 +162,7 @@ export interface Albedo {
 export interface LightMaterialOptions {
   readonly albedo: Albedo;
   readonly measuring: boolean;
-  readonly reflectance: number; // of its surface, for exitance
+  readonly reflectance: number; // mean of its surface: how bright it looks behind an isolux line
 }
 
 export function createLightMaterial(shared: SharedUniforms, options: LightMaterialOptions): ShaderMaterial {

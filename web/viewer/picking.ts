@@ -10,6 +10,7 @@ export interface Hit {
   readonly surface: number | null;
   readonly point: Vector3;
   readonly lux: number; // illuminance; 0 on a luminaire
+  readonly exitance: number; // lm/m2
 }
 
 /** A mesh with its vertices in world space and the tree over its triangles; made when first needed. */
@@ -45,14 +46,16 @@ export class Picking {
     room: readonly LitMesh[],
     luminaires: readonly LuminaireObject[],
     light: Float32Array | null,
+    reflectance: Float32Array | null,
   ): Hit | null {
     this.ray(clientX, clientY, camera);
     const panels: Object3D[] = luminaires.map((luminaire) => luminaire.panel);
     const [panel] = this.caster.intersectObjects(panels, false);
     const wall = this.nearest(room, panel?.distance ?? Infinity);
-    if (wall) return this.hitOf(wall.lit, wall.distance, wall.first, light);
+    if (wall) return this.hitOf(wall.lit, wall.distance, wall.first, light, reflectance);
     if (!panel) return null;
-    return { luminaire: panels.indexOf(panel.object), surface: null, point: panel.point, lux: 0 };
+    const luminaire = panels.indexOf(panel.object);
+    return { luminaire, surface: null, point: panel.point, lux: 0, exitance: 0 };
   }
 
   private nearest(room: readonly LitMesh[], limit: number) {
@@ -87,16 +90,25 @@ export class Picking {
     return indexed;
   }
 
-  private hitOf(lit: LitMesh, distance: number, first: number, light: Float32Array | null): Hit {
+  private hitOf(
+    lit: LitMesh,
+    distance: number,
+    first: number,
+    light: Float32Array | null,
+    reflectance: Float32Array | null,
+  ): Hit {
     const { index, positions } = this.indexOf(lit.mesh);
     const point = this.caster.ray.at(distance, new Vector3());
     const corners = [0, 1, 2].map((i) => index[first + i]!);
     const [a, b, c] = corners.map((v) => [0, 1, 2].map((axis) => positions[3 * v + axis]!));
     const share = barycentric(point.toArray(), a!, b!, c!);
     const { _patches: patches, _weights: weights } = lit.mesh.geometry.attributes;
-    const lightAt = (vertex: number) =>
-      light ? lightAtVertex(vertex, patches!.array, weights!.array, light) : 0;
-    const lux = corners.reduce((sum, vertex, i) => sum + share[i]! * lightAt(vertex), 0);
-    return { luminaire: null, surface: lit.surface >= 0 ? lit.surface : null, point, lux };
+    const lightHere = (reflecting?: Float32Array | null) =>
+      corners.reduce((sum, vertex, i) => {
+        if (!light || reflecting === null) return 0;
+        return sum + share[i]! * lightAtVertex(vertex, patches!.array, weights!.array, light, reflecting);
+      }, 0);
+    const surface = lit.surface >= 0 ? lit.surface : null;
+    return { luminaire: null, surface, point, lux: lightHere(), exitance: lightHere(reflectance) };
   }
 }

@@ -1,18 +1,23 @@
 /** The light under the pointer: what the shader interpolates, computed on the page for one point. */
 
-/** Light at a vertex, lx: the weighted mean of up to four patches. Arrays hold four entries a vertex. */
+/**
+ * Light at a vertex: the weighted mean of up to four patches, lx, or lm/m2 where their reflectances are given.
+ * `patches` and `weights` hold four entries a vertex.
+ */
 export function lightAtVertex(
   vertex: number,
   patches: ArrayLike<number>,
   weights: ArrayLike<number>,
   light: ArrayLike<number>,
+  reflectance?: ArrayLike<number>,
 ): number {
   let sum = 0;
   let total = 0;
   for (let i = 4 * vertex; i < 4 * vertex + 4; i++) {
     const weight = weights[i]!;
     if (weight === 0) continue;
-    sum += weight * (light[Math.round(patches[i]!)] ?? 0);
+    const patch = Math.round(patches[i]!);
+    sum += weight * (light[patch] ?? 0) * (reflectance ? (reflectance[patch] ?? 0) : 1);
     total += weight;
   }
   return total > 0 ? sum / total : 0;

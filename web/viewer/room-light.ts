@@ -15,6 +15,7 @@ export class RoomLight {
   readonly uniforms = sharedUniforms();
   private loop: FrameLoop;
   private texture: LightTexture | null = null;
+  private reflectances: LightTexture | null = null;
   private tables = new Map<ColorMap, DataTexture>();
   private scene: SceneInfo | null = null;
   private level = 0; // lx that the eye is adapted to
@@ -32,11 +33,20 @@ export class RoomLight {
     return this.texture?.light ?? null;
   }
 
+  /** Reflectance a patch; null before a room is open. */
+  get reflectance(): Float32Array | null {
+    return this.scene?.patchReflectance ?? null;
+  }
+
   setScene(scene: SceneInfo | null): void {
     this.texture?.dispose();
+    this.reflectances?.dispose();
     this.scene = scene;
-    this.texture = scene ? new LightTexture(scene.patches + scene.receivers) : null;
+    const made = () => (scene ? new LightTexture(scene.patches + scene.receivers) : null);
+    [this.texture, this.reflectances] = [made(), made()];
+    if (scene) this.reflectances?.set(scene.patchReflectance);
     this.uniforms.lightTexture.value = this.texture?.texture ?? null;
+    this.uniforms.reflectanceTexture.value = this.reflectances?.texture ?? null;
     this.level = 0;
   }
 
@@ -76,6 +86,7 @@ export class RoomLight {
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
   release(): void {
     this.texture?.texture.dispose();
+    this.reflectances?.texture.dispose();
     for (const table of this.tables.values()) table.dispose();
   }
 

@@ -20,10 +20,13 @@ export interface Display {
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
 
 export interface ViewerEvents {
-  /** A leaf surface under the pointer (null = none) and the light there (lx); x, y in CSS px of the canvas. */
+  /**
+   * A leaf surface under the pointer (null = none) and the light there (lx, and reflected, lm/m2); x, y in CSS px of
+   * the canvas.
+   */
   hovered(
     surface: number | null,
-    at: { x: number; y: number; lux: number; point: [number, number, number] } | null,
+    at: { x: number; y: number; lux: number; exitance: number; point: [number, number, number] } | null,
   ): void;
   surfacePicked(surface: number | null): void;
   luminairePicked(luminaire: number | null): void;

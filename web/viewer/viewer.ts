@@ -215,7 +215,16 @@ class RoomViewer implements Viewer {
 
   private pick(x: number, y: number): Hit | null {
     if (!this.room || !this.info) return null;
-    return this.picking.pick(x, y, this.rig.active, this.room.lit, this.luminaires.objects, this.light.light);
+    const { light, reflectance } = this.light;
+    return this.picking.pick(
+      x,
+      y,
+      this.rig.active,
+      this.room.lit,
+      this.luminaires.objects,
+      light,
+      reflectance,
+    );
   }
 
   private hover(at: { x: number; y: number } | null): void {
@@ -232,7 +241,7 @@ class RoomViewer implements Viewer {
     this.probing = true;
     const frame = this.canvas.getBoundingClientRect();
     const [x, y] = [at.x - frame.left, at.y - frame.top];
-    this.events.hovered(surface, { x, y, lux: hit.lux, point: hit.point.toArray() });
+    this.events.hovered(surface, { x, y, lux: hit.lux, exitance: hit.exitance, point: hit.point.toArray() });
   }
 
   private createHand(): LuminaireHand {

@@ -209,6 +209,18 @@ test('alpha that is found becomes the alpha of the card, without another search'
   expect(solver.asked.filter((message) => message.type === 'solve')).toHaveLength(solves);
 });
 
+test('a check is of the layout shown, and no longer stands when another one is shown', () => {
+  app.solving.check();
+  const { revision, layout } = solver.last('check')!;
+  expect(layout).toEqual(app.store.shown.value!.layout);
+  solver.say({ type: 'checked', revision, largestDifference: 1e-5, surface: 'floor', margins: [] });
+  expect(app.store.check.value).toMatchObject({ largestDifference: 1e-5, surface: 'floor' });
+  expect(app.store.check.value?.layout).toBe(app.store.shown.value?.layout);
+  app.solving.solveAfresh();
+  settle();
+  expect(app.store.check.value?.layout).not.toBe(app.store.shown.value?.layout);
+});
+
 describe('the registry of actions', () => {
   test('no two actions share a key or an id', () => {
     const keys = app.actions.flatMap((action) => action.keys ?? []);

@@ -68,6 +68,7 @@ describe('statistics of an area', () => {
     ...fakeScene(),
     surfaceOfPatch: Uint32Array.of(0, 0, 1),
     patchArea: Float32Array.of(1, 3, 2),
+    patchReflectance: Float32Array.of(0.8, 0.4, 0.25),
   };
   const light = Float32Array.of(2, 6, 8);
   const sample = sampleOf(scene, light, patchesOf(scene, [0]), 'illuminance')!;
@@ -78,7 +79,10 @@ describe('statistics of an area', () => {
     expect([sample.least, sample.most]).toEqual([2, 6]);
   });
 
-  test('exitance is what is reflected', () => {
+  test('exitance is what each patch reflects, not the mean of its surface', () => {
+    const floor = sampleOf(scene, light, patchesOf(scene, [0]), 'exitance')!;
+    expect(floor.mean).toBeCloseTo((1 * 2 * 0.8 + 3 * 6 * 0.4) / 4);
+    expect([floor.least, floor.most].map((value) => value.toFixed(3))).toEqual(['1.600', '2.400']);
     expect(sampleOf(scene, light, patchesOf(scene, [1]), 'exitance')?.mean).toBeCloseTo(2);
     expect(sampleOf(scene, light, new Uint32Array(), 'exitance')).toBeNull();
   });
@@ -150,8 +154,8 @@ test('what cannot be met is named with the bound that could', () => {
   const document = documentFrom({ ...asked, luminaires }, '', 'box');
   const { origins } = intentionsOf(document);
   const results = [
-    { value: 150, met: false, violation: 0.5 },
-    { value: 150, met: true, violation: 0 },
+    { value: 150, met: false, violation: 0.5, margin: -0.5 },
+    { value: 150, met: true, violation: 0, margin: 0.6 },
   ];
   const bounds = bindingBounds(document, origins, results);
   expect(bounds).toMatchObject([{ field: 'mean.min', asked: 300, reached: 150, eased: 149 }]);

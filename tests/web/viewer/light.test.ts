@@ -14,6 +14,13 @@ describe('the probe', () => {
     expect(lightAtVertex(0, [9, 0, 0, 0], [0, 0, 0, 0], light)).toBe(0);
   });
 
+  test('reflects patch by patch before it blends', () => {
+    const reflectance = [0.8, 0.2, 0, 0];
+    expect(lightAtVertex(0, [0, 1, 2, 0], [100, 100, 0, 0], light, reflectance)).toBeCloseTo(
+      (100 * 0.8 + 200 * 0.2) / 2,
+    );
+  });
+
   test('barycentric coordinates give the point back', () => {
     const [a, b, c] = [[0, 0, 0], [2, 0, 1], [0, 3, 1]] as const; // prettier-ignore
     const [u, v, w] = barycentric([0.5, 0.6, 0.45], a, b, c);
