@@ -44,7 +44,7 @@ export function roomWarnings(scene: SceneInfo): string[] {
     .sort((a, b) => b.lost - a.lost)
     .map(
       ({ name, lost }) =>
-        `${percent(lost)} of the light that leaves “${name}” is lost: the room is open there`,
+        `${percent(lost)} of the light that leaves “${name}” is lost: it leaves the room, or meets the back of a surface`,
     );
   return [...warnings, ...losing];
 }

@@ -253,7 +253,8 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       const layout = store.shown.peek()?.layout;
       if (!layout) return;
       checking = layout;
-      client.check(store.traced.peek().intentions, toCore(layout, order));
+      const { intentions } = store.traced.peek();
+      client.check(intentions, toCore(layout, coreOrder(layout, intentions.luminaires.pinned)));
     },
     probe(intentions) {
       begin();

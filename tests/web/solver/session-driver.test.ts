@@ -237,6 +237,18 @@ describe('the other requests', () => {
     expect(answers).toEqual([{ type: 'failed', revision: 2, message: 'layout: there is no site 9' }]);
   });
 
+  test('check leaves the search for the same intentions running', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    const layout = { sites: [1], flux: [5], dimming: 1 };
+    await driver.receive({ type: 'check', revision: 3, intentions: asked, layout });
+    expect(driver.busy).toBe(true);
+    expect(answers.at(-1)).toMatchObject({ type: 'checked', revision: 3 });
+    await driver.receive({ type: 'check', revision: 4, intentions: { ...asked, goals: [] }, layout });
+    expect(driver.busy).toBe(false);
+  });
+
   test('check says where statistics and patches differ most, and the margins', async () => {
     await opened();
     await driver.receive({
