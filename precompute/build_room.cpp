@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <new>
 #include <set>
+#include <unordered_map>
 
 #include "precompute/charts.h"
 #include "precompute/clusters.h"
@@ -247,17 +248,12 @@ bool within(const std::string& path, const std::string& name) {
 
 std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Face>& faces) {
   std::vector<Mount> mounts;
-  std::vector<std::pair<std::uint32_t, std::size_t>> ofNode;
+  std::unordered_map<std::uint32_t, std::size_t> ofNode;
   for (const Face& face : faces) {
     const SourceMesh& mesh = source.meshes[face.mesh];
     if (!mesh.extras.mount) continue;
-    auto found =
-        std::find_if(ofNode.begin(), ofNode.end(), [&](const auto& e) { return e.first == mesh.nodeIndex; });
-    if (found == ofNode.end()) {
-      ofNode.emplace_back(mesh.nodeIndex, mounts.size());
-      mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0)});
-      found = ofNode.end() - 1;
-    }
+    const auto [found, fresh] = ofNode.emplace(mesh.nodeIndex, mounts.size());
+    if (fresh) mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0)});
     mounts[found->second].faces.push_back(face);
   }
   return mounts;

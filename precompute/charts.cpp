@@ -14,9 +14,9 @@ constexpr double kCrease = 0.707;  // cos 45 degrees: a sharper edge ends a char
 /// Frame and grid of a set of faces: u along the longest straight side, cells a side = max(1, round(length /
 /// patch)).
 void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces,
-             double patch, ChartDraft& draft) {
+             const Outline& outline, double patch, ChartDraft& draft) {
   Chart& chart = draft.chart;
-  Vec3 u = outlineOf(mesh, set, faces).longestDirection;
+  Vec3 u = outline.longestDirection;
   u = u - dot(u, chart.normal) * chart.normal;
   if (length(u) < 1e-6) {
     const Vec3 axis = std::abs(chart.normal.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
@@ -53,7 +53,8 @@ ChartDraft chartOf(const WeldedMesh& mesh, const SurfaceGroup& group,
     draft.area += group.regions[r].area;
     faces.insert(faces.end(), group.regions[r].faces.begin(), group.regions[r].faces.end());
   }
-  layGrid(mesh, group.set, faces, patch, draft);
+  const Outline outline = draft.flat ? group.regions[regions[0]].outline : outlineOf(mesh, group.set, faces);
+  layGrid(mesh, group.set, faces, outline, patch, draft);
   for (const std::uint32_t f : faces) draft.faces.push_back(group.set.faces[f]);
   return draft;
 }
@@ -75,8 +76,7 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
   for (const std::uint32_t r : order) {
     const Region& region = group.regions[r];
     if (region.area < 0.5 * patch * patch && n > 1) break;
-    const double perimeter = outlineOf(mesh, group.set, region.faces).perimeter;
-    if (n > 1 && 4 * region.area < 0.7 * patch * perimeter) continue;
+    if (n > 1 && 4 * region.area < 0.7 * patch * region.outline.perimeter) continue;
     taken[r] = true;
     charts.push_back(chartOf(mesh, group, {r}, region.normal, patch, firstSurface + group.leafOfRegion[r]));
   }

@@ -1,69 +1,18 @@
 // Cutting the room's triangles where their charts' grid lines pass, blending patches at the corners, and
-// packing it all.
+// the parts that come of it.
 #include "precompute/display_mesh.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
-#include <unordered_map>
 
-#include "precompute/glb_writer.h"
+#include "precompute/display_junctions.h"
+#include "precompute/display_part.h"
 #include "precompute/grid_cut.h"
-#include "precompute/patch_blend.h"
 
 namespace fiatlux {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// A vertex of the picture.
-struct Vertex {
-  std::array<float, 3> position{};
-  std::array<std::int8_t, 4> normal{};
-  std::array<float, 2> uv{};
-  std::array<std::uint8_t, 4> color{255, 255, 255, 255};
-  PatchBlend blend;
-  auto operator<=>(const Vertex&) const = default;
-};
-
-struct VertexHash {
-  std::size_t operator()(const Vertex& v) const {
-    std::uint64_t h = 0xcbf29ce484222325ull;
-    const auto add = [&](const void* bytes, std::size_t size) {
-      const auto* at = static_cast<const unsigned char*>(bytes);
-      for (std::size_t i = 0; i < size; ++i) h = (h ^ at[i]) * 0x100000001b3ull;
-    };
-    add(&v.position, sizeof v.position), add(&v.normal, sizeof v.normal), add(&v.uv, sizeof v.uv),
-        add(&v.color, sizeof v.color);
-    add(&v.blend.patch[0], sizeof v.blend.patch[0]);
-    return h;
-  }
-};
-
-/// One primitive: the faces of one surface that share a material.
-struct Part {
-  std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;
-  std::unordered_map<Vertex, std::uint32_t, VertexHash> known;
-  bool textured = false, colored = false, lit = true;
-
-  void corner(const Vertex& v) {
-    const auto [found, fresh] = known.emplace(v, static_cast<std::uint32_t>(vertices.size()));
-    if (fresh) vertices.push_back(v);
-    indices.push_back(found->second);
-  }
-};
-
-/// Numbers that differ only by noise become equal, and short for a compressor.
-float tidy(double x, double steps) { return static_cast<float>(std::round(x * steps) / steps); }
-
-std::array<std::int8_t, 4> packedNormal(const Vec3& n) {
-  const auto byte = [](double x) {
-    return static_cast<std::int8_t>(std::lround(127 * std::clamp(x, -1.0, 1.0)));
-  };
-  return {byte(n.x), byte(n.y), byte(n.z), 0};
-}
 
 /// Attributes of the source at points of one of its triangles.
 class Shader {
@@ -81,7 +30,7 @@ class Shader {
   Vertex at(const Vec3& p, const PatchBlend& blend) const {
     Vertex vertex;
     vertex.blend = blend;
-    vertex.position = {tidy(p.x, 16384), tidy(p.y, 16384), tidy(p.z, 16384)};
+    vertex.position = tidyPosition(p);
     const Vec3 d = p - mesh_.positions[v_[0]];
     const double nn = std::max(dot(n_, n_), 1e-300);
     const double w1 = dot(cross(d, e2_), n_) / nn, w2 = dot(cross(e1_, d), n_) / nn, w0 = 1 - w1 - w2;
@@ -133,8 +82,7 @@ class Mesher {
  public:
   Mesher(const SourceScene& source, const Room& room) : source_(source), room_(room), blender_(room) {}
 
-  using Key = std::tuple<std::uint32_t, int>;  // surface, material
-  std::map<Key, Part> parts;
+  Parts parts;
 
   /// Draws all faces of one chart.
   void addChart(std::uint32_t index, const std::vector<DrawnFace>& faces) {
@@ -147,7 +95,8 @@ class Mesher {
         const Vec3 normal = normalized(cross(p[1] - p[0], p[2] - p[0]));
         const Shader shader = shaderOf(faces[f], normal);
         Part& part = partOf(chart, faces[f], shader);
-        for (int i = 0; i < 3; ++i) part.corner(shader.at(p[i], blender_.atVertex(v[i], index, normal)));
+        const auto at = [&](int i) { return shader.at(p[i], blender_.atVertex(v[i], index, normal)); };
+        part.triangle(at(0), at(1), at(2), index);
         continue;
       }
       cut_.cut(chart, p, [&](std::uint32_t cell, const std::vector<GridCorner>& polygon) {
@@ -239,7 +188,8 @@ class Mesher {
       part = &own;
     }
     // note: this order of corners repeats pairs of the cell before, which compresses best
-    for (const int k : {3, 0, 2, 1, 2, 0}) part->corner(corners[k]);
+    part->triangle(corners[3], corners[0], corners[2], index);
+    part->triangle(corners[1], corners[2], corners[0], index);
     return true;
   }
 
@@ -260,7 +210,7 @@ class Mesher {
         return shader.at(p, blender_.inChart(index, p));
       };
       for (std::size_t k = 2; k < polygon.size(); ++k)
-        for (const Vec3& p : {polygon[0], polygon[k - 1], polygon[k]}) part.corner(vertexAt(p));
+        part.triangle(vertexAt(polygon[0]), vertexAt(polygon[k - 1]), vertexAt(polygon[k]), index);
     }
   }
 
@@ -272,16 +222,20 @@ class Mesher {
 };
 
 /// Measuring planes have no triangles in the room: their patches' pieces are drawn.
-void addReceivers(const Room& room, const PatchBlender& blender, std::map<Mesher::Key, Part>& parts) {
+void addReceivers(const Room& room, const PatchBlender& blender, Parts& parts) {
   for (std::uint32_t p = room.patches.count; p < room.patches.rows(); ++p)
-    for (std::uint32_t f = room.fragmentOffset[p]; f < room.fragmentOffset[p + 1]; ++f)
-      for (const Vec3& corner : room.fragments[f].corner) {
+    for (std::uint32_t f = room.fragmentOffset[p]; f < room.fragmentOffset[p + 1]; ++f) {
+      const std::uint32_t chart = room.chartOfPatch[p];
+      const auto at = [&](const Vec3& corner) {
         Vertex vertex;
-        vertex.position = {tidy(corner.x, 16384), tidy(corner.y, 16384), tidy(corner.z, 16384)};
+        vertex.position = tidyPosition(corner);
         vertex.normal = packedNormal(room.patches.normal[p]);
-        vertex.blend = blender.inChart(room.chartOfPatch[p], corner);
-        parts[{room.patches.surface[p], -1}].corner(vertex);
-      }
+        vertex.blend = blender.inChart(chart, corner);
+        return vertex;
+      };
+      const auto& corner = room.fragments[f].corner;
+      parts[{room.patches.surface[p], -1}].triangle(at(corner[0]), at(corner[1]), at(corner[2]), chart);
+    }
 }
 
 /// Glass and the like: shown, not lit.
@@ -294,113 +248,9 @@ void addUnlit(const SourceScene& source, std::uint32_t m, Part& part) {
         cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]));
     const Shader shader(source, {m, t}, normal, false);
     part.textured = shader.textured(), part.colored = shader.colored();
-    for (const std::uint32_t i : v) part.corner(shader.at(mesh.positions[i], {}));
+    const auto at = [&](int i) { return shader.at(mesh.positions[v[i]], {}); };
+    part.triangle(at(0), at(1), at(2), kNone);
   }
-}
-
-// --- packing
-// ---------------------------------------------------------------------------------------------------------
-
-template <class T, class Get>
-int packAttribute(GlbWriter& glb, const Part& part, int componentType, bool normalized, const char* type,
-                  Get get) {
-  std::vector<T> values;
-  values.reserve(part.vertices.size());
-  for (const Vertex& vertex : part.vertices) values.push_back(get(vertex));
-  const int view = glb.addView(values.data(), values.size() * sizeof(T), sizeof(T), 34962);
-  return glb.addAccessor(view, componentType, normalized, part.vertices.size(), type);
-}
-
-int packIndices(GlbWriter& glb, const Part& part) {
-  const std::size_t count = part.indices.size();
-  if (part.vertices.size() > 65535)
-    return glb.addAccessor(glb.addView(part.indices.data(), 4 * count, 0, 34963), 5125, false, count,
-                           "SCALAR");
-  const std::vector<std::uint16_t> narrow(part.indices.begin(), part.indices.end());
-  return glb.addAccessor(glb.addView(narrow.data(), 2 * count, 0, 34963), 5123, false, count, "SCALAR");
-}
-
-void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows, const std::string& name,
-              ordered_json extras) {
-  if (part.indices.empty()) return;
-  ordered_json attributes;
-  attributes["POSITION"] = packAttribute<std::array<float, 3>>(glb, part, 5126, false, "VEC3",
-                                                               [](const Vertex& v) { return v.position; });
-  ordered_json &accessor = glb.json["accessors"].back(), low = part.vertices[0].position, high = low;
-  for (const Vertex& v : part.vertices)
-    for (int c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c].get<float>(), v.position[c]);
-      high[c] = std::max(high[c].get<float>(), v.position[c]);
-    }
-  accessor["min"] = low, accessor["max"] = high;
-  attributes["NORMAL"] = packAttribute<std::array<std::int8_t, 4>>(glb, part, 5120, true, "VEC3",
-                                                                   [](const Vertex& v) { return v.normal; });
-  if (part.textured)
-    attributes["TEXCOORD_0"] = packAttribute<std::array<float, 2>>(glb, part, 5126, false, "VEC2",
-                                                                   [](const Vertex& v) { return v.uv; });
-  if (part.colored)
-    attributes["COLOR_0"] = packAttribute<std::array<std::uint8_t, 4>>(
-        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.color; });
-  if (part.lit) {
-    const auto narrowed = [](const Vertex& v) {
-      std::array<std::uint16_t, 4> patch{};
-      for (int i = 0; i < 4; ++i) patch[i] = static_cast<std::uint16_t>(v.blend.patch[i]);
-      return patch;
-    };
-    const auto wide = [](const Vertex& v) {
-      std::array<float, 4> patch{};
-      for (int i = 0; i < 4; ++i) patch[i] = static_cast<float>(v.blend.patch[i]);
-      return patch;
-    };
-    attributes["_PATCHES"] =
-        rows <= 65536 ? packAttribute<std::array<std::uint16_t, 4>>(glb, part, 5123, false, "VEC4", narrowed)
-                      : packAttribute<std::array<float, 4>>(glb, part, 5126, false, "VEC4", wide);
-    attributes["_WEIGHTS"] = packAttribute<std::array<std::uint8_t, 4>>(
-        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.blend.share; });
-  }
-  ordered_json primitive = {{"attributes", attributes}, {"indices", packIndices(glb, part)}};
-  if (material >= 0) primitive["material"] = material;
-  const int mesh = glb.append("meshes", {{"name", name}, {"primitives", ordered_json::array({primitive})}});
-  const int node = glb.append("nodes", {{"name", name}, {"mesh", mesh}, {"extras", std::move(extras)}});
-  glb.json["scenes"][0]["nodes"].push_back(node);
-}
-
-/// The source's materials; textures keep their own bytes.
-void packMaterials(GlbWriter& glb, const SourceScene& source) {
-  bool transformed = false;
-  std::vector<int> imageOf(source.images.size(), -1);
-  for (const SourceMaterial& material : source.materials) {
-    ordered_json pbr = {{"baseColorFactor", material.baseColor},
-                        {"metallicFactor", material.metallic},
-                        {"roughnessFactor", material.roughness}};
-    if (material.image >= 0 && !source.images[material.image].encoded.empty()) {
-      const SourceImage& image = source.images[material.image];
-      int& packed = imageOf[material.image];
-      if (packed < 0) {
-        const int view = glb.addView(image.encoded.data(), image.encoded.size(), 0, 0);
-        packed = glb.append("images", {{"bufferView", view}, {"mimeType", image.mimeType}});
-      }
-      const int sampler = glb.append(
-          "samplers",
-          {{"wrapS", material.wrapS}, {"wrapT", material.wrapT}, {"magFilter", 9729}, {"minFilter", 9987}});
-      pbr["baseColorTexture"] = {
-          {"index", glb.append("textures", {{"source", packed}, {"sampler", sampler}})}};
-      const auto& t = material.uvTransform;
-      if (t != std::array<double, 5>{0, 0, 1, 1, 0}) {
-        transformed = true;
-        pbr["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
-            {"offset", {t[0], t[1]}}, {"scale", {t[2], t[3]}}, {"rotation", t[4]}};
-      }
-    }
-    ordered_json entry = {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
-    if (material.alpha == SourceMaterial::Alpha::kBlend)
-      entry["alphaMode"] = "BLEND", entry["doubleSided"] = true;
-    if (material.alpha == SourceMaterial::Alpha::kMask) entry["alphaMode"] = "MASK";
-    glb.append("materials", std::move(entry));
-  }
-  glb.json["extensionsUsed"] = {"KHR_mesh_quantization"};
-  glb.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-  if (transformed) glb.json["extensionsUsed"].push_back("KHR_texture_transform");
 }
 
 }  // namespace
@@ -413,7 +263,9 @@ std::vector<std::uint8_t> displayMesh(const SourceScene& source, const Room& roo
     if (room.triangles[t].backChart != kNone) facesOfChart[room.triangles[t].backChart].push_back({t, true});
   }
   for (std::uint32_t c = 0; c < room.charts.size(); ++c) mesher.addChart(c, facesOfChart[c]);
-  addReceivers(room, PatchBlender(room), mesher.parts);
+  const PatchBlender blender(room);
+  addReceivers(room, blender, mesher.parts);
+  closeJunctions(blender, mesher.parts);
 
   GlbWriter glb;
   glb.json["scene"] = 0;

@@ -4,70 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <unordered_map>
+
+#include "precompute/vertex_lattice.h"
 
 namespace fiatlux {
 namespace {
 
 constexpr double kSameNormal = 0.9986;  // cos 3 degrees
-
-/// Vertices of open edges in a lattice, to find those that lie on another open edge.
-class VertexLattice {
- public:
-  VertexLattice(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& vertices, double cell)
-      : positions_(positions), cell_(cell) {
-    for (const std::uint32_t v : vertices)
-      cells_[key(at(positions[v].x), at(positions[v].y), at(positions[v].z))].push_back(v);
-  }
-
-  /// Calls visit(v) for vertices near the segment (some more than once); returns how much work that was.
-  template <class Visit>
-  std::size_t alongSegment(const Vec3& a, const Vec3& b, double margin, Visit visit) const {
-    // March in steps of a cell and look at the cells around each step.
-    const double l = length(b - a);
-    const auto steps = static_cast<std::size_t>(std::ceil(l / cell_)) + 1;
-    std::size_t work = 0;
-    std::uint64_t seen[27];
-    int seenCount = 0;
-    for (std::size_t s = 0; s < steps; ++s) {
-      const Vec3 low = a + (l > 0 ? std::min(1.0, s * cell_ / l) : 0.0) * (b - a);
-      const Vec3 high = a + (l > 0 ? std::min(1.0, (s + 1) * cell_ / l) : 1.0) * (b - a);
-      const auto range = [&](double p, double q) {
-        return std::pair{at(std::min(p, q) - margin), at(std::max(p, q) + margin)};
-      };
-      const auto [x0, x1] = range(low.x, high.x);
-      const auto [y0, y1] = range(low.y, high.y);
-      const auto [z0, z1] = range(low.z, high.z);
-      std::uint64_t now[27];
-      int nowCount = 0;
-      for (auto x = x0; x <= x1; ++x)
-        for (auto y = y0; y <= y1; ++y)
-          for (auto z = z0; z <= z1; ++z) {
-            const std::uint64_t k = key(x, y, z);
-            if (nowCount < 27) now[nowCount++] = k;
-            if (std::find(seen, seen + seenCount, k) != seen + seenCount) continue;
-            ++work;
-            const auto found = cells_.find(k);
-            if (found == cells_.end()) continue;
-            work += found->second.size();
-            for (const std::uint32_t v : found->second) visit(v);
-          }
-      std::copy(now, now + nowCount, seen);
-      seenCount = nowCount;
-    }
-    return work;
-  }
-
- private:
-  std::int64_t at(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
-  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-    return (static_cast<std::uint64_t>(x) & 0x1fffff) << 42 |
-           (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 | (static_cast<std::uint64_t>(z) & 0x1fffff);
-  }
-  const std::vector<Vec3>& positions_;
-  double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
-};
 
 bool edgeLess(const SubEdge& x, const SubEdge& y) {
   return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
@@ -257,28 +200,33 @@ std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool
     }
     region.normal = normalized(sum);
     region.centroid = (1 / region.area) * moment;
+    region.outline = outlineOf(mesh, set, region.faces);
     regions.push_back(std::move(region));
   }
   return regions;
 }
 
 Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces) {
-  // Boundary = sub-edges that the faces' turns do not cancel.
-  std::vector<SubEdge> pieces;
+  // Boundary = sub-edges that the faces' turns do not cancel. The set's edges are in order already.
+  std::vector<std::uint32_t> pieces;
   for (const std::uint32_t f : faces)
-    for (std::uint32_t i = set.faceEdgeOffset[f]; i < set.faceEdgeOffset[f + 1]; ++i)
-      pieces.push_back(set.edges[set.faceEdges[i]]);
-  std::sort(pieces.begin(), pieces.end(), edgeLess);
+    pieces.insert(pieces.end(), set.faceEdges.begin() + set.faceEdgeOffset[f],
+                  set.faceEdges.begin() + set.faceEdgeOffset[f + 1]);
+  std::sort(pieces.begin(), pieces.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;  // directed, from -> to
   for (std::size_t i = 0, j; i < pieces.size(); i = j) {
+    const SubEdge& edge = set.edges[pieces[i]];
     int balance = 0;
-    for (j = i; j < pieces.size() && pieces[j].a == pieces[i].a && pieces[j].b == pieces[i].b; ++j)
-      balance += pieces[j].forward ? 1 : -1;
-    for (; balance > 0; --balance) steps.emplace_back(pieces[i].a, pieces[i].b);
-    for (; balance < 0; ++balance) steps.emplace_back(pieces[i].b, pieces[i].a);
+    for (j = i; j < pieces.size() && set.edges[pieces[j]].a == edge.a && set.edges[pieces[j]].b == edge.b;
+         ++j)
+      balance += set.edges[pieces[j]].forward ? 1 : -1;
+    for (; balance > 0; --balance) steps.emplace_back(edge.a, edge.b);
+    for (; balance < 0; ++balance) steps.emplace_back(edge.b, edge.a);
   }
   std::sort(steps.begin(), steps.end());
   std::vector<bool> used(steps.size(), false);
+  std::vector<std::size_t> firstFree(steps.size());  // at the first step of a vertex: its first unused one
+  for (std::size_t s = 0; s < steps.size(); ++s) firstFree[s] = s;
   Outline outline;
   double longest = 0;
   const auto side = [&](const Vec3& from, const Vec3& to) {
@@ -307,13 +255,18 @@ Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<
     const std::uint32_t start = steps[first].first;
     std::uint32_t at = start;
     do {
-      // Where boundaries touch, go on as straight as possible.
+      // Where boundaries touch, go on as straight as possible (among the first few, where very many touch).
       std::size_t best = steps.size();
       double straightest = -3;
-      for (auto s = static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), std::pair{at, 0u}) -
-                                             steps.begin());
-           s < steps.size() && steps[s].first == at; ++s) {
+      int looked = 0;
+      const auto begin = static_cast<std::size_t>(
+          std::lower_bound(steps.begin(), steps.end(), std::pair{at, 0u}) - steps.begin());
+      if (begin == steps.size()) break;
+      std::size_t& free = firstFree[begin];
+      while (free < steps.size() && used[free] && steps[free].first == at) ++free;
+      for (std::size_t s = free; s < steps.size() && steps[s].first == at && looked < 64; ++s) {
         if (used[s]) continue;
+        ++looked;
         const double straight = loop.empty()
                                     ? 0
                                     : dot(normalized(mesh.positions[at] - loop.back()),

@@ -26,22 +26,24 @@ struct FaceSet {
 /// soups, which are cut short (their T-junctions stay open).
 FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces);
 
-struct Region {
-  std::vector<std::uint32_t> faces;  // indices into the set
-  Vec3 normal, centroid;             // unit; m
-  double area = 0;                   // m2
-};
-
-/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent
-/// by up to 3 degrees and 1 % of its size, as hand-made walls are.
-std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
-
 /// The straight sides of a region's boundary: neighbouring edges in one line are one side.
 struct Outline {
   double perimeter = 0;   // m
   Vec3 longestDirection;  // unit, of the longest side (ties: nearest to x, then y, then z); zero without a
                           // boundary
 };
+/// O(N log N) in the number of faces.
 Outline outlineOf(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces);
+
+struct Region {
+  std::vector<std::uint32_t> faces;  // indices into the set
+  Vec3 normal, centroid;             // unit; m
+  double area = 0;                   // m2
+  Outline outline;
+};
+
+/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent
+/// by up to 3 degrees and 1 % of its size, as hand-made walls are.
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
 
 }  // namespace fiatlux

@@ -76,7 +76,7 @@ struct Axis {
 
 void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Region& region, double spacing,
                   double size, std::vector<Site>& sites) {
-  Vec3 u = outlineOf(mesh, planes.set, region.faces).longestDirection;
+  Vec3 u = region.outline.longestDirection;
   u = normalized(u - dot(u, region.normal) * region.normal);
   if (length(u) == 0) return;
   const Vec3 v = cross(region.normal, u);

@@ -109,6 +109,66 @@ TEST(DisplayMesh, WholeCellsAreTwoTrianglesAndNothingIsLost) {
   }
 }
 
+/// Length of the edges that no other triangle of the picture runs along the other way, m.
+double openLength(const SourceScene& picture) {
+  using Point = std::array<double, 3>;
+  std::map<std::pair<Point, Point>, int> balance;
+  for (const SourceMesh& mesh : picture.meshes)
+    for (const auto& t : mesh.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 &p = mesh.positions[t[i]], &q = mesh.positions[t[(i + 1) % 3]];
+        const Point a{p.x, p.y, p.z}, b{q.x, q.y, q.z};
+        if (a != b) balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+      }
+  double open = 0;
+  for (const auto& [edge, count] : balance) {
+    const auto& [a, b] = edge;
+    open += std::abs(count) * length(Vec3{a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+  }
+  return open;
+}
+
+TEST(DisplayMesh, StripsRoundADoorLeaveNoCracks) {
+  // A box whose south wall is five strips that meet in T-junctions round a door of another node.
+  const double w = 4.13, h = 2.9, d = 5.27, left = 1.07, right = 2.03, top = 2.11;
+  TestGltf gltf;
+  using nlohmann::ordered_json;
+  const auto add = [&](const char* name, const TestMesh& mesh,
+                       const ordered_json& more = ordered_json::object()) {
+    gltf.node(name, gltf.mesh(mesh), more);
+  };
+  const Vec3 x{w, 0, 0}, y{0, h, 0}, z{0, 0, d};
+  TestMesh floor, ceiling, north, west, east, south, door;
+  floor.quad({}, z, x), ceiling.quad(y, x, z), north.quad(z, y, x), west.quad({}, y, z);
+  for (int i = 0; i < 3; ++i) east.quad(x + (i / 3.0) * y, z, (1 / 3.0) * y);
+  const auto strip = [](TestMesh& mesh, double x0, double x1, double y0, double y1) {
+    mesh.quad({x0, y0, 0}, {x1 - x0, 0, 0}, {0, y1 - y0, 0});
+  };
+  strip(south, 0, left, 0, h), strip(south, left, right, top, h);
+  strip(south, right, w, 0, 0.83), strip(south, right, w, 0.83, 1.39), strip(south, right, w, 1.39, h);
+  strip(door, left, right, 0, top);
+  add("floor", floor), add("ceiling", ceiling, TestGltf::extras({{"mount", true}, {"siteSpacing", 1}}));
+  add("north", north), add("west", west), add("east", east), add("south", south), add("door", door);
+  const auto scene = gltf.read();
+  ASSERT_TRUE(scene);
+  for (const double patch : {0.23, 0.31, 1.0}) {
+    RoomOptions options;
+    options.patch = patch;
+    const auto room = buildRoom(*scene, options);
+    ASSERT_TRUE(room) << room.error().message;
+    const auto picture = readSourceScene(displayMesh(*scene, *room), "display.glb", 1);
+    ASSERT_TRUE(picture);
+    EXPECT_LT(openLength(*picture), 1e-3) << "patches of " << patch << " m";
+    double area = 0;
+    for (const SourceMesh& mesh : picture->meshes)
+      for (const auto& t : mesh.triangles) {
+        const auto& p = mesh.positions;
+        area += 0.5 * length(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
+      }
+    EXPECT_NEAR(area, 2 * (w * h + h * d + d * w), 1e-2);
+  }
+}
+
 TEST(DisplayMesh, LightDoesNotLeakRoundAnEdge) {
   TestGltf gltf = boxRoom({4, 3, 5}, 1);
   TestMesh box;
