@@ -1,7 +1,10 @@
 // fiatlux experiments: section 5 of the paper as a report with plots and raw runs, made again by one command.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
@@ -18,6 +21,20 @@ struct ExperimentsOptions {
   std::string scene = "public/scenes/e-corridor.flux", folder = "docs", wall = "yellow wall";
   std::uint32_t runs = 20, evaluations = 25000;
 };
+
+/// The pictures of the room that `npm run pictures` left beside the plots, named after the experiments.
+std::string roomPictures(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".jpg") names.push_back(entry.path().stem().string());
+  if (names.empty()) return "";
+  std::sort(names.begin(), names.end());
+  std::string section =
+      "\n## The room in each experiment\n\nSeen by the app; `npm run pictures` takes them again.\n\n";
+  for (const std::string& name : names)
+    section += "**" + name + "**\n\n![" + name + "](experiments/" + name + ".jpg)\n\n";
+  return section;
+}
 
 void runExperiments(const ExperimentsOptions& options) {
   const Scene scene = orThrow(readSceneFile(options.scene));
@@ -62,7 +79,7 @@ void runExperiments(const ExperimentsOptions& options) {
                              "prints, not its dimensions, so shares and "
                              "ratios are compared, not absolute values. Raw runs: "
                              "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
-                             table + "\n" + e.report;
+                             table + "\n" + e.report + roomPictures(plots);
   for (const auto& [name, svg] : e.pictures) writeFileAtomically((plots / name).string(), svg);
   writeFileAtomically((plots / "runs.csv").string(), e.rows);
   writeFileAtomically((std::filesystem::path(options.folder) / "experiments.md").string(), report);

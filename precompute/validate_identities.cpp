@@ -76,7 +76,7 @@ void formFactorIdentities(Validation& validation) {
       sum += factors.u[std::size_t{p} * factors.clusters + c];
     worst = std::max(worst, std::abs(sum - 1));
   }
-  validation.absolute(kTopic, "largest |row sum - 1| in a closed room", 0, worst, 1e-4);
+  validation.absolute(kTopic, "largest distance of a row sum from 1, closed room", 0, worst, 1e-4);
   const auto factor = [&](const std::string& from, const std::string& onto) {
     std::vector<float> shining(factors.count), received(factors.rows);
     for (std::uint32_t p = 0; p < factors.count; ++p) shining[p] = scene.belongs(p, onto) ? 1.0f : 0.0f;
