@@ -214,8 +214,6 @@ export const experiments: readonly GalleryEntry[] = [
   ),
 ];
 
-export const firstRoom = 'office';
-
 /** A room or experiment by id. */
 export function entryOf(id: string): GalleryEntry | undefined {
   return [...rooms, ...experiments].find((entry) => entry.id === id);

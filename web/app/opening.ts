@@ -8,7 +8,8 @@ import { cleanName } from '../document/schema.ts';
 import type { FiatLuxDocument, Layout } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
-import { askedOfUnknown, documentFrom, entryOf, firstRoom, rooms, type GalleryEntry } from './catalog.ts';
+import { askedOfUnknown, documentFrom, entryOf, rooms, type GalleryEntry } from './catalog.ts';
+import { firstRoom, rememberRoom, requestScene } from './first-scene.ts';
 import { sentence, Superseded, type Solving } from './solving.ts';
 import { firstDisplay, type Store } from './store.ts';
 
@@ -57,7 +58,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
   }
 
   async function fetchScene(room: string): Promise<ArrayBuffer> {
-    const response = await fetch(new URL(`./scenes/${room}.flux`, document.baseURI)).catch(() => null);
+    const response = await requestScene(room);
     if (!response) throw new Error(`the room "${room}" could not be loaded: no connection; try again`);
     const isPage = response.headers.get('content-type')?.startsWith('text/html') ?? false;
     if (!response.ok || isPage)
@@ -74,7 +75,9 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
   ): Promise<void> {
     if (!isCurrent()) return;
     const layout = solving.layout();
+    performance.mark('scene fetched');
     const { scene, room } = await solving.open(bytes);
+    performance.mark('scene opened');
     if (!isCurrent()) return;
     let made: ReturnType<typeof make>;
     try {
@@ -86,8 +89,10 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       throw error;
     }
     if (!isCurrent()) return;
+    performance.mark('room displayed');
     const { document, view } = made;
     placed = { bytes, room, scene };
+    if (isRoom(document.room)) rememberRoom(document.room);
     batch(() => {
       store.scene.value = scene;
       store.roomTitle.value = title;

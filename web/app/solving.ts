@@ -133,6 +133,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   function relight(): void {
     if (!live || store.preview.peek() !== null) return;
     viewer.setLight(live.illuminance);
+    performance.mark('light set');
     viewer.setLayout(live.layout, store.document.peek().luminaires.pinned);
   }
 

@@ -11,7 +11,8 @@ import type { Link } from '../document/share-link.ts';
 import type { Camera, FiatLuxDocument, Layout } from '../document/types.ts';
 import type { AlphaStep, SceneInfo, Shown } from '../solver/protocol.ts';
 import type { Display } from '../viewer/types.ts';
-import { documentFrom, firstRoom, rooms } from './catalog.ts';
+import { documentFrom, rooms } from './catalog.ts';
+import { firstRoom } from './first-scene.ts';
 
 export interface Message {
   readonly id: number;

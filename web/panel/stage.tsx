@@ -1,7 +1,8 @@
 /** The view: canvas and its labels, and what floats over it. The lists of the panel are its twin for the keyboard. */
 import type { RefObject } from 'preact';
-import { useContext } from 'preact/hooks';
+import { useContext, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
+import { likelyRoom } from '../app/first-scene.ts';
 import { compact, unitOf } from '../app/format.ts';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
@@ -49,12 +50,24 @@ function Loading() {
   const { store } = useApp();
   const what = store.loading.value;
   if (!what) return null;
+  const isFirst = !store.scene.value;
   return (
-    <div class={store.scene.value ? 'loading' : 'loading first'} role="status">
-      <span class="spinner" aria-hidden="true" />
-      {what} …
-    </div>
+    <>
+      {isFirst && <Placeholder />}
+      <div class={isFirst ? 'loading first' : 'loading'} role="status">
+        <span class="spinner" aria-hidden="true" />
+        {what} …
+      </div>
+    </>
   );
+}
+
+/** The picture of the room to come, blurred. */
+function Placeholder() {
+  const [room] = useState(() => likelyRoom(location.hash));
+  const [missing, setMissing] = useState(false);
+  if (!room || missing) return null;
+  return <img class="placeholder" src={`./thumbnails/${room}.jpg`} alt="" onError={() => setMissing(true)} />;
 }
 
 /** The light under the pointer. */

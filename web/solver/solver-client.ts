@@ -133,8 +133,3 @@ export function createSolverClient(
     dispose: () => worker.terminate(),
   };
 }
-
-/** The real worker of the app. */
-export function createSolverWorker(): WorkerLike {
-  return new Worker(new URL('./solver.worker.ts', import.meta.url), { type: 'module', name: 'solver' });
-}

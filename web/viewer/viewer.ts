@@ -18,7 +18,6 @@ import { SiteMarks } from './site-marks.ts';
 import { Stage } from './stage.ts';
 import { SurfaceOutlines } from './surface-outline.ts';
 import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
-import './viewer.css';
 
 /** A press by hand asks for no focus ring (the option is ignored where unknown). */
 const quietly = { preventScroll: true, focusVisible: false } as FocusOptions;
@@ -46,6 +45,7 @@ class RoomViewer implements Viewer {
   private display: Display | null = null;
   private opening = 0; // the latest open or preview wins
   private probing = false; // the app was told of a surface under the pointer
+  private unlit = false; // a room is there, its first light not yet: the picture before it stays
   private disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
@@ -81,16 +81,19 @@ class RoomViewer implements Viewer {
     const room = await loadRoomMesh(glb, scene, this.light.uniforms, this.stage.anisotropy);
     if (turn !== this.opening || this.disposed) return room.dispose();
     this.show(room, scene);
+    this.awaitLight(turn);
   }
 
   async preview(glb: ArrayBuffer): Promise<void> {
     const turn = ++this.opening;
     const room = await loadPreview(glb, this.display?.cutAway ?? true);
     if (turn !== this.opening || this.disposed) return room.dispose();
+    this.unlit = false;
     this.show(room, null);
   }
 
   setLight(illuminance: Float32Array): void {
+    this.unlit = false;
     this.light.set(illuminance);
   }
 
@@ -167,6 +170,16 @@ class RoomViewer implements Viewer {
     this.loop.invalidate();
   }
 
+  /** A dark picture first would only delay the lit one; where no light comes it is drawn after all. */
+  private awaitLight(turn: number): void {
+    this.unlit = true;
+    setTimeout(() => {
+      if (turn !== this.opening || !this.unlit) return;
+      this.unlit = false;
+      this.loop.invalidate();
+    }, 500);
+  }
+
   private clearRoom(): void {
     this.hand.setSites(null);
     this.tags.setCount(0);
@@ -197,7 +210,7 @@ class RoomViewer implements Viewer {
   }
 
   private draw(): void {
-    if (this.disposed) return;
+    if (this.disposed || this.unlit) return;
     this.rig.update();
     this.cutAway.update(this.rig.active, this.display?.cutAway ?? true);
     this.stage.draw(this.rig.active);
