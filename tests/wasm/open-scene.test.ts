@@ -15,7 +15,7 @@ function withSession<T>(use: (session: Session) => T): T {
 
 /** The one line by which a file is refused. */
 async function refusal(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  return withSession((session) => openScene(session, bytes, always)).then(
+  return withSession((session) => openScene(session, bytes, always, () => undefined)).then(
     () => 'opened',
     (error: Error) => error.message,
   );
@@ -30,14 +30,24 @@ function changed(change: (copy: Uint8Array<ArrayBuffer>) => void): Uint8Array<Ar
 const sections = withSession((session) => session.openTable(file)) as readonly Section[];
 
 test('a whole file opens, with its room and provenance', async () => {
-  const opened = await withSession((session) => openScene(session, file, always));
-  expect(new TextDecoder().decode(opened?.room)).toBe('glTF stands here');
-  expect(opened?.scene.provenance).toEqual({ rays: 1024 });
-  expect(opened?.scene.sites.position).toHaveLength(120);
+  const rooms: ArrayBuffer[] = [];
+  const scene = await withSession((session) => openScene(session, file, always, (room) => rooms.push(room)));
+  expect(rooms.map((room) => new TextDecoder().decode(room))).toEqual(['glTF stands here']);
+  expect(scene?.provenance).toEqual({ rays: 1024 });
+  expect(scene?.sites.position).toHaveLength(120);
 });
 
 test('another file meanwhile ends the opening without an answer', async () => {
-  expect(await withSession((session) => openScene(session, file, () => false))).toBeNull();
+  expect(
+    await withSession((session) =>
+      openScene(
+        session,
+        file,
+        () => false,
+        () => undefined,
+      ),
+    ),
+  ).toBeNull();
 });
 
 describe('refuses with one line', () => {
@@ -94,8 +104,11 @@ describe('inflated bytes are checked against the table', () => {
 
 test('a deflate bomb is stopped at the announced size', async () => {
   const bomb = new Uint8Array(deflateSync(new Uint8Array(32 << 20)));
+  const room = { storedBytes: 0, inflatedBytes: 0, deflated: false, needed: false };
   const fake: Partial<Session> = {
+    verify: () => '',
     openTable: () => [
+      { index: 1, name: 'room', offset: 0, ...room },
       {
         index: 0,
         name: 'responses',
@@ -107,7 +120,7 @@ test('a deflate bomb is stopped at the announced size', async () => {
       },
     ],
   };
-  await expect(openScene(fake as Session, bomb, always)).rejects.toThrow(
+  await expect(openScene(fake as Session, bomb, always, () => undefined)).rejects.toThrow(
     /^responses: more than its 1000 bytes/,
   );
 });

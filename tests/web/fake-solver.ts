@@ -90,12 +90,10 @@ export class FakeSolver implements WorkerLike {
     this.asked.push(message);
     switch (message.type) {
       case 'open':
-        this.#queue.push({
-          type: 'opened',
-          revision: message.revision,
-          scene: this.scene,
-          room: new ArrayBuffer(8),
-        });
+        this.#queue.push(
+          { type: 'room', revision: message.revision, room: new ArrayBuffer(8) },
+          { type: 'opened', revision: message.revision, scene: this.scene },
+        );
         return;
       case 'solve':
       case 'show':

@@ -20,6 +20,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       layout: null,
       pinned: [],
       opened: 0,
+      prepare: () => {},
       open: async () => void viewer.opened++,
       preview: async () => {},
       setLight: (light) => void (viewer.light = light),

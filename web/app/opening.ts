@@ -82,7 +82,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     let made: ReturnType<typeof make>;
     try {
       made = make(scene);
-      await viewer.open(room.slice(0), scene);
+      await viewer.open(room, scene);
     } catch (error) {
       // The solver has the new scene by now, the screen still the old one.
       if (isCurrent()) await takeBack(layout);
@@ -253,7 +253,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     const back = placed;
     if (!back) return openEntry(firstRoom).then(() => undefined);
     await attempt('Going back', async (isCurrent) => {
-      await viewer.open(back.room.slice(0), back.scene);
+      await viewer.open(back.room, back.scene);
       if (!isCurrent()) return;
       store.preview.value = null;
       solving.relight();

@@ -57,6 +57,7 @@ const perFrame = (action: () => void): void => {
 export function createSolving(store: Store, viewer: Viewer, createWorker: () => WorkerLike): Solving {
   let client: SolverClient = createSolverClient(createWorker, receive);
   let opening: Waiting<{ scene: SceneInfo; room: ArrayBuffer }> | null = null;
+  let arrived: ArrayBuffer | null = null; // the display mesh of the scene that is being opened
   let probing: Waiting<Shown> | null = null;
   let file: ArrayBuffer | null = null;
   let live: Shown | null = null; // the newest answer, in the page's order
@@ -80,9 +81,13 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     switch (message.type) {
       case 'ready':
         return;
+      case 'room':
+        arrived = message.room;
+        viewer.prepare(arrived);
+        return;
       case 'opened':
-        opening?.resolve(message);
-        opening = null;
+        if (arrived) opening?.resolve({ scene: message.scene, room: arrived });
+        opening = arrived = null;
         return;
       case 'improved':
       case 'settled':
@@ -177,7 +182,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       const isDead = /solver stopped/.test(message); // the client has given up on its workers
       store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : undefined);
     }
-    opening = probing = null;
+    opening = probing = arrived = null;
     const { state, evaluations, milliseconds } = store.progress.peek();
     // A file that cannot be opened takes nothing from what is shown, except a search that was running.
     const isOver = wasOpening && state !== 'improving';
@@ -200,7 +205,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   function open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }> {
     opening?.reject(new Superseded());
     probing?.reject(new Superseded());
-    probing = null;
+    probing = arrived = null;
     return new Promise<{ scene: SceneInfo; room: ArrayBuffer }>((resolve, reject) => {
       opening = { resolve, reject };
       client.open(bytes);

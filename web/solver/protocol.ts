@@ -80,7 +80,7 @@ export interface AlphaStep {
 }
 
 export type ToWorker =
-  /** Opens a scene file -> 'opened' or 'failed'. The buffer is transferred. */
+  /** Opens a scene file -> 'room', then 'opened', or 'failed' instead of either. The buffer is transferred. */
   | { readonly type: 'open'; readonly revision: number; readonly bytes: ArrayBuffer }
   /**
    * Searches layouts for intentions, from `start` when given -> 'improved' at once (the first within some
@@ -122,12 +122,9 @@ export type ToWorker =
 
 export type FromWorker =
   | { readonly type: 'ready' } // the module is loaded
-  | {
-      readonly type: 'opened';
-      readonly revision: number;
-      readonly scene: SceneInfo;
-      readonly room: ArrayBuffer; // display .glb, transferred
-    }
+  /** The display .glb, transferred: it can be read while the worker decodes the rest. */
+  | { readonly type: 'room'; readonly revision: number; readonly room: ArrayBuffer }
+  | { readonly type: 'opened'; readonly revision: number; readonly scene: SceneInfo }
   | {
       readonly type: 'improved' | 'settled';
       readonly revision: number;

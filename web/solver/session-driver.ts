@@ -85,11 +85,13 @@ export class SessionDriver {
     this.#drop();
     this.#waiting = [];
     try {
-      const opened = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent);
-      if (!opened) return;
-      this.#scene = opened.scene;
+      const { revision } = message;
+      const takeRoom = (room: ArrayBuffer) => this.#post({ type: 'room', revision, room }, [room]);
+      const scene = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent, takeRoom);
+      if (!scene) return;
+      this.#scene = scene;
       this.#searched = '';
-      this.#post({ type: 'opened', revision: message.revision, ...opened }, [opened.room]);
+      this.#post({ type: 'opened', revision, scene }, []);
     } catch (error) {
       if (isCurrent()) this.#fail(message.revision, error);
     }

@@ -85,8 +85,10 @@ export function createSolverClient(
   }
 
   function take(message: FromWorker): void {
-    if (message.type !== 'ready') deaths = 0;
-    if (message.type === 'opened') {
+    if (message.type !== 'ready' && message.type !== 'room') deaths = 0;
+    if (message.type === 'room') {
+      if (message.revision !== opening?.revision) return;
+    } else if (message.type === 'opened') {
       if (message.revision !== opening?.revision) return; // an older file, or the same again after a restart
       opened = opening;
       opening = null;

@@ -110,7 +110,8 @@ function facingShares(lit: readonly LitMesh[]): number[] {
   return shares;
 }
 
-async function parse(glb: ArrayBuffer): Promise<Group> {
+/** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
+export async function readGlb(glb: ArrayBuffer): Promise<Group> {
   try {
     const gltf = await new GLTFLoader().parseAsync(glb, '');
     for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
@@ -182,14 +183,13 @@ function freeMeshes(root: Object3D, more: Iterable<Material>): void {
   }
 }
 
-/** Loads the display mesh of a scene file. Rejects with one readable line. */
-export async function loadRoomMesh(
-  glb: ArrayBuffer,
+/** Makes the display mesh of a scene file ready for its light; takes `root` over. Throws one readable line. */
+export function loadRoomMesh(
+  root: Group,
   scene: SceneInfo,
   shared: SharedUniforms,
   anisotropy: number,
-): Promise<RoomMesh> {
-  const root = await parse(glb);
+): RoomMesh {
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
@@ -226,7 +226,7 @@ export async function loadRoomMesh(
 
 /** Loads any .glb as it is, to be looked at under plain lights. */
 export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<RoomMesh> {
-  const root = await parse(glb);
+  const root = await readGlb(glb);
   root.updateMatrixWorld(true);
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;

@@ -39,6 +39,8 @@ export interface ViewerEvents {
 }
 
 export interface Viewer {
+  /** Begins to read a room's display mesh, for an `open` of the same buffer. */
+  prepare(glb: ArrayBuffer): void;
   /** Shows a room's display mesh; resolves when it can be drawn. Rejects with one readable line. */
   open(glb: ArrayBuffer, scene: SceneInfo): Promise<void>;
   /** Shows a plain .glb without light (a dropped file that still needs `fiatlux precompute`). */

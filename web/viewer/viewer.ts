@@ -13,7 +13,7 @@ import { Picking, type Hit } from './picking.ts';
 import { PointerInput } from './pointer-input.ts';
 import { freeGpu } from './free-gpu.ts';
 import { RoomLight } from './room-light.ts';
-import { loadPreview, loadRoomMesh, type RoomMesh } from './room-mesh.ts';
+import { loadPreview, loadRoomMesh, readGlb, type RoomMesh } from './room-mesh.ts';
 import { SiteMarks } from './site-marks.ts';
 import { Stage } from './stage.ts';
 import { SurfaceOutlines } from './surface-outline.ts';
@@ -40,6 +40,7 @@ class RoomViewer implements Viewer {
   private picking: Picking;
   private hand: LuminaireHand;
   private input: PointerInput;
+  private prepared: { readonly glb: ArrayBuffer; readonly root: ReturnType<typeof readGlb> } | null = null;
   private room: RoomMesh | null = null;
   private info: SceneInfo | null = null;
   private display: Display | null = null;
@@ -76,9 +77,16 @@ class RoomViewer implements Viewer {
     this.loop.invalidate();
   }
 
+  prepare(glb: ArrayBuffer): void {
+    this.prepared = { glb, root: readGlb(glb) };
+    this.prepared.root.catch(() => undefined); // told by open
+  }
+
   async open(glb: ArrayBuffer, scene: SceneInfo): Promise<void> {
     const turn = ++this.opening;
-    const room = await loadRoomMesh(glb, scene, this.light.uniforms, this.stage.anisotropy);
+    const root = this.prepared?.glb === glb ? this.prepared.root : readGlb(glb);
+    this.prepared = null;
+    const room = loadRoomMesh(await root, scene, this.light.uniforms, this.stage.anisotropy);
     if (turn !== this.opening || this.disposed) return room.dispose();
     this.show(room, scene);
     this.awaitLight(turn);

@@ -51,9 +51,12 @@ async function opened(): Promise<void> {
 }
 
 describe('open', () => {
-  test('answers with the scene and transfers the room', async () => {
+  test('transfers the room, then answers with the scene', async () => {
     await driver.receive(open(1, 1, 7));
-    expect(answers).toMatchObject([{ type: 'opened', revision: 1, scene: { patches: 2, provenance: null } }]);
+    expect(answers).toMatchObject([
+      { type: 'room', revision: 1 },
+      { type: 'opened', revision: 1, scene: { patches: 2, provenance: null } },
+    ]);
     expect(transferred).toHaveLength(1);
   });
 
@@ -63,7 +66,7 @@ describe('open', () => {
       driver.receive(open(2, 1, 7)),
       driver.receive(open(3, 1, 7)),
     ]);
-    expect(kinds()).toEqual(['opened 3']);
+    expect(kinds()).toEqual(['room 3', 'opened 3']);
   });
 
   test('a file that is refused leaves the scene that was open', async () => {
@@ -80,7 +83,7 @@ describe('open', () => {
     expect(driver.busy).toBe(false);
     await opening;
     driver.step();
-    expect(kinds()).toEqual(['opened 1', 'improved 2']);
+    expect(kinds()).toEqual(['room 1', 'opened 1', 'improved 2']);
   });
 });
 

@@ -34,7 +34,6 @@ const opened = (revision: number): FromWorker => ({
   type: 'opened',
   revision,
   scene: {} as SceneInfo,
-  room: new ArrayBuffer(0),
 });
 const bounded = (revision: number): FromWorker => ({
   type: 'bounded',
@@ -58,6 +57,15 @@ beforeEach(() => {
 });
 
 describe('latest wins', () => {
+  test('of two files, only the newer one shows its room', () => {
+    const older = client.open(file());
+    const newer = client.open(file());
+    const room = new ArrayBuffer(0);
+    for (const revision of [older, newer])
+      worker().onmessage?.({ data: { type: 'room', revision, room } } as MessageEvent<FromWorker>);
+    expect(received).toMatchObject([{ type: 'room', revision: newer }]);
+  });
+
   test('answers to superseded wishes are dropped', () => {
     const first = client.solve(asked, null, 1, 0);
     const second = client.solve(asked, null, 1, 0);
