@@ -179,9 +179,10 @@ function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: 
       <span>
         Below {compact(floor)} {unit}: <strong>{percent(shareBelow(sample, floor))}</strong> of the area
       </span>
-      {alpha > 0 && Number.isFinite(alpha) && (
+      {alpha > 0 && Number.isFinite(alpha) && promise.cantelli < 0.995 && (
         <span title={`The bound lies ${alpha.toFixed(2)} σ below the mean`}>
-          promised: Chebyshev ≤ {percent(promise.chebyshev)}, Cantelli ≤ {percent(promise.cantelli)}
+          promised: {alpha > 1 && `Chebyshev ≤ ${percent(promise.chebyshev)}, `}Cantelli ≤{' '}
+          {percent(promise.cantelli)}
         </span>
       )}
     </figcaption>
