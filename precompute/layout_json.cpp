@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
+#include "precompute/direct_light.h"
 #include "precompute/progress.h"
 
 namespace fiatlux {
@@ -26,7 +28,11 @@ constexpr int kDeepest = 64;
 double numberOf(const Json& value, const std::string& where, double low, double high) {
   if (!value.is_number()) fail(where, "expected a number");
   const double number = value.get<double>();
-  if (!(number >= low && number <= high)) fail(where, printable(value.dump(), 40) + " is out of range");
+  if (!(number >= low && number <= high)) {
+    char range[64];
+    std::snprintf(range, sizeof range, " is out of range; give %g to %g", low, high);
+    fail(where, printable(value.dump(), 40) + range);
+  }
   return number;
 }
 
@@ -135,6 +141,21 @@ std::uint32_t nearestSite(const Scene& scene, const Vec3& position) {
   return best;
 }
 
+/// A site where one is named, unless the entry says itself what hangs there.
+Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>& sites) {
+  if (entry.free && (!entry.site || !entry.freeKeys.empty() || sites.empty())) return *entry.free;
+  const std::string cure =
+      "; give --mount, --site-spacing and --site-size as to precompute, or a \"position\"";
+  if (sites.empty()) return Error{"the room has no sites" + cure};
+  const std::string name = "site " + std::to_string(*entry.site);
+  if (*entry.site >= sites.size())
+    return Error{name + " is not there; the room has sites 0 to " + std::to_string(sites.size() - 1) + cure};
+  const Site& site = sites[*entry.site];
+  if (entry.free && length(site.position - entry.free->position) > 0.01)
+    return Error{name + " of this room is not at the \"position\" beside it" + cure};
+  return luminaireOf(site);
+}
+
 }  // namespace
 
 Result<Json> parseJson(const std::string& text) {
@@ -206,14 +227,14 @@ Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::ve
   return layout;
 }
 
-Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file) {
+Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std::vector<Site>& sites) {
   std::vector<Luminaire> luminaires;
   for (std::size_t i = 0; i < file.luminaires.size(); ++i) {
-    if (!file.luminaires[i].free)
-      return Error{"luminaires[" + std::to_string(i) +
-                   "]: a site number means nothing without a scene file; give \"position\""};
-    luminaires.push_back(*file.luminaires[i].free);
-    luminaires.back().flux *= file.dimming;
+    const LayoutEntry& entry = file.luminaires[i];
+    Result<Luminaire> luminaire = freeOrOnSite(entry, sites);
+    if (!luminaire) return Error{"luminaires[" + std::to_string(i) + "]: " + luminaire.error().message};
+    luminaires.push_back(*luminaire);
+    luminaires.back().flux = file.dimming * entry.flux;
   }
   return luminaires;
 }

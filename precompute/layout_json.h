@@ -36,8 +36,9 @@ Result<LayoutFile> readLayoutFile(const std::string& path);
 /// position is further than half a site away and which keys were ignored. An error where a site is not there.
 Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::vector<std::string>& notes);
 
-/// Free luminaires, dimming included in their flux. An error where one has no position.
-Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file);
+/// Luminaires anywhere, dimming included in their flux. A site number means a site of the room; a position
+/// beside it must agree, and keys of a free luminaire outrank it. An error where a site is not there.
+Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std::vector<Site>& sites);
 
 /// {"dimming", "luminaires": [{"site", "position", "flux"}]}: what readLayoutFile reads.
 nlohmann::ordered_json layoutJson(const Layout& layout, const Scene& scene);

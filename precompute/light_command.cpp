@@ -1,5 +1,6 @@
 // fiatlux light: the forward truth. Luminaires anywhere, no mount, no scene file, refined until converged.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "precompute/commands.h"
 #include "precompute/forward_light.h"
 #include "precompute/layout_json.h"
+#include "precompute/lost_rays.h"
 #include "precompute/measuring_grid.h"
 #include "precompute/point_light.h"
 #include "precompute/progress.h"
@@ -146,7 +148,6 @@ void printGrids(const Room& room, const std::vector<GridResult>& grids) {
 void light(LightOptions options) {
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
   for (const std::string& note : file.notes) printNote(options.layout + ": " + note);
-  const std::vector<Luminaire> luminaires = about(options.layout, freeLuminaires(file));
   std::vector<MeasuringPoint> points;
   if (!options.points.empty()) {
     const std::vector<std::uint8_t> bytes = readFileBytes(options.points);
@@ -155,11 +156,15 @@ void light(LightOptions options) {
   if (!options.patches.empty()) checkWritable(options.patches);
   Progress progress;
   options.forward.progress = [&](const char* stage, double fraction) { progress.update(stage, fraction); };
-  options.room.requireSites = false;
+  options.room.requireSites = std::any_of(file.luminaires.begin(), file.luminaires.end(),
+                                          [](const LayoutEntry& entry) { return entry.site && !entry.free; });
   options.room.rays = options.forward.rays;
   const Room room = readRoom(options, progress);
+  const std::vector<Luminaire> luminaires = about(options.layout, freeLuminaires(file, room.sites));
 
   const RayTracer tracer = about(options.source, RayTracer::build(room));
+  for (const std::string& warning : warningsOfLostRays(room, tracer))
+    printNote("warning: " + options.source + ": " + warning);
   ForwardLight light = about(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
   PointOptions pointOptions;
   pointOptions.seed = options.forward.seed;
@@ -175,6 +180,11 @@ void light(LightOptions options) {
                   light.steps);
     printNote(line);
   }
+
+  if (light.energy.lostDirect > 0.01 * light.energy.emitted)
+    printNote("warning: " + options.layout +
+              ": more than 1 % of the light leaves the room or meets backs at once; does a luminaire hang "
+              "outside, or within something?");
 
   const LightResults results = lightResults(room.patches, room.surfaces, light.illuminance);
   if (!options.patches.empty()) {
@@ -208,7 +218,8 @@ void addLightCommand(CLI::App& app) {
       app.add_subcommand("light", "What luminaires anywhere do to a room, refined until converged");
   const auto above = [](double low) { return CLI::Range(low, 1e6); };
   command->add_option("room", o->source, "The room (.glb, or .gltf with its files)")->required();
-  command->add_option("--layout", o->layout, "Free luminaires (layout.json)")->required();
+  command->add_option("--layout", o->layout, "Luminaires, free or on the room's sites (layout.json)")
+      ->required();
   command->add_option("--points", o->points, "Read the light at the points x,y,z,nx,ny,nz of this .csv");
   command->add_option("--patches", o->patches, "Write the light of every patch to this .csv");
   command->add_flag("--grid", o->grid,
@@ -221,6 +232,12 @@ void addLightCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--measure", o->room.measures, "Node that is a measuring plane (repeatable)")
       ->allow_extra_args(false);
+  command->add_option("--mount", o->room.mounts, "As to precompute, for site numbers (repeatable)")
+      ->allow_extra_args(false);
+  command->add_option("--site-spacing", o->room.siteSpacing, "As to precompute, for site numbers, m")
+      ->check(above(1e-3));
+  command->add_option("--site-size", o->room.siteSize, "As to precompute, for site numbers, m")
+      ->check(above(1e-3));
   command->add_option("--scale", o->room.scale, "Metres of one unit of the file")
       ->check(above(1e-6))
       ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "precompute/point_light.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -141,7 +142,8 @@ Result<std::vector<MeasuringPoint>> parsePoints(const std::string& csv) {
     }
     const Vec3 normal{values[3], values[4], values[5]};
     if (count < 6 || *at != '\0' || !(length(normal) > 0)) {
-      if (points.empty() && number == 1) continue;  // the heading
+      if (number == 1 && std::isalpha(static_cast<unsigned char>(line[0])) && count == 0)
+        continue;  // heading
       return Error{"line " + std::to_string(number) + " is not x,y,z,nx,ny,nz with a normal that is not 0"};
     }
     points.push_back({{values[0], values[1], values[2]}, normalized(normal)});

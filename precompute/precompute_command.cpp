@@ -15,6 +15,7 @@
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
 #include "precompute/display_mesh.h"
+#include "precompute/lost_rays.h"
 #include "precompute/progress.h"
 #include "precompute/scene_build.h"
 
@@ -140,6 +141,8 @@ void precompute(PrecomputeOptions options) {
   for (const std::string& warning : source.warnings)
     if (std::find(room.warnings.begin(), room.warnings.end(), warning) == room.warnings.end())
       room.warnings.push_back(warning);
+  const RayTracer tracer = aboutSource(options.source, RayTracer::build(room));
+  for (std::string& warning : warningsOfLostRays(room, tracer)) room.warnings.push_back(std::move(warning));
   progress.clear();
   for (const std::string& warning : room.warnings) printNote("warning: " + options.source + ": " + warning);
   checkMemory(options, room);

@@ -9,7 +9,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kCovered = 1 - 1e-4;  // of a square's area
+constexpr double kCovered = 0.996;  // of a square's area: a millimetre of quantisation is not missing
 
 struct MountPlanes {
   FaceSet set;
@@ -59,7 +59,8 @@ struct Axis {
   int count = 0;
 
   Axis(double low, double high, double spacing, double side) : pitch(spacing), size(side) {
-    const double length = high - low, slack = 1e-4 * spacing;
+    // A millimetre is what quantised vertices may lack; it must not cost a row of squares.
+    const double length = high - low, slack = 1e-3 * std::max(spacing, 1.0);
     count = static_cast<int>(std::min(1e6, std::floor((length + slack) / spacing)));
     if (side > spacing)
       count = static_cast<int>(std::min(1e6, std::floor((length - side + slack) / spacing))) +

@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (void)fiatlux::illuminanceOf(scene, *layout);
     else
       checkLine(layout.error().message);
-    (void)fiatlux::freeLuminaires(*file);
+    (void)fiatlux::freeLuminaires(*file, {});
   } else {
     checkLine(file.error().message);
   }

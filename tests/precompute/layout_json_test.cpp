@@ -62,7 +62,7 @@ TEST(LayoutJson, FreeLuminaires) {
       {"position": [0, 0, 0], "distribution": "isotropic", "flux": 10},
       {"position": [0, 0, 0], "normal": [1, 0, 0], "axis": [1, 1, 0], "size": [1, 2], "flux": 10}]})")
                               .value();
-  const std::vector<Luminaire> luminaires = freeLuminaires(file).value();
+  const std::vector<Luminaire> luminaires = freeLuminaires(file, {}).value();
   ASSERT_THAT(luminaires, SizeIs(3));
   EXPECT_EQ(luminaires[0].flux, 500);
   EXPECT_EQ(luminaires[0].normal.y, -1);
@@ -71,7 +71,27 @@ TEST(LayoutJson, FreeLuminaires) {
   EXPECT_EQ(luminaires[1].distribution, Luminaire::Distribution::kIsotropic);
   EXPECT_EQ(luminaires[1].width, 0);
   EXPECT_NEAR(luminaires[2].axis.y, 1, 1e-12);
-  EXPECT_FALSE(freeLuminaires(parseLayout(R"({"luminaires": [{"site": 1, "flux": 1}]})").value()));
+}
+
+TEST(LayoutJson, LuminairesOnTheSitesOfARoom) {
+  const std::vector<Site> sites = {{{1, 3, 1}, {0, -1, 0}, {1, 0, 0}, 0.5},
+                                   {{2, 3, 1}, {0, -1, 0}, {1, 0, 0}, 0.5}};
+  const auto read = [&](const std::string& luminaire, const std::vector<Site>& on) {
+    return freeLuminaires(parseLayout(R"({"dimming": 0.5, "luminaires": [)" + luminaire + "]}").value(), on);
+  };
+  const Luminaire hung = read(R"({"site": 1, "flux": 100})", sites).value()[0];
+  EXPECT_EQ(hung.position.x, 2);
+  EXPECT_EQ(hung.width, 0.5);
+  EXPECT_EQ(hung.flux, 50);
+  // What `evaluate` writes: the same square, not a point at its place.
+  EXPECT_EQ(read(R"({"site": 1, "position": [2, 3, 1], "flux": 100})", sites).value()[0].width, 0.5);
+  EXPECT_EQ(read(R"({"site": 1, "position": [2, 3, 1], "size": [2, 1], "flux": 1})", sites).value()[0].width,
+            2);
+  EXPECT_THAT(read(R"({"site": 1, "position": [1, 3, 1], "flux": 1})", sites).error().message,
+              HasSubstr("luminaires[0]: site 1 of this room is not at"));
+  EXPECT_THAT(read(R"({"site": 2, "flux": 1})", sites).error().message, HasSubstr("sites 0 to 1"));
+  EXPECT_THAT(read(R"({"site": 2, "flux": 1})", {}).error().message, HasSubstr("--mount"));
+  EXPECT_THAT(read(R"({"site": 0, "size": [1, 1], "flux": 1})", sites).value()[0].width, 0.5);
 }
 
 TEST(LayoutJson, BadTextIsRefusedWithItsPlace) {
