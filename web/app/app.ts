@@ -12,6 +12,7 @@ import { createHand, type Hand } from './hand.ts';
 import { createLeaving, keepSaved, type Leaving } from './leaving.ts';
 import { createOpening, type Opening } from './opening.ts';
 import { createSolving, fitLegend, type Solving } from './solving.ts';
+import { leavesOf } from './statistics.ts';
 import type { Store } from './store.ts';
 
 export interface App {
@@ -108,6 +109,18 @@ export function createApp(store: Store, { canvas, labels, createViewer, createWo
       );
     },
     setQuantity(quantity) {
+      const surfaces = store.scene.peek()?.surfaces ?? [];
+      const onPlane = store.document
+        .peek()
+        .cards.flatMap((card) => card.surfaces)
+        .find((name) => leavesOf([name], surfaces).some((leaf) => surfaces[leaf]?.measuring));
+      if (quantity === 'exitance' && onPlane !== undefined) {
+        store.say(
+          'warning',
+          `“${onPlane}” is a measuring plane and reflects nothing: aim its intention at a surface first.`,
+        );
+        return;
+      }
       const did = store.edit('Change the quantity', (draft) => void (draft.quantity = quantity));
       app.setDisplay({ quantity });
       changed(did);

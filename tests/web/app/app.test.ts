@@ -75,6 +75,19 @@ describe('an edit', () => {
     expect(solver.last('bound')).toBeDefined();
   });
 
+  test('exitance is refused while an intention is aimed at a measuring plane', () => {
+    const scene = app.store.scene.value!;
+    const surfaces = scene.surfaces.map((surface) => ({ ...surface, measuring: surface.name === 'wall' }));
+    app.store.scene.value = { ...scene, surfaces };
+    app.addCard('illuminate', ['wall']);
+    app.setQuantity('exitance');
+    expect(app.store.document.value.quantity).toBe('illuminance');
+    expect(app.store.messages.value.at(-1)?.text).toContain('measuring plane');
+    app.removeCard(app.store.card.value!);
+    app.setQuantity('exitance');
+    expect(app.store.document.value.quantity).toBe('exitance');
+  });
+
   test('undo shows the very layout that was there', () => {
     const before = app.store.shown.value!.layout;
     app.store.edit('count', (draft) => void (draft.luminaires.count = 3));
