@@ -224,9 +224,10 @@ Made by \`node tests/bench/promises.mjs\`: nothing below is edited by hand.
 A value is one surface under one layout. Surfaces of a single patch have no sigma.
 
 Where it misses: large surfaces that nothing shades (the E corridor, walls, floors, ceilings) keep the promises; small things and
-surfaces in the shadow of others do not. The probable cause is the direct light: the precompute probes a patch at 2 x 2 points by
-2 x 2 shadow rays for each of its hundreds of sites, \`light\` at 4 x 4 by 4 x 4 for its few luminaires, and the largest differences
-lie on patches partly in shadow. Rely on \`light\` for sigma and extremes of small furniture.
+surfaces in the shadow of others do not. The probable cause is the direct light: for each of its hundreds of sites the precompute
+looks for shadows at 2 x 2 points of a patch and refines only where it finds one, \`light\` looks at 4 x 4 for its few luminaires;
+a shadow's edge that passes between the points (the frame of a picture, things on a desk) is missed on the whole row of patches.
+Rely on \`light\` for sigma and extremes of small furniture.
 
 `;
 
