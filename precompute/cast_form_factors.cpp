@@ -13,6 +13,9 @@ namespace fiatlux {
 
 namespace {
 
+/// The least share of what its rays met that a row's estimate must see to be believed.
+constexpr double kPlausible = 0.5;
+
 /// Casts the rays of one patch; hits[i] is the patch that ray i met.
 void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
               std::uint64_t seed, std::uint32_t rays, std::uint32_t* hits) {
@@ -37,13 +40,25 @@ void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySeq
 }
 
 /// Turns the rays of row p into its U, its hits and their weight; `ranges` and `u` come from FarField::row.
-void finishRow(FormFactors& factors, std::uint32_t p, const std::vector<FarField::Range>& ranges, float* u) {
+void finishRow(FormFactors& factors, std::uint32_t p, std::vector<FarField::Range>& ranges, float* u) {
   std::uint32_t* hits = factors.hits.data() + factors.hitOffset[p];
   std::uint32_t* end = factors.hits.data() + factors.hitOffset[p + 1];
   const auto rays = static_cast<double>(end - hits);
   const auto rangeOf = [&](std::uint32_t q) { return ranges[factors.cluster[q]]; };
   std::uint32_t* met = std::remove(hits, end, kNone);
   const auto lost = static_cast<double>(end - met) / rays;
+
+  // Where shadow rays saw far less than the rays met (a patch wedged into a corner, a sliver), trust the rays
+  // alone.
+  double seen = 0;
+  for (std::uint32_t c = 0; c < factors.clusters; ++c) seen += u[c];
+  seen += static_cast<double>(std::count_if(
+              hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kNear; })) /
+          rays;
+  if (!(seen > kPlausible * (1 - lost))) {
+    std::fill(u, u + factors.clusters, 0.0f);
+    std::fill(ranges.begin(), ranges.end(), FarField::Range::kNear);
+  }
   std::uint32_t* kept =
       std::remove_if(hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kFar; });
   std::sort(hits, kept);

@@ -87,7 +87,7 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   }
 
   // Spread the points so that they have the cluster's second moment: on a square, Gauss's 2 x 2 nodes.
-  const double spread = partMoment > 0 ? std::sqrt(moment / partMoment) : 1;
+  const double spread = partMoment > 1e-9 * moment ? std::sqrt(moment / partMoment) : 1;
   for (std::size_t i = firstPart_.back(); i < parts_.size(); ++i) {
     parts_[i].center = center + spread * (parts_[i].center - center);
   }

@@ -67,7 +67,9 @@ BlockResidual solveColumns(const Room& room, const LowRankRadiosity& lowRank, co
   solveResponses(result.factors, room.patches, lowRank, options.refine, 0, block);
   for (std::uint32_t j = 0; j < used; ++j) {
     float* column = result.responses.illuminance.data() + std::size_t{first + j} * rows;
-    for (std::uint32_t p = 0; p < rows; ++p) column[p] = block.irradiance[std::size_t{p} * block.width + j];
+    // note: refinement may leave a rounding error below zero where it is dark; light is never negative.
+    for (std::uint32_t p = 0; p < rows; ++p)
+      column[p] = std::max(0.0f, block.irradiance[std::size_t{p} * block.width + j]);
   }
   BlockResidual residual;
   for (std::size_t step = 0; step * block.width < block.residuals.size(); ++step) {

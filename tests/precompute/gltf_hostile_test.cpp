@@ -328,7 +328,8 @@ TEST(HostileGltf, JsonOfTheWrongShape) {
       for (TestGltf* gltf : {&whole, &first})
         if (const auto scene = readSourceScene(gltf->glb.bytes(), "shape.glb", 1))
           (void)buildRoom(*scene, {});
-      for (const auto& [key, unused] : plainRoom().glb.json[list][0].items()) {
+      TestGltf plain = plainRoom();  // kept: items() only refers to it
+      for (const auto& [key, unused] : plain.glb.json[list][0].items()) {
         TestGltf inner = plainRoom();
         inner.glb.json[list][0][key] = value;
         if (const auto scene = readSourceScene(inner.glb.bytes(), "shape.glb", 1))

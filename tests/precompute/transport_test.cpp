@@ -165,6 +165,20 @@ TEST(Transport, OpenRoomReportsWhatItLoses) {
   EXPECT_NEAR(transport->lost[1], 0.200044, 0.002);
 }
 
+TEST(Transport, LightIsAFiniteNumberAndNeverNegativeHoweverFewTheRays) {
+  TransportOptions options;
+  options.rays = 8;
+  options.refine = 1;
+  const auto transport = computeTransport(furnishedBox(), options);
+  ASSERT_TRUE(transport);
+  for (const float lux : transport->responses.illuminance) {
+    ASSERT_TRUE(std::isfinite(lux));
+    ASSERT_GE(lux, 0);
+  }
+  for (std::size_t p = 0; p < transport->factors.rows; ++p)
+    ASSERT_LE(transport->factors.hitWeight[p] * options.rays, 2.001f) << "row " << p;
+}
+
 TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
   const Room room = furnishedBox();
   TransportOptions options;
