@@ -18,7 +18,7 @@ namespace fiatlux {
 inline constexpr double kLuminaireClearance = 0.002;
 
 struct DirectLightOptions {
-  std::uint32_t coarse = 2;  // points on a patch's edge, far from the source
+  std::uint32_t coarse = 4;  // points on a patch's edge, far from the source
   std::uint32_t fine = 4;    // within two patch edges of it
   std::uint32_t split = 2;   // parts of the source's edge that shadow rays probe (twice as many in penumbra)
   std::uint64_t seed = 1;
