@@ -49,10 +49,11 @@ function hashOf(...parts) {
   return hash.digest('hex');
 }
 
-/** Does a step unless the stamp of its inputs says that it was done. */
-function once(name, key, step) {
+/** Does a step unless its files are there and the stamp of its inputs says that they are the present ones. */
+function once(name, key, files, step) {
   const stamp = path.join(root, 'build', 'stamps', name);
-  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === key) return;
+  if (files.every((file) => existsSync(file)) && existsSync(stamp) && readFileSync(stamp, 'utf8') === key)
+    return;
   step();
   mkdirSync(path.dirname(stamp), { recursive: true });
   writeFileSync(stamp, key);
@@ -138,23 +139,17 @@ async function sampleRooms() {
       .sort()
       .map((name) => readFileSync(path.join(root, folder, name)));
   const { catalog } = await import('../rooms/catalog.mjs');
-  once(
-    'rooms',
-    hashOf(
-      ...sources('rooms'),
-      ...catalog.map((room) => String(existsSync(path.join(scenes, `${room.id}.glb`)))),
-    ),
-    () => {
-      say('Making the sample rooms');
-      run('node', ['rooms/make.mjs']);
-    },
-  );
+  const glbs = catalog.map((room) => path.join(scenes, `${room.id}.glb`));
+  once('rooms', hashOf(...sources('rooms')), glbs, () => {
+    say('Making the sample rooms');
+    run('node', ['rooms/make.mjs']);
+  });
   const method = hashOf(...sources('core'), ...sources('precompute'));
   for (const { id, precompute } of catalog) {
     const glb = path.join(scenes, `${id}.glb`);
     const flux = path.join(scenes, `${id}.flux`);
-    const key = hashOf(readFileSync(glb), precompute.join(' '), method, String(existsSync(flux)));
-    once(`precompute-${id}`, key, () => {
+    const key = hashOf(readFileSync(glb), precompute.join(' '), method);
+    once(`precompute-${id}`, key, [flux], () => {
       say(`Precomputing the light of ${id}`);
       rmSync(flux, { force: true });
       run('build/fiatlux', [

@@ -223,11 +223,7 @@ Made by \`node tests/bench/promises.mjs\`: nothing below is edited by hand.
 
 A value is one surface under one layout. Surfaces of a single patch have no sigma.
 
-Where it misses: floors, ceilings, working planes and most walls keep the promises (three walls with furniture before them miss them
-by less than double, for another seed); small things and
-surfaces in the shadow of others do not. The probable cause is the direct light: for each of its hundreds of sites the precompute
-looks for shadows at 2 x 2 points of a patch and refines only where it finds one, \`light\` looks at 4 x 4 for its few luminaires;
-a shadow's edge that passes between the points (the frame of a picture, things on a desk) is missed on the whole row of patches.
+Surfaces that miss a promise are listed under their room: mostly small ones, and ones in the shadow of others.
 Rely on \`light\` for sigma and extremes of small furniture.
 
 `;
