@@ -1,18 +1,29 @@
 /**
  * Loads the Wasm module: from an address while it downloads (the worker), or from bytes (tests under Node).
  */
-import type { CoreModule } from './core.ts';
+import { sessionMethods, type CoreModule } from './core.ts';
 import createCore from './core.mjs';
 
+const misfit = 'core.wasm does not fit this page: build both again with npm run build';
+
 export async function loadCore(source: URL | Uint8Array<ArrayBuffer>): Promise<CoreModule> {
-  if (source instanceof Uint8Array) return createCore({ wasmBinary: source });
-  return new Promise<CoreModule>((resolve, reject) => {
+  if (source instanceof Uint8Array) return fitting(await createCore({ wasmBinary: source }));
+  const core = await new Promise<CoreModule>((resolve, reject) => {
     const instantiateWasm: InstantiateWasm = (imports, receive) => {
       instantiate(source, imports).then(receive, reject);
       return {};
     };
     createCore({ instantiateWasm }).then(resolve, reject);
   });
+  return fitting(core);
+}
+
+/** The module, where it has every method that the page calls; an older one is refused at once and by name. */
+export function fitting(core: CoreModule): CoreModule {
+  const methods: Record<string, unknown> = core.Session.prototype;
+  if (Object.keys(sessionMethods).some((name) => typeof methods[name] !== 'function'))
+    throw new Error(misfit);
+  return core;
 }
 
 type InstantiateWasm = (
@@ -24,7 +35,12 @@ type InstantiateWasm = (
 async function instantiate(address: URL, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
   const response = await fetch(address);
   if (!response.ok) throw new Error(`the solver cannot be loaded (${response.status}); reload the page`);
-  if (response.headers.get('content-type')?.startsWith('application/wasm'))
-    return (await WebAssembly.instantiateStreaming(response, imports)).instance;
-  return (await WebAssembly.instantiate(await response.arrayBuffer(), imports)).instance;
+  try {
+    if (response.headers.get('content-type')?.startsWith('application/wasm'))
+      return (await WebAssembly.instantiateStreaming(response, imports)).instance;
+    return (await WebAssembly.instantiate(await response.arrayBuffer(), imports)).instance;
+  } catch (error) {
+    // The glue (core.mjs) is of another build than the module.
+    throw error instanceof WebAssembly.LinkError ? new Error(misfit) : error;
+  }
 }

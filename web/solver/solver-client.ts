@@ -74,7 +74,8 @@ export function createSolverClient(
   function restart(reason: string): void {
     worker.terminate();
     if (++deaths >= hopeless) {
-      const message = `the solver stopped (${reason}); reload the page to go on`;
+      const why = reason.replace(/^(Uncaught )?(\w*Error: )?/, '');
+      const message = `the solver stopped (${why}); reload the page to go on`;
       receive({ type: 'failed', revision, message });
       return;
     }

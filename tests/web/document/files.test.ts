@@ -65,6 +65,13 @@ describe('a project file', () => {
     ['no JSON', 'hello', /not JSON/],
     ['other JSON', '{"a":1}', /not a Fiat Lux project/],
     ['null', 'null', /not a Fiat Lux project/],
+    ['JSON thirty thousand deep', '['.repeat(30_000) + ']'.repeat(30_000), /not a Fiat Lux project/],
+    ['nine megabytes', ' '.repeat(9 << 20), /too large/],
+    [
+      'a flux beyond numbers',
+      writeProject(project).replace(/"flux": \d+/, '"flux": 1e999'),
+      /not a Fiat Lux/,
+    ],
     ['a newer version', writeProject(project).replace('"version": 1', '"version": 99'), /newer/],
     [
       'sites without fluxes',

@@ -177,6 +177,7 @@ describe('a hostile link', () => {
       'a pin of no luminaire',
       forged(JSON.stringify({ ...plain, l: rules, y: { p: [[0, 0, 0]], f: [1], n: [3] } })),
     ],
+    ['JSON thirty thousand deep', forged(`{"r":${'['.repeat(30_000)}${']'.repeat(30_000)}}`)],
     ['fluxes of others', forged(JSON.stringify({ ...plain, l: rules, y: { p: [[0, 0, 0]], f: [1, 2] } }))],
   ])('%s: one readable line', (_, hash) => void refused(hash));
 

@@ -125,4 +125,10 @@ describe('a worker that dies', () => {
     expect(workers).toHaveLength(3);
     expect(received).toMatchObject([{ type: 'failed', message: expect.stringContaining('reload the page') }]);
   });
+
+  test('is told in its own words, without those of the browser', () => {
+    for (let i = 0; i < 3; ++i) worker().die('Uncaught Error: core.wasm does not fit this page');
+    const message = 'the solver stopped (core.wasm does not fit this page); reload the page to go on';
+    expect(received).toMatchObject([{ type: 'failed', message }]);
+  });
 });

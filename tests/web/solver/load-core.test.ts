@@ -1,0 +1,35 @@
+/** A module of another build than the page: one line that says what it is and what to do. */
+import { afterEach, expect, test } from '@jest/globals';
+import { sessionMethods, type CoreModule } from '../../../web/solver/core.ts';
+import { fitting, loadCore } from '../../../web/solver/load-core.ts';
+
+const misfit = /^core\.wasm does not fit this page: build both again with npm run build$/;
+const realFetch = globalThis.fetch;
+afterEach(() => void (globalThis.fetch = realFetch));
+
+function moduleWith(names: readonly string[]): CoreModule {
+  class Session {}
+  for (const name of names) Object.defineProperty(Session.prototype, name, { value: () => '' });
+  return { Session } as unknown as CoreModule;
+}
+
+test('every method that the page calls must be there', () => {
+  const names = Object.keys(sessionMethods);
+  const whole = moduleWith(names);
+  expect(fitting(whole)).toBe(whole);
+  for (const missing of names)
+    expect(() => fitting(moduleWith(names.filter((name) => name !== missing)))).toThrow(misfit);
+});
+
+test('a module that wants what the glue does not have is refused with the same line', async () => {
+  // (module (import "x" "f" (func)))
+  const wasm = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 2, 7, 1, 1, 97, 1, 33, 0, 0);
+  globalThis.fetch = async () =>
+    new Response(wasm, { headers: { 'content-type': 'application/octet-stream' } });
+  await expect(loadCore(new URL('http://host/core.wasm'))).rejects.toThrow(misfit);
+});
+
+test('a host without the module is named by its answer', async () => {
+  globalThis.fetch = async () => new Response('', { status: 404 });
+  await expect(loadCore(new URL('http://host/core.wasm'))).rejects.toThrow(/cannot be loaded \(404\)/);
+});
