@@ -3,63 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/alpha_verdict.h"
+#include "core/guarantees.h"
 #include "core/start_layout.h"
-#include "core/validate_intentions.h"
 
 namespace fiatlux {
 namespace {
 
 constexpr double kMet = 1e-9;  // a violation that is none
 
-bool isGuarantee(const Constraint& c) {
-  return (c.statistic == Statistic::kMinimum && std::isfinite(c.lower)) ||
-         (c.statistic == Statistic::kMaximum && std::isfinite(c.upper));
+/// Mean and sigma of a surface set under a layout, dimmed.
+void addMoments(const KernelStatistics& statistics, const Layout& layout, AlphaIteration& result) {
+  std::vector<double> flux = layout.flux;
+  for (double& lumens : flux) lumens *= layout.dimming;
+  const auto count = static_cast<std::uint32_t>(flux.size());
+  const auto m = static_cast<std::uint32_t>(statistics.mean.size());
+  result.mean = meanOf(statistics.mean.data(), layout.sites.data(), flux.data(), count);
+  result.sigma = std::sqrt(
+      std::max(0.0, varianceOf(statistics.covariance.data(), m, layout.sites.data(), flux.data(), count)));
 }
-
-std::string text(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.4g", value);
-  return buffer;
-}
-
-const char* unitOf(Quantity quantity) { return quantity == Quantity::kIlluminance ? " lx" : " lm/m2"; }
 
 }  // namespace
 
 const char* regionName(Region region) {
   return region == Region::kOne ? "I" : region == Region::kTwo ? "II" : "III";
-}
-
-Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentions) {
-  if (auto ok = checkIntentions(scene, intentions); !ok) return ok;
-  for (const Constraint& c : intentions.constraints)
-    if (isGuarantee(c)) return Done{};
-  return Error{
-      "there is no guarantee to find an alpha for; add a constraint on \"minimum\" with \"min\", or on "
-      "\"maximum\" "
-      "with \"max\""};
-}
-
-Intentions chebyshevProblem(const Intentions& intentions, double alpha) {
-  Intentions problem = intentions;
-  problem.constraints.clear();
-  for (const Constraint& c : intentions.constraints) {
-    if (!isGuarantee(c)) {
-      problem.constraints.push_back(c);
-      continue;
-    }
-    const bool minimum = c.statistic == Statistic::kMinimum;
-    Constraint replaced{Statistic::kChebyshev, -kUnbounded, kUnbounded, alpha, c.surfaces, {}};
-    (minimum ? replaced.lower : replaced.upper) = minimum ? c.lower : c.upper;
-    problem.constraints.push_back(replaced);
-    // The other side of a guarantee (a minimum from above, say) has no Chebyshev form and stays what it is.
-    Constraint rest = c;
-    (minimum ? rest.lower : rest.upper) = minimum ? -kUnbounded : kUnbounded;
-    if (std::isfinite(rest.lower) || std::isfinite(rest.upper)) problem.constraints.push_back(rest);
-  }
-  return problem;
 }
 
 AlphaSearch::AlphaSearch(PreparedScene& prepared, const Intentions& intentions, const AlphaOptions& options)
@@ -141,24 +109,15 @@ AlphaIteration AlphaSearch::iterationOf(const Layout& layout, bool feasible) {
   result.bipartition = stage_ == Stage::kBipartition;
   result.layout = layout;
   bool kept = true, first = true;
-  std::vector<double> flux = layout.flux;
-  for (double& lumens : flux) lumens *= layout.dimming;
-  const auto count = static_cast<std::uint32_t>(flux.size());
   for (const Constraint& c : intentions_.constraints) {
     if (!isGuarantee(c)) continue;
-    PatchExtremes patches(prepared_.scene(), intentions_.quantity, c.surfaces);
-    patches.load(layout.sites.data(), flux.data(), count);
-    const Extremes extremes = patches.current();
-    kept = kept && (c.statistic == Statistic::kMinimum ? extremes.minimumLow >= c.lower
-                                                       : extremes.maximumHigh <= c.upper);
+    const Extremes extremes = extremesUnder(prepared_.scene(), intentions_.quantity, c.surfaces, layout);
+    kept = kept && shortfallOf(c, extremes) <= 0;
     if (!first) continue;
     first = false;
-    const KernelStatistics& s = *prepared_.statistics(intentions_.quantity, c.surfaces);
-    result.mean = meanOf(s.mean.data(), layout.sites.data(), flux.data(), count);
-    result.sigma = std::sqrt(std::max(0.0, varianceOf(s.covariance.data(), prepared_.siteCount(),
-                                                      layout.sites.data(), flux.data(), count)));
     result.minimum = extremes.minimumLow;
     result.maximum = extremes.maximumHigh;
+    addMoments(*prepared_.statistics(intentions_.quantity, c.surfaces), layout, result);
   }
   Evaluator evaluator(prepared_, problem_, &reference_);
   evaluator.load(layout.sites);
@@ -224,19 +183,16 @@ bool AlphaSearch::stops() const {
 void AlphaSearch::openBound(AlphaOutcome outcome) {
   outcome_ = outcome;
   stage_ = Stage::kBound;
-  double worst = -1;
-  for (std::size_t c = 0; c < intentions_.constraints.size(); ++c) {
+  broken_ = firstGuarantee();
+  double worst = -kUnbounded;
+  for (std::size_t c = broken_; c < intentions_.constraints.size(); ++c) {
     const Constraint& constraint = intentions_.constraints[c];
     if (!isGuarantee(constraint)) continue;
-    const Layout& layout = iterations_.back().layout;
-    const ExplicitStatistics light =
-        explicitStatistics(prepared_.scene(), illuminanceOf(prepared_.scene(), layout), constraint.surfaces);
-    const double excess =
-        constraint.statistic == Statistic::kMinimum
-            ? (constraint.lower - light.minimum) / std::max(std::fabs(constraint.lower), 1e-12)
-            : (light.maximum - constraint.upper) / std::max(std::fabs(constraint.upper), 1e-12);
-    if (excess <= worst) continue;
-    worst = excess;
+    const double shortfall =
+        shortfallOf(constraint, extremesUnder(prepared_.scene(), intentions_.quantity, constraint.surfaces,
+                                              iterations_.back().layout));
+    if (shortfall <= worst) continue;
+    worst = shortfall;
     broken_ = c;
   }
   problem_ = intentions_;
@@ -249,6 +205,12 @@ void AlphaSearch::openBound(AlphaOutcome outcome) {
   openRun();
 }
 
+std::size_t AlphaSearch::firstGuarantee() const {
+  std::size_t c = 0;
+  while (!isGuarantee(intentions_.constraints[c])) ++c;
+  return c;
+}
+
 void AlphaSearch::closeBound() {
   if (bestEvaluation_.violation <= kMet) {
     fallback_ = best_;
@@ -257,51 +219,12 @@ void AlphaSearch::closeBound() {
   conclude(outcome_);
 }
 
-/// "at least 40 lx on every patch of yellow wall"
-std::string AlphaSearch::guarantee() const {
-  const Constraint& c = intentions_.constraints[broken_];
-  const bool minimum = c.statistic == Statistic::kMinimum;
-  return std::string(minimum ? "at least " : "at most ") + text(minimum ? c.lower : c.upper) +
-         unitOf(intentions_.quantity) + " on every patch of " + surfaceSetName(prepared_.scene(), c.surfaces);
-}
-
 void AlphaSearch::conclude(AlphaOutcome outcome) {
   outcome_ = outcome;
   stage_ = Stage::kDone;
   vns_.reset();
-  if (solution_) {
-    for (broken_ = 0; !isGuarantee(intentions_.constraints[broken_]);) ++broken_;
-    const bool minimum = intentions_.constraints[broken_].statistic == Statistic::kMinimum;
-    const AlphaIteration& found = iterations_[*solution_];
-    const std::string extreme = std::string(minimum ? "the darkest patch has " : "the brightest patch has ") +
-                                text(minimum ? found.minimum : found.maximum) + unitOf(intentions_.quantity);
-    verdict_ =
-        outcome == AlphaOutcome::kZeroSuffices
-            ? "The best layout keeps " + guarantee() + " without further care (alpha 0): " + extreme + "."
-            : "With alpha = " + text(found.alpha) + ", the smallest found, the layout keeps " + guarantee() +
-                  ": " + extreme + ".";
-    return;
-  }
-  verdict_ =
-      outcome == AlphaOutcome::kNoLayout
-          ? "No layout found can give " + guarantee() + ": even the means fall short."
-      : outcome == AlphaOutcome::kTwoEmpty
-          ? "No alpha leads to " + guarantee() +
-                ": with a small one some patches miss it, with a larger one no layout meets the margin."
-          : "Stopped before an alpha was found that keeps " + guarantee() + ".";
-  const bool minimum = intentions_.constraints[broken_].statistic == Statistic::kMinimum;
-  if (!fallback_) {
-    verdict_ += " The other intentions cannot all be met either: relax one of them first.";
-    return;
-  }
-  const double asked =
-      minimum ? intentions_.constraints[broken_].lower : intentions_.constraints[broken_].upper;
-  const bool direct = minimum ? feasibleBound_ >= asked : feasibleBound_ <= asked;
-  verdict_ += direct ? " A search on the patches themselves does find such a layout, with " +
-                           text(feasibleBound_) + unitOf(intentions_.quantity) + "."
-                     : std::string(" The ") + (minimum ? "largest minimum" : "smallest maximum") +
-                           " found feasible is " + text(feasibleBound_) + unitOf(intentions_.quantity) +
-                           ": ask for that, or add luminaires or flux.";
+  const Constraint& guarantee = intentions_.constraints[solution_ ? firstGuarantee() : broken_];
+  verdict_ = alphaVerdict(*this, prepared_.scene(), intentions_.quantity, guarantee);
 }
 
 }  // namespace fiatlux

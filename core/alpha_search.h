@@ -48,7 +48,7 @@ enum class AlphaOutcome : std::uint8_t {
 
 class AlphaSearch {
  public:
-  /// Precondition: checkAlphaIntentions passed. The prepared scene must outlive the search.
+  /// Precondition: checkAlphaIntentions (guarantees.h) passed. The prepared scene must outlive the search.
   AlphaSearch(PreparedScene& prepared, const Intentions& intentions, const AlphaOptions& options = {});
 
   /// Goes on for about `evaluations` trial layouts; iterations may end on the way.
@@ -86,7 +86,7 @@ class AlphaSearch {
   void conclude(AlphaOutcome outcome);
   void openBound(AlphaOutcome outcome);
   void closeBound();
-  std::string guarantee() const;
+  std::size_t firstGuarantee() const;
 
   PreparedScene& prepared_;
   Intentions intentions_;
@@ -112,13 +112,6 @@ class AlphaSearch {
   double feasibleBound_ = 0;
   std::string verdict_;
 };
-
-/// checkIntentions, and that there is a true minimum (from below) or maximum (from above) to guarantee.
-Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentions);
-
-/// The Chebyshev problem of the paper, equation (15): each guaranteed minimum and maximum replaced by mu -/+
-/// alpha sigma.
-Intentions chebyshevProblem(const Intentions& intentions, double alpha);
 
 /// "I", "II", "III".
 const char* regionName(Region region);

@@ -24,8 +24,7 @@ Layout referenceLayout(const PreparedScene& prepared, const Intentions& intentio
 }  // namespace
 
 Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
-    : prepared_(prepared),
-      siteCount_(prepared.siteCount()),
+    : siteCount_(prepared.siteCount()),
       flux_(fluxesOf(intentions.luminaires)),
       objective_(prepared, intentions, referenceLayout(prepared, intentions, reference)) {
   const std::size_t count = objective_.sets().size();

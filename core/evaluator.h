@@ -70,7 +70,6 @@ class Evaluator {
   void refresh();
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
-  PreparedScene& prepared_;
   std::uint32_t siteCount_ = 0;
   double penalty_ = 0;
   std::vector<double> flux_;

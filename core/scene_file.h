@@ -20,6 +20,7 @@ inline constexpr std::uint64_t kMaxInflatedBytes = 64ull << 20;  // a section
 inline constexpr std::uint64_t kFreeInflatedBytes = 1ull << 20;  // up to here any ratio of inflation is fine
 inline constexpr std::uint64_t kMaxInflationRatio = 200;         // beyond it
 inline constexpr std::uint64_t kMaxResponseValues = 1ull << 27;  // rows x sites
+inline constexpr std::uint64_t kMaxResponseProducts = 1ull << 30;  // rows x weights of columns
 inline constexpr std::uint64_t kMaxCovarianceValues = 1ull << 26;  // surfaces x sites x sites
 
 enum class ElementType : std::uint8_t { kUint8 = 0, kUint32 = 1, kFloat32 = 2, kFloat64 = 3 };

@@ -93,6 +93,10 @@ class Sections {
 };
 
 constexpr double kHuge = 1e30;  // of anything physical in a file
+// Of light in a file, lx for 1 lm: sums and squares of what is below stay finite, as floats too.
+constexpr double kBrightestMean = 1e12, kLargestWeight = 1e6;
+constexpr double kBrightestPatch = kBrightestMean * (1 << 24);  // responses count up to 2^24 steps
+constexpr std::size_t kLongestName = 1000;                      // bytes; the writer cuts names far below
 
 void readSurfaces(Sections& in, const SceneCounts& counts, Scene& scene) {
   const std::vector<std::uint8_t> names =
@@ -109,6 +113,7 @@ void readSurfaces(Sections& in, const SceneCounts& counts, Scene& scene) {
     surface.name.assign(from, to);
     surface.area = row[0], surface.reflectance = row[1], surface.lost = row[2],
     surface.measuring = row[3] != 0;
+    if (surface.name.size() > kLongestName) return in.fail("surfaceNames", "a name is too long");
     if (surface.name.empty() || !seen.insert(surface.name).second)
       return in.fail("surfaceNames", "a name is empty, reserved or there twice");
     if (!(row[0] > 0) || row[1] > 1 || row[2] > 1 || row[3] > 1)
@@ -187,8 +192,8 @@ void readSites(Sections& in, const SceneCounts& counts, Scene& scene) {
 /// The columns as stored, rows x counts.columns.
 std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Patches& patches) {
   const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
-  const std::vector<float> numbers =
-      in.floats("responseScales", Encoding::kFloatPlanes, counts.columns, 2 * counts.surfaces, 0, kHuge);
+  const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
+                                               2 * counts.surfaces, 0, kBrightestMean);
   if (!in.ok()) return {};
   std::vector<ResponseScale> scales;
   for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
@@ -216,8 +221,10 @@ void readResponses(Sections& in, const SceneCounts& counts, Scene& scene) {
   if (!in.ok()) return;
   const std::uint32_t entries = offsets.back();
   const std::vector<std::uint32_t> column = in.integers("responseColumns", entries, 1);
-  const std::vector<double> weight = in.doubles("responseWeights", entries, 1, 0, kHuge);
+  const std::vector<double> weight = in.doubles("responseWeights", entries, 1, 0, kLargestWeight);
   if (!in.ok()) return;
+  if (std::uint64_t{rows} * entries > kMaxResponseProducts)
+    return in.fail("responseWeights", "patches x weights is over 2^30");
   if (offsets[0] != 0 || !std::is_sorted(offsets.begin(), offsets.end()))
     return in.fail("responseOffsets", "the offsets do not ascend");
   bool identity = counts.columns == counts.sites && entries == counts.sites;
@@ -231,12 +238,15 @@ void readResponses(Sections& in, const SceneCounts& counts, Scene& scene) {
     scene.responses.illuminance = std::move(columns);
     return;
   }
-  scene.responses.illuminance.assign(std::size_t{rows} * counts.sites, 0);
+  std::vector<float>& mixed = scene.responses.illuminance;
+  mixed.assign(std::size_t{rows} * counts.sites, 0);
   for (std::uint32_t j = 0; j < counts.sites; ++j)
     for (std::uint32_t i = offsets[j]; i < offsets[j + 1]; ++i)
       for (std::uint32_t p = 0; p < rows; ++p)
-        scene.responses.illuminance[std::size_t{j} * rows + p] +=
+        mixed[std::size_t{j} * rows + p] +=
             static_cast<float>(weight[i] * columns[std::size_t{column[i]} * rows + p]);
+  if (std::any_of(mixed.begin(), mixed.end(), [](float light) { return !(light <= kBrightestPatch); }))
+    in.fail("responseWeights", "light is out of range");
 }
 
 void readCovariance(Sections& in, const std::string& name, std::uint32_t m, std::vector<double>& covariance) {
@@ -249,8 +259,8 @@ void readCovariance(Sections& in, const std::string& name, std::uint32_t m, std:
 
 void readStatistics(Sections& in, const SceneCounts& counts, Scene& scene) {
   const std::uint32_t m = counts.sites;
-  const std::vector<double> lit = in.doubles("illuminanceMeans", counts.surfaces, m, 0, kHuge);
-  const std::vector<double> reflected = in.doubles("exitanceMeans", counts.surfaces, m, 0, kHuge);
+  const std::vector<double> lit = in.doubles("illuminanceMeans", counts.surfaces, m, 0, kBrightestMean);
+  const std::vector<double> reflected = in.doubles("exitanceMeans", counts.surfaces, m, 0, kBrightestMean);
   scene.illuminance.resize(counts.surfaces);
   scene.exitance.resize(counts.surfaces);
   for (std::uint32_t s = 0; in.ok() && s < counts.surfaces; ++s) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/guarantees.h"
 #include "core/validate_intentions.h"
 
 namespace fiatlux {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/alpha_search.h"
+#include "core/guarantees.h"
 #include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
 #include "precompute/commands.h"

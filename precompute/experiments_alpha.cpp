@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/alpha_search.h"
+#include "core/guarantees.h"
 #include "precompute/experiments.h"
 #include "precompute/svg_plot.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/validate_intentions.h"
 #include "precompute/command_error.h"
+#include "precompute/progress.h"
 
 namespace fiatlux {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::uintmax_t kLongest = 1 << 20;
 constexpr std::size_t kMostEntries = 1000;
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw CommandError(where.empty() ? what : where + ": " + what);
+  throw CommandError(printable(where.empty() ? what : where + ": " + what, 800));
 }
 
 const char* typeOf(const Json& value) {

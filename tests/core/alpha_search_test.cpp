@@ -144,11 +144,23 @@ TEST(AlphaSearch, SlicesDoNotChangeItsPathAndItsAnswerHoldsOnThePatches) {
   EXPECT_GE(light.minimum, 15 * (1 - 1e-6));
 }
 
-TEST(AlphaSearch, RefusesIntentionsWithoutAGuarantee) {
-  const Scene scene = wall({{0, 20}, {3, 9}});
-  Intentions intentions = dimWallWithMinimum(5);
-  intentions.constraints.clear();
-  EXPECT_FALSE(checkAlphaIntentions(scene, intentions));
+TEST(AlphaSearch, TellsOfTheGuaranteeThatItsOwnQuantityBreaksMost) {
+  // Exitance: the dark wall (rho 0.1) misses its minimum by far, though in lux it would be the bright one.
+  Scene scene = wall({{10, 20}, {30, 9}});
+  scene.surfaces = {{"white wall", 1, 0.9, 1, false, 0}, {"dark wall", 1, 0.1, 1, false, 0}};
+  scene.patches.surface = {0, 1};
+  scene.patches.reflectance = {0.9f, 0.1f};
+  fiatlux::testing::addStatistics(scene);
+  PreparedScene prepared(scene);
+  Intentions intentions = dimWallWithMinimum(0);
+  intentions.quantity = Quantity::kExitance;
+  intentions.goals = {{Statistic::kMean, Sense::kMaximize, 1, {}, {}}};
+  intentions.constraints = {{Statistic::kMinimum, 28, kUnbounded, 1, {0}, {}},  // at best 27, at 30 lx
+                            {Statistic::kMinimum, 8, kUnbounded, 1, {1}, {}}};  // at best 2, at 20 lx
+  const AlphaSearch search = solved(prepared, intentions);
+  EXPECT_EQ(search.outcome(), AlphaOutcome::kNoLayout);
+  EXPECT_NE(search.verdict().find("at least 8 lm/m2 on every patch of dark wall"), std::string::npos)
+      << search.verdict();
 }
 
 }  // namespace

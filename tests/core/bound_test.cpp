@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 
 #include "core/evaluator.h"
+#include "core/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
 
 namespace fiatlux {
@@ -15,21 +17,36 @@ namespace {
 
 using fiatlux::testing::smallRoom;
 
-Evaluation exhaustiveOptimum(PreparedScene& prepared, const Intentions& intentions) {
-  Evaluator evaluator(prepared, intentions);
+/// Whether three luminaires may hang there, luminaire 0 and so on first.
+bool isAllowed(const PreparedScene& prepared, const LuminaireRules& rules,
+               const std::array<std::uint32_t, 3>& sites) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i < rules.pinned.size() && sites[i] != rules.pinned[i]) return false;
+    if (std::count(rules.excluded.begin(), rules.excluded.end(), sites[i]) > 0) return false;
+    for (std::size_t k = 0; k < i; ++k)
+      if (sites[i] == sites[k] || prepared.distance(sites[i], sites[k]) < rules.minDistance) return false;
+  }
+  return true;
+}
+
+/// The best of all layouts of three luminaires under the rules.
+Evaluation exhaustiveOptimum(PreparedScene& prepared, const Intentions& intentions,
+                             const Layout* reference = nullptr) {
+  Evaluator evaluator(prepared, intentions, reference);
   Evaluation best{1e9, 0, 1};
   const std::uint32_t m = prepared.siteCount();
   for (std::uint32_t a = 0; a < m; ++a)
     for (std::uint32_t b = 0; b < m; ++b)
       for (std::uint32_t c = 0; c < m; ++c) {
-        if (a == b || b == c || a == c) continue;
+        if (!isAllowed(prepared, intentions.luminaires, {a, b, c})) continue;
         if (const Evaluation e = evaluator.evaluate({a, b, c}); isBetter(e, best)) best = e;
       }
   return best;
 }
 
-double boundOf(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best) {
-  OptimumBound bound(prepared, intentions, best);
+double boundOf(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best,
+               const Layout* reference = nullptr) {
+  OptimumBound bound(prepared, intentions, best, reference);
   for (int slice = 0; slice < 100000 && !bound.done(); ++slice) bound.advance(777);
   EXPECT_TRUE(bound.done());
   return bound.goal();
@@ -74,6 +91,73 @@ TEST(Bound, IsNeverAboveTheExhaustiveOptimum) {
     EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal)) << "problem " << p;
     EXPECT_GT(bound, best.goal - 1.5 * std::fabs(best.goal)) << "problem " << p << ": not even useful";
   }
+}
+
+/// Rules that leave fewer layouts: by pins, by forbidden sites, by a distance, by all of them.
+std::vector<LuminaireRules> narrowRules() {
+  LuminaireRules plain;
+  plain.count = 3;
+  std::vector<LuminaireRules> all(8, plain);
+  all[0].pinned = {7};
+  all[1].pinned = {0, 19};
+  all[2].pinned = {3, 12, 16};  // nothing is left to choose
+  all[3].excluded = {0, 1, 2, 5, 6, 7, 10, 11, 15};
+  all[4].minDistance = 1.6;  // more than two sites apart
+  all[5].pinned = {9};
+  all[5].excluded = {0, 4, 8, 14, 18};
+  all[5].minDistance = 1.2;
+  all[6].flux = {400, 1000, 2500};  // the pinned one is the dimmest
+  all[6].pinned = {2};
+  all[6].excluded = {10, 11, 12};
+  all[7].flux = {2500, 1000, 400};  // the pinned ones are the brightest
+  all[7].pinned = {6, 17};
+  all[7].dimmingLow = 0.2;
+  return all;
+}
+
+TEST(Bound, HoldsUnderPinsForbiddenSitesAndDistances) {
+  PreparedScene prepared(smallRoom());
+  const std::vector<Intentions> problems = {
+      three({kEven}),
+      three({{Statistic::kSigma, Sense::kMinimize, 1, {2}, {}}}),
+      three({{Statistic::kSigma, Sense::kMaximize, 1, {2}, {}}}),
+      three({kDarkWall}, {{Statistic::kChebyshev, 5, kUnbounded, 0.5, {0}, {}}}),
+      three({kBrightWall}, {{Statistic::kSigma, -kUnbounded, 200, 1, {0}, {}}}),
+      three({kEven, {Statistic::kMean, Sense::kMaximize, 0.3, {2}, {}}}),
+      three({{Statistic::kPower, Sense::kMinimize, 1, {}, {}}},
+            {{Statistic::kMean, 5, kUnbounded, 1, {0}, {}}}),
+  };
+  std::size_t compared = 0;
+  for (const LuminaireRules& rules : narrowRules())
+    for (Intentions problem : problems) {
+      problem.luminaires = rules;
+      SCOPED_TRACE("comparison " + std::to_string(compared));
+      ASSERT_TRUE(checkIntentions(prepared.scene(), problem));
+      const Evaluation best = exhaustiveOptimum(prepared, problem);
+      ASSERT_LT(best.violation, 1e-9) << "it is meant to be feasible";
+      const double bound = boundOf(prepared, problem, best);
+      EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal));
+      EXPECT_GT(bound, best.goal - 1.5 * std::fabs(best.goal)) << "not even useful";
+      ++compared;
+    }
+  EXPECT_EQ(compared, 56u);
+}
+
+TEST(Bound, KnowsWhatPinsAndForbiddenSitesTakeAway) {
+  PreparedScene prepared(smallRoom());
+  // Nothing is free to move: the only layout is the bound.
+  Intentions pinned = three({kDarkWall});
+  pinned.luminaires.pinned = {3, 12, 16};
+  const Evaluation only = exhaustiveOptimum(prepared, pinned);
+  EXPECT_NEAR(boundOf(prepared, pinned, only), only.goal, 1e-6 * std::fabs(only.goal));
+  // A mean is bounded exactly, so the loss of the sites nearest to the wall must show.
+  const Layout reference{{0, 7, 14}, {}, 1};
+  Intentions narrow = three({kBrightWall});
+  const double free = exhaustiveOptimum(prepared, narrow, &reference).goal;
+  narrow.luminaires.excluded = {15, 16, 17, 18, 19};
+  const Evaluation best = exhaustiveOptimum(prepared, narrow, &reference);
+  EXPECT_GT(best.goal, 0.9 * free);
+  EXPECT_NEAR(boundOf(prepared, narrow, best, &reference), best.goal, 1e-6 * std::fabs(best.goal));
 }
 
 TEST(Bound, IsExactForMeans) {

@@ -10,6 +10,7 @@
 #include "core/crc32.h"
 #include "core/scene_reader.h"
 #include "core/scene_sections.h"
+#include "core/section_codec.h"
 #include "tests/core/golden_scene_v1.h"
 #include "tests/core/synthetic_scene.h"
 
@@ -286,6 +287,57 @@ TEST(SceneFile, SitesMayShareColumns) {
     EXPECT_FLOAT_EQ(back->responses.column(1)[p], 0.5f * plain->responses.column(1)[p]);
     EXPECT_EQ(back->responses.column(2)[p], plain->responses.column(2)[p]);
   }
+}
+
+/// The file of a scene whose sites share columns as given: `weights[i]` of column `columns[i]`, from `offsets[j]` on
+/// for site j.
+std::vector<std::uint8_t> fileWithWeights(const Scene& scene, const std::vector<std::uint32_t>& offsets,
+                                          const std::vector<std::uint32_t>& columns,
+                                          const std::vector<double>& weights) {
+  std::vector<PlainSection> sections = encodeScene(scene).value();
+  const auto bytesOf = [](const auto& values) {
+    const auto* from = reinterpret_cast<const std::uint8_t*>(values.data());
+    return std::vector<std::uint8_t>(from, from + values.size() * sizeof values[0]);
+  };
+  const auto rows = static_cast<std::uint32_t>(weights.size());
+  for (PlainSection& part : sections) {
+    const SceneSection& s = part.section;
+    if (s.name == "responseOffsets")
+      part = plainSection(s.name, s.type, s.encoding, s.rows, 1, encodeDeltaPlanes(offsets, 1));
+    else if (s.name == "responseColumns")
+      part = plainSection(s.name, s.type, s.encoding, rows, 1, encodeDeltaPlanes(columns, 1));
+    else if (s.name == "responseWeights")
+      part = plainSection(s.name, s.type, s.encoding, rows, 1, bytesOf(weights));
+  }
+  return fileOf(scene, sections);
+}
+
+TEST(SceneFile, WeightsThatWouldTakeMinutesOrGoBeyondNumbersAreRefused) {
+  const Scene scene = syntheticScene(200, 2);  // 4400 rows
+  constexpr std::uint32_t kMany = 300000;
+  EXPECT_NE(errorOf(fileWithWeights(scene, {0, kMany, kMany}, std::vector<std::uint32_t>(kMany, 0),
+                                    std::vector<double>(kMany, 1e-9)))
+                .find("patches x weights is over 2^30"),
+            std::string::npos);
+  EXPECT_NE(errorOf(fileWithWeights(scene, {0, 1, 2}, {0, 1}, {1, 1e30})).find("out of range"),
+            std::string::npos);
+  EXPECT_EQ(errorOf(fileWithWeights(scene, {0, 2, 3}, {0, 1, 1}, {0.5, 0.5, 1})), "no error");
+}
+
+TEST(SceneFile, LightBeyondNumbersIsRefused) {
+  const Scene scene = syntheticScene(4, 2);
+  const auto poke = [](PlainSection& part) {
+    const double huge = 1e25;
+    std::memcpy(&part.bytes[0], &huge, 8);
+  };
+  EXPECT_NE(errorWith(scene, "illuminanceMeans", poke).find("out of range"), std::string::npos);
+  EXPECT_NE(errorWith(scene, "exitanceMeans", poke).find("out of range"), std::string::npos);
+}
+
+TEST(SceneFile, NamesOfAMegabyteAreRefused) {
+  Scene scene = syntheticScene(4, 2);
+  scene.surfaces[0].name = std::string(5 << 20, 'n');
+  EXPECT_NE(errorOf(fileOf(scene)).find("a name is too long"), std::string::npos);
 }
 
 }  // namespace

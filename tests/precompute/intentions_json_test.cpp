@@ -95,5 +95,11 @@ TEST(IntentionsJson, SurvivesHostileText) {
   expectRefusal("", "not JSON");
 }
 
+TEST(IntentionsJson, StrangersTextStaysOnOneLine) {
+  expectRefusal(R"({"a\nb\u001b[31m": 1})", "unknown key \"a?b?[31m\"");
+  expectRefusal(R"({"quantity": "lux\r\n"})", "unknown \"lux??\"");
+  expectRefusal(R"({"goals": [{"surface": "x\ny", "statistic": "sigma", "sense": "min"}]})", "x?y");
+}
+
 }  // namespace
 }  // namespace fiatlux
