@@ -317,6 +317,36 @@ TEST(HostileGltf, GlbLengthsThatLie) {  // item 20
     refusal({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)});
 }
 
+TEST(HostileGltf, MoreThanTheBudgets) {
+  const Folder folder;
+  const std::string large = (folder.path / "large.glb").string();
+  std::ofstream(large).close();
+  std::filesystem::resize_file(large, (std::uintmax_t{256} << 20) + 1);  // sparse: it takes no disk
+  const auto file = readSourceScene(large, 1);
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().message, HasSubstr("256 MB"));
+
+  TestGltf gltf = plainRoom();
+  gltf.glb.json["buffers"] = {{{"byteLength", 300 << 20}}};
+  std::string text = gltf.glb.json.dump();
+  EXPECT_THAT(refusal(bytesOf(text)), HasSubstr("byteLength"));
+
+  text = "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}";
+  for (int i = 0; i < 1000000; ++i) text += ",{}";
+  EXPECT_THAT(refusal(bytesOf(text + "]}")), HasSubstr("more than a million nodes"));
+}
+
+TEST(HostileGltf, DracoWithGarbageIsRefusedByName) {  // item 13
+  TestGltf gltf = plainRoom();
+  const std::vector<std::uint8_t> garbage(64, 0xd7);
+  const int view = gltf.glb.addView(garbage.data(), garbage.size(), 0, 0);
+  gltf.glb.json["extensionsUsed"] = gltf.glb.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  for (auto& mesh : gltf.glb.json["meshes"])
+    mesh["primitives"][0]["extensions"] = {
+        {"KHR_draco_mesh_compression", {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}}}};
+  EXPECT_THAT(refusal(gltf), HasSubstr("KHR_draco_mesh_compression"));
+}
+
 TEST(HostileGltf, JsonOfTheWrongShape) {
   const ordered_json values[] = {
       nullptr, true, -1, 1e18, "text", ordered_json::array(), ordered_json::object(), {1, "x", nullptr}};

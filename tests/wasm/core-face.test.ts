@@ -1,5 +1,5 @@
 /** The TypeScript face (web/solver/core.ts) against the module as it was built. */
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import { sessionMethods, type Session } from '../../web/solver/core.ts';
 import { bytesOf, loadBuiltCore, openFile, syntheticFile } from './solver-module.ts';
@@ -103,6 +103,22 @@ describe('values have the declared shapes', () => {
     expect(shown.illuminance).toEqual(before);
     expect(shown.illuminance.buffer.byteLength).toBe(4 * before.length);
   });
+});
+
+test('memory that the browser refuses is a trap, by which the page knows that it needs another worker', async () => {
+  const told = jest.spyOn(console, 'warn').mockImplementation(() => undefined); // the glue says "Aborted()"
+  const own = await loadBuiltCore(); // no use afterwards
+  const starved = new own.Session();
+  const { grow } = WebAssembly.Memory.prototype;
+  WebAssembly.Memory.prototype.grow = () => {
+    throw new RangeError('no memory');
+  };
+  try {
+    expect(() => starved.openTable(new Uint8Array(256 << 20))).toThrow(WebAssembly.RuntimeError);
+  } finally {
+    WebAssembly.Memory.prototype.grow = grow;
+    told.mockRestore();
+  }
 });
 
 test('an alpha-search ends with a verdict and a layout that can be shown', () => {
