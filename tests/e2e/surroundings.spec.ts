@@ -112,3 +112,54 @@ test('a worker that dies for good is told, and one click goes on from the last l
   await settled(page);
   await expect(page.getByRole('table', { name: /Luminaires in place/ })).toContainText('2 500');
 });
+
+test('without a connection what is shown stays and works; another click opens the room', async ({
+  page,
+  context,
+  watched,
+}) => {
+  await openRoom(page, 'Box');
+  const layout = await places(page);
+  const choose = async () => {
+    await page.getByRole('banner').getByRole('button').first().click();
+    await page
+      .getByRole('dialog', { name: 'Rooms' })
+      .getByRole('button', { name: 'E corridor' })
+      .first()
+      .click();
+  };
+  await context.setOffline(true);
+  await choose();
+  const alert = page.getByRole('alert').filter({ hasText: /no connection; try again/ });
+  await expect(alert).toBeVisible();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Box');
+  expect(await places(page)).toEqual(layout);
+  await page.getByRole('textbox', { name: /Flux of each/ }).fill('2500');
+  await settled(page);
+  expect(watched.faults.splice(0).join()).toContain('ERR_INTERNET_DISCONNECTED');
+
+  await context.setOffline(false);
+  if (await page.getByRole('dialog', { name: 'Rooms' }).count()) await page.keyboard.press('Escape');
+  await choose();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('E corridor');
+  await settled(page);
+});
+
+test('a full disk is told once, and the work goes on', async ({ page }) => {
+  await page.addInitScript(() => {
+    const full = () => {
+      throw new DOMException('the disk is full', 'QuotaExceededError');
+    };
+    IDBObjectStore.prototype.put = full;
+    Storage.prototype.setItem = full;
+  });
+  await openRoom(page, 'Box');
+  const told = page.getByRole('region', { name: 'Messages' }).getByText(/refuses to store the work/);
+  await expect(told).toBeVisible();
+  await places(page); // the tab of the luminaires
+  await page.getByRole('textbox', { name: /Flux of each/ }).fill('2500');
+  await settled(page);
+  await expect(page.getByRole('table', { name: /Luminaires in place/ })).toContainText('2 500');
+  await page.waitForTimeout(2000); // longer than the pause before the next attempt to store
+  await expect(told).toHaveCount(1);
+});
