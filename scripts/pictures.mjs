@@ -1,5 +1,5 @@
 // The pictures of the documentation and of the gallery, taken from the built site in Debian's Chromium:
-// docs/screenshot.jpg (the first screen), public/thumbnails/<id>.jpg (rooms), docs/experiments/<id>.jpg.
+// docs/screenshot.jpg (the first screen), public/thumbnails/{light,dark}/<id>.jpg, docs/experiments/<id>.jpg.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -26,6 +26,15 @@ async function openEntry(page, title) {
   await page.getByRole('combobox', { name: 'Find an action' }).fill(`Open: ${title}`);
   await page.keyboard.press('Enter');
   await page.locator('.room-button', { hasText: title }).waitFor({ state: 'attached', timeout: patience });
+  await settled(page);
+}
+
+/** What the experiment's last step is: the button, pressed although the panel is not in the picture. */
+async function findAlpha(page) {
+  await page.evaluate(() =>
+    [...document.querySelectorAll('button')].find((each) => each.textContent === 'Find alpha').click(),
+  );
+  await page.locator('.alpha-plot figcaption').waitFor({ state: 'attached', timeout: patience });
   await settled(page);
 }
 
@@ -100,13 +109,22 @@ try {
     await page.close();
   }
   const page = await open(960, 600, roomOnly);
+  const inBothSchemes = async (id, width, height, largest) => {
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+      await settled(page);
+      await jpeg(page, `public/thumbnails/${colorScheme}/${id}.jpg`, width, height, largest);
+    }
+  };
   for (const { id, title } of rooms.filter((entry) => wanted(entry.id))) {
     await openEntry(page, title);
-    await jpeg(page, `public/thumbnails/${id}.jpg`, 480, 300, 30_000);
+    await inBothSchemes(id, 480, 300, 30_000);
   }
   for (const { id, title } of experiments.filter((entry) => wanted(entry.id))) {
     await openEntry(page, title);
-    await jpeg(page, `docs/experiments/${id}.jpg`, 960, 600, 80_000);
+    if (id === '5.4-find-alpha') await findAlpha(page);
+    await inBothSchemes(id, 320, 200, 12_000);
+    await jpeg(page, `docs/experiments/${id}.jpg`, 960, 600, 80_000); // dark, as the last of the two
   }
 } finally {
   await browser.close();

@@ -61,3 +61,46 @@ test('false colour, views and cut-away change the picture', async ({ page }) => 
   await page.keyboard.press('Escape');
   await expect.poll(async () => difference(await picture(page), plan)).toBeGreaterThan(0.002);
 });
+
+test('families of surfaces are one row until they are opened', async ({ page }) => {
+  await openRoom(page, 'Open office');
+  const rows = await results(page);
+  expect(rows.length).toBeLessThan(26);
+  const family = page.getByRole('button', { name: 'desk 1–12', exact: true });
+  await expect(family).toHaveAttribute('aria-expanded', 'false');
+  await expect(page.getByRole('button', { name: 'desk 7', exact: true })).toHaveCount(0);
+  await family.click();
+  expect((await results(page)).length).toBe(rows.length + 12);
+  await page.getByRole('button', { name: 'desk 7', exact: true }).click();
+  await family.click();
+  // The selected one stays in sight.
+  await expect(page.getByRole('button', { name: 'desk 7', exact: true })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
+  expect((await results(page)).length).toBe(rows.length + 1);
+
+  const bar = page.getByRole('toolbar', { name: 'Intentions for desk 7' });
+  await bar.getByRole('button', { name: 'Illuminate' }).click();
+  await page.getByRole('button', { name: 'Surfaces: desk 7' }).click();
+  const every = page.getByRole('checkbox', { name: 'desk 1–12' });
+  await expect(every).toHaveJSProperty('indeterminate', true);
+  await every.check();
+  await expect(page.getByRole('button', { name: /^Surfaces: desk 7, desk 1/ })).toContainText('12 × desk');
+  await settled(page);
+});
+
+test('a selected measuring plane is a veil that keeps the realistic picture', async ({ page }) => {
+  await openRoom(page, 'Open office');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const before = await picture(page);
+  await results(page);
+  await page.getByRole('button', { name: 'working plane', exact: true }).click();
+  await expect(page.getByRole('toolbar', { name: 'Intentions for working plane' })).toBeVisible();
+  await expect.poll(async () => difference(await picture(page), before)).toBeGreaterThan(0.1);
+  // By how much the picture has changed: a film over it, not another picture.
+  const after = await picture(page);
+  let sum = 0;
+  for (let i = 0; i < after.data.length; i++) sum += Math.abs(after.data[i]! - before.data[i]!);
+  expect(sum / (0.75 * after.data.length)).toBeLessThan(16);
+});

@@ -11,7 +11,8 @@ import { rooms } from './catalog.ts';
 import { createHand, type Hand } from './hand.ts';
 import { createLeaving, keepSaved, type Leaving } from './leaving.ts';
 import { createOpening, type Opening } from './opening.ts';
-import { createSolving, fitLegend, type Solving } from './solving.ts';
+import { fitLegend } from './legend-range.ts';
+import { createSolving, type Solving } from './solving.ts';
 import { leavesOf } from './statistics.ts';
 import type { Store } from './store.ts';
 

@@ -12,6 +12,12 @@ export function compact(value: number): string {
   return grouped(value.toFixed(digits));
 }
 
+/** "480–560"; one number where both ends read the same. The dash may break a line. */
+export function spanText(low: number, high: number): string {
+  const [from, to] = [compact(low), compact(high)];
+  return from === to ? from : `${from}–\u200b${to}`;
+}
+
 export function grouped(text: string): string {
   const [whole = '', fraction] = text.split('.');
   const spaced = whole.replace(/\B(?=(\d{3})+$)/g, thin);
@@ -66,4 +72,11 @@ export function easedBound(value: number, end: 'min' | 'max'): number {
   const eased =
     end === 'min' ? Math.floor(value / unit - 0.02) * unit : Math.ceil(value / unit + 0.02) * unit;
   return Number(Math.max(0, eased).toPrecision(4));
+}
+
+/** "no connection" -> "No connection." */
+export function sentence(text: string): string {
+  const clean = text.trim();
+  const start = clean.charAt(0).toUpperCase() + clean.slice(1);
+  return /[.!?]$/.test(start) ? start : `${start}.`;
 }

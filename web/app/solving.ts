@@ -2,13 +2,14 @@
  * Between the store, the worker and the view: each edit asks the solver at once, each answer lights the room at once.
  * The numbers of the panel follow once a frame; the picture never waits for them.
  */
-import { batch } from '@preact/signals';
 import type { Layout } from '../document/types.ts';
 import type { FromWorker, Intentions, SceneInfo, Shown } from '../solver/protocol.ts';
 import { createSolverClient, type SolverClient, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { coreOrder, fromCore, toCore, type Order } from './luminaire-order.ts';
-import { niceCeiling } from './format.ts';
+import { sentence } from './format.ts';
+import { createFrameBatch } from './frame-batch.ts';
+import { fitLegend } from './legend-range.ts';
 import type { Progress, Store } from './store.ts';
 
 export interface Solving {
@@ -43,17 +44,6 @@ interface Waiting<T> {
   readonly reject: (error: Error) => void;
 }
 
-const perFrame = (action: () => void): void => {
-  // A page in the background gets no frames; a timer takes over there.
-  let done = false;
-  const once = () => {
-    if (!done) action();
-    done = true;
-  };
-  requestAnimationFrame(once);
-  setTimeout(once, 120);
-};
-
 export function createSolving(store: Store, viewer: Viewer, createWorker: () => WorkerLike): Solving {
   let client: SolverClient = createSolverClient(createWorker, receive);
   let opening: Waiting<{ scene: SceneInfo; room: ArrayBuffer }> | null = null;
@@ -64,18 +54,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   let current: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
   let order: Order = [];
   let checking: Layout | null = null; // was asked to be checked
-  let pending: (() => void) | null = null;
-
-  function later(action: () => void): void {
-    const isFirst = pending === null;
-    pending = action;
-    if (isFirst)
-      perFrame(() => {
-        const latest = pending;
-        pending = null;
-        batch(() => latest?.());
-      });
-  }
+  const later = createFrameBatch();
 
   function receive(message: FromWorker): void {
     switch (message.type) {
@@ -274,21 +253,4 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     resume,
     stop: () => client.stop(),
   };
-}
-
-/** The legend spans the light that is there, rounded, unless a person has locked it. */
-export function fitLegend(store: Store, shown: Shown): void {
-  const rows = shown.surfaces.filter((row) => row.name !== 'all');
-  const area = rows.reduce((sum, row) => sum + row.area, 0);
-  const mean = rows.reduce((sum, row) => sum + row.mean * row.area, 0) / (area || 1);
-  const top = niceCeiling(Math.max(1, mean * 2.5));
-  const { range } = store.display.peek();
-  const fits = range[0] === 0 && range[1] >= mean * 2 && range[1] <= mean * 5;
-  if (!fits) store.display.value = { ...store.display.peek(), range: [0, top] };
-}
-
-export function sentence(text: string): string {
-  const clean = text.trim();
-  const start = clean.charAt(0).toUpperCase() + clean.slice(1);
-  return /[.!?]$/.test(start) ? start : `${start}.`;
 }

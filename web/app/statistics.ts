@@ -2,7 +2,7 @@
  * Readings of a set of surfaces from the light of the patches: the histogram (paper, figure 4) and true shares of
  * the area. Everything is weighted by area; mu and sigma are population statistics.
  */
-import type { SceneInfo } from '../solver/protocol.ts';
+import type { SceneInfo, SurfaceResult } from '../solver/protocol.ts';
 import type { Quantity, SurfaceNames } from '../document/types.ts';
 
 export interface AreaSample {
@@ -68,6 +68,22 @@ export function sampleOf(
     sigma: Math.sqrt(Math.max(0, squares / area - mean * mean)),
     least,
     most,
+  };
+}
+
+/** The readings of several surfaces together; sigma by the law of total variance. */
+export function unionOf(
+  rows: readonly SurfaceResult[],
+): Pick<SurfaceResult, 'mean' | 'sigma' | 'min' | 'max'> {
+  const area = rows.reduce((sum, row) => sum + row.area, 0);
+  const averaged = (of: (row: SurfaceResult) => number) =>
+    rows.reduce((sum, row) => sum + row.area * of(row), 0) / area;
+  const mean = averaged((row) => row.mean);
+  return {
+    mean,
+    sigma: Math.sqrt(averaged(({ mean: own, sigma }) => sigma ** 2 + (own - mean) ** 2)),
+    min: Math.min(...rows.map((row) => row.min)),
+    max: Math.max(...rows.map((row) => row.max)),
   };
 }
 

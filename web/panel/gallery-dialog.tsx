@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { experiments, rooms, type GalleryEntry } from '../app/catalog.ts';
 import { Dialog } from './dialog.tsx';
+import { RoomPicture } from './room-picture.tsx';
 
 export function GalleryDialog({ close }: { close: () => void }) {
   const app = useApp();
@@ -44,10 +45,11 @@ export function GalleryDialog({ close }: { close: () => void }) {
         </li>
       </ul>
       <h3>Experiments of the paper, on the E corridor</h3>
-      <ul class="experiment-list">
+      <ul class="room-grid small">
         {experiments.map((entry) => (
           <li key={entry.id}>
-            <button onClick={() => open(entry.id)}>
+            <button class="room-card" onClick={() => open(entry.id)}>
+              <Thumbnail entry={entry} />
               <strong>{entry.title}</strong>
               <span>{entry.description}</span>
             </button>
@@ -67,15 +69,5 @@ function Thumbnail({ entry }: { entry: GalleryEntry }) {
         <Lightbulb size={26} aria-hidden />
       </span>
     );
-  return (
-    <img
-      class="thumbnail"
-      src={`./thumbnails/${entry.id}.jpg`}
-      alt=""
-      loading="lazy"
-      width={240}
-      height={150}
-      onError={() => setMissing(true)}
-    />
-  );
+  return <RoomPicture id={entry.id} class="thumbnail" lazy onError={() => setMissing(true)} />;
 }

@@ -51,6 +51,7 @@ export function Legend() {
         viewBox={`0 0 ${width} 30`}
         width={width}
         height="30"
+        preserveAspectRatio="none"
         role="img"
         aria-label={`From ${low} to ${high} ${unit}`}
       >

@@ -20,7 +20,7 @@ export function LuminaireList() {
   return (
     <table class="list">
       <caption>
-        Luminaires in place <small>(arrow keys on a tag move it in plan)</small>
+        Luminaires in place <small class="keys-only">(arrow keys on a tag move it in plan)</small>
       </caption>
       <thead>
         <tr>

@@ -1,12 +1,13 @@
 /** The panel: what is asked, what it is asked of, what comes of it; at phone width a sheet that rises from below. */
 import { ChevronDown, ChevronUp } from 'lucide-preact';
-import { useState } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import type { Tab } from '../app/store.ts';
 import { IntentionsTab } from './intentions-tab.tsx';
 import { LuminairesTab } from './luminaires-tab.tsx';
 import { ResultsTab } from './results-tab.tsx';
 import { StatusLine } from './status-line.tsx';
+import { useSheet } from './use-sheet.ts';
 
 const tabs: readonly [Tab, string][] = [
   ['intentions', 'Intentions'],
@@ -16,11 +17,12 @@ const tabs: readonly [Tab, string][] = [
 
 export function Panel() {
   const { store } = useApp();
-  const [sheet, setSheet] = useState<'low' | 'half' | 'full'>('half');
+  const root = useRef<HTMLElement>(null);
+  const { sheet, raise, open, bar } = useSheet(root);
   const active = store.tab.value;
   const select = (tab: Tab) => {
     store.tab.value = tab;
-    if (sheet === 'low') setSheet('half');
+    open();
   };
   const move = (event: KeyboardEvent) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
@@ -31,10 +33,9 @@ export function Panel() {
     select(next);
     document.getElementById(`tab-${next}`)?.focus();
   };
-  const rise = { low: 'half', half: 'full', full: 'low' } as const;
   return (
-    <aside class={`panel sheet-${sheet}`} aria-label="Intentions and results">
-      <div class="tab-bar">
+    <aside ref={root} class={`panel sheet-${sheet}`} aria-label="Intentions and results">
+      <div class="tab-bar" {...bar}>
         <div class="tabs" role="tablist" aria-label="Panel" onKeyDown={move}>
           {tabs.map(([tab, title]) => (
             <button
@@ -54,7 +55,7 @@ export function Panel() {
         <button
           class="icon-button small sheet-handle"
           aria-label={sheet === 'full' ? 'Lower the panel' : 'Raise the panel'}
-          onClick={() => setSheet(rise[sheet])}
+          onClick={raise}
         >
           {sheet === 'full' ? <ChevronDown size={18} aria-hidden /> : <ChevronUp size={18} aria-hidden />}
         </button>

@@ -6,6 +6,7 @@ import { likelyRoom } from '../app/first-scene.ts';
 import { compact, unitOf } from '../app/format.ts';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
+import { RoomPicture } from './room-picture.tsx';
 import { SelectionBar } from './selection-bar.tsx';
 import { ViewToolbar } from './view-toolbar.tsx';
 
@@ -67,7 +68,7 @@ function Placeholder() {
   const [room] = useState(() => likelyRoom(location.hash));
   const [missing, setMissing] = useState(false);
   if (!room || missing) return null;
-  return <img class="placeholder" src={`./thumbnails/${room}.jpg`} alt="" onError={() => setMissing(true)} />;
+  return <RoomPicture id={room} class="placeholder" onError={() => setMissing(true)} />;
 }
 
 /** The light under the pointer. */

@@ -1,34 +1,25 @@
 /** Which surfaces a card is about: one, several, a family ("desk 1" to "desk 12"), or the whole room. */
-import { ChevronDown } from 'lucide-preact';
+import { ChevronDown, ChevronRight } from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
+import { familyOf, folded } from '../app/families.ts';
 import type { SurfaceNames } from '../document/types.ts';
 import { useDismiss } from './menu.tsx';
 
 /** "desk 1, desk 2, ..." in few words. */
 export function namesText(names: SurfaceNames): string {
   if (names.length === 1) return names[0] === 'all' ? 'the whole room' : (names[0] ?? '');
-  const families = new Set(names.map((name) => /^(.*\D)\s\d+$/.exec(name)?.[1]));
+  const families = new Set(names.map(familyOf));
   const [family] = families;
   return families.size === 1 && family ? `${names.length} × ${family}` : names.join(', ');
 }
 
-/** Inner nodes of the tree ("room" of "room/floor") and families of numbered names, with what they stand for. */
-export function groupsOf(names: readonly string[]): { title: string; names: readonly string[] }[] {
-  const groups = new Map<string, string[]>();
-  const families = new Map<string, string[]>();
-  for (const name of names) {
-    const slash = name.lastIndexOf('/');
-    if (slash > 0) groups.set(name.slice(0, slash), [...(groups.get(name.slice(0, slash)) ?? []), name]);
-    const family = /^(.*\D)\s\d+$/.exec(name)?.[1];
-    if (family) families.set(family, [...(families.get(family) ?? []), name]);
-  }
-  return [
-    ...[...groups].filter(([, list]) => list.length > 1).map(([title]) => ({ title, names: [title] })),
-    ...[...families]
-      .filter(([, list]) => list.length > 1)
-      .map(([title, list]) => ({ title: `every ${title} (${list.length})`, names: list })),
-  ];
+/** Inner nodes of the tree ("room" of "room/floor") that hold more than one surface. */
+export function innerNodes(names: readonly string[]): string[] {
+  const nodes = names
+    .filter((name) => name.includes('/'))
+    .map((name) => name.slice(0, name.lastIndexOf('/')));
+  return [...new Set(nodes.filter((node, index) => nodes.indexOf(node) !== index))];
 }
 
 interface Props {
@@ -44,15 +35,14 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
   const leaves = store.scene.value?.surfaces.map((surface) => surface.name) ?? [];
-  const groups = groupsOf(leaves);
   const wanted = (name: string) => name.toLowerCase().includes(filter.toLowerCase());
   const only = (next: SurfaceNames) => {
     onChange(next);
     setOpen(false);
   };
-  const toggle = (name: string) => {
-    const rest = names.filter((each) => each !== name && each !== 'all');
-    const next = names.includes(name) ? rest : [...rest, name];
+  const set = (some: readonly string[], on: boolean) => {
+    const rest = names.filter((each) => !some.includes(each) && each !== 'all');
+    const next = on ? [...rest, ...some] : rest;
     if (next.length > 0) onChange(next);
   };
   return (
@@ -81,22 +71,68 @@ export function SurfacePicker({ label, names, onChange }: Props) {
                 the whole room
               </button>
             )}
-            {groups
-              .filter(({ title }) => wanted(title))
-              .map((group) => (
-                <button key={group.title} class="picker-group" onClick={() => only(group.names)}>
-                  {group.title}
+            {innerNodes(leaves)
+              .filter(wanted)
+              .map((node) => (
+                <button key={node} class="picker-group" onClick={() => only([node])}>
+                  {node}
                 </button>
               ))}
-            {leaves.filter(wanted).map((name) => (
-              <label key={name} class="check">
-                <input type="checkbox" checked={names.includes(name)} onChange={() => toggle(name)} />
-                <span>{name}</span>
-              </label>
-            ))}
+            {folded(leaves.filter(wanted), (name) => name).map(({ title, items }) =>
+              items.length === 1 ? (
+                <Choice key={title} title={title} of={items} {...{ names, set }} />
+              ) : (
+                <Family key={title} title={title} of={items} isFound={filter !== ''} {...{ names, set }} />
+              ),
+            )}
           </div>
         </div>
       )}
+    </div>
+  );
+}
+
+interface ChoiceProps {
+  readonly title: string;
+  readonly of: readonly string[]; // one surface, or a whole family
+  readonly names: SurfaceNames;
+  readonly set: (some: readonly string[], on: boolean) => void;
+}
+
+function Choice({ title, of, names, set }: ChoiceProps) {
+  const chosen = of.filter((name) => names.includes(name)).length;
+  return (
+    <label class="check">
+      <input
+        type="checkbox"
+        checked={chosen === of.length}
+        indeterminate={chosen > 0 && chosen < of.length}
+        onChange={() => set(of, chosen < of.length)}
+      />
+      <span>{title}</span>
+    </label>
+  );
+}
+
+/** Every member at once, or one by one when it is opened. */
+function Family({ isFound, ...choice }: ChoiceProps & { isFound: boolean }) {
+  const [isOpened, setOpened] = useState(false);
+  const isOpen = isOpened || isFound;
+  const { title, of, names, set } = choice;
+  return (
+    <div class="picker-family">
+      <div class="row">
+        <Choice {...choice} />
+        <button
+          class="icon-button small"
+          aria-expanded={isOpen}
+          aria-label={`Show each of ${title}`}
+          onClick={() => setOpened(!isOpen)}
+        >
+          <ChevronRight size={14} aria-hidden class="twist" />
+        </button>
+      </div>
+      {isOpen && of.map((name) => <Choice key={name} title={name} of={[name]} {...{ names, set }} />)}
     </div>
   );
 }

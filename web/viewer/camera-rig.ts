@@ -3,18 +3,17 @@
  * above). A perspective and an orthographic camera share one OrbitControls; a plan of height h stands for an eye at
  * distance h / (2 tan(fov / 2)), so that a Camera of a link means the same in both.
  */
-import { MOUSE, OrthographicCamera, PerspectiveCamera, Spherical, TOUCH, Vector3 } from 'three';
+import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Camera } from '../document/types.ts';
 import { poseBetween, type CameraPose } from './camera-flight.ts';
+import type { Covered } from './stage.ts';
 import type { ViewName } from './types.ts';
 import { easeOut, reducedMotion, type Animation, type FrameLoop } from './frame-loop.ts';
-import * as framing from './framing.ts';
+import { directionOf, type Box } from './framing.ts';
+import { fov, RoomPoses, tangent } from './room-poses.ts';
 
-const fov = 38; // degrees, vertical
-const tangent = Math.tan((fov * Math.PI) / 360);
 const flight = 420; // ms
-const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
 
 const facingAzimuth = { north: 0, east: 270, south: 180, west: 90 } as const; // the wall that is looked at
 
@@ -24,9 +23,7 @@ export class CameraRig {
   private orthographic = new OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
   private loop: FrameLoop;
   private report: (camera: Camera) => void;
-  private box: framing.Box = { min: [-2, 0, -2], max: [2, 3, 2] };
-  private facing: readonly number[] = [0, 0, 0, 0];
-  private aspect = 1;
+  private poses = new RoomPoses({ min: [-2, 0, -2], max: [2, 3, 2] }, [0, 0, 0, 0]);
   private atHome = true; // untouched since home(): a new picture size frames the room anew
   private unreported = false;
   private flying: Animation | null = null;
@@ -54,17 +51,21 @@ export class CameraRig {
     return this.active === this.orthographic;
   }
 
-  setRoom(box: framing.Box, facing: readonly number[]): void {
-    this.box = box;
-    this.facing = facing;
-    this.controls.maxDistance = 6 * this.homePose().spherical.radius;
-    this.apply(this.homePose());
+  setRoom(box: Box, facing: readonly number[]): void {
+    this.poses = new RoomPoses(box, facing, this.poses.aspect);
+    this.controls.maxDistance = 6 * this.poses.home().spherical.radius;
+    this.apply(this.poses.home());
     this.atHome = true;
   }
 
-  resize(width: number, height: number): void {
-    this.aspect = width / Math.max(1, height);
-    if (this.atHome) this.apply(this.homePose());
+  /** What is covered is drawn, too, but the room is framed in what is left between. */
+  resize(width: number, height: number, { top, bottom }: Covered): void {
+    const free = Math.max(1, height - top - bottom);
+    this.poses.aspect = width / free;
+    for (const camera of [this.perspective, this.orthographic])
+      if (top + bottom > 0) camera.setViewOffset(width, free, 0, -top, width, height);
+      else camera.clearViewOffset();
+    if (this.atHome) this.apply(this.poses.home());
     this.project();
   }
 
@@ -88,27 +89,27 @@ export class CameraRig {
   set(camera: Camera): void {
     this.atHome = false;
     this.stop();
-    this.apply(this.goal(new Vector3(...camera.position), new Vector3(...camera.target), camera.plan));
+    this.apply(this.poses.of(new Vector3(...camera.position), new Vector3(...camera.target), camera.plan));
     this.loop.invalidate();
   }
 
   view(name: ViewName): void {
     this.atHome = false;
-    if (name === 'plan') this.fly(this.planPose());
+    if (name === 'plan') this.fly(this.poses.plan());
     else if (name === 'corner') this.home();
-    else this.fly(this.framed(framing.directionOf(facingAzimuth[name], 9), 0.05));
+    else this.fly(this.poses.framed(directionOf(facingAzimuth[name], 9), 0.05));
   }
 
   home(): void {
-    this.fly(this.homePose());
+    this.fly(this.poses.home());
     this.atHome = true;
   }
 
   /** The whole room from where the eye stands. */
   fit(): void {
-    if (this.plan) return this.fly(this.planPose());
+    if (this.plan) return this.fly(this.poses.plan());
     const offset = this.perspective.position.clone().sub(this.controls.target).normalize();
-    this.fly(this.framed(offset.toArray(), 0.04));
+    this.fly(this.poses.framed(offset.toArray(), 0.04));
     this.atHome = false;
   }
 
@@ -119,7 +120,7 @@ export class CameraRig {
     const target = this.plan ? new Vector3(point.x, this.controls.target.y, point.z) : point;
     if (!this.plan) eye.add(target).sub(this.controls.target).lerp(target, 0.25);
     this.atHome = false;
-    this.fly(this.goal(eye, target, this.plan));
+    this.fly(this.poses.of(eye, target, this.plan));
   }
 
   /** Turns (radians) around the target, as the arrow keys do; in plan it pans. */
@@ -169,39 +170,9 @@ export class CameraRig {
     this.stop();
   };
 
-  private homePose(): CameraPose {
-    const azimuth = framing.cornerAzimuth(this.box, this.aspect, this.facing);
-    return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.box, this.aspect)), 0.07);
-  }
-
-  private framed(direction: framing.Vec, margin: number): CameraPose {
-    const pose = framing.framePose(this.box, direction, fov, this.aspect, margin);
-    return this.goal(new Vector3(...pose.position), new Vector3(...pose.target), false);
-  }
-
-  private planPose(): CameraPose {
-    const { height } = framing.planFrame(this.box, this.aspect);
-    const target = new Vector3(...framing.boxCenter(this.box));
-    return this.goal(target.clone().setY(target.y + height / (2 * tangent)), target, true);
-  }
-
-  /** What is up on the page of a plan: north, or a quarter turned where that fills the picture better. */
-  private planAzimuth(): number {
-    if (!framing.planFrame(this.box, this.aspect).turned) return 0;
-    return (framing.cornerAzimuth(this.box, this.aspect, this.facing) < 180 ? 0.5 : -0.5) * Math.PI;
-  }
-
-  private goal(eye: Vector3, target: Vector3, plan: boolean): CameraPose {
-    const offset = eye.clone().sub(target);
-    if (offset.lengthSq() < 1e-6) offset.set(0, 0, 1);
-    const spherical = new Spherical().setFromVector3(offset);
-    if (plan) spherical.set(spherical.radius, planTilt, this.planAzimuth());
-    return { target, spherical, plan };
-  }
-
   private present(): CameraPose {
     const { position, target, plan } = this.get();
-    return this.goal(new Vector3(...position), new Vector3(...target), plan);
+    return this.poses.of(new Vector3(...position), new Vector3(...target), plan);
   }
 
   private planHeight(): number {
@@ -233,11 +204,11 @@ export class CameraRig {
 
   private project(): void {
     const distance = this.active.position.distanceTo(this.controls.target);
-    const size = Math.hypot(...this.box.max.map((high, i) => high - this.box.min[i]!));
-    this.perspective.aspect = this.aspect;
+    const { aspect, size } = this.poses;
+    this.perspective.aspect = aspect;
     this.perspective.near = Math.max(0.03, 0.02 * distance);
     this.perspective.far = distance + 4 * size + 10;
-    this.orthographic.right = this.orthographic.top * this.aspect;
+    this.orthographic.right = this.orthographic.top * aspect;
     this.orthographic.left = -this.orthographic.right;
     this.orthographic.near = distance - 2 * size - 10;
     this.orthographic.far = distance + 2 * size + 10;

@@ -8,6 +8,8 @@ import { connectedParts } from './mesh-parts.ts';
 
 const thickness = 0.3; // m: what is flatter may hang on a wall
 const reach = 0.35; // m: so near to the side of the room's box it does
+const board = 0.15; // m: what stands on the floor and is flatter belongs to the wall (a door), not to the furniture
+const raised = 0.1; // m above the floor: what begins higher is carried by the wall
 
 /** The side of the room's box that a thing hangs on: axis 0..2 and +1 (high) or -1 (low). */
 export interface Side {
@@ -24,6 +26,11 @@ export function hangingSide(room: Box, thing: Box): Side | null {
     if (axis !== 1 && thing.min[axis] - room.min[axis] < reach) return { axis, sign: -1 };
   }
   return null;
+}
+
+/** Whether a hung thing vanishes from the plan with the wall that carries it; a shelf that stands at the wall stays. */
+export function leavesPlan(room: Box, thing: Box, { axis }: Side): boolean {
+  return axis === 1 || thing.min[1] - room.min[1] > raised || thing.max[axis] - thing.min[axis] < board;
 }
 
 /** Whether an eye looks at a side of the room from outside. */
@@ -68,7 +75,7 @@ export function splitBySide(
 
 export class CutAway {
   private room: Box | null = null;
-  private hung: { readonly object: Object3D; readonly side: Side }[] = [];
+  private hung: { readonly object: Object3D; readonly side: Side; readonly leavesPlan: boolean }[] = [];
 
   /** Finds what hangs on the walls among the objects; `room`: the box of what carries the walls. */
   setRoom(room: Box | null, objects: readonly Object3D[]): void {
@@ -76,17 +83,17 @@ export class CutAway {
     this.hung = [];
     for (const object of room ? objects : []) {
       const bounds = new Box3().setFromObject(object);
-      const side = hangingSide(room!, { min: bounds.min.toArray(), max: bounds.max.toArray() });
-      if (side) this.hung.push({ object, side });
+      const thing = { min: bounds.min.toArray(), max: bounds.max.toArray() };
+      const side = hangingSide(room!, thing);
+      if (side) this.hung.push({ object, side, leavesPlan: leavesPlan(room!, thing, side) });
     }
   }
 
   /** Hides and shows what hangs on walls for this eye. */
   update(camera: Camera, on: boolean): void {
     const plan = (camera as OrthographicCamera).isOrthographicCamera === true;
-    for (const { object, side } of this.hung) {
-      const above = plan && side.axis === 1;
-      object.visible = !(on && (above || (!plan && isOutside(this.room!, side, camera.position.toArray()))));
-    }
+    const eye = camera.position.toArray();
+    for (const { object, side, leavesPlan: leaves } of this.hung)
+      object.visible = !(on && (plan ? leaves : isOutside(this.room!, side, eye)));
   }
 }

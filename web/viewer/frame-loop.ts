@@ -20,6 +20,13 @@ export class FrameLoop {
     if (this.request === 0 && this.running) this.request = requestAnimationFrame(this.step);
   }
 
+  /** Draws at once what the next frame would: a canvas that was just resized is empty and must not be shown so. */
+  flush(): void {
+    if (!this.running) return;
+    cancelAnimationFrame(this.request);
+    this.step(performance.now());
+  }
+
   animate(animation: Animation): void {
     this.animations.add(animation);
     this.invalidate();

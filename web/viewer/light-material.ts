@@ -3,6 +3,7 @@
  *   realistic:    albedo x light x exposure, through the tone curve
  *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
  *                 colour table
+ * A measuring plane, which nobody could see, is a faint veil in the realistic picture and coloured in the other.
  * One program family; what is common to all meshes lives in shared uniforms, so a change of light, exposure or
  * legend touches no mesh.
  */
@@ -73,6 +74,7 @@ uniform float reflectance;
 uniform float pixelRatio;
 uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
+const float veil = 0.16;  // how much a measuring plane hides of a realistic picture
 varying float vLight;
 varying float vQuantity;
 varying vec2 vMapUv;
@@ -116,16 +118,19 @@ void main() {
     gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
     return;
   }
-  bool mapped = falseColor || measuring;
-  vec3 color = mapped ? colorOnLegend(vQuantity) : toneCurve(surface.rgb * vLight * exposure);
+  vec3 color = falseColor ? colorOnLegend(vQuantity)
+             : measuring  ? mix(vec3(1.0), accent, 0.7)
+                          : toneCurve(surface.rgb * vLight * exposure);
+  float alpha = !measuring ? surface.a : falseColor ? 0.72 : veil + tint;
   if (isolux) {
     float line = isoluxLine(vQuantity, 0.7 * pixelRatio);
     // By the surface and not by its texture, so that a line does not flicker on a pattern.
-    float bright = mapped ? dot(color, vec3(0.2126, 0.7152, 0.0722)) : 0.8 * reflectance * vLight * exposure;
-    color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (mapped ? 0.75 : 0.6) * line);
+    float bright = falseColor ? dot(color, vec3(0.2126, 0.7152, 0.0722)) : 0.8 * reflectance * vLight * exposure;
+    color = mix(color, bright > 0.25 ? vec3(0.01) : vec3(0.95), (falseColor ? 0.75 : 0.6) * line);
+    if (measuring) alpha = max(alpha, 0.8 * line);
   }
   color = mix(color, accent, tint);
-  gl_FragColor = linearToOutputTexel(vec4(color, measuring ? 0.72 : surface.a));
+  gl_FragColor = linearToOutputTexel(vec4(color, alpha));
 }
 `;
 

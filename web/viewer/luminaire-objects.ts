@@ -36,7 +36,7 @@ const panelShader = {
     void main() {
       vec2 p = abs(vPlace);
       float corner = length(max(p - 0.86, 0.0)) + max(min(max(p.x, p.y) - 0.86, 0.0), -0.86);
-      float soft = fwidth(corner);
+      float soft = max(fwidth(corner), 1e-4); // on the diagonals neighbours may be equal
       float shape = 1.0 - smoothstep(0.12 - soft, 0.12, corner);
       if (shape < 0.01) discard;
       float edge = smoothstep(-soft, soft, corner - mix(0.055, -0.02, marked));

@@ -15,9 +15,16 @@ import {
 import { createBackground } from './background.ts';
 
 const maxPixelRatio = 2;
+const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
+
+/** Strips that controls lie over, CSS px: the custom properties --view-top and --view-bottom of the canvas. */
+export interface Covered {
+  readonly top: number;
+  readonly bottom: number;
+}
 
 export interface StageHost {
-  resized(width: number, height: number, pixelRatio: number): void;
+  resized(width: number, height: number, pixelRatio: number, covered: Covered): void;
   contextLost(lost: boolean): void;
   schemeChanged(): void;
 }
@@ -87,7 +94,10 @@ export class Stage {
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    this.host.resized(width, height, ratio);
+    const style = getComputedStyle(this.canvas);
+    const strip = (name: string) =>
+      Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
+    this.host.resized(width, height, ratio, { top: strip('--view-top'), bottom: strip('--view-bottom') });
   };
 
   private rescheme = (): void => {

@@ -1,4 +1,4 @@
-/** The view: opens a room, shows light and luminaires, and tells what the person does with them. */
+/** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { DoubleSide, FrontSide, Mesh } from 'three';
 import type { Camera, Layout } from '../document/types.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
@@ -9,20 +9,15 @@ import { FrameLoop } from './frame-loop.ts';
 import { LuminaireHand } from './luminaire-hand.ts';
 import { LuminaireObjects } from './luminaire-objects.ts';
 import { LuminaireTags } from './luminaire-tags.ts';
-import { Picking, type Hit } from './picking.ts';
-import { PointerInput } from './pointer-input.ts';
+import { Picking } from './picking.ts';
 import { freeGpu } from './free-gpu.ts';
 import { RoomLight } from './room-light.ts';
-import { loadPreview, loadRoomMesh, readGlb, type RoomMesh } from './room-mesh.ts';
+import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room-mesh.ts';
 import { SiteMarks } from './site-marks.ts';
 import { Stage } from './stage.ts';
 import { SurfaceOutlines } from './surface-outline.ts';
 import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
-
-/** A press by hand asks for no focus ring (the option is ignored where unknown). */
-const quietly = { preventScroll: true, focusVisible: false } as FocusOptions;
-const turnStep = (5 * Math.PI) / 180;
-const panStep = 0.05; // of the picture's height
+import { ViewInput } from './view-input.ts';
 
 class RoomViewer implements Viewer {
   private canvas: HTMLCanvasElement;
@@ -37,16 +32,15 @@ class RoomViewer implements Viewer {
   private marks = new SiteMarks();
   private tags: LuminaireTags;
   private emphasis: Emphasis;
-  private picking: Picking;
   private hand: LuminaireHand;
-  private input: PointerInput;
+  private input: ViewInput;
   private prepared: { readonly glb: ArrayBuffer; readonly root: ReturnType<typeof readGlb> } | null = null;
   private room: RoomMesh | null = null;
   private info: SceneInfo | null = null;
   private display: Display | null = null;
   private opening = 0; // the latest open or preview wins
-  private probing = false; // the app was told of a surface under the pointer
   private unlit = false; // a room is there, its first light not yet: the picture before it stays
+  private ready = false; // every part is there
   private disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
@@ -54,26 +48,37 @@ class RoomViewer implements Viewer {
     this.events = events;
     this.rig = new CameraRig(canvas, this.loop, (camera) => events.cameraMoved(camera));
     this.stage = new Stage(canvas, {
-      resized: (width, height, ratio) => {
-        this.rig.resize(width, height);
+      resized: (width, height, ratio, covered) => {
+        this.rig.resize(width, height, covered);
         this.light.uniforms.pixelRatio.value = ratio;
-        this.loop.invalidate();
+        if (this.ready) this.loop.flush();
       },
       contextLost: (lost) => this.contextLost(lost),
       schemeChanged: () => this.loop.invalidate(),
     });
-    this.rig.resize(this.stage.width, this.stage.height);
-    this.light.uniforms.pixelRatio.value = this.stage.renderer.getPixelRatio();
     this.stage.scene.add(this.outlines.root, this.luminaires.root, this.marks.root);
     this.tags = new LuminaireTags(
       labels,
-      (luminaire, event) => this.grabTag(luminaire, event),
-      this.forwardWheel,
+      (luminaire, event) => this.input.grabTag(luminaire, event),
+      (event) => this.input.forwardWheel(event),
     );
     this.emphasis = new Emphasis(this.loop, this.outlines, this.luminaires, this.tags);
-    this.picking = new Picking(canvas);
-    this.hand = this.createHand();
-    this.input = this.createInput();
+    const { loop, rig, light, luminaires, marks, emphasis } = this;
+    const picking = new Picking(canvas);
+    this.hand = new LuminaireHand({ canvas, loop, rig, picking, luminaires, marks, events });
+    const solid = () => this.solid;
+    this.input = new ViewInput({
+      canvas,
+      rig,
+      picking,
+      luminaires,
+      light,
+      emphasis,
+      hand: this.hand,
+      events,
+      solid,
+    });
+    this.ready = true;
     this.loop.invalidate();
   }
 
@@ -114,6 +119,7 @@ class RoomViewer implements Viewer {
 
   setSelection(surface: number | null, luminaire: number | null): void {
     this.emphasis.select(surface, luminaire);
+    this.showPlanes();
   }
 
   setExcluded(sites: readonly number[]): void {
@@ -203,12 +209,24 @@ class RoomViewer implements Viewer {
     const display = this.display;
     if (!display || !this.room) return;
     const side = display.cutAway ? FrontSide : DoubleSide;
-    for (const { mesh, measuring } of this.room.lit) {
-      if (measuring) mesh.visible = display.measuringPlanes;
-      else mesh.material.side = side;
-    }
+    for (const { mesh, measuring } of this.room.lit) if (!measuring) mesh.material.side = side;
     if (!this.info) this.setPreviewSide(side);
     this.outlines.showAll(display.mode === 'falseColor');
+    this.showPlanes();
+  }
+
+  /** Measuring planes are seen when they are wished for, and the selected one always. */
+  private showPlanes(): void {
+    const wished = this.display?.measuringPlanes ?? false;
+    for (const { mesh, surface, measuring } of this.room?.lit ?? [])
+      if (measuring) mesh.visible = wished || surface === this.emphasis.surface;
+  }
+
+  /** What a pointer can hit: the veil of a plane that is only selected lets it through to what lies below. */
+  private get solid(): readonly LitMesh[] {
+    if (!this.room || !this.info) return [];
+    const planesToo = this.display?.measuringPlanes || this.display?.mode === 'falseColor';
+    return this.room.lit.filter(({ measuring }) => planesToo || !measuring);
   }
 
   private setPreviewSide(side: typeof FrontSide | typeof DoubleSide): void {
@@ -233,86 +251,6 @@ class RoomViewer implements Viewer {
     } else this.loop.resume();
     this.events.contextLost(lost);
   }
-
-  private pick(x: number, y: number): Hit | null {
-    if (!this.room || !this.info) return null;
-    const { light, reflectance } = this.light;
-    return this.picking.pick(
-      x,
-      y,
-      this.rig.active,
-      this.room.lit,
-      this.luminaires.objects,
-      light,
-      reflectance,
-    );
-  }
-
-  private hover(at: { x: number; y: number } | null): void {
-    if (this.hand.busy) return;
-    const hit = at ? this.pick(at.x, at.y) : null;
-    this.emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
-    this.canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
-    const surface = hit?.surface ?? null;
-    if (!at || !hit || surface === null) {
-      if (this.probing) this.events.hovered(null, null);
-      this.probing = false;
-      return;
-    }
-    this.probing = true;
-    const frame = this.canvas.getBoundingClientRect();
-    const [x, y] = [at.x - frame.left, at.y - frame.top];
-    this.events.hovered(surface, { x, y, lux: hit.lux, exitance: hit.exitance, point: hit.point.toArray() });
-  }
-
-  private createHand(): LuminaireHand {
-    const { canvas, loop, rig, picking, luminaires, marks, events } = this;
-    return new LuminaireHand({ canvas, loop, rig, picking, luminaires, marks, events });
-  }
-
-  private createInput(): PointerInput {
-    return new PointerInput(this.canvas, {
-      hover: (at) => this.hover(at),
-      click: (x, y) => this.events.surfacePicked(this.pick(x, y)?.surface ?? null),
-      doubleClick: (x, y) => {
-        const hit = this.pick(x, y);
-        if (hit?.surface != null) this.rig.pivot(hit.point);
-      },
-      press: (event) => {
-        const luminaire = this.pick(event.clientX, event.clientY)?.luminaire ?? null;
-        if (luminaire === null) return false;
-        this.hand.grab(luminaire, this.canvas, event);
-        return true;
-      },
-      view: (name) => this.view(name),
-      fit: () => this.fit(),
-      home: () => this.home(),
-      arrow: (right, up, event) => this.arrow(right, up, event),
-      zoom: (factor) => this.rig.zoom(factor),
-      escape: () => {
-        if (this.emphasis.luminaire !== null) this.events.luminairePicked(null);
-        else this.events.surfacePicked(null);
-      },
-    });
-  }
-
-  /** Arrow keys walk the selected luminaire from site to site; without one they turn the room, with Shift they pan. */
-  private arrow(right: number, up: number, event: KeyboardEvent): void {
-    const luminaire = this.emphasis.luminaire;
-    if (event.shiftKey) this.rig.pan(panStep * right, panStep * up);
-    else if (luminaire !== null && !event.altKey) this.hand.nudge(luminaire, right, up);
-    else this.rig.turn(turnStep * right, turnStep * up);
-  }
-
-  private grabTag(luminaire: number, event: PointerEvent): void {
-    this.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
-    this.canvas.focus(quietly);
-  }
-
-  private forwardWheel = (event: WheelEvent): void => {
-    event.preventDefault();
-    this.canvas.dispatchEvent(new WheelEvent(event.type, event));
-  };
 }
 
 export const createViewer: CreateViewer = (canvas, labels, events) => new RoomViewer(canvas, labels, events);

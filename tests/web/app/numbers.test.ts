@@ -1,6 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
+import { folded } from '../../../web/app/families.ts';
 import { bindingBounds, easedCards, fluxThatWouldDo } from '../../../web/app/explain.ts';
-import { compact, duration, easedBound, niceCeiling, niceStep, percent } from '../../../web/app/format.ts';
+import {
+  compact,
+  duration,
+  easedBound,
+  niceCeiling,
+  niceStep,
+  percent,
+  spanText,
+} from '../../../web/app/format.ts';
 import { coreOrder, fromCore, toCore } from '../../../web/app/luminaire-order.ts';
 import {
   histogram,
@@ -9,13 +18,14 @@ import {
   promises,
   sampleOf,
   shareBelow,
+  unionOf,
 } from '../../../web/app/statistics.ts';
 import { documentFrom } from '../../../web/app/catalog.ts';
 import { intentionsOf } from '../../../web/document/intentions.ts';
 import type { Card } from '../../../web/document/types.ts';
 import { readNumber } from '../../../web/panel/number-field.tsx';
 import { stepped } from '../../../web/panel/slider.tsx';
-import { groupsOf } from '../../../web/panel/surface-picker.tsx';
+import { innerNodes } from '../../../web/panel/surface-picker.tsx';
 import { precomputeLine } from '../../../web/panel/preview-note.tsx';
 import { fakeScene } from '../fake-solver.ts';
 
@@ -119,12 +129,50 @@ describe('statistics of an area', () => {
   });
 });
 
-test('groups of surfaces: inner nodes and families', () => {
-  expect(groupsOf(['room/floor', 'room/wall 1', 'room/wall 2', 'desk 1', 'desk 2', 'door'])).toEqual([
-    { title: 'room', names: ['room'] },
-    { title: 'every room/wall (2)', names: ['room/wall 1', 'room/wall 2'] },
-    { title: 'every desk (2)', names: ['desk 1', 'desk 2'] },
+test('families of numbered surfaces fold into one line, where their first member stood', () => {
+  const names = [
+    'floor',
+    'desk 2',
+    'desk 10',
+    'door',
+    'desk 1',
+    'desk 3',
+    'chair 1',
+    'room/wall 1',
+    'room/wall 4',
+  ];
+  const lines = folded(names, (name) => name);
+  expect(lines.map(({ title }) => title)).toEqual([
+    'floor',
+    'desk 1–3, 10',
+    'door',
+    'chair 1',
+    'room/wall 1, 4',
   ]);
+  expect(lines[1]?.items).toEqual(['desk 1', 'desk 2', 'desk 3', 'desk 10']);
+  expect(folded(['a 1', 'a 3', 'a 5', 'a 7'], (name) => name)[0]?.title).toBe('a (4)');
+  expect(innerNodes(['room/floor', 'room/wall 1', 'desk', 'box/lid'])).toEqual(['room']);
+});
+
+test('the readings of a family are those of all its patches together', () => {
+  const row = (name: string, area: number, mean: number, sigma: number) => ({
+    name,
+    area,
+    mean,
+    sigma,
+    min: mean - sigma,
+    max: mean + sigma,
+  });
+  // Two values a surface, half of its area each: 1 m2 of 9 and 11, 3 m2 of 18 and 22.
+  const union = unionOf([row('desk 1', 1, 10, 1), row('desk 2', 3, 20, 2)]);
+  const values = [9, 11, 18, 22];
+  const shares = [0.125, 0.125, 0.375, 0.375];
+  const mean = values.reduce((sum, value, i) => sum + value * shares[i]!, 0);
+  const variance = values.reduce((sum, value, i) => sum + (value - mean) ** 2 * shares[i]!, 0);
+  expect(union).toMatchObject({ min: 9, max: 22 });
+  expect(union.mean).toBeCloseTo(mean, 10);
+  expect(union.sigma).toBeCloseTo(Math.sqrt(variance), 10);
+  expect([spanText(487.2, 561.6), spanText(500.1, 500.2)]).toEqual(['487–\u200b562', '500']);
 });
 
 test('tags stay with their luminaires when pinned ones go first', () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
-import { hangingSide, isOutside, splitBySide } from '../../../web/viewer/cut-away.ts';
+import { hangingSide, isOutside, leavesPlan, splitBySide } from '../../../web/viewer/cut-away.ts';
 import type { Box } from '../../../web/viewer/framing.ts';
 import { connectedParts } from '../../../web/viewer/mesh-parts.ts';
 import { surfaceEdges } from '../../../web/viewer/surface-edges.ts';
@@ -40,6 +40,14 @@ describe('what hangs on a wall', () => {
     expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, -3])).toBe(true);
     expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, 9])).toBe(false);
     expect(isOutside(room, { axis: 0, sign: 1 }, [9, 2, 1])).toBe(true);
+  });
+
+  test('leaves the plan with its wall, which a shelf that stands there does not', () => {
+    const side = { axis: 0, sign: 1 } as const;
+    expect(leavesPlan(room, { min: [7.9, 0.9, 1], max: [8.1, 1.2, 3] }, side)).toBe(true); // a sill
+    expect(leavesPlan(room, { min: [7.92, 0, 1], max: [8, 2.1, 2] }, side)).toBe(true); // a door
+    expect(leavesPlan(room, { min: [7.72, 0, 1], max: [8, 2, 2] }, side)).toBe(false); // a shelf
+    expect(leavesPlan(room, { min: [1, 2.9, 1], max: [2, 3, 2] }, { axis: 1, sign: 1 })).toBe(true);
   });
 
   test('is split from what hangs elsewhere', () => {

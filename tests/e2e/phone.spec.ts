@@ -1,0 +1,149 @@
+// A phone in the hand: nothing is clipped, the room stays in sight, everything is done by fingers.
+import type { CDPSession, Page } from '@playwright/test';
+import {
+  canvas,
+  difference,
+  expect,
+  openApp,
+  openRoom,
+  picture,
+  places,
+  settled,
+  tab,
+  tagPlaces,
+  test,
+} from './app.ts';
+
+test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+type Finger = readonly [number, number];
+
+/** Fingers that go down, move and rise together; the screen sees every step. */
+async function drag(
+  session: CDPSession,
+  from: readonly Finger[],
+  to: readonly Finger[],
+  steps = 8,
+): Promise<void> {
+  const touch = (type: string, fingers: readonly Finger[]) =>
+    session.send('Input.dispatchTouchEvent', {
+      type: type as 'touchStart',
+      touchPoints: fingers.map(([x, y], id) => ({ x, y, id })),
+    });
+  await touch('touchStart', from);
+  for (let step = 1; step <= steps; step++) {
+    const at = from.map(([x, y], i): Finger => {
+      const [endX, endY] = to[i]!;
+      return [x + ((endX - x) * step) / steps, y + ((endY - y) * step) / steps];
+    });
+    await touch('touchMove', at);
+    await new Promise((resolve) => setTimeout(resolve, 30));
+  }
+  await touch('touchEnd', []);
+}
+
+/** Controls that reach beyond the screen, or that are too small for a finger. */
+function outside(page: Page): Promise<string[]> {
+  return page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>('button, input, [role="tab"], h1')]
+      .filter((element) => element.checkVisibility() && !element.closest('.unseen'))
+      .filter((element) => {
+        const { left, right } = element.getBoundingClientRect();
+        return left < -0.5 || right > innerWidth + 0.5;
+      })
+      .map((element) => element.getAttribute('aria-label') ?? element.textContent ?? element.className),
+  );
+}
+
+test('nothing is wider than the screen, and the toolbar covers nothing of the room', async ({ page }) => {
+  await openApp(page);
+  await settled(page);
+  for (const name of ['Intentions', 'Luminaires', 'Results'] as const) {
+    await tab(page, name);
+    expect(await outside(page), name).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth), name).toBe(390);
+    const panel = page.getByRole('tabpanel');
+    expect(await panel.evaluate((element) => element.scrollWidth - element.clientWidth), name).toBe(0);
+  }
+  // Beside the toolbar, in the strip that it takes, there is nothing but the ground.
+  const strip = await picture(page);
+  const bar = (await page.getByRole('toolbar', { name: 'View' }).boundingBox())!;
+  const stage = (await canvas(page).boundingBox())!;
+  const scale = strip.width / stage.width;
+  const [from, rows] = [
+    Math.ceil((bar.x + bar.width + 12) * scale),
+    Math.floor((bar.y + bar.height - stage.y) * scale),
+  ];
+  for (let y = 0; y < rows; y++) {
+    const pixel = (x: number) => [0, 1, 2].map((c) => strip.data[4 * (y * strip.width + x) + c]!);
+    const first = pixel(from);
+    for (let x = from; x < strip.width; x++)
+      pixel(x).forEach((value, c) => expect(Math.abs(value - first[c]!)).toBeLessThan(6));
+  }
+});
+
+test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet', async ({
+  page,
+  context,
+}) => {
+  await openRoom(page, 'Box');
+  const session = await context.newCDPSession(page);
+  const stage = (await canvas(page).boundingBox())!;
+  const [x, y] = [stage.x + stage.width / 2, stage.y + stage.height * 0.75];
+
+  let before = await picture(page);
+  await drag(session, [[x - 60, y]], [[x + 60, y + 10]]);
+  await expect.poll(async () => difference(await picture(page), before)).toBeGreaterThan(0.1);
+  before = await picture(page);
+  await drag(
+    session,
+    [
+      [x - 20, y],
+      [x + 20, y],
+    ],
+    [
+      [x - 90, y],
+      [x + 90, y],
+    ],
+  );
+  await expect.poll(async () => difference(await picture(page), before)).toBeGreaterThan(0.1);
+  await page.getByRole('button', { name: 'Home view' }).tap();
+
+  // A luminaire under the finger pins itself.
+  const held = await places(page);
+  await page.getByRole('button', { name: 'Views' }).tap();
+  await page.getByRole('button', { name: 'Plan', exact: true }).tap();
+  await page.keyboard.press('Escape');
+  const tag = page.locator('[data-luminaire="0"]');
+  let last = '';
+  await expect.poll(async () => last === (last = (await tagPlaces(page)).join())).toBe(true);
+  const box = (await tag.boundingBox())!;
+  const start: Finger = [box.x + box.width / 2, box.y + box.height / 2];
+  await drag(session, [start], [[start[0] + (start[0] < x ? 70 : -70), start[1]]]);
+  await expect(page.getByRole('button', { name: 'Unpin L1' })).toBeVisible();
+  await expect.poll(async () => (await places(page))[0]).not.toBe(held[0]);
+  await settled(page);
+
+  // The room is in sight while a bound is dragged, and follows it.
+  await tab(page, 'Intentions');
+  const thumb = page.getByRole('slider', { name: 'floor: mean at least' }).and(page.locator('input'));
+  await thumb.scrollIntoViewIfNeeded();
+  expect(stage.height).toBeGreaterThan(300);
+  const track = (await thumb.boundingBox())!;
+  const share = await thumb.evaluate((input: HTMLInputElement) => input.valueAsNumber / Number(input.max));
+  const grip: Finger = [track.x + 12 + share * (track.width - 24), track.y + track.height / 2];
+  const value = Number(await thumb.inputValue());
+  await drag(session, [grip], [[grip[0] + 60, grip[1]]]);
+  expect(Number(await thumb.inputValue())).toBeGreaterThan(value);
+
+  // The sheet follows the finger and rests.
+  const sheet = page.getByRole('complementary');
+  const handle = (await page.getByRole('tablist').boundingBox())!;
+  const middle: Finger = [handle.x + handle.width / 2, handle.y + 4];
+  const height = async () => (await sheet.boundingBox())!.height;
+  const half = await height();
+  await drag(session, [middle], [[middle[0], middle[1] + 260]]);
+  await expect.poll(height).toBeLessThan(half - 200);
+  await tab(page, 'Results');
+  await expect.poll(height).toBe(half);
+});
