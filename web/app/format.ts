@@ -42,6 +42,13 @@ export function percent(share: number): string {
   return `${value < 10 ? value.toFixed(1) : value.toFixed(0)} %`;
 }
 
+/** A share that must not be understated ("within 0.9 %"): rounded up. */
+export function percentAtMost(share: number): string {
+  const scale = share < 0.0995 ? 1000 : 100; // a digit after the point below 10 %
+  const value = (Math.ceil(share * scale - 1e-9) / scale) * 100;
+  return `${value.toFixed(scale === 1000 ? 1 : 0)} %`;
+}
+
 export function ratio(value: number): string {
   return Number.isFinite(value) ? value.toFixed(2) : '–';
 }

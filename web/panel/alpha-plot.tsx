@@ -56,7 +56,7 @@ export function AlphaPlot({ run }: { run: AlphaRun }) {
       </ul>
       {done && (
         <figcaption>
-          {done.alpha !== null && <strong>α = {done.alpha.toFixed(2)}. </strong>}
+          {done.alpha !== null && <strong>α = {Number(done.alpha.toFixed(3))}. </strong>}
           {done.verdict}
         </figcaption>
       )}

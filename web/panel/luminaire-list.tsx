@@ -1,5 +1,5 @@
 /** The luminaires of the picture as a list: select, pin, and move with the arrow keys; the keyboard's twin of the view. */
-import { Pin, PinOff } from 'lucide-preact';
+import { Pin } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact } from '../app/format.ts';
 import { positionOf } from '../document/sites.ts';
@@ -61,7 +61,7 @@ export function LuminaireList() {
                   aria-label={`${isPinned ? 'Unpin' : 'Pin'} L${index + 1}`}
                   onClick={() => hand.togglePin(index)}
                 >
-                  {isPinned ? <Pin size={14} aria-hidden /> : <PinOff size={14} aria-hidden />}
+                  <Pin size={14} aria-hidden />
                 </button>
               </td>
             </tr>

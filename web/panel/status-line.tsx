@@ -1,7 +1,7 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, duration, percent } from '../app/format.ts';
+import { count, duration, percentAtMost } from '../app/format.ts';
 
 const words = {
   idle: 'Not solved',
@@ -33,7 +33,7 @@ export function StatusLine() {
       )}
       {isTelling && (
         <span class="status-bound" title="A proved bound: no layout can be better by more than this">
-          within {percent(bound.gap)} of the best
+          within {percentAtMost(bound.gap)} of the best
         </span>
       )}
       <span class="spacer" />

@@ -1,17 +1,12 @@
 /** Connected parts of a triangle mesh: what touches at a vertex hangs together. Vertices within 0.1 mm are one. */
 
-const weld = 1e4; // 1 / m
+import { weldVertices } from './weld.ts';
+
+const weld = 1e-4; // m
 
 /** Triangles (first index of each in `index`) of every connected part. */
 export function connectedParts(index: ArrayLike<number>, positions: ArrayLike<number>): number[][] {
-  const vertices = new Int32Array(positions.length / 3);
-  const known = new Map<string, number>();
-  for (let v = 0; v < vertices.length; v++) {
-    const key = [0, 1, 2].map((i) => Math.round(positions[3 * v + i]! * weld)).join(' ');
-    const first = known.get(key) ?? v;
-    known.set(key, first);
-    vertices[v] = first;
-  }
+  const vertices = weldVertices(positions, weld);
   // Union-find with path halving.
   const parent = Int32Array.from(vertices.keys());
   const find = (v: number): number => {

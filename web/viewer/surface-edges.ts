@@ -4,37 +4,12 @@
  * without the seams of flat neighbours that are cut differently.
  */
 
-const weld = 2e3; // 1 / m: vertices within half a millimetre are one
+import { weldVertices } from './weld.ts';
+
+const weld = 5e-4; // m: vertices as near as this are one
 const shortest = 1e-4; // m: less is no edge
 
 type Triple = readonly [number, number, number];
-
-/** Numbers welded vertices 0, 1, ... Positions xyz each, m. */
-function weldVertices(positions: ArrayLike<number>): Uint32Array {
-  const count = positions.length / 3;
-  const size = 1 << Math.max(4, Math.ceil(Math.log2(2 * count)));
-  const slots = new Int32Array(size).fill(-1); // open addressing: the first vertex of each place
-  const welded = new Uint32Array(count);
-  const cell = (v: number, axis: number) => Math.round(positions[3 * v + axis]! * weld);
-  for (let v = 0; v < count; v++) {
-    const [x, y, z] = [cell(v, 0), cell(v, 1), cell(v, 2)];
-    let slot = (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (size - 1);
-    for (;;) {
-      const other = slots[slot]!;
-      if (other < 0) {
-        slots[slot] = v;
-        welded[v] = v;
-        break;
-      }
-      if (cell(other, 0) === x && cell(other, 1) === y && cell(other, 2) === z) {
-        welded[v] = other;
-        break;
-      }
-      slot = (slot + 1) & (size - 1);
-    }
-  }
-  return welded;
-}
 
 /** Unit normal of a triangle, or null where it has no area. */
 function normalOf(positions: ArrayLike<number>, a: number, b: number, c: number): Triple | null {
@@ -105,7 +80,7 @@ export function surfaceEdges(
   positions: ArrayLike<number>,
   crease: number,
 ): Float32Array {
-  const welded = weldVertices(positions);
+  const welded = weldVertices(positions, weld);
   const vertices = positions.length / 3;
   const cosine = Math.cos((crease * Math.PI) / 180);
   const open = new Map<number, Triple>(); // directed edge -> normal of its triangle

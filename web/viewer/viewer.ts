@@ -18,6 +18,7 @@ import { Stage } from './stage.ts';
 import { SurfaceOutlines } from './surface-outline.ts';
 import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
 import { ViewInput } from './view-input.ts';
+import { warmUp } from './warm-up.ts';
 
 class RoomViewer implements Viewer {
   private canvas: HTMLCanvasElement;
@@ -40,6 +41,7 @@ class RoomViewer implements Viewer {
   private display: Display | null = null;
   private opening = 0; // the latest open or preview wins
   private unlit = false; // a room is there, its first light not yet: the picture before it stays
+  private cool: () => void; // frees what was warmed up
   private ready = false; // every part is there
   private disposed = false;
 
@@ -78,6 +80,7 @@ class RoomViewer implements Viewer {
       events,
       solid,
     });
+    this.cool = warmUp(this.stage.renderer, this.rig.active, this.light.uniforms);
     this.ready = true;
     this.loop.invalidate();
   }
@@ -164,6 +167,7 @@ class RoomViewer implements Viewer {
     this.loop.suspend();
     this.input.dispose();
     this.clearRoom();
+    this.cool();
     this.tags.dispose();
     for (const part of [this.outlines, this.luminaires, this.marks, this.light, this.rig, this.stage])
       part.dispose();

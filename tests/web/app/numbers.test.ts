@@ -8,6 +8,7 @@ import {
   niceCeiling,
   niceStep,
   percent,
+  percentAtMost,
   spanText,
 } from '../../../web/app/format.ts';
 import { coreOrder, fromCore, toCore } from '../../../web/app/luminaire-order.ts';
@@ -28,6 +29,18 @@ import { stepped } from '../../../web/panel/slider.tsx';
 import { innerNodes } from '../../../web/panel/surface-picker.tsx';
 import { precomputeLine } from '../../../web/panel/preview-note.tsx';
 import { fakeScene } from '../fake-solver.ts';
+
+test('a proved gap is never told smaller than it is', () => {
+  expect([0, 0.0001, 0.0084, 0.05, 0.0992, 0.0996, 0.189].map(percentAtMost)).toEqual([
+    '0.0 %',
+    '0.1 %',
+    '0.9 %',
+    '5.0 %',
+    '10.0 %',
+    '10 %',
+    '19 %',
+  ]);
+});
 
 test('times in the unit that keeps them short', () => {
   expect([0.84, 42.4, 999.4, 2818].map(duration)).toEqual(['0.8 ms', '42 ms', '999 ms', '2.8 s']);
