@@ -36,7 +36,7 @@ export interface CoreInfo {
   readonly surfaceOfPatch: Uint32Array; // rows
   readonly patchArea: Float32Array; // rows, m2
   readonly patchCenter: Float32Array; // 3 rows, m
-  readonly patchReflectance: Float32Array; // rows, 0 on measuring planes
+  readonly patchReflectance: Float32Array; // rows: exitance = this x illuminance; 0 on measuring planes
 }
 
 export interface CoreLayout {

@@ -2,6 +2,7 @@
  * The worker protocol: two discriminated unions. The page asks, the worker answers; every request that may be
  * superseded carries a `revision`, and only the latest revision's answers are shown (latest wins).
  */
+import type { CoreAlphaStep, CoreInfo } from './core.ts';
 import type { Constraint, Goal, Layout, Luminaires, Quantity } from '../document/types.ts';
 
 /** What the core is asked for: goals and constraints with names resolved to leaf surface indices by the worker. */
@@ -13,19 +14,7 @@ export interface Intentions {
 }
 
 /** What a scene file tells of its room. Indices of `surfaces` are leaf surfaces; receivers are measuring planes. */
-export interface SceneInfo {
-  readonly identity: string; // 16 hex digits
-  readonly patches: number; // n
-  readonly receivers: number;
-  readonly clusters: number; // k
-  readonly surfaces: readonly {
-    readonly name: string;
-    readonly area: number; // m2
-    readonly patches: number;
-    readonly reflectance: number;
-    readonly measuring: boolean;
-    readonly lost: number; // share 0..1
-  }[];
+export interface SceneInfo extends Omit<CoreInfo, 'sitePosition' | 'siteNormal' | 'siteAxis' | 'siteSize'> {
   /** m x 3 position (m), m x 3 normal, m x 3 axis (unit), m sizes (m). */
   readonly sites: {
     readonly position: Float32Array;
@@ -33,10 +22,6 @@ export interface SceneInfo {
     readonly axis: Float32Array;
     readonly size: Float32Array;
   };
-  readonly surfaceOfPatch: Uint32Array; // n + receivers
-  readonly patchArea: Float32Array; // n + receivers, m2
-  readonly patchCenter: Float32Array; // (n + receivers) x 3, m
-  readonly patchReflectance: Float32Array; // n + receivers: exitance = this x illuminance; 0 on receivers
   readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
 }
 
@@ -68,14 +53,9 @@ export interface Shown {
   readonly violation: number; // 0 = every constraint is met
 }
 
-export interface AlphaStep {
+export interface AlphaStep extends Omit<CoreAlphaStep, 'low' | 'high' | 'phi'> {
   readonly iteration: number;
-  readonly alpha: number;
-  readonly region: 'I' | 'II' | 'III';
-  readonly interval: readonly [number, number]; // (alpha_a, alpha_b) after this iteration
-  readonly mean: number; // of the guarded surface
-  readonly sigma: number;
-  readonly minimum: number; // true, over its patches
+  readonly interval: readonly [number, number]; // that it was tried for: (alpha a, alpha b) of figure 7
   readonly goal: number; // Phi
 }
 
