@@ -23,14 +23,32 @@ function roomMaterials(shared: SharedUniforms): Material[] {
   );
 }
 
-/** Starts the linking and returns at once; the programs last as long as what it returns is not called. */
+const often = 10; // ms
+const enough = 500; // times: where no link ends (the context is lost) the first picture does without
+
+/** Uses every program once it is linked: only the first use waits for the link, and asks for the uniforms. */
+function useLinked(renderer: WebGLRenderer, turn = 0): void {
+  const programs = (renderer.info.programs ?? []) as unknown as readonly Program[];
+  if (programs.every((program) => program.isReady())) for (const program of programs) program.getUniforms();
+  else if (turn < enough) setTimeout(() => useLinked(renderer, turn + 1), often);
+}
+
+/** What three has and its types leave out. */
+interface Program {
+  isReady(): boolean; // linked, or not to be known without waiting
+  getUniforms(): unknown;
+}
+
+/** Starts the linking and returns at once; the programs last until what it returns is called. */
 export function warmUp(renderer: WebGLRenderer, camera: Camera, shared: SharedUniforms): () => void {
   const materials = [...roomMaterials(shared), createPanelMaterial(), createHaloMaterial()];
   const geometry = new PlaneGeometry(); // positions and normals, as everything here has
   const scene = new Scene();
   for (const material of materials) scene.add(new Mesh(geometry, material));
   renderer.compile(scene, camera);
+  const timer = setTimeout(() => useLinked(renderer));
   return () => {
+    clearTimeout(timer);
     for (const material of materials) material.dispose();
     geometry.dispose();
   };
