@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "precompute/effort.h"
 #include "precompute/far_field.h"
 #include "precompute/hemisphere.h"
 #include "precompute/parallel.h"
@@ -102,9 +103,10 @@ FormFactors emptyFactors(const Patches& patches, const std::vector<std::uint32_t
 }  // namespace
 
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
-  const std::vector<std::uint32_t> rays = options.plain
-                                              ? std::vector<std::uint32_t>(room.patches.rows(), options.rays)
-                                              : raysOfRows(room.patches, options.rays);
+  const std::vector<std::uint32_t> effort =
+      options.plain ? std::vector<std::uint32_t>(room.patches.rows(), 1) : effortOfRows(room.patches);
+  std::vector<std::uint32_t> rays;
+  for (const std::uint32_t factor : effort) rays.push_back(factor * options.rays);
   FormFactors factors = emptyFactors(room.patches, rays);
   const RaySequence sequence(rays.empty() ? 0 : *std::max_element(rays.begin(), rays.end()));
   const std::uint64_t seed = mixBits(options.seed);
@@ -118,32 +120,12 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
       float* u = factors.u.data() + std::size_t{p} * factors.clusters;
       castRays(tracer, sampler, sequence, seed ^ mixBits(p), rays[p],
                factors.hits.data() + factors.hitOffset[p]);
-      if (!options.plain) farField.row(p, sampler, ranges, u);
+      if (!options.plain) farField.row(p, effort[p], sampler, ranges, u);
       finishRow(factors, p, ranges, u);
     }
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
   return factors;
-}
-
-std::vector<std::uint32_t> raysOfRows(const Patches& patches, std::uint32_t rays) {
-  constexpr std::uint32_t kMost = 16;
-  std::vector<std::uint32_t> size;
-  for (const std::uint32_t s : patches.surface) {
-    size.resize(std::max<std::size_t>(size.size(), s + 1), 0);
-    ++size[s];
-  }
-  // The surface size up to which rays are multiplied, so that together they stay within twice the plain
-  // number.
-  for (std::uint32_t enough = 512;; enough /= 2) {
-    std::vector<std::uint32_t> result;
-    std::uint64_t total = 0;
-    for (const std::uint32_t s : patches.surface) {
-      result.push_back(rays * std::clamp(enough / size[s], 1u, kMost));
-      total += result.back();
-    }
-    if (enough == 1 || total <= 2 * std::uint64_t{rays} * patches.rows()) return result;
-  }
 }
 
 std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors) {

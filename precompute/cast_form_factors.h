@@ -13,7 +13,7 @@
 namespace fiatlux {
 
 struct CastOptions {
-  std::uint32_t rays = 1024;  // from every patch and receiver at least
+  std::uint32_t rays = 1024;  // from every patch and receiver at least: times its effort (effort.h)
   bool plain = false;         // as in the paper: the same rays from every patch, and nothing but rays
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
@@ -22,10 +22,6 @@ struct CastOptions {
 
 /// Every row sums to 1 - its lost share. Bit-identical for the same room and options, whatever the threads.
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options);
-
-/// Rays of each row: `rays`, and up to 16 times as many on surfaces of few patches, whose means would else be
-/// noisy; together at most twice as many as without that.
-std::vector<std::uint32_t> raysOfRows(const Patches& patches, std::uint32_t rays);
 
 /// Share of lost rays of each surface, by area: what left the room or met a back face.
 std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors);

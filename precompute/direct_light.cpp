@@ -7,6 +7,7 @@
 
 #include "core/polygon_form_factor.h"
 #include "core/random.h"
+#include "precompute/effort.h"
 #include "precompute/parallel.h"
 #include "precompute/ray_sequence.h"
 
@@ -34,15 +35,6 @@ struct Source {
   Vec3 at(double u, double v) const { return luminaire.position + (2 * u - 1) * halfU + (2 * v - 1) * halfV; }
   std::array<Vec3, 4> part(double u0, double u1, double v0, double v1) const {
     return {at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)};
-  }
-  /// Distance from a point to the rectangle, m.
-  double distance(const Vec3& p) const {
-    const Vec3 d = p - luminaire.position;
-    const Vec3 v = cross(luminaire.normal, luminaire.axis);
-    const double du = std::max(0.0, std::abs(dot(d, luminaire.axis)) - 0.5 * luminaire.width);
-    const double dv = std::max(0.0, std::abs(dot(d, v)) - 0.5 * luminaire.height);
-    const double dn = dot(d, luminaire.normal);
-    return std::sqrt(du * du + dv * dv + dn * dn);
   }
 };
 
@@ -157,23 +149,21 @@ double unshadowedMean(const Source& source, const std::vector<PatchPoint>& point
   return sum;
 }
 
-/// Mean illuminance over one patch: by `points`, or by the finer ones where a shadow's edge crosses it.
+/// Mean illuminance over one patch by its `points`: shadow rays to split x split parts of the source from
+/// each, and to penumbra x penumbra where a shadow's edge crosses the patch.
 double patchLight(const RayTracer& tracer, const Source& source, const std::vector<PatchPoint>& points,
-                  const std::vector<PatchPoint>& fine, std::uint32_t split, std::uint64_t seed,
-                  std::vector<double>& lit) {
+                  std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed, std::vector<double>& lit) {
   const double sum = unshadowedMean(source, points, lit);
   if (sum <= 0) return 0;
   Shadow probe(tracer, source);
   probe.cast(points, lit, split, Random(seed));
   if (probe.verdict() != 0) return probe.verdict() > 0 ? sum : 0;
 
-  // Penumbra: probe twice as finely and weigh the parts of the source that are seen.
-  unshadowedMean(source, fine, lit);
   Shadow shadow(tracer, source);
-  shadow.cast(fine, lit, 2 * split, Random(seed, 1));
+  shadow.cast(points, lit, penumbra, Random(seed, 1));
   double seen = 0;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    if (lit[i] > 0) seen += fine[i].weight * lit[i] * shadow.visibleShare(fine[i], i);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (lit[i] > 0) seen += points[i].weight * lit[i] * shadow.visibleShare(points[i], i);
   }
   return seen;
 }
@@ -186,19 +176,18 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
   const std::vector<Source> sources(luminaires.begin(), luminaires.end());
   std::vector<float> light(std::size_t{rows} * sources.size());
   const std::uint64_t seed = mixBits(options.seed ^ 0xd1ec7u);
-  constexpr std::uint32_t kRows = 32;  // a thread's portion
+  const std::vector<std::uint32_t> effort = effortOfRows(room.patches);
+  constexpr std::uint32_t kRows = 32;   // a thread's portion
+  constexpr std::uint32_t kPoints = 4;  // on a patch's edge: fewer miss the shadows of table legs and frames
   const auto lightRows = [&](std::size_t portion) {
     std::vector<double> lit;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p) {
-      const PatchSampler sampler(room, p);
-      const std::vector<PatchPoint> coarse = sampler.quadrature(options.coarse),
-                                    fine = sampler.quadrature(options.fine);
-      const double edge = std::max(std::sqrt(room.patches.area[p]), room.patchSize);
+      const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(kPoints);
+      const std::uint32_t penumbra = (effort[p] < 4 ? 2 : 4) * options.split;
       for (std::size_t j = 0; j < sources.size(); ++j) {
-        const bool near = sources[j].distance(room.patches.center[p]) < 2.5 * edge;
         light[j * rows + p] =
-            static_cast<float>(patchLight(tracer, sources[j], near ? fine : coarse, fine, options.split,
+            static_cast<float>(patchLight(tracer, sources[j], points, options.split, penumbra,
                                           mixBits(seed ^ (std::uint64_t{p} << 32 | j)), lit));
       }
     }

@@ -18,9 +18,9 @@ namespace fiatlux {
 inline constexpr double kLuminaireClearance = 0.002;
 
 struct DirectLightOptions {
-  std::uint32_t coarse = 4;  // points on a patch's edge, far from the source
-  std::uint32_t fine = 4;    // within two patch edges of it
-  std::uint32_t split = 2;   // parts of the source's edge that shadow rays probe (twice as many in penumbra)
+  // Parts of the source's edge that shadow rays probe: twice as many in penumbra, on small surfaces four
+  // times.
+  std::uint32_t split = 2;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;

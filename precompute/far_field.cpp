@@ -14,12 +14,10 @@ namespace {
 // quadrature, from the second on the light's spread within the cluster no longer matters.
 constexpr double kMiddleEdges = 2, kFarEdges = 8;
 
-double unitOf(std::uint64_t bits) { return static_cast<double>(bits >> 40) * 0x1p-24; }
-
 }  // namespace
 
 FarField::FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed)
-    : room_(room), tracer_(tracer), seed_(seed) {
+    : room_(room), tracer_(tracer), seed_(seed), sequence_(kShadowPoints) {
   const Patches& patches = room.patches;
   std::vector<std::vector<std::uint32_t>> members(patches.clusterCount);
   for (std::uint32_t q = 0; q < patches.count; ++q) members[patches.cluster[q]].push_back(q);
@@ -70,16 +68,19 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
     }
     part.center = (1 / part.area) * part.center;
     part.normal = normalized(part.normal);
-    // Points for shadow rays, each on a patch chosen by area, in strata of it.
-    for (std::uint32_t i = 0; i < kPool; ++i) {
-      seed = mixBits(seed);
-      double along = (i + unitOf(seed)) / kPool * part.area;
+    // Where shadow rays end: the first number chooses the patch by area, what is left of it the place there.
+    std::vector<PatchSampler> samplers;
+    for (const std::uint32_t q : quarter) samplers.emplace_back(room_, q);
+    const auto scramble = RaySequence::scramble(seed = mixBits(seed));
+    for (std::uint32_t i = 0; i < kShadowPoints; ++i) {
+      const auto sample = sequence_.point(i, scramble);
+      double along = sample[0] * part.area;
       std::size_t chosen = 0;
-      while (chosen + 1 < quarter.size() && along > patches.area[quarter[chosen]])
+      while (chosen + 1 < quarter.size() && along >= patches.area[quarter[chosen]])
         along -= patches.area[quarter[chosen++]];
-      const PatchPoint point =
-          PatchSampler(room_, quarter[chosen]).at(unitOf(mixBits(seed ^ 1)), unitOf(mixBits(seed ^ 2)));
-      part.pool[i] = point.position + tracer_.offset() * point.normal;
+      const double left = std::min(along / patches.area[quarter[chosen]], 1 - 1e-9);
+      const PatchPoint point = samplers[chosen].at(left, sample[1]);
+      part.target[i] = point.position + tracer_.offset() * point.normal;
     }
     const Vec3 d = part.center - center;
     partMoment += part.area * dot(d, d);
@@ -93,8 +94,9 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   }
 }
 
-void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kOrigins>& origins,
-                           std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const {
+void FarField::castShadows(std::uint64_t seed, std::uint32_t rays,
+                           const std::array<Vec3, kShadowPoints>& origins, std::size_t first,
+                           std::size_t last, std::vector<Candidate>& candidates) const {
   RayPacket packet;
   std::size_t lane[RayPacket::kSize];
   const auto flush = [&] {
@@ -107,8 +109,8 @@ void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::ar
     const std::uint64_t bits = mixBits(seed ^ candidates[i].part);
     candidates[i].visible = 0;
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
-      const Vec3& target = parts_[candidates[i].part].pool[(bits + ray * kPool / rays) % kPool];
-      const Vec3& origin = origins[((bits >> 8) + ray) % kOrigins];
+      const std::uint32_t point = (bits + ray) % kShadowPoints;
+      const Vec3 &origin = origins[point], &target = parts_[candidates[i].part].target[point];
       lane[packet.count] = i;
       tracer_.aim(packet, origin, target - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
@@ -117,7 +119,8 @@ void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::ar
   if (packet.count > 0) flush();
 }
 
-void FarField::row(std::uint32_t p, const PatchSampler& sampler, std::vector<Range>& ranges, float* u) const {
+void FarField::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler,
+                   std::vector<Range>& ranges, float* u) const {
   const Patches& patches = room_.patches;
   const Vec3 center = patches.center[p], normal = patches.normal[p];
   const double edge = std::sqrt(patches.area[p]);
@@ -139,25 +142,29 @@ void FarField::row(std::uint32_t p, const PatchSampler& sampler, std::vector<Ran
     }
   }
 
+  // Point i here and point i of every part share a four-dimensional sequence: few rays already cover both
+  // ends, and what hides a cluster from one side of the patch only (a picture's frame) is not mistaken.
   const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
-  std::array<Vec3, kOrigins> origins;
-  for (std::uint32_t i = 0; i < kOrigins; ++i) {
-    const std::uint64_t bits = mixBits(seed + i);
-    const PatchPoint point = sampler.at((i % 2 + unitOf(bits)) / 2, (i / 2 + unitOf(mixBits(bits))) / 2);
+  std::array<Vec3, kShadowPoints> origins;
+  const auto scramble = RaySequence::scramble(seed);
+  for (std::uint32_t i = 0; i < kShadowPoints; ++i) {
+    const auto sample = sequence_.point(i, scramble);
+    const PatchPoint point = sampler.at(sample[2], sample[3]);
     origins[i] = point.position + tracer_.offset() * point.normal;
   }
-  castShadows(seed, 1, origins, 0, candidates.size(), candidates);
+  const std::uint32_t few = (effort + 3) / 4, many = 4 * effort * few;  // of 4 and 256 at most
+  castShadows(seed, few, origins, 0, candidates.size(), candidates);
 
-  // A cluster that is seen in part gets all the rays of its pool.
+  // A cluster that is seen in part is asked again, more often.
   for (std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
     const std::uint32_t cluster = parts_[candidates[first].part].cluster;
     std::uint32_t seen = 0;
     for (last = first; last < candidates.size() && parts_[candidates[last].part].cluster == cluster; ++last) {
       seen += candidates[last].visible;
     }
-    std::uint32_t rays = 1;
-    if (seen > 0 && seen < last - first) {
-      rays = kOrigins;
+    std::uint32_t rays = few;
+    if (seen > 0 && seen < few * (last - first)) {
+      rays = many;
       castShadows(mixBits(seed), rays, origins, first, last, candidates);
     }
     double sum = 0;

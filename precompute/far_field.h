@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "precompute/patch_sampler.h"
+#include "precompute/ray_sequence.h"
 #include "precompute/ray_tracer.h"
 #include "precompute/room.h"
 
@@ -22,18 +23,18 @@ class FarField {
 
   FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed);
 
-  /// ranges[c] and u[c] (k each) of row p; u is 0 for near clusters.
-  void row(std::uint32_t p, const PatchSampler& sampler, std::vector<Range>& ranges, float* u) const;
+  /// ranges[c] and u[c] (k each) of row p; u is 0 for near clusters. effort: of effort.h, 1 to 16.
+  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, std::vector<Range>& ranges,
+           float* u) const;
 
  private:
-  static constexpr std::uint32_t kPool = 16;    // points of a part for shadow rays
-  static constexpr std::uint32_t kOrigins = 4;  // points of a row's patch that they start from
+  static constexpr std::uint32_t kShadowPoints = 256;  // that shadow rays start from or end in, at most
 
   struct Part {  // about a quarter of a cluster
     std::uint32_t cluster = 0;
     Vec3 center, normal;
     double area = 0;
-    std::array<Vec3, kPool> pool;
+    std::array<Vec3, kShadowPoints> target;
   };
   struct Candidate {  // a part that faces the row
     std::uint32_t part;
@@ -41,12 +42,13 @@ class FarField {
     std::uint32_t visible;  // shadow rays that arrived
   };
   void addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed);
-  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kOrigins>& origins,
+  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kShadowPoints>& origins,
                    std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const;
 
   const Room& room_;
   const RayTracer& tracer_;
   std::uint64_t seed_;
+  RaySequence sequence_;                  // kShadowPoints points
   std::vector<Part> parts_;               // by cluster
   std::vector<std::uint32_t> firstPart_;  // k + 1
   std::vector<Vec3> center_;              // k, m

@@ -27,7 +27,7 @@ std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
   direct.seed = options.seed;
   direct.threads = options.threads;
   direct.progress = progress;
-  if (luminaires.size() <= kFewLuminaires) direct.coarse = direct.split = 4;
+  if (luminaires.size() <= kFewLuminaires) direct.split = 4;
   const std::uint32_t rows = room.patches.rows();
   const std::vector<float> columns = directLight(room, tracer, luminaires, direct);
   std::vector<float> sum(rows, 0.0f);

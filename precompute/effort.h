@@ -1,0 +1,15 @@
+// How many more samples than usual the rows of small surfaces get, whose means and sigmas average over few
+// patches and would else be noisy.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/patches.h"
+
+namespace fiatlux {
+
+/// A factor from 1 to 16 for every row, the same on all rows of a surface, their mean at most 2.
+std::vector<std::uint32_t> effortOfRows(const Patches& patches);
+
+}  // namespace fiatlux
