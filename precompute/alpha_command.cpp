@@ -11,6 +11,7 @@
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
 #include "precompute/intentions_json.h"
+#include "precompute/option_checks.h"
 #include "precompute/progress.h"
 #include "precompute/scene_io.h"
 #include "precompute/solve_report.h"
@@ -128,23 +129,23 @@ void addAlphaCommand(CLI::App& app) {
       ->add_option("--intentions", options->intentions, "intentions.json with a \"minimum\" or \"maximum\"")
       ->required();
   command->add_option("--delta-alpha", search.deltaAlpha, "stop when the interval is this narrow")
-      ->check(CLI::Range(1e-6, 1e3))
+      ->check(numberFrom(1e-6, 1e3))
       ->capture_default_str();
   command
       ->add_option("--delta-phi", search.deltaPhi,
                    "stop when the goal changes by at most this share over it; 0 = never")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(numberFrom(0, 1))
       ->capture_default_str();
   command->add_option("--iterations", search.iterations, "stop after so many")
-      ->check(CLI::Range(1, 10000))
+      ->check(wholeFrom(1, 10000))
       ->capture_default_str();
   command->add_option("--evaluations", search.evaluations, "trial layouts a run")
-      ->check(CLI::Range(1, 100000000))
+      ->check(wholeFrom(1, 100000000))
       ->capture_default_str();
   command->add_option("--runs", search.runs, "searches an iteration")
-      ->check(CLI::Range(1, 1000))
+      ->check(wholeFrom(1, 1000))
       ->capture_default_str();
-  command->add_option("--seed", search.seed, "")->capture_default_str();
+  command->add_option("--seed", search.seed, "of the first search")->check(aSeed())->capture_default_str();
   command->add_flag("--json", options->json, "one JSON document on standard output");
   command->add_option("-o,--output", options->output, "write the layout.json here");
   command->callback([options] { findAlpha(*options); });

@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <new>
 #include <set>
-#include <unordered_map>
 
 #include "precompute/charts.h"
 #include "precompute/clusters.h"
 #include "precompute/command_error.h"
+#include "precompute/direct_light.h"
+#include "precompute/mounts.h"
 #include "precompute/names.h"
+#include "precompute/outside.h"
 #include "precompute/patches.h"
 #include "precompute/reflectance.h"
-#include "precompute/sites.h"
+#include "precompute/room_memory.h"
 #include "precompute/surfaces.h"
 
 namespace fiatlux {
@@ -22,35 +23,14 @@ namespace {
 
 constexpr std::uint32_t kMostClusters = 3000;
 
-std::string shortNumber(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 /// The source's meshes by what they are to the light.
 struct Roles {
   std::vector<std::uint32_t> reflectors, measures;
 };
 
-std::vector<std::string> nodeNames(const SourceScene& source) {
-  std::set<std::string> names;
-  for (const SourceMesh& mesh : source.meshes) {
-    names.insert(mesh.node);
-    if (!mesh.extras.surface.empty()) names.insert(mesh.extras.surface);
-  }
-  return {names.begin(), names.end()};
-}
-
-[[noreturn]] void unknownName(const char* option, const std::string& name,
-                              const std::vector<std::string>& names) {
-  throw CommandError(std::string(option) + " '" + cleanText(name) +
-                     "': no node or surface is called that; the closest are " + closestNames(name, names));
-}
-
 Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::vector<std::string>& warnings) {
   for (const std::string& name : options.measures) {
-    const std::vector<std::string> names = nodeNames(source);
+    const std::vector<std::string> names = askedNames(source);
     if (std::find(names.begin(), names.end(), name) == names.end()) unknownName("--measure", name, names);
   }
   Roles roles;
@@ -99,63 +79,56 @@ std::vector<Face> frontFaces(const WeldedMesh& mesh) {
   return faces;
 }
 
-double areaOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+double areaOf(const SurfaceTree& tree) {
   double area = 0;
-  for (const Face& face : faces) area += length(areaVector(mesh.positions, face.vertex));
+  for (const SurfaceGroup& group : tree.groups)
+    for (const Region& region : group.regions) area += region.area;
   return area;
 }
 
-/// Refuses what would not fit, before it is allocated; the message names the largest part.
-void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites,
-                 double surfaces) {
-  struct Part {
-    double bytes;
-    std::string what, cure;
-  };
-  const std::string n = shortNumber(patches);
-  const Part parts[] = {
-      {patches * clusters * 4, n + " patches x " + shortNumber(clusters) + " clusters",
-       "a larger --patch or --cluster"},
-      {patches * options.rays * 4, n + " patches x " + std::to_string(options.rays) + " rays",
-       "a larger --patch or fewer --rays"},
-      {rows * sites * 4, shortNumber(rows) + " patches x " + shortNumber(sites) + " sites",
-       "a larger --patch or --site-spacing"},
-      {surfaces * sites * sites * 8,
-       shortNumber(surfaces) + " surfaces x " + shortNumber(sites) + " sites squared",
-       "a larger --site-spacing"},
-      {rows * 600, n + " patches", "a larger --patch"}};
-  double total = 0;
-  const Part* largest = parts;
-  for (const Part& part : parts) {
-    total += part.bytes;
-    if (part.bytes > largest->bytes) largest = &part;
+/// The room's surfaces without its outside, and where luminaires may hang.
+struct Inside {
+  SurfaceTree tree;
+  std::vector<Mount> mounts;
+  Outside outside;
+};
+
+/// Where light starts that a person has placed already.
+std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
+  std::vector<LightPlace> places;
+  for (const Luminaire& l : luminaires) {
+    const bool isotropic = l.distribution == Luminaire::Distribution::kIsotropic;
+    const Vec3 normal = isotropic ? Vec3{} : l.normal;
+    const Vec3 u = 0.4 * l.width * l.axis, v = 0.4 * l.height * cross(l.normal, l.axis);
+    for (const Vec3& from : {Vec3{}, u + v, u - v, v - u, -u - v})
+      places.push_back({l.position + from + kLuminaireClearance * normal, normal});
   }
-  if (!(total <= options.memory * 1e9))
-    throw CommandError("this would need " + shortNumber(total / 1e9) + " GB, and --memory allows " +
-                       shortNumber(options.memory) + ": too many are " + largest->what + "; pass " +
-                       largest->cure);
+  return places;
 }
 
-double foreseenPatches(const std::vector<ChartDraft>& charts) {
-  double patches = 0;
-  for (const ChartDraft& draft : charts)
-    patches += std::max(1.0, draft.area / (draft.chart.cellU * draft.chart.cellV));
-  return patches;
-}
-
-/// Refuses grids that are too fine, before they are cut.
-void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& options, double patch) {
-  double cells = 0;
-  for (const ChartDraft& draft : charts) {
-    cells += static_cast<double>(draft.chart.columns) * draft.chart.rows;
+/// Finds surfaces and mounts; turns sheets that look outward; leaves out what no light can reach.
+Inside findInside(const SourceScene& source, const RoomOptions& options, WeldedMesh& mesh, UniqueNames& names,
+                  std::vector<std::string>& warnings) {
+  std::vector<Face> faces = frontFaces(mesh);
+  const std::vector<Face> backs = backFaces(source, mesh);
+  faces.insert(faces.end(), backs.begin(), backs.end());
+  UniqueNames firstNames;
+  Inside inside;
+  inside.tree = findSurfaces(source, mesh, faces, 0.01, firstNames);
+  Outlook outlook(mesh, makeCharts(mesh, inside.tree, mesh.diagonal / 40, 0));
+  if (turnOutwardSheets(mesh, faces, outlook)) {
+    names = {};
+    inside.tree = findSurfaces(source, mesh, faces, 0.01, names);
+  } else {
+    names = std::move(firstNames);
   }
-  if (cells * 24 > options.memory * 1e9)
-    throw CommandError("patches of " + shortNumber(patch) + " m need " + shortNumber(cells) +
-                       " grid cells, more than --memory allows; pass a larger --patch");
-  const double patches = foreseenPatches(charts);
-  const double clusters = options.paper ? patches / (options.cluster * options.cluster)
-                                        : std::min<double>(patches / 4, kMostClusters);
-  checkMemory(options, patches, clusters, patches, 0, 0);
+  inside.mounts = findMounts(source, mesh, inside.tree, faces, outlook, options, warnings);
+  const Outlook::Unlit unlit =
+      outlook.unlit(facesWithSites(mesh, inside.mounts), placesOf(options.luminaires));
+  inside.outside = leaveOut(unlit.outside, inside.tree);
+  for (const std::string& note : {inside.outside.note, noteOfShutOff(unlit.shutOff, inside.tree)})
+    if (!note.empty()) warnings.push_back(note);
+  return inside;
 }
 
 /// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000
@@ -202,7 +175,8 @@ void sumSurfaces(Room& room) {
     if (surface.area > 0) surface.reflectance /= surface.area;
 }
 
-void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts, Room& room) {
+void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts, const Outside& outside,
+                  Room& room) {
   room.positions = mesh.positions;
   for (const WeldedTriangle& t : mesh.triangles)
     room.triangles.push_back(
@@ -210,7 +184,9 @@ void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts,
          kNone,
          kNone,
          {t.mesh, t.source},
-         {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource}});
+         {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource},
+         outside.nameOfTriangle[room.triangles.size()]});
+  room.leftOut = outside.names;
   for (std::uint32_t d = 0; d < drafts.size(); ++d)
     for (const Face& face : drafts[d].faces)
       (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
@@ -230,131 +206,6 @@ void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double pa
   addSurfaces(tree, true, room);
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, patch, first);
   appendPatches(mesh, charts, patch, nullptr, room);
-}
-
-// --- mounts
-// ----------------------------------------------------------------------------------------------------------
-
-struct Mount {
-  std::string name;
-  std::vector<Face> faces;
-  double spacing = 0;  // m, 0 = not said
-};
-
-bool within(const std::string& path, const std::string& name) {
-  return path == name ||
-         (path.size() > name.size() && path.compare(0, name.size(), name) == 0 && path[name.size()] == '/');
-}
-
-std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Face>& faces) {
-  std::vector<Mount> mounts;
-  std::unordered_map<std::uint32_t, std::size_t> ofNode;
-  for (const Face& face : faces) {
-    const SourceMesh& mesh = source.meshes[face.mesh];
-    if (!mesh.extras.mount) continue;
-    const auto [found, fresh] = ofNode.emplace(mesh.nodeIndex, mounts.size());
-    if (fresh) mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0)});
-    mounts[found->second].faces.push_back(face);
-  }
-  return mounts;
-}
-
-void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const std::vector<Face>& faces,
-                    const std::vector<std::string>& wanted, std::vector<Mount>& mounts) {
-  for (const std::string& name : wanted) {
-    Mount mount{name, {}, 0};
-    for (const SurfaceGroup& group : tree.groups)
-      for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (within(tree.names[group.leafOfRegion[r]], name) ||
-            within(tree.names[group.leafOfRegion[r]], name + " (back)"))
-          for (const std::uint32_t f : group.regions[r].faces) mount.faces.push_back(group.set.faces[f]);
-    if (mount.faces.empty())
-      for (const Face& face : faces)
-        if (source.meshes[face.mesh].node == name) mount.faces.push_back(face);
-    if (mount.faces.empty()) {
-      std::vector<std::string> names = nodeNames(source);
-      names.insert(names.end(), tree.names.begin(), tree.names.end());
-      unknownName("--mount", name, names);
-    }
-    for (const Face& face : mount.faces)
-      if (source.meshes[face.mesh].extras.siteSpacing)
-        mount.spacing = *source.meshes[face.mesh].extras.siteSpacing;
-    mounts.push_back(std::move(mount));
-  }
-}
-
-/// The ceiling: the largest plane that faces down in the upper half, and others about as high.
-std::vector<Mount> proposedMounts(const WeldedMesh& mesh, const SurfaceTree& tree,
-                                  std::vector<std::string>& warnings) {
-  double low = 1e300, high = -1e300;
-  for (const Vec3& p : mesh.positions) low = std::min(low, p.y), high = std::max(high, p.y);
-  struct Candidate {
-    const SurfaceGroup* group;
-    const Region* region;
-    std::uint32_t leaf;
-  };
-  std::vector<Candidate> candidates;
-  const Candidate* best = nullptr;
-  for (const SurfaceGroup& group : tree.groups)
-    for (std::size_t r = 0; r < group.regions.size(); ++r)
-      if (group.regions[r].normal.y < -0.9 && group.regions[r].centroid.y > 0.5 * (low + high))
-        candidates.push_back({&group, &group.regions[r], group.leafOfRegion[r]});
-  const auto weight = [&](const Candidate& c) {  // what is called a ceiling counts more than a plain roof
-    return c.region->area * (tree.names[c.leaf].find("eiling") != std::string::npos ? 4 : 1);
-  };
-  for (const Candidate& c : candidates)
-    if (!best || weight(c) > weight(*best)) best = &c;
-  std::vector<Mount> mounts;
-  if (!best) return mounts;
-  mounts.push_back({tree.names[best->leaf], {}, 0});
-  double area = 0;
-  for (const Candidate& c : candidates) {
-    if (c.region->area < 0.1 * best->region->area ||
-        std::abs(c.region->centroid.y - best->region->centroid.y) > 0.3)
-      continue;
-    area += c.region->area;
-    for (const std::uint32_t f : c.region->faces) mounts[0].faces.push_back(c.group->set.faces[f]);
-  }
-  warnings.push_back("no mount is marked: luminaires are proposed to hang on '" + mounts[0].name + "' (" +
-                     shortNumber(area) + " m2, " + shortNumber(best->region->centroid.y - low) +
-                     " m up); choose with --mount");
-  return mounts;
-}
-
-void addSites(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
-              const std::vector<Face>& faces, const RoomOptions& options, Room& room) {
-  std::vector<Mount> mounts = markedMounts(source, faces);
-  addNamedMounts(source, tree, faces, options.mounts, mounts);
-  if (mounts.empty() && options.requireSites) {
-    mounts = proposedMounts(mesh, tree, room.warnings);
-    if (mounts.empty())
-      throw CommandError(
-          "nowhere to hang luminaires: no node is marked as mount and nothing large and high faces down; "
-          "pass --mount with one of " +
-          closestNames("ceiling", tree.names));
-  }
-  double area = 0;
-  for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
-  const double sensible =
-      std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, std::max(1.5, std::sqrt(area / 1000)));
-  for (const Mount& mount : mounts) {
-    const double spacing = options.siteSpacing > 0 ? options.siteSpacing
-                           : mount.spacing > 0     ? mount.spacing
-                                                   : sensible;
-    const double size = options.siteSize > 0 ? options.siteSize : spacing;
-    const double expected = mountArea(mesh, mount.faces) / (spacing * spacing);
-    checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
-                static_cast<double>(room.sites.size()) + expected, 1);
-    const std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
-    if (sites.empty())
-      room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +
-                              shortNumber(size) + " m; pass a smaller --site-spacing");
-    room.sites.insert(room.sites.end(), sites.begin(), sites.end());
-  }
-  if (room.sites.empty() && options.requireSites)
-    throw CommandError("no site fits on any mount (" +
-                       (mounts.empty() ? "none" : "'" + mounts[0].name + "'") +
-                       "): pass a smaller --site-spacing, or another --mount");
 }
 
 // --- the whole
@@ -378,7 +229,7 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   room.sourceHash = source.hash;
   room.warnings = source.warnings;
   const Roles roles = assignRoles(source, options, room.warnings);
-  const WeldedMesh mesh = weld(source, roles.reflectors);
+  WeldedMesh mesh = weld(source, roles.reflectors);
   if (mesh.triangles.empty())
     throw CommandError(
         roles.reflectors.empty()
@@ -390,28 +241,25 @@ Room build(const SourceScene& source, const RoomOptions& options) {
     room.warnings.push_back(std::to_string(mesh.duplicates) + " triangles that repeat others are left out");
   warnOfScale(mesh, room.warnings);
 
-  std::vector<Face> faces = frontFaces(mesh);
-  const std::vector<Face> backs = backFaces(source, mesh);
-  faces.insert(faces.end(), backs.begin(), backs.end());
   UniqueNames names;
-  const SurfaceTree tree = findSurfaces(source, mesh, faces, 0.01, names);
-  room.patchSize =
-      options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(mesh, faces));
+  const Inside inside = findInside(source, options, mesh, names, room.warnings);
+  const SurfaceTree& tree = inside.tree;
+  room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(tree));
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
-  checkGrids(charts, options, room.patchSize);
+  checkGrids(charts, options, room.patchSize, kMostClusters);
 
   addSurfaces(tree, false, room);
   const ReflectanceMap reflectance(source);
   appendPatches(mesh, charts, room.patchSize, &reflectance, room);
   room.patches.count = room.patches.rows();
-  addTriangles(mesh, charts, room);
+  addTriangles(mesh, charts, inside.outside, room);
   const std::uint32_t edge = assignClusters(room, options.cluster, kMostClusters, options.paper);
   if (edge != options.cluster)
     room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
                             " patches, so that there are at most 3000");
   addMeasuringPlanes(source, roles, room.patchSize, names, room);
   sumSurfaces(room);
-  addSites(source, mesh, tree, faces, options, room);
+  addSites(mesh, inside.mounts, options, room);
   checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
               static_cast<double>(room.sites.size()), static_cast<double>(room.surfaces.size()));
   return room;

@@ -62,7 +62,7 @@ ChartDraft chartOf(const WeldedMesh& mesh, const SurfaceGroup& group,
 void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double patch,
                    std::uint32_t firstSurface, std::vector<ChartDraft>& charts) {
   const std::size_t n = group.regions.size();
-  std::vector<std::uint32_t> regionOfFace(group.set.faces.size());
+  std::vector<std::uint32_t> regionOfFace(group.set.faces.size(), kNone);  // none: left out
   for (std::uint32_t r = 0; r < n; ++r)
     for (const std::uint32_t f : group.regions[r].faces) regionOfFace[f] = r;
 
@@ -91,7 +91,7 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
       for (const std::uint32_t f : group.regions[members[next]].faces)
         for (std::uint32_t i = group.set.neighborOffset[f]; i < group.set.neighborOffset[f + 1]; ++i) {
           const std::uint32_t r = regionOfFace[group.set.neighbors[i]];
-          if (taken[r] || group.leafOfRegion[r] != group.leafOfRegion[seed]) continue;
+          if (r == kNone || taken[r] || group.leafOfRegion[r] != group.leafOfRegion[seed]) continue;
           const Region& region = group.regions[r];
           if (dot(region.normal, normalized(sum)) < kCone ||
               dot(region.normal, group.regions[members[next]].normal) < kCrease ||

@@ -11,6 +11,7 @@
 #include "precompute/commands.h"
 #include "precompute/experiments.h"
 #include "precompute/intentions_json.h"
+#include "precompute/option_checks.h"
 #include "precompute/progress.h"
 #include "precompute/scene_io.h"
 
@@ -97,10 +98,10 @@ void addExperimentsCommand(CLI::App& app) {
   command->add_option("--wall", options->wall, "the surface that plays the yellow wall")
       ->capture_default_str();
   command->add_option("--runs", options->runs, "seeds a problem")
-      ->check(CLI::Range(1, 1000))
+      ->check(wholeFrom(1, 1000))
       ->capture_default_str();
   command->add_option("--evaluations", options->evaluations, "trial layouts a run")
-      ->check(CLI::Range(1, 10000000))
+      ->check(wholeFrom(1, 10000000))
       ->capture_default_str();
   command->callback([options] { runExperiments(*options); });
 }

@@ -1,9 +1,8 @@
-// Welding by a hash of space, and the search for sheets that have a visible back.
+// Welding by a hash of space.
 #include "precompute/faces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace fiatlux {
@@ -97,18 +96,6 @@ void mergeDuplicates(WeldedMesh& mesh) {
   mesh.triangles.resize(kept);
 }
 
-struct DisjointSets {
-  std::vector<std::uint32_t> parent;
-  explicit DisjointSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
-  std::uint32_t find(std::uint32_t x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    parent[std::max(find(a), find(b))] = std::min(find(a), find(b));
-  }
-};
-
 }  // namespace
 
 WeldedMesh weld(const SourceScene& source, const std::vector<std::uint32_t>& meshes) {
@@ -145,74 +132,6 @@ WeldedMesh weld(const SourceScene& source, const std::vector<std::uint32_t>& mes
   }
   mergeDuplicates(result);
   return result;
-}
-
-std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
-  const auto doubleSided = [&](std::uint32_t m) {
-    const int material = source.meshes[m].material;
-    return material >= 0 && source.materials[material].doubleSided;
-  };
-  // Edges of double-sided triangles, those of one node apart from those of another.
-  struct Edge {
-    std::uint32_t node, a, b, triangle;
-    bool forward;
-  };
-  std::vector<Edge> edges;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!doubleSided(mesh.triangles[t].mesh)) continue;
-    const auto& v = mesh.triangles[t].vertex;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-      edges.push_back(
-          {source.meshes[mesh.triangles[t].mesh].nodeIndex, std::min(a, b), std::max(a, b), t, a < b});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
-    return std::tie(x.node, x.a, x.b, x.triangle) < std::tie(y.node, y.a, y.b, y.triangle);
-  });
-  DisjointSets pieces(mesh.triangles.size());
-  std::vector<bool> open(mesh.triangles.size(), false);
-  for (std::size_t i = 0, j; i < edges.size(); i = j) {
-    int balance = 0;
-    for (j = i; j < edges.size() && edges[j].node == edges[i].node && edges[j].a == edges[i].a &&
-                edges[j].b == edges[i].b;
-         ++j) {
-      pieces.join(edges[i].triangle, edges[j].triangle);
-      balance += edges[j].forward ? 1 : -1;
-    }
-    if (balance != 0 || j - i != 2) open[edges[i].triangle] = true;
-  }
-  std::vector<bool> pieceOpen(mesh.triangles.size(), false);
-  std::vector<double> volume(mesh.triangles.size(), 0);
-  std::vector<Vec3> low(mesh.triangles.size(), Vec3{1e300, 1e300, 1e300}),
-      high(mesh.triangles.size(), Vec3{-1e300, -1e300, -1e300});
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!doubleSided(mesh.triangles[t].mesh)) continue;
-    const std::uint32_t piece = pieces.find(t);
-    if (open[t]) pieceOpen[piece] = true;
-    const auto& v = mesh.triangles[t].vertex;
-    volume[piece] += dot(mesh.positions[v[0]], cross(mesh.positions[v[1]], mesh.positions[v[2]])) / 6;
-    for (const std::uint32_t i : v) {
-      const Vec3& p = mesh.positions[i];
-      low[piece] = {std::min(low[piece].x, p.x), std::min(low[piece].y, p.y), std::min(low[piece].z, p.z)};
-      high[piece] = {std::max(high[piece].x, p.x), std::max(high[piece].y, p.y),
-                     std::max(high[piece].z, p.z)};
-    }
-  }
-  std::vector<Face> faces;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const WeldedTriangle& triangle = mesh.triangles[t];
-    const std::array<std::uint32_t, 3> turned{triangle.vertex[0], triangle.vertex[2], triangle.vertex[1]};
-    if (triangle.backMesh != kNone) {
-      faces.push_back({turned, t, triangle.backMesh, triangle.backSource, true});
-    } else if (doubleSided(triangle.mesh)) {
-      const std::uint32_t piece = pieces.find(t);
-      const bool isRoom = length(high[piece] - low[piece]) > 0.5 * mesh.diagonal;
-      if (pieceOpen[piece] || (volume[piece] < 0 && !isRoom))
-        faces.push_back({turned, t, triangle.mesh, triangle.source, true});
-    }
-  }
-  return faces;
 }
 
 }  // namespace fiatlux

@@ -43,8 +43,9 @@ inline Vec3 areaVector(const std::vector<Vec3>& positions, const std::array<std:
   return 0.5 * cross(positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]]);
 }
 
-/// The back faces that double-sided sheets have: those of double-sided materials whose connected piece is
-/// open, or is a solid turned inside out. Closed pieces need none: nothing can be seen from behind them.
+/// The back faces that double-sided sheets have (back_faces.cpp): those of double-sided materials whose
+/// connected piece is open, is a thing turned inside out, or is a room drawn from outside. Other closed
+/// pieces need none: nothing can be seen from behind them.
 std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh);
 
 }  // namespace fiatlux

@@ -195,6 +195,49 @@ void checkAccessors(const json& gltf) {
   }
 }
 
+/// A list of numbers of any length under `key`, where present.
+void checkList(const json& object, const char* key, const std::string& place) {
+  if (object.contains(key)) checkNumbers(object, key, place, object[key].size());
+}
+
+/// Accessors of one count (0: not known yet) and of the shapes that are relied on.
+void checkAttributes(const json& attributes, const json& accessors, const std::string& place,
+                     std::size_t& count) {
+  for (const auto& [name, value] : attributes.items()) {
+    checkIndex(attributes, name.c_str(), place, accessors.size());
+    const json& accessor = accessors[value.get<std::size_t>()];
+    if (count != 0 && accessor["count"] != count)
+      throw GltfError(place + ": its attributes have different counts" + kAgain);
+    count = accessor["count"].get<std::size_t>();
+    if ((name == "POSITION" || name == "NORMAL") && accessor["type"] != "VEC3")
+      throw GltfError(place + ": " + name + " is not three numbers a vertex" + kAgain);
+    const bool skins = name.rfind("JOINTS_", 0) == 0 || name.rfind("WEIGHTS_", 0) == 0;
+    if (skins && accessor["type"] != "VEC4")
+      throw GltfError(place + ": " + cleanText(name) + " is not four numbers a vertex" + kAgain);
+  }
+}
+
+void checkSkins(const json& gltf) {
+  const json& accessors = arrayOf(gltf, "accessors");
+  const std::size_t nodes = arrayOf(gltf, "nodes").size();
+  std::size_t index = 0;
+  for (const json& skin : arrayOf(gltf, "skins")) {
+    const std::string place = placeOf("skin", index++);
+    if (!skin.contains("joints") || !skin["joints"].is_array() || skin["joints"].empty())
+      throw GltfError(place + " has no joints" + kAgain);
+    for (const json& joint : skin["joints"])
+      if (!joint.is_number_unsigned() || joint.get<std::size_t>() >= nodes)
+        throw GltfError(place + ": 'joints' names a node that is not there" + kAgain);
+    checkIndex(skin, "inverseBindMatrices", place, accessors.size());
+    checkIndex(skin, "skeleton", place, nodes);
+    if (!skin.contains("inverseBindMatrices")) continue;
+    const json& accessor = accessors[skin["inverseBindMatrices"].get<std::size_t>()];
+    if (accessor["type"] != "MAT4" || accessor["componentType"] != 5126 ||
+        accessor["count"].get<std::size_t>() < skin["joints"].size())
+      throw GltfError(place + ": it has not a matrix for every joint" + kAgain);
+  }
+}
+
 void checkMeshes(const json& gltf) {
   const json& accessors = arrayOf(gltf, "accessors");
   const std::size_t materials = arrayOf(gltf, "materials").size();
@@ -202,6 +245,7 @@ void checkMeshes(const json& gltf) {
   for (const json& mesh : arrayOf(gltf, "meshes")) {
     const std::string place = placeOf("mesh", index++);
     checkString(mesh, "name", place);
+    checkList(mesh, "weights", place);
     if (!mesh.contains("primitives")) throw GltfError(place + " lacks its 'primitives'" + kAgain);
     for (const json& primitive : arrayOf(mesh, "primitives")) {
       whole(primitive, "mode", place, 6);
@@ -209,17 +253,10 @@ void checkMeshes(const json& gltf) {
       checkIndex(primitive, "indices", place, accessors.size());
       checkObject(primitive, "attributes", place);
       if (!primitive.contains("attributes")) throw GltfError(place + " lacks its 'attributes'" + kAgain);
-      const json& attributes = primitive["attributes"];
       std::size_t count = 0;
-      for (const auto& [name, value] : attributes.items()) {
-        checkIndex(attributes, name.c_str(), place, accessors.size());
-        const json& accessor = accessors[value.get<std::size_t>()];
-        if (count != 0 && accessor["count"] != count)
-          throw GltfError(place + ": its attributes have different counts" + kAgain);
-        count = accessor["count"].get<std::size_t>();
-        if (name == "POSITION" && accessor["type"] != "VEC3")
-          throw GltfError(place + ": POSITION is not three numbers a vertex" + kAgain);
-      }
+      checkAttributes(primitive["attributes"], accessors, place, count);
+      for (const json& target : arrayOf(primitive, "targets"))
+        checkAttributes(target, accessors, place, count);
       if (primitive.contains("indices") &&
           accessors[primitive["indices"].get<std::size_t>()]["type"] != "SCALAR")
         throw GltfError(place + ": its indices are not single numbers" + kAgain);
@@ -272,12 +309,14 @@ void checkNodes(const json& gltf) {
   if (nodes.size() > GltfBudget::kNodes)
     throw GltfError("more than a million nodes; join meshes before export");
   std::vector<std::uint32_t> parent(nodes.size(), UINT32_MAX);
-  const std::size_t meshes = arrayOf(gltf, "meshes").size();
+  const std::size_t meshes = arrayOf(gltf, "meshes").size(), skins = arrayOf(gltf, "skins").size();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const json& node = nodes[i];
     const std::string place = placeOf("node", i);
     checkString(node, "name", place);
     checkIndex(node, "mesh", place, meshes);
+    checkIndex(node, "skin", place, skins);
+    checkList(node, "weights", place);
     checkNumbers(node, "matrix", place, 16), checkNumbers(node, "translation", place, 3);
     checkNumbers(node, "rotation", place, 4), checkNumbers(node, "scale", place, 3);
     if (!node.contains("children")) continue;
@@ -323,6 +362,7 @@ void checkGltf(const json& gltf) {
   checkTextures(gltf);
   checkMaterials(gltf);
   checkMeshes(gltf);
+  checkSkins(gltf);
   checkNodes(gltf);
 }
 

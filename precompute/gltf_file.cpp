@@ -11,6 +11,7 @@
 #include "precompute/gltf_document.h"
 #include "precompute/image_file.h"
 #include "precompute/names.h"
+#include "precompute/node_transform.h"
 #include "precompute/source_scene.h"
 
 #define TINYGLTF_IMPLEMENTATION
@@ -27,9 +28,6 @@ namespace fiatlux {
 namespace {
 
 using tinygltf::Model;
-using Matrix = std::array<double, 16>;  // column-major, as in glTF
-
-constexpr double kFarthest = 1e5;  // m from the origin; beyond, single precision no longer resolves a room
 
 std::string inQuotes(const std::string& name) { return "'" + name + "'"; }
 
@@ -160,15 +158,62 @@ std::size_t triangleCount(const Model& model, const tinygltf::Primitive& primiti
   return primitive.mode >= 5 && n >= 3 ? n - 2 : 0;
 }
 
-/// A primitive in its own space, triangulated, only with the vertices it uses.
-SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitive, int texCoord,
-                         const std::string& place) {
-  auto positions = readVectors<3>(model, primitive, "POSITION", 0);
+/// A primitive in its own space, and what its skin will do to it.
+struct LocalPrimitive {
+  SourceMesh mesh;
+  Influences influences;
+};
+
+using Vectors = std::vector<std::array<float, 3>>;
+
+/// Adds the morph targets of an attribute by their weights (glTF 2.0, section 3.7.2.2).
+void addMorphTargets(const Model& model, const tinygltf::Primitive& primitive,
+                     const std::vector<double>& weights, const std::string& name, Vectors& vectors) {
+  for (std::size_t t = 0; t < std::min(weights.size(), primitive.targets.size()); ++t) {
+    const auto found = primitive.targets[t].find(name);
+    if (weights[t] == 0 || found == primitive.targets[t].end()) continue;
+    const std::vector<float> change = readAccessor<float>(model, found->second);
+    for (std::size_t i = 0; i < std::min(vectors.size(), change.size() / 3); ++i)
+      for (std::size_t c = 0; c < 3; ++c) vectors[i][c] += static_cast<float>(weights[t] * change[3 * i + c]);
+  }
+}
+
+/// Joints and weights, all sets of four, of the vertices that were kept: target[vertex] is its new number.
+Influences readInfluences(const Model& model, const tinygltf::Primitive& primitive,
+                          const std::vector<std::uint32_t>& target, std::size_t kept) {
+  Influences influences;
+  std::vector<std::vector<std::array<float, 4>>> joints, weights;
+  for (std::size_t set = 0; primitive.attributes.count("JOINTS_" + std::to_string(set)) != 0; ++set) {
+    joints.push_back(readVectors<4>(model, primitive, "JOINTS_" + std::to_string(set), 0));
+    weights.push_back(readVectors<4>(model, primitive, "WEIGHTS_" + std::to_string(set), 0));
+    weights.back().resize(joints.back().size());
+  }
+  influences.perVertex = 4 * joints.size();
+  influences.joints.resize(kept * influences.perVertex);
+  influences.weights.resize(kept * influences.perVertex);
+  for (std::size_t v = 0; v < target.size(); ++v) {
+    if (target[v] == UINT32_MAX) continue;
+    for (std::size_t i = 0; i < influences.perVertex; ++i) {
+      const std::size_t at = target[v] * influences.perVertex + i;
+      influences.joints[at] = static_cast<std::uint32_t>(joints[i / 4][v][i % 4]);
+      influences.weights[at] = std::max(0.0f, weights[i / 4][v][i % 4]);
+    }
+  }
+  return influences;
+}
+
+/// A primitive in its own space, its morph targets applied, triangulated, only with the vertices it uses.
+LocalPrimitive readPrimitive(const Model& model, const tinygltf::Primitive& primitive, int texCoord,
+                             const std::vector<double>& morphWeights, const std::string& place) {
+  Vectors positions(model.accessors[primitive.attributes.at("POSITION")].count);
   const std::vector<float> raw = readAccessor<float>(model, primitive.attributes.at("POSITION"));
-  for (std::size_t i = 0; i < raw.size(); ++i)
-    if (!std::isfinite(raw[i]))
-      throw GltfError(place + ": vertex " + std::to_string(i / 3) +
-                      " is not a number; repair the mesh in the modelling program");
+  for (std::size_t i = 0; i < raw.size(); ++i) positions[i / 3][i % 3] = raw[i];
+  addMorphTargets(model, primitive, morphWeights, "POSITION", positions);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (const float x : positions[i])
+      if (!std::isfinite(x))
+        throw GltfError(place + ": vertex " + std::to_string(i) +
+                        " is not a number; repair the mesh in the modelling program");
   std::vector<std::uint32_t> indices;
   if (primitive.indices >= 0) {
     indices = readAccessor<std::uint32_t>(model, primitive.indices);
@@ -194,7 +239,8 @@ SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitiv
     }
   }
   // Keep the vertices that are used, in order of first use.
-  const auto normals = readVectors<3>(model, primitive, "NORMAL", 0);
+  Vectors normals = readVectors<3>(model, primitive, "NORMAL", 0);
+  addMorphTargets(model, primitive, morphWeights, "NORMAL", normals);
   const auto uv = readVectors<2>(model, primitive, "TEXCOORD_" + std::to_string(texCoord), 0);
   const auto colors = readVectors<4>(model, primitive, "COLOR_0", 1);
   std::vector<std::uint32_t> target(positions.size(), UINT32_MAX);
@@ -210,80 +256,12 @@ SourceMesh readPrimitive(const Model& model, const tinygltf::Primitive& primitiv
       v = target[v];
     }
   mesh.material = primitive.material;
-  return mesh;
+  Influences influences = readInfluences(model, primitive, target, mesh.positions.size());
+  return {std::move(mesh), std::move(influences)};
 }
 
 // --- nodes
 // -----------------------------------------------------------------------------------------------------------
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      for (int k = 0; k < 4; ++k) c[column * 4 + row] += a[k * 4 + row] * b[column * 4 + k];
-  return c;
-}
-
-Matrix parentFromNode(const tinygltf::Node& node) {
-  Matrix m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (node.matrix.size() == 16) {
-    std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
-    return m;
-  }
-  if (node.rotation.size() == 4) {
-    double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
-    const double norm = std::sqrt(x * x + y * y + z * z + w * w);
-    if (norm > 0) {
-      x /= norm, y /= norm, z /= norm, w /= norm;
-      m = {1 - 2 * (y * y + z * z),
-           2 * (x * y + z * w),
-           2 * (x * z - y * w),
-           0,
-           2 * (x * y - z * w),
-           1 - 2 * (x * x + z * z),
-           2 * (y * z + x * w),
-           0,
-           2 * (x * z + y * w),
-           2 * (y * z - x * w),
-           1 - 2 * (x * x + y * y),
-           0,
-           0,
-           0,
-           0,
-           1};
-    }
-  }
-  for (int c = 0; c < 3; ++c) {
-    if (node.scale.size() == 3)
-      for (int r = 0; r < 3; ++r) m[c * 4 + r] *= node.scale[c];
-    if (node.translation.size() == 3) m[12 + c] = node.translation[c];
-  }
-  return m;
-}
-
-/// Moves a mesh into the world, in metres, with counter-clockwise fronts whatever the transform mirrors.
-void transform(SourceMesh& mesh, const Matrix& m, double scale) {
-  const Vec3 a{m[0], m[1], m[2]}, b{m[4], m[5], m[6]}, c{m[8], m[9], m[10]}, origin{m[12], m[13], m[14]};
-  for (Vec3& p : mesh.positions) {
-    p = scale * (p.x * a + p.y * b + p.z * c + origin);
-    const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (!(farthest < kFarthest)) {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.3g", farthest);
-      throw GltfError("node " + inQuotes(mesh.node) + " reaches " + text +
-                      " m from the origin; check its scale, or pass --scale");
-    }
-  }
-  const bool mirrored = dot(cross(a, b), c) < 0;
-  const Vec3 na = cross(b, c), nb = cross(c, a),
-             nc = cross(a, b);  // rows of the inverse transpose, up to a factor
-  for (auto& normal : mesh.normals) {
-    const Vec3 n = normalized((mirrored ? -1.0 : 1.0) * (normal[0] * na + normal[1] * nb + normal[2] * nc));
-    normal = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
-  }
-  if (mirrored)
-    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-}
 
 NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
                       std::vector<std::string>& warnings) {
@@ -322,38 +300,63 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
   return extras;
 }
 
-struct PlacedNode {
-  int index;
-  Matrix worldFromNode;
-};
-
-/// The nodes of the default scene with their transforms, without recursion, each once.
-std::vector<PlacedNode> placedNodes(const Model& model) {
-  std::vector<int> roots;
-  if (!model.scenes.empty()) {
-    roots = model.scenes[std::max(model.defaultScene, 0)].nodes;
-  } else {
-    std::vector<bool> child(model.nodes.size(), false);
-    for (const auto& node : model.nodes)
-      for (const int c : node.children) child[c] = true;
-    for (std::size_t i = 0; i < child.size(); ++i)
-      if (!child[i]) roots.push_back(static_cast<int>(i));
-  }
-  const Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+/// The nodes below `roots`, parents first, each once; without recursion.
+std::vector<int> nodesBelow(const Model& model, const std::vector<int>& roots) {
   std::vector<bool> met(model.nodes.size(), false);
-  std::vector<PlacedNode> placed, stack;
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) stack.push_back({*root, identity});
+  std::vector<int> nodes, stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
-    const PlacedNode at = stack.back();
+    const int at = stack.back();
     stack.pop_back();
-    if (met[at.index]) continue;
-    met[at.index] = true;
-    const Matrix world = product(at.worldFromNode, parentFromNode(model.nodes[at.index]));
-    placed.push_back({at.index, world});
-    const auto& children = model.nodes[at.index].children;
-    for (auto child = children.rbegin(); child != children.rend(); ++child) stack.push_back({*child, world});
+    if (met[at]) continue;
+    met[at] = true;
+    nodes.push_back(at);
+    const auto& children = model.nodes[at].children;
+    stack.insert(stack.end(), children.rbegin(), children.rend());
   }
-  return placed;
+  return nodes;
+}
+
+std::vector<int> nodesWithoutParent(const Model& model) {
+  std::vector<bool> child(model.nodes.size(), false);
+  for (const auto& node : model.nodes)
+    for (const int c : node.children) child[c] = true;
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < child.size(); ++i)
+    if (!child[i]) roots.push_back(static_cast<int>(i));
+  return roots;
+}
+
+/// The nodes of the default scene.
+std::vector<int> nodesOfScene(const Model& model) {
+  if (model.scenes.empty()) return nodesBelow(model, nodesWithoutParent(model));
+  return nodesBelow(model, model.scenes[std::max(model.defaultScene, 0)].nodes);
+}
+
+/// Of all nodes: a skin's joints need not be in the scene. The file's own pose: animations do not run.
+std::vector<Matrix> worldFromNodes(const Model& model) {
+  std::vector<Matrix> world(model.nodes.size(), kIdentity);
+  for (const int i : nodesBelow(model, nodesWithoutParent(model))) {
+    const tinygltf::Node& node = model.nodes[i];
+    // note: a node is met after its parent, which has left its own transform here
+    world[i] = product(world[i], parentFromNode(node.matrix, node.translation, node.rotation, node.scale));
+    for (const int child : node.children) world[child] = world[i];
+  }
+  return world;
+}
+
+/// joint x inverse bind matrix of every joint.
+std::vector<Matrix> worldFromBind(const Model& model, int skin, const std::vector<Matrix>& worldFromNode) {
+  const tinygltf::Skin& from = model.skins[skin];
+  std::vector<double> inverse;
+  if (from.inverseBindMatrices >= 0) inverse = readAccessor<double>(model, from.inverseBindMatrices);
+  std::vector<Matrix> matrices;
+  for (std::size_t j = 0; j < from.joints.size(); ++j) {
+    Matrix bind = kIdentity;
+    if (!inverse.empty())
+      std::copy_n(inverse.begin() + static_cast<std::ptrdiff_t>(16 * j), 16, bind.begin());
+    matrices.push_back(product(worldFromNode[from.joints[j]], bind));
+  }
+  return matrices;
 }
 
 // --- materials
@@ -445,7 +448,9 @@ void warnOfWhatIsIgnored(const nlohmann::json& json, std::vector<std::string>& w
   };
   if (json.contains("animations") && !json["animations"].empty())
     warnings.push_back("the file is animated: its rest pose is used");
-  if (any("nodes", "skin")) warnings.push_back("the file holds skinned meshes: their bind pose is used");
+  if (any("nodes", "skin"))
+    warnings.push_back(
+        "the file holds skinned meshes: they stand as the rest pose of their joints bends them");
   bool shines = json.contains("extensions") && json["extensions"].is_object() &&
                 json["extensions"].contains("KHR_lights_punctual");
   if (json.contains("materials"))
@@ -468,11 +473,11 @@ void refuseCompressed(const Model& model) {
     }
 }
 
-void flatten(const Model& model, double scale, SourceScene& scene) {
-  const std::vector<PlacedNode> nodes = placedNodes(model);
+/// Refuses what is too many before it is read.
+void checkTriangles(const Model& model, const std::vector<int>& nodes) {
   std::size_t triangles = 0;
-  for (const PlacedNode& placed : nodes)
-    if (const int mesh = model.nodes[placed.index].mesh; mesh >= 0)
+  for (const int i : nodes)
+    if (const int mesh = model.nodes[i].mesh; mesh >= 0)
       for (const auto& primitive : model.meshes[mesh].primitives)
         triangles += triangleCount(model, primitive);
   if (triangles > GltfBudget::kTriangles)
@@ -480,28 +485,49 @@ void flatten(const Model& model, double scale, SourceScene& scene) {
                     " triangles after instancing, and 5 million are accepted; simplify the meshes");
   if (triangles == 0)
     throw GltfError("no surfaces: it holds no triangles; export meshes, not points or lines");
+}
 
-  // Read each primitive once; copy it to each node that shows it.
-  std::vector<std::vector<SourceMesh>> local(model.meshes.size());
-  for (const PlacedNode& placed : nodes) {
-    const tinygltf::Node& node = model.nodes[placed.index];
+std::vector<LocalPrimitive> readMesh(const Model& model, int index, const std::vector<double>& morphWeights,
+                                     const std::vector<SourceMaterial>& materials) {
+  std::vector<LocalPrimitive> primitives;
+  for (const auto& primitive : model.meshes[index].primitives) {
+    if (triangleCount(model, primitive) == 0) continue;
+    const int texCoord = primitive.material >= 0 ? materials[primitive.material].texCoord : 0;
+    primitives.push_back(
+        readPrimitive(model, primitive, texCoord, morphWeights, "mesh " + std::to_string(index)));
+  }
+  return primitives;
+}
+
+void flatten(const Model& model, double scale, SourceScene& scene) {
+  const std::vector<int> nodes = nodesOfScene(model);
+  checkTriangles(model, nodes);
+  const std::vector<Matrix> worldFromNode = worldFromNodes(model);
+  // Read each mesh once; copy it to each node that shows it. A node may have morph weights of its own.
+  std::vector<std::vector<LocalPrimitive>> shared(model.meshes.size());
+  std::vector<LocalPrimitive> own;
+  for (const int index : nodes) {
+    const tinygltf::Node& node = model.nodes[index];
     if (node.mesh < 0) continue;
-    auto& primitives = local[node.mesh];
-    if (primitives.empty())
-      for (const auto& primitive : model.meshes[node.mesh].primitives) {
-        if (triangleCount(model, primitive) == 0) continue;
-        const int texCoord = primitive.material >= 0 ? scene.materials[primitive.material].texCoord : 0;
-        primitives.push_back(readPrimitive(model, primitive, texCoord, "mesh " + std::to_string(node.mesh)));
-      }
+    const bool isOwn = !node.weights.empty();
+    auto& primitives = isOwn ? own : shared[node.mesh];
+    if (isOwn || primitives.empty())
+      primitives =
+          readMesh(model, node.mesh, isOwn ? node.weights : model.meshes[node.mesh].weights, scene.materials);
     std::string name = cleanName(node.name);
-    if (name.empty()) name = "node " + std::to_string(placed.index);
+    if (name.empty()) name = "node " + std::to_string(index);
     const NodeExtras extras = readExtras(node, name, scene.warnings);
-    for (const SourceMesh& primitive : primitives) {
-      SourceMesh mesh = primitive;
+    std::vector<Matrix> joints;
+    if (node.skin >= 0) joints = worldFromBind(model, node.skin, worldFromNode);
+    for (const LocalPrimitive& primitive : primitives) {
+      SourceMesh mesh = primitive.mesh;
       mesh.node = name;
-      mesh.nodeIndex = static_cast<std::uint32_t>(placed.index);
+      mesh.nodeIndex = static_cast<std::uint32_t>(index);
       mesh.extras = extras;
-      transform(mesh, placed.worldFromNode, scale);
+      if (node.skin >= 0 && primitive.influences.perVertex > 0)
+        moveToJoints(mesh, primitive.influences, joints, scale);
+      else
+        moveToWorld(mesh, worldFromNode[index], scale);
       scene.meshes.push_back(std::move(mesh));
     }
   }

@@ -16,6 +16,7 @@
 #include "precompute/point_light.h"
 #include "precompute/progress.h"
 #include "precompute/results_json.h"
+#include "precompute/room_command_options.h"
 #include "precompute/room_options.h"
 #include "precompute/source_scene.h"
 
@@ -159,6 +160,8 @@ void light(LightOptions options) {
   options.room.requireSites = std::any_of(file.luminaires.begin(), file.luminaires.end(),
                                           [](const LayoutEntry& entry) { return entry.site && !entry.free; });
   options.room.rays = options.forward.rays;
+  for (const LayoutEntry& entry : file.luminaires)
+    if (entry.free) options.room.luminaires.push_back(*entry.free);
   const Room room = readRoom(options, progress);
   const std::vector<Luminaire> luminaires = about(options.layout, freeLuminaires(file, room.sites));
 
@@ -216,8 +219,7 @@ void addLightCommand(CLI::App& app) {
   auto o = std::make_shared<LightOptions>();
   CLI::App* command =
       app.add_subcommand("light", "What luminaires anywhere do to a room, refined until converged");
-  const auto above = [](double low) { return CLI::Range(low, 1e6); };
-  command->add_option("room", o->source, "The room (.glb, or .gltf with its files)")->required();
+  addRoomOptions(*command, o->source, o->room, {o->forward.rays, o->forward.seed, o->forward.threads});
   command->add_option("--layout", o->layout, "Luminaires, free or on the room's sites (layout.json)")
       ->required();
   command->add_option("--points", o->points, "Read the light at the points x,y,z,nx,ny,nz of this .csv");
@@ -225,29 +227,6 @@ void addLightCommand(CLI::App& app) {
   command->add_flag("--grid", o->grid,
                     "E_m, E_min and U_o on the EN 12464-1 grid of floors and measuring planes");
   command->add_flag("--direct-only", o->forward.directOnly, "No reflections (emergency lighting)");
-  command->add_option("--patch", o->room.patch, "Edge of a patch, m (default: about 25 000 patches)")
-      ->check(above(1e-4));
-  command->add_option("--rays", o->forward.rays, "Rays from every patch")
-      ->check(CLI::Range(1, 65536))
-      ->capture_default_str();
-  command->add_option("--measure", o->room.measures, "Node that is a measuring plane (repeatable)")
-      ->allow_extra_args(false);
-  command->add_option("--mount", o->room.mounts, "As to precompute, for site numbers (repeatable)")
-      ->allow_extra_args(false);
-  command->add_option("--site-spacing", o->room.siteSpacing, "As to precompute, for site numbers, m")
-      ->check(above(1e-3));
-  command->add_option("--site-size", o->room.siteSize, "As to precompute, for site numbers, m")
-      ->check(above(1e-3));
-  command->add_option("--scale", o->room.scale, "Metres of one unit of the file")
-      ->check(above(1e-6))
-      ->capture_default_str();
-  command->add_option("--memory", o->room.memory, "GB that may be used")
-      ->check(above(0.01))
-      ->capture_default_str();
-  command->add_option("--seed", o->forward.seed, "Of the rays")->capture_default_str();
-  command->add_option("--threads", o->forward.threads, "0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
   command->add_flag("--json", o->json, "One JSON document on standard output");
   command->callback([o] { light(*o); });
 }

@@ -9,7 +9,8 @@
 namespace fiatlux {
 
 /// One line for every surface (the worst eight) whose back, which is no surface, meets half a per cent or
-/// more of a sample of rays, and one where as many leave the room; each with its cure.
+/// more of a sample of rays, and one where as many leave the room, with the ways they take; each with its
+/// cure.
 std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& tracer);
 
 }  // namespace fiatlux

@@ -14,6 +14,9 @@ int main(int argc, char** argv) {
   app.name("fiatlux");
   app.set_version_flag("--version", "fiatlux 1.0.0");
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "fiatlux: " + fiatlux::printable(error.what(), 1000) + " (--help lists what there is)\n";
+  });
   fiatlux::addSolveCommand(app);
   fiatlux::addAlphaCommand(app);
   fiatlux::addExperimentsCommand(app);

@@ -16,7 +16,9 @@
 #include "precompute/commands.h"
 #include "precompute/display_mesh.h"
 #include "precompute/lost_rays.h"
+#include "precompute/option_checks.h"
 #include "precompute/progress.h"
+#include "precompute/room_command_options.h"
 #include "precompute/scene_build.h"
 
 namespace fiatlux {
@@ -185,40 +187,16 @@ void precompute(PrecomputeOptions options) {
 void addPrecomputeCommand(CLI::App& app) {
   auto o = std::make_shared<PrecomputeOptions>();
   CLI::App* command = app.add_subcommand("precompute", "glTF in, scene file out");
-  const auto above = [](double low) { return CLI::Range(low, 1e6); };
-  command->add_option("room", o->source, "The room (.glb, or .gltf with its files)")->required();
+  addRoomOptions(*command, o->source, o->room, {o->transport.rays, o->transport.seed, o->transport.threads});
   command->add_option("-o,--output", o->output, "The scene file (.flux; default: the room's name)");
-  command->add_option("--patch", o->room.patch, "Edge of a patch, m (default: about 25 000 patches)")
-      ->check(above(1e-4));
   command->add_option("--cluster", o->room.cluster, "Patches on a cluster's edge")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->add_option("--rays", o->transport.rays, "Rays from every patch")
-      ->check(CLI::Range(1, 65536))
+      ->check(wholeFrom(1, 64))
       ->capture_default_str();
   command->add_option("--refine", o->transport.refine, "Refinement steps after the low-rank answer")
-      ->check(CLI::Range(0, 100))
+      ->check(wholeFrom(0, 100))
       ->capture_default_str();
   command->add_flag("--paper", o->transport.paper,
                     "The paper's formulation to the letter, with Y, V and k x k covariances");
-  command->add_option("--mount", o->room.mounts, "Node or surface where luminaires may hang (repeatable)")
-      ->allow_extra_args(false);
-  command->add_option("--site-spacing", o->room.siteSpacing, "Distance between sites, m")->check(above(1e-3));
-  command
-      ->add_option("--site-size", o->room.siteSize, "Side of a luminaire's square, m (default: the spacing)")
-      ->check(above(1e-3));
-  command->add_option("--measure", o->room.measures, "Node that is a measuring plane (repeatable)")
-      ->allow_extra_args(false);
-  command->add_option("--scale", o->room.scale, "Metres of one unit of the file")
-      ->check(above(1e-6))
-      ->capture_default_str();
-  command->add_option("--memory", o->room.memory, "GB that may be used")
-      ->check(above(0.01))
-      ->capture_default_str();
-  command->add_option("--seed", o->transport.seed, "Of the rays")->capture_default_str();
-  command->add_option("--threads", o->transport.threads, "0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
   command->callback([o] { precompute(*o); });
 }
 

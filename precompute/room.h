@@ -30,9 +30,10 @@ struct SourceTriangle {
 
 struct RoomTriangle {
   std::array<std::uint32_t, 3> vertex;          // counter-clockwise seen from the front
-  std::uint32_t chart = kNone;                  // of the front
+  std::uint32_t chart = kNone;                  // of the front: kNone = left out, it faces the void
   std::uint32_t backChart = kNone;              // of the back: kNone = a ray that meets the back is lost
   SourceTriangle source = {}, backSource = {};  // for display: where front and back got their material
+  std::uint32_t leftOut = kNone;  // of Room::leftOut: whose front it was, where that is left out
 };
 
 /// A flat piece of a patch, to sample points on.
@@ -52,6 +53,7 @@ struct Room {
   std::vector<Surface> surfaces;
   std::vector<Site> sites;
   double patchSize = 0;               // m, the nominal edge of a patch
+  std::vector<std::string> leftOut;   // names of surfaces that face the void, wholly or in part
   std::vector<std::string> warnings;  // one readable line each
   std::string sourceHash;             // 16 hex digits of the source's bytes (buffers and images included)
 

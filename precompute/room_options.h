@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/luminaire.h"
+
 namespace fiatlux {
 
 struct RoomOptions {
@@ -18,6 +20,7 @@ struct RoomOptions {
   double memory = 4;                      // GB, refused above
   std::uint32_t rays = 1024;              // per patch that will be cast later: only to foresee the memory
   bool paper = false;                     // clusters stay exactly cluster x cluster, however many there are
+  std::vector<Luminaire> luminaires;      // known beforehand: what they light stays, even if it faces the void
   bool requireSites = true;               // false: a room without a place to hang luminaires is fine
 };
 

@@ -127,6 +127,14 @@ std::vector<Site> sitesOn(const WeldedMesh& mesh, const std::vector<Face>& faces
   return sites;
 }
 
+std::vector<Face> facesForSites(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+  const MountPlanes planes = planesOf(mesh, faces);
+  std::vector<Face> used;
+  for (const Region& region : planes.regions)
+    for (const std::uint32_t f : region.faces) used.push_back(planes.set.faces[f]);
+  return used;
+}
+
 double mountArea(const WeldedMesh& mesh, const std::vector<Face>& faces) {
   double area = 0;
   for (const Region& region : planesOf(mesh, faces).regions) area += region.area;

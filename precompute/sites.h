@@ -13,6 +13,9 @@ namespace fiatlux {
 std::vector<Site> sitesOn(const WeldedMesh& mesh, const std::vector<Face>& faces, double spacing,
                           double size);
 
+/// The faces that sitesOn would use.
+std::vector<Face> facesForSites(const WeldedMesh& mesh, const std::vector<Face>& faces);
+
 /// Area of the planes that sitesOn would use, m2.
 double mountArea(const WeldedMesh& mesh, const std::vector<Face>& faces);
 

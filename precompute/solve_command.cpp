@@ -12,6 +12,7 @@
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
 #include "precompute/intentions_json.h"
+#include "precompute/option_checks.h"
 #include "precompute/scene_io.h"
 #include "precompute/solve_report.h"
 
@@ -138,12 +139,13 @@ void addSolveCommand(CLI::App& app) {
   command->add_option("scene", options->scene, "scene file (.flux)")->required();
   command->add_option("--intentions", options->intentions, "intentions.json")->required();
   command->add_option("--seed", options->seed, "of the first run; the others count on")
+      ->check(aSeed())
       ->capture_default_str();
   command->add_option("--runs", options->runs, "independent searches")
-      ->check(CLI::Range(1, 100000))
+      ->check(wholeFrom(1, 100000))
       ->capture_default_str();
   command->add_option("--evaluations", options->evaluations, "trial layouts a run")
-      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{4000000000u}))
+      ->check(wholeFrom(1, 4000000000u))
       ->capture_default_str();
   command->add_flag("--bound", options->bound,
                     "prove how far from the best possible it is at most (takes seconds)");

@@ -8,6 +8,7 @@
 
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
+#include "precompute/room_command_options.h"
 #include "precompute/validation.h"
 
 namespace fiatlux {
@@ -81,13 +82,7 @@ void validate(const ValidateOptions& options) {
 void addValidateCommand(CLI::App& app) {
   auto o = std::make_shared<ValidateOptions>();
   CLI::App* command = app.add_subcommand("validate", "Analytic cases and CIE 171 through the whole pipeline");
-  command->add_option("--rays", o->validation.rays, "Rays from every patch")
-      ->check(CLI::Range(1, 65536))
-      ->capture_default_str();
-  command->add_option("--seed", o->validation.seed, "Of the rays")->capture_default_str();
-  command->add_option("--threads", o->validation.threads, "0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  addRayOptions(*command, {o->validation.rays, o->validation.seed, o->validation.threads});
   command->add_flag("--json", o->json, "One JSON document on standard output");
   command->add_flag("--markdown", o->markdown, "The table of docs/validation.md");
   command->callback([o] { validate(*o); });

@@ -155,7 +155,7 @@ TEST(GltfFile, WhatIsIgnoredIsSaid) {
   const std::string warnings = allWarnings(scene->warnings);
   EXPECT_THAT(warnings, HasSubstr("do not shine"));
   EXPECT_THAT(warnings, HasSubstr("rest pose"));
-  EXPECT_THAT(warnings, HasSubstr("bind pose"));
+  EXPECT_THAT(warnings, HasSubstr("skinned meshes"));
 }
 
 TEST(GltfFile, TheHashIsOfTheContent) {

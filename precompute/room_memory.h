@@ -1,0 +1,23 @@
+// Whether a room fits into the memory that may be used, asked before anything is allocated.
+#pragma once
+
+#include <vector>
+
+#include "precompute/charts.h"
+#include "precompute/room_options.h"
+
+namespace fiatlux {
+
+/// Throws a CommandError that names the largest part where the sizes need more than --memory.
+void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites,
+                 double surfaces);
+
+/// How many patches charts will have, about.
+double foreseenPatches(const std::vector<ChartDraft>& charts);
+
+/// Refuses grids that are too fine, before they are cut; `patch` in m, at most `mostClusters` outside
+/// --paper.
+void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& options, double patch,
+                std::uint32_t mostClusters);
+
+}  // namespace fiatlux
