@@ -13,8 +13,8 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::size_t kMostPieces = std::size_t{1} << 19;
-constexpr double kRayBudget = 4e6;                        // of one look at all pieces
+constexpr std::size_t kMostPieces = std::size_t{1} << 16;
+constexpr double kRayBudget = 2e6;                        // of one look at all pieces
 constexpr std::uint32_t kFewRays = 64, kManyRays = 4096;  // from a piece: at least, at most
 constexpr std::uint32_t kCloserRays = 1024;               // before a piece is called unlit
 constexpr std::uint32_t kLightRays = 256;                 // from a piece, or a mount, to where light starts
@@ -136,23 +136,28 @@ double Outlook::lost(std::uint32_t triangle, bool back) const {
   return static_cast<double>(pieces_[piece].lost) / pieces_[piece].rays;
 }
 
-bool Outlook::seesLight(std::uint32_t index, const std::vector<LightPlace>& places) const {
+bool Outlook::seesLight(std::uint32_t index, const std::vector<LightPlace>& places,
+                        std::uint32_t rays) const {
   const RayTracer& tracer = *tracing_->tracer;
   const auto scramble = RaySequence::scramble(mixBits(~std::uint64_t{index}));
-  const std::size_t rays = std::max<std::size_t>(kLightRays, places.size());
+  RayPacket packet;
+  const auto reaches = [&] {
+    bool blocked[RayPacket::kSize];
+    tracer.occluded(packet, blocked);
+    const bool all = std::all_of(blocked, blocked + packet.count, [](bool b) { return b; });
+    packet.count = 0;
+    return !all;
+  };
   for (std::uint32_t i = 0; i < rays; ++i) {
-    const auto random = tracing_->sequence.point(i % kManyRays, scramble);
+    const auto random = tracing_->sequence.point(i, scramble);
     const LightPlace from = pieces_[index].sampler.at(random[2], random[3]);
-    const LightPlace& light = places[i % places.size()];
+    const LightPlace& light = places[std::size_t{i} * places.size() / rays];
     const Vec3 way = light.position - from.position;
     if (dot(way, from.normal) <= 0 || dot(way, light.normal) > 0) continue;
-    RayPacket packet;
-    bool blocked[RayPacket::kSize];
     tracer.aim(packet, from.position + tracer.offset() * from.normal, way, 1);
-    tracer.occluded(packet, blocked);
-    if (!blocked[0]) return true;
+    if (packet.count == RayPacket::kSize && reaches()) return true;
   }
-  return false;
+  return packet.count > 0 && reaches();
 }
 
 /// Light goes from what is lit to what sees it, by the rays of either (A_p F_pq = A_q F_qp).
@@ -224,15 +229,19 @@ Outlook::Unlit Outlook::unlit(const std::vector<Face>& mounts, const std::vector
   for (const Face& face : mounts)
     if (const std::uint32_t p = pieceOfSide_[face.triangle][face.back]; p != kNone) lit[p] = true;
   spread(lit);
+  const auto raysOfEach = [&](const std::vector<bool>& which, bool value, std::uint32_t most) {
+    const auto count = static_cast<double>(std::count(which.begin(), which.end(), value));
+    return static_cast<std::uint32_t>(
+        std::clamp<double>(kRayBudget / std::max(count, 1.0), RayPacket::kSize, most));
+  };
+  const std::uint32_t lightRays = raysOfEach(lit, false, kLightRays);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-    if (!lit[p]) lit[p] = seesLight(p, lights);
+    if (!lit[p]) lit[p] = seesLight(p, lights, lightRays);
   spread(lit);
 
   // A closer look at what would be given up.
   std::vector<bool> outside = open(lit);
-  const auto count = static_cast<double>(std::count(outside.begin(), outside.end(), true));
-  const auto rays = static_cast<std::uint32_t>(
-      std::clamp<double>(kRayBudget / std::max(count, 1.0), kFewRays, kCloserRays));
+  const std::uint32_t rays = raysOfEach(outside, true, kCloserRays);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p)
     if (outside[p]) cast(p, rays, p + (std::uint64_t{1} << 32));
   spread(lit);

@@ -20,7 +20,7 @@ struct LightPlace {
 /// or gently bent parts of one surface. Deterministic: the same mesh and pieces give the same answers.
 class Outlook {
  public:
-  /// `mesh` must outlive it; `pieces` are charts of any grid. Too many pieces (beyond half a million) are not
+  /// `mesh` must outlive it; `pieces` are charts of any grid. Too many pieces (beyond 65 536) are not
   /// looked at: then nothing counts as lost or unlit.
   Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces);
   ~Outlook();
@@ -45,7 +45,7 @@ class Outlook {
   struct Piece;
   struct Tracing;
   void cast(std::uint32_t piece, std::uint32_t rays, std::uint64_t seed);
-  bool seesLight(std::uint32_t piece, const std::vector<LightPlace>& places) const;
+  bool seesLight(std::uint32_t piece, const std::vector<LightPlace>& places, std::uint32_t rays) const;
   void spread(std::vector<bool>& lit) const;
   std::vector<bool> open(const std::vector<bool>& lit) const;
 
