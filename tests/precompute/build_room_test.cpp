@@ -310,6 +310,21 @@ TEST(BuildRoom, MountsByNameAndWhatHappensWithoutRoom) {
   EXPECT_TRUE(gltf.build(options));
 }
 
+TEST(BuildRoom, WhatItsAuthorCallsACeilingIsProposedFirst) {
+  // A lowered ceiling within a shell whose own upper side is larger and looks like a ceiling.
+  TestGltf gltf;
+  TestMesh shell, lowered;
+  shell.box({}, {6, 4, 6}, true), lowered.quad({1, 3, 1}, {4, 0, 0}, {0, 0, 4});
+  gltf.node("shell", gltf.mesh(shell, gltf.material("paint", 0.5)));
+  const int panels = gltf.material("Ceiling panels", 0.7);
+  gltf.node("sheet", gltf.mesh(lowered, panels));
+  const auto room = gltf.build();
+  ASSERT_TRUE(room) << room.error().message;
+  EXPECT_THAT(allWarnings(room->warnings), HasSubstr("proposed to hang on 'sheet'"));
+  gltf.glb.json["materials"][panels]["name"] = "panels";
+  EXPECT_THAT(allWarnings(gltf.build()->warnings), HasSubstr("proposed to hang on 'shell/ceiling'"));
+}
+
 TEST(BuildRoom, TooMuchIsRefusedBeforeItIsMade) {
   TestGltf gltf = boxRoom({4, 3, 5}, 1);
   RoomOptions options;
