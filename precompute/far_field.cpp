@@ -20,16 +20,23 @@ FarField::FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed
     : room_(room), tracer_(tracer), seed_(seed), sequence_(kShadowPoints) {
   const Patches& patches = room.patches;
   std::vector<std::vector<std::uint32_t>> members(patches.clusterCount);
+  std::vector<Vec3> targets;  // kShadowPoints of each part
   for (std::uint32_t q = 0; q < patches.count; ++q) members[patches.cluster[q]].push_back(q);
   for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
     firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    addParts(c, members[c], mixBits(seed ^ 0xfa5u) ^ c);
+    addParts(c, members[c], mixBits(seed ^ 0xfa5u) ^ c, targets);
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+
+  // Most rows use the first few targets of every part: they lie together.
+  targets_.resize(targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    targets_[targetAt(i / kShadowPoints, i % kShadowPoints)] = targets[i];
+  }
 }
 
-void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members,
-                        std::uint64_t seed) {
+void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed,
+                        std::vector<Vec3>& targets) {
   const Patches& patches = room_.patches;
   Vec3 center;
   double area = 0;
@@ -80,7 +87,7 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
         along -= patches.area[quarter[chosen++]];
       const double left = std::min(along / patches.area[quarter[chosen]], 1 - 1e-9);
       const PatchPoint point = samplers[chosen].at(left, sample[1]);
-      part.target[i] = point.position + tracer_.offset() * point.normal;
+      targets.push_back(point.position + tracer_.offset() * point.normal);
     }
     const Vec3 d = part.center - center;
     partMoment += part.area * dot(d, d);
@@ -94,9 +101,8 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   }
 }
 
-void FarField::castShadows(std::uint64_t seed, std::uint32_t rays,
-                           const std::array<Vec3, kShadowPoints>& origins, std::size_t first,
-                           std::size_t last, std::vector<Candidate>& candidates) const {
+void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::vector<Vec3>& origins,
+                           std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const {
   RayPacket packet;
   std::size_t lane[RayPacket::kSize];
   const auto flush = [&] {
@@ -109,8 +115,8 @@ void FarField::castShadows(std::uint64_t seed, std::uint32_t rays,
     const std::uint64_t bits = mixBits(seed ^ candidates[i].part);
     candidates[i].visible = 0;
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
-      const std::uint32_t point = (bits + ray) % kShadowPoints;
-      const Vec3 &origin = origins[point], &target = parts_[candidates[i].part].target[point];
+      const std::size_t point = (bits + ray) % origins.size();
+      const Vec3 &origin = origins[point], &target = targets_[targetAt(candidates[i].part, point)];
       lane[packet.count] = i;
       tracer_.aim(packet, origin, target - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
@@ -145,12 +151,12 @@ void FarField::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sa
   // Point i here and point i of every part share a four-dimensional sequence: few rays already cover both
   // ends, and what hides a cluster from one side of the patch only (a picture's frame) is not mistaken.
   const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
-  std::array<Vec3, kShadowPoints> origins;
+  std::vector<Vec3> origins;
   const auto scramble = RaySequence::scramble(seed);
-  for (std::uint32_t i = 0; i < kShadowPoints; ++i) {
-    const auto sample = sequence_.point(i, scramble);
+  for (std::size_t i = 0; i < std::min(kFewPoints * effort, kShadowPoints); ++i) {
+    const auto sample = sequence_.point(static_cast<std::uint32_t>(i), scramble);
     const PatchPoint point = sampler.at(sample[2], sample[3]);
-    origins[i] = point.position + tracer_.offset() * point.normal;
+    origins.push_back(point.position + tracer_.offset() * point.normal);
   }
   const std::uint32_t few = (effort + 3) / 4, many = 4 * effort * few;  // of 4 and 256 at most
   castShadows(seed, few, origins, 0, candidates.size(), candidates);

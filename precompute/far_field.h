@@ -3,7 +3,6 @@
 // has no such noise.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,21 +27,25 @@ class FarField {
            float* u) const;
 
  private:
-  static constexpr std::uint32_t kShadowPoints = 256;  // that shadow rays start from or end in, at most
+  static constexpr std::size_t kShadowPoints = 256;  // that shadow rays start from or end in, at most
+  static constexpr std::size_t kFewPoints = 16;      // that rows of effort 1 use
 
   struct Part {  // about a quarter of a cluster
     std::uint32_t cluster = 0;
     Vec3 center, normal;
     double area = 0;
-    std::array<Vec3, kShadowPoints> target;
   };
   struct Candidate {  // a part that faces the row
     std::uint32_t part;
     double kernel;          // form factor if nothing is between
     std::uint32_t visible;  // shadow rays that arrived
   };
-  void addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed);
-  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::array<Vec3, kShadowPoints>& origins,
+  void addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed,
+                std::vector<Vec3>& targets);
+  std::size_t targetAt(std::size_t part, std::size_t point) const {
+    return (point / kFewPoints * parts_.size() + part) * kFewPoints + point % kFewPoints;
+  }
+  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::vector<Vec3>& origins,
                    std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const;
 
   const Room& room_;
@@ -50,6 +53,7 @@ class FarField {
   std::uint64_t seed_;
   RaySequence sequence_;                  // kShadowPoints points
   std::vector<Part> parts_;               // by cluster
+  std::vector<Vec3> targets_;             // where shadow rays end, at targetAt(part, point)
   std::vector<std::uint32_t> firstPart_;  // k + 1
   std::vector<Vec3> center_;              // k, m
   std::vector<double> reach_;             // k, m: edge of a square as large as the cluster

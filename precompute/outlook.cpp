@@ -78,7 +78,7 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
     for (const Face& face : pieces[p].faces) pieceOfSide_[face.triangle][face.back] = p;
-    pieces_.push_back({FaceSampler(mesh, pieces[p].faces)});
+    pieces_.push_back({FaceSampler(mesh, pieces[p].faces), {}});
     area += pieces_.back().sampler.area;
   }
   auto tracing = std::make_unique<Tracing>();
