@@ -58,6 +58,10 @@ TEST_F(Commands, InfoTellsWhatIsInIt) {
   EXPECT_EQ(info["receivers"], 0);
   EXPECT_EQ(info["identity"].get<std::string>().size(), 16u);
   ASSERT_EQ(info["surfaces"].size(), 6u);
+  for (const json& surface : info["surfaces"]) {
+    const bool told = std::count(info["fewPatches"].begin(), info["fewPatches"].end(), surface["name"]) == 1;
+    EXPECT_EQ(told, surface["patches"].get<int>() < 100) << surface;
+  }
   EXPECT_EQ(info["surfaces"][0]["name"], "floor");
   EXPECT_NEAR(info["surfaces"][0]["area"].get<double>(), 12, 1e-9);
   EXPECT_NEAR(info["surfaces"][0]["reflectance"].get<double>(), 0.5, 1e-6);

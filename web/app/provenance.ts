@@ -49,10 +49,13 @@ export function roomWarnings(scene: SceneInfo): string[] {
   return [...warnings, ...losing];
 }
 
+const fewPatches = 100; // as `fiatlux info` has it: below, other rays may move a spread by more than 1 %
+
 /** Sizes, rays and errors as pairs of a name and a value. */
 export function roomFacts(scene: SceneInfo): [string, string][] {
   const { source, options, lost, residuals, errors } = readProvenance(scene.provenance);
   const residual = residuals?.at(-1);
+  const uncertain = scene.surfaces.filter(({ measuring, patches }) => !measuring && patches < fewPatches);
   const facts: [string, string | null | undefined][] = [
     ['Made from', source?.file],
     ['Patches', `${grouped(String(scene.patches))} of ${patchSize(scene).toFixed(2)} m`],
@@ -65,6 +68,7 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
     ['Error of storing, mean', errors && fine(errors.mean)],
     ['… spread', errors && fine(errors.sigma)],
     ['… a patch, at worst', errors && fine(errors.patchRmsWorst)],
+    ['Spread uncertain by over 1 %, of few patches', uncertain.map(({ name }) => name).join(', ')],
   ];
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }

@@ -64,6 +64,7 @@ describe('the room', () => {
     expect(facts.get('Rays from each patch')).toMatch(/1.024, refined 2 times/);
     expect(facts.get('Bounced light not settled')).toBe('0.12 %');
     expect(facts.get('Light lost')).toBe('2 %');
+    expect(facts.get('Spread uncertain by over 1 %, of few patches')).toBe('floor, wall');
     expect([...facts.keys()].some((name) => name.startsWith('Error'))).toBe(false);
   });
   test('tells warnings, and surfaces that lose more than a hundredth of their light', () => {
