@@ -224,7 +224,8 @@ Made by \`node tests/bench/promises.mjs\`: nothing below is edited by hand.
 A value is one surface under one layout. Surfaces of a single patch have no sigma.
 
 Surfaces that miss a promise are listed under their room: mostly small ones, and ones in the shadow of others.
-Rely on \`light\` for sigma and extremes of small furniture.
+Rely on \`light\` for sigma and extremes of small furniture: \`fiatlux info\` names the surfaces of fewer than 100 patches, and so
+does the app under "About this room".
 
 `;
 

@@ -1,7 +1,7 @@
 /**
  * Where the defaults of the precompute come from: error against time for rays and refinement steps on the E corridor, and
  * cost against the number of patches. Writes docs/transport.md with its charts and the raw rows beside it.
- *   node tests/bench/transport-sweep.mjs       after `npm run build`; takes about 20 minutes on 2 cores; needs /usr/bin/time
+ *   node tests/bench/transport-sweep.mjs       after `npm run build`; takes about ten minutes on 2 cores; needs /usr/bin/time
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -16,6 +16,7 @@ const work = mkdtempSync(path.join(tmpdir(), 'fiatlux-sweep-'));
 const room = path.join(work, 'room.glb');
 const rayCounts = [64, 256, 1024, 4096, 16384];
 const refinements = [0, 1, 2, 3];
+const cut = ['--patch', '0.375', '--cluster', '2']; // clusters of 0.75 m as in the sample room
 const patchEdges = [0.42, 0.27, 0.1875, 0.11, 0.066]; // m: about 5 000 to 200 000 patches
 
 /** The E corridor with a quarter of its sites: the direct light of them all would hide what the rays cost. */
@@ -118,24 +119,17 @@ function exponent(points) {
 }
 
 function accuracy() {
-  const truth = precompute('truth', '--patch', '0.1875', '--rays', '16384', '--refine', '6', '--seed', '99');
+  const truth = precompute('truth', ...cut, '--rays', '16384', '--refine', '6', '--seed', '99');
   const layouts = makeLayouts(truth.info.sites);
   const reference = statistics(truth.file, layouts);
   rmSync(truth.file);
   const rows = [];
   for (const rays of rayCounts)
     for (const refine of refinements) {
-      const { file, info } = precompute(
-        'try',
-        '--patch',
-        '0.1875',
-        '--rays',
-        `${rays}`,
-        '--refine',
-        `${refine}`,
-      );
+      const { file, info } = precompute('try', ...cut, '--rays', `${rays}`, '--refine', `${refine}`);
       const found = statistics(file, layouts);
       rows.push({
+        patches: info.patches,
         rays,
         refine,
         seconds: show(secondsOf(info)),
@@ -208,7 +202,7 @@ Made by \`node tests/bench/transport-sweep.mjs\` on ${cpus().length} cores (${cp
 
 ## Rays and refinement
 
-E corridor, 24736 patches, every fourth of its sites. Errors are root mean squares of relative differences over 20 layouts of six luminaires
+E corridor, ${errors[0].patches} patches in clusters of 2 x 2, every fourth of its sites. Errors are root mean squares of relative differences over 20 layouts of six luminaires
 and 4 surfaces, against 16384 rays of another seed refined six times. Seconds are those of the transport, rays to statistics.
 
 ![Error of the mean](transport/mean-error.svg)

@@ -58,6 +58,7 @@ TEST_F(Commands, InfoTellsWhatIsInIt) {
   EXPECT_EQ(info["receivers"], 0);
   EXPECT_EQ(info["identity"].get<std::string>().size(), 16u);
   ASSERT_EQ(info["surfaces"].size(), 6u);
+  ASSERT_TRUE(info["fewPatches"].is_array());
   for (const json& surface : info["surfaces"]) {
     const bool told = std::count(info["fewPatches"].begin(), info["fewPatches"].end(), surface["name"]) == 1;
     EXPECT_EQ(told, surface["patches"].get<int>() < 100) << surface;
