@@ -210,9 +210,11 @@ and 4 surfaces, against 16384 rays of another seed refined six times. Seconds ar
 
 ${table(errors)}
 
-The rays set the mean's error, which falls as they grow; the refinement sets sigma's, which a cluster blurs until two steps
-have gone through the rays themselves. A third step changes less than the rays' own noise. Hence the defaults: 1024 rays,
-two steps.
+A response that comes straight from the low-rank inverse (refine 0) is off by its clusters' blur, however many rays there are.
+One step through the rays themselves brings the error down to what the rays leave; here the second changes it little, but it
+lowers the residual tenfold once more, and furnished rooms start higher (the open office: 0.09, 0.016, 0.005). A third
+changes nothing that the rays' own noise would not hide. With refinement, sixteen times the rays cut the mean's error to about a
+fifth up to 1024; from there they only halve it and take five times as long. Hence the defaults: 1024 rays, two steps.
 
 ## Patches
 
