@@ -78,6 +78,8 @@ test('axe finds nothing serious: wide and narrow, light and dark, every tab and 
     for (const width of [1280, 390]) {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height: 800 });
+      const moving = await page.evaluate(() => document.getAnimations().length);
+      expect(moving, `colours that still change, ${colorScheme}, ${width} px`).toBe(0);
       for (const name of ['Intentions', 'Luminaires', 'Results'] as const) {
         await tab(page, name);
         expect(await violations(page), `${name}, ${colorScheme}, ${width} px`).toEqual([]);
