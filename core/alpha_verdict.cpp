@@ -1,18 +1,13 @@
 // The words of the alpha-search; see alpha_verdict.h.
 #include "core/alpha_verdict.h"
 
-#include <cstdio>
-
+#include "core/short_number.h"
 #include "core/validate_intentions.h"
 
 namespace fiatlux {
 namespace {
 
-std::string text(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.4g", value);
-  return buffer;
-}
+std::string text(double value) { return shortNumber(value, 4); }
 
 /// "the darkest patch has 41 lx" of the layout that answers.
 std::string extremeOf(const AlphaIteration& found, bool minimum, const std::string& unit) {

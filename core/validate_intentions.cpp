@@ -2,9 +2,9 @@
 #include "core/validate_intentions.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "core/prepared_scene.h"
+#include "core/short_number.h"
 #include "core/start_layout.h"
 
 namespace fiatlux {
@@ -12,11 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMostLuminaires = 1000;
 
-std::string text(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
+std::string text(double value) { return shortNumber(value, 6); }
 
 std::string text(std::size_t value) { return std::to_string(value); }
 

@@ -3,25 +3,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <tuple>
 
+#include "precompute/disjoint_sets.h"
 #include "precompute/faces.h"
 
 namespace fiatlux {
 namespace {
-
-struct DisjointSets {
-  std::vector<std::uint32_t> parent;
-  explicit DisjointSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
-  std::uint32_t find(std::uint32_t x) {
-    while (parent[x] != x) x = parent[x] = parent[parent[x]];
-    return x;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    parent[std::max(find(a), find(b))] = std::min(find(a), find(b));
-  }
-};
 
 /// A connected piece of double-sided triangles.
 struct Sheet {

@@ -6,6 +6,7 @@
 #include <new>
 #include <set>
 
+#include "core/short_number.h"
 #include "precompute/charts.h"
 #include "precompute/clusters.h"
 #include "precompute/command_error.h"

@@ -1,7 +1,6 @@
 // How a command fails: one readable line on standard error, status 2.
 #pragma once
 
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,13 +18,6 @@ template <class T>
 T orThrow(Result<T> result) {
   if (!result) throw CommandError(result.error().message);
   return std::move(result.value());
-}
-
-/// A number for a message, with three digits.
-inline std::string shortNumber(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
 }
 
 }  // namespace fiatlux

@@ -7,14 +7,13 @@
 #include <cstdio>
 
 #include "core/bound.h"
+#include "core/short_number.h"
 #include "precompute/svg_plot.h"
 
 namespace fiatlux {
 
 std::string number(double value, int digits) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  return buffer;
+  return shortNumber(value, digits);
 }
 
 Intentions problemOf(const Experiments& e, std::uint32_t count, Statistic statistic, Sense sense,

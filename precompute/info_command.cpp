@@ -27,10 +27,6 @@ nlohmann::json provenanceOf(std::span<const std::uint8_t> file, const SceneTable
   return json && json->is_object() ? std::move(json.value()) : nlohmann::json::object();
 }
 
-/// Surfaces of fewer patches are not covered by the promise that another ray seed moves sigma by at most 1 %:
-/// over so few, too little averages out (docs/fidelity.md).
-constexpr std::uint32_t kFewPatches = 100;
-
 /// Everything, as --json prints it and as the table is made of.
 Json infoOf(const std::string& path) {
   const std::vector<std::uint8_t> file = readFileBytes(path);
@@ -60,9 +56,6 @@ Json infoOf(const std::string& path) {
                                 {"measuring", surface.measuring},
                                 {"errorBound", scene.errorBound[s]}});
   }
-  json["fewPatches"] = Json::array();
-  for (const Surface& surface : scene.surfaces)
-    if (!surface.measuring && surface.patches < kFewPatches) json["fewPatches"].push_back(surface.name);
   json["sections"] = Json::array();
   for (const SceneSection& section : table.sections)
     json["sections"].push_back({{"name", section.name},
@@ -118,10 +111,9 @@ void printTable(const std::string& path, const Json& json) {
        {"source", "options", "patchSize", "seconds", "lost", "residuals", "ranks", "errors", "peakMiB"})
     if (const std::string text = textOf(json, key); !text.empty())
       std::printf("%-10s %s\n", key, text.c_str());
-  if (!json["fewPatches"].empty())
-    std::printf(
-        "%-10s sigma of surfaces of fewer than %u patches may move by more than 1 %% with the ray seed: %s\n",
-        "note", kFewPatches, textOf(json, "fewPatches").c_str());
+  if (const std::string names = textOf(json, "fewPatches"); !names.empty())
+    std::printf("%-10s too few patches, sigma may move by more than 1 %% with the ray seed: %s\n", "note",
+                names.c_str());
   if (json.contains("warnings") && json["warnings"].is_array())
     for (const Json& warning : json["warnings"])
       if (warning.is_string())

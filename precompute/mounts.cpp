@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/short_number.h"
 #include "precompute/command_error.h"
 #include "precompute/names.h"
 #include "precompute/room_memory.h"

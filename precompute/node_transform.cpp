@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/short_number.h"
 #include "precompute/command_error.h"
 #include "precompute/gltf_document.h"
 

@@ -1,18 +1,14 @@
 #include "precompute/option_checks.h"
 
 #include <charconv>
-#include <cstdio>
 
+#include "core/short_number.h"
 #include "precompute/progress.h"
 
 namespace fiatlux {
 namespace {
 
-std::string shortest(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", x);
-  return text;
-}
+constexpr int kDigits = 10;  // of the ends of a range
 
 /// The check, and its words for --help.
 template <class Number>
@@ -31,7 +27,8 @@ CLI::Validator inRange(Number low, Number high, const std::string& kind, const s
 }  // namespace
 
 CLI::Validator numberFrom(double low, double high) {
-  return inRange<double>(low, high, "a number", shortest(low) + " to " + shortest(high));
+  return inRange<double>(low, high, "a number",
+                         shortNumber(low, kDigits) + " to " + shortNumber(high, kDigits));
 }
 
 CLI::Validator wholeFrom(std::uint64_t low, std::uint64_t high) {

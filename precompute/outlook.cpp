@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
+#include "precompute/disjoint_sets.h"
 #include "precompute/hemisphere.h"
 #include "precompute/ray_sequence.h"
 #include "precompute/ray_tracer.h"
@@ -78,7 +78,7 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
     for (const Face& face : pieces[p].faces) pieceOfSide_[face.triangle][face.back] = p;
-    pieces_.push_back({FaceSampler(mesh, pieces[p].faces), {}});
+    pieces_.push_back({FaceSampler(mesh, pieces[p].faces), 0, 0, {}});
     area += pieces_.back().sampler.area;
   }
   auto tracing = std::make_unique<Tracing>();
@@ -182,12 +182,8 @@ void Outlook::spread(std::vector<bool>& lit) const {
 
 /// Which of the dark pieces are open: together with the dark ones they see, they lose half of their rays.
 std::vector<bool> Outlook::open(const std::vector<bool>& lit) const {
-  std::vector<std::uint32_t> parent(pieces_.size()), met;
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t p) {
-    while (parent[p] != p) p = parent[p] = parent[parent[p]];
-    return p;
-  };
+  DisjointSets spaces(pieces_.size());
+  std::vector<std::uint32_t> met;
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
     if (lit[p]) continue;
     met = pieces_[p].met;
@@ -195,18 +191,17 @@ std::vector<bool> Outlook::open(const std::vector<bool>& lit) const {
     for (std::size_t i = 0, j; i < met.size(); i = j) {
       for (j = i; j < met.size() && met[j] == met[i]; ++j) {
       }
-      if (!lit[met[i]] && static_cast<double>(j - i) >= kSees * pieces_[p].rays)
-        parent[std::max(find(p), find(met[i]))] = std::min(find(p), find(met[i]));
+      if (!lit[met[i]] && static_cast<double>(j - i) >= kSees * pieces_[p].rays) spaces.join(p, met[i]);
     }
   }
   std::vector<double> area(pieces_.size(), 0), lost(pieces_.size(), 0);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    area[find(p)] += pieces_[p].sampler.area;
-    lost[find(p)] += pieces_[p].sampler.area * pieces_[p].lost / pieces_[p].rays;
+    area[spaces.find(p)] += pieces_[p].sampler.area;
+    lost[spaces.find(p)] += pieces_[p].sampler.area * pieces_[p].lost / pieces_[p].rays;
   }
   std::vector<bool> open(pieces_.size());
   for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-    open[p] = !lit[p] && lost[find(p)] >= kOpen * area[find(p)];
+    open[p] = !lit[p] && lost[spaces.find(p)] >= kOpen * area[spaces.find(p)];
   return open;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/short_number.h"
 #include "precompute/command_error.h"
 
 namespace fiatlux {

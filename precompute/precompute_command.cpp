@@ -68,6 +68,10 @@ void checkMemory(const PrecomputeOptions& options, const Room& room) {
   throw CommandError(options.source + ": " + line + cure);
 }
 
+/// Surfaces of fewer patches are not covered by the promise that another ray seed moves sigma by at most 1 %:
+/// over so few, too little averages out (docs/fidelity.md).
+constexpr std::uint32_t kFewPatches = 100;
+
 /// How the file is made, for `info`.
 Json provenanceOf(const PrecomputeOptions& options, const Room& room, const Transport& transport) {
   Json json;
@@ -99,6 +103,9 @@ Json provenanceOf(const PrecomputeOptions& options, const Room& room, const Tran
   json["lost"] = area > 0 ? lost / area : 0;
   json["residuals"] = transport.residuals;
   json["peakMiB"] = std::round(transport.bytes / 1048576);
+  json["fewPatches"] = Json::array();
+  for (const Surface& surface : room.surfaces)
+    if (!surface.measuring && surface.patches < kFewPatches) json["fewPatches"].push_back(surface.name);
   json["warnings"] = room.warnings;
   return json;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/bound.h"
+#include "core/short_number.h"
 #include "core/start_layout.h"
 #include "core/validate_intentions.h"
 #include "core/vns.h"
@@ -67,7 +68,8 @@ std::string goalLine(const Scene& scene, const Intentions& intentions, const Sho
       std::string(goal.sense == Sense::kMinimize ? "least " : "most ") + statisticName(goal.statistic);
   if (goal.statistic != Statistic::kPower) line += " of " + surfaceSetName(scene, goal.surfaces);
   if (goal.statistic == Statistic::kContrast) line += " over " + surfaceSetName(scene, goal.over);
-  return line + ": " + shortNumber(shown.goals[g]) + unitOf(goal.statistic, intentions.quantity);
+  return line + ": " + shortNumber(shown.goals[g], kReportDigits) +
+         unitOf(goal.statistic, intentions.quantity);
 }
 
 void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
@@ -79,11 +81,12 @@ void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& 
     std::printf("  %s\n", goalLine(scene, intentions, shown, g).c_str());
   for (std::size_t c = 0; c < shown.constraints.size(); ++c)
     std::printf("  %s\n", constraintLine(scene, intentions, shown, c).c_str());
-  if (run.layout.dimming != 1) std::printf("  dimmed to %s\n", shortNumber(run.layout.dimming).c_str());
+  if (run.layout.dimming != 1)
+    std::printf("  dimmed to %s\n", shortNumber(run.layout.dimming, kReportDigits).c_str());
   for (std::size_t i = 0; i < run.layout.sites.size(); ++i) {
     const Vec3& at = scene.sites[run.layout.sites[i]].position;
     std::printf("  L%zu on site %u at (%.3f, %.3f, %.3f) m, %s lm\n", i + 1, run.layout.sites[i], at.x, at.y,
-                at.z, shortNumber(run.layout.flux[i]).c_str());
+                at.z, shortNumber(run.layout.flux[i], kReportDigits).c_str());
   }
 }
 
@@ -106,7 +109,7 @@ void printBound(const Json& bound) {
   else
     std::printf(
         "proved: no layout reaches a goal beyond %s; the best found is within %.3g %% of the best possible\n",
-        shortNumber(bound["goal"].get<double>()).c_str(), 100 * bound["within"].get<double>());
+        shortNumber(bound["goal"].get<double>(), kReportDigits).c_str(), 100 * bound["within"].get<double>());
 }
 
 void solve(const SolveOptions& options) {

@@ -2,8 +2,8 @@
 #include "precompute/solve_report.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "core/short_number.h"
 #include "core/validate_intentions.h"
 #include "precompute/progress.h"
 
@@ -21,18 +21,13 @@ Json readingJson(const SurfaceReading& reading) {
 
 std::string boundsText(const Constraint& c) {
   std::string text;
-  if (std::isfinite(c.lower)) text += "at least " + shortNumber(c.lower);
-  if (std::isfinite(c.upper)) text += (text.empty() ? "at most " : ", at most ") + shortNumber(c.upper);
+  if (std::isfinite(c.lower)) text += "at least " + shortNumber(c.lower, kReportDigits);
+  if (std::isfinite(c.upper))
+    text += (text.empty() ? "at most " : ", at most ") + shortNumber(c.upper, kReportDigits);
   return text;
 }
 
 }  // namespace
-
-std::string shortNumber(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
 
 std::string unitOf(Statistic statistic, Quantity quantity) {
   if (statistic == Statistic::kPower) return " lm";
@@ -93,11 +88,13 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
   const Constraint& constraint = intentions.constraints[c];
   const ConstraintReading& reading = shown.constraints[c];
   std::string line = statisticName(constraint.statistic);
-  if (constraint.statistic == Statistic::kChebyshev) line += " (alpha " + shortNumber(constraint.alpha) + ")";
+  if (constraint.statistic == Statistic::kChebyshev)
+    line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
   if (constraint.statistic != Statistic::kPower)
     line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
-  return line + " " + shortNumber(reading.value) + unitOf(constraint.statistic, intentions.quantity) + " (" +
-         boundsText(constraint) + "): " + (reading.violation <= kMet ? "met" : "NOT met");
+  return line + " " + shortNumber(reading.value, kReportDigits) +
+         unitOf(constraint.statistic, intentions.quantity) + " (" + boundsText(constraint) +
+         "): " + (reading.violation <= kMet ? "met" : "NOT met");
 }
 
 }  // namespace fiatlux

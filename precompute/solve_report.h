@@ -29,7 +29,6 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
 /// " lx" or " lm/m2" where the statistic has the quantity's unit, " lm" for power, nothing for ratios.
 std::string unitOf(Statistic statistic, Quantity quantity);
 
-/// A number with six significant digits.
-std::string shortNumber(double value);
+inline constexpr int kReportDigits = 6;  // of a number in a report
 
 }  // namespace fiatlux

@@ -16,27 +16,17 @@ using testing::boxRoom;
 using ::testing::HasSubstr;
 using testing::ordered_json;
 using testing::surfaceIndex;
+using testing::surfaceNames;
 using testing::TestGltf;
 using testing::TestMesh;
+using testing::totalArea;
 using ::testing::UnorderedElementsAre;
-
-std::vector<std::string> surfaceNames(const Room& room) {
-  std::vector<std::string> names;
-  for (const Surface& surface : room.surfaces) names.push_back(surface.name);
-  return names;
-}
 
 /// The line with which a room is refused.
 std::string refusal(TestGltf& gltf, const RoomOptions& options) {
   const auto room = gltf.build(options);
   EXPECT_FALSE(room);
   return room ? "" : room.error().message;
-}
-
-double totalArea(const Room& room) {
-  double area = 0;
-  for (std::uint32_t p = 0; p < room.patches.count; ++p) area += room.patches.area[p];
-  return area;
 }
 
 /// What the tracer relies on: every patch can be sampled, and the samples lie in that patch.

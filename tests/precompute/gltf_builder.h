@@ -113,6 +113,19 @@ inline TestGltf boxRoom(const Vec3& size, double spacing, int cuts = 1) {
   return gltf;
 }
 
+inline std::vector<std::string> surfaceNames(const Room& room) {
+  std::vector<std::string> names;
+  for (const Surface& surface : room.surfaces) names.push_back(surface.name);
+  return names;
+}
+
+/// m2, without measuring planes.
+inline double totalArea(const Room& room) {
+  double area = 0;
+  for (std::uint32_t p = 0; p < room.patches.count; ++p) area += room.patches.area[p];
+  return area;
+}
+
 inline int surfaceIndex(const Room& room, const std::string& name) {
   for (std::size_t s = 0; s < room.surfaces.size(); ++s)
     if (room.surfaces[s].name == name) return static_cast<int>(s);

@@ -21,23 +21,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ordered_json;
 using testing::surfaceIndex;
+using testing::surfaceNames;
 using testing::TestGltf;
 using testing::TestMesh;
+using testing::totalArea;
 using ::testing::UnorderedElementsAre;
 
 const Vec3 kSize{4, 3, 5};  // m
-
-std::vector<std::string> namesOf(const Room& room) {
-  std::vector<std::string> names;
-  for (const Surface& surface : room.surfaces) names.push_back(surface.name);
-  return names;
-}
-
-double areaOf(const Room& room) {
-  double area = 0;
-  for (std::uint32_t p = 0; p < room.patches.count; ++p) area += room.patches.area[p];
-  return area;
-}
 
 RoomOptions coarse() {
   RoomOptions options;
@@ -69,8 +59,8 @@ TEST(Outside, AnOpenShellOfSheetsHasNoBacks) {
   for (const bool outward : {false, true}) {
     const auto room = shell(false, outward).build(coarse());
     ASSERT_TRUE(room) << room.error().message;
-    EXPECT_THAT(namesOf(*room), UnorderedElementsAre("floor", "ceiling", "south", "west", "east"));
-    EXPECT_NEAR(areaOf(*room), 20 + 20 + 12 + 15 + 15, 1e-4);
+    EXPECT_THAT(surfaceNames(*room), UnorderedElementsAre("floor", "ceiling", "south", "west", "east"));
+    EXPECT_NEAR(totalArea(*room), 20 + 20 + 12 + 15 + 15, 1e-4);
     EXPECT_EQ(room->patches.count, plain->patches.count);
     EXPECT_EQ(room->sites.size(), 20u);
     for (const Site& site : room->sites) EXPECT_LT(site.normal.y, -0.99);
@@ -107,8 +97,9 @@ TEST(Outside, AClosedSheetDrawnFromOutsideIsARoom) {
       gltf.node("chest", gltf.mesh(chest, paint), TestGltf::extras({{"surface", "chest"}}));
   const auto room = gltf.build(coarse());
   ASSERT_TRUE(room) << room.error().message;
-  EXPECT_THAT(namesOf(*room), UnorderedElementsAre("cube/floor", "cube/ceiling", "cube/wall 1", "cube/wall 2",
-                                                   "cube/wall 3", "cube/wall 4", "chest"));
+  EXPECT_THAT(surfaceNames(*room),
+              UnorderedElementsAre("cube/floor", "cube/ceiling", "cube/wall 1", "cube/wall 2", "cube/wall 3",
+                                   "cube/wall 4", "chest"));
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "cube/floor")].area, 20, 1e-4);
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("proposed to hang on 'cube/ceiling'"));
   const auto transport = computeTransport(*room, {});
@@ -143,8 +134,8 @@ TEST(Outside, AnOutsideThatSeesItselfIsLeftOut) {
   gltf.node("house", gltf.mesh(mesh, gltf.material("paint", 0.5, {{"doubleSided", true}})));
   const auto room = gltf.build(coarse());
   ASSERT_TRUE(room) << room.error().message;
-  for (const std::string& name : namesOf(*room)) EXPECT_THAT(name, Not(HasSubstr("(back)")));
-  EXPECT_NEAR(areaOf(*room), 2 * 27 + 21 * 3, 0.01);
+  for (const std::string& name : surfaceNames(*room)) EXPECT_THAT(name, Not(HasSubstr("(back)")));
+  EXPECT_NEAR(totalArea(*room), 2 * 27 + 21 * 3, 0.01);
 }
 
 /// Two rooms of sheets side by side, 4 m wide each; perhaps a door of 1 x 2 m in the sheet between them.
@@ -201,8 +192,9 @@ TEST(Outside, ARoomWithoutItsCeilingKeepsItsInside) {
   gltf.glb.json["nodes"][1]["mesh"] = gltf.mesh(lamp, 0);
   const auto room = gltf.build(coarse());
   ASSERT_TRUE(room) << room.error().message;
-  EXPECT_THAT(namesOf(*room), UnorderedElementsAre("floor", "ceiling", "ceiling (back)", "south", "north",
-                                                   "west", "east"));  // the lamp's top sees the walls
+  EXPECT_THAT(surfaceNames(*room),
+              UnorderedElementsAre("floor", "ceiling", "ceiling (back)", "south", "north", "west",
+                                   "east"));  // the lamp's top sees the walls
   const auto transport = computeTransport(*room, {});
   ASSERT_TRUE(transport);
   EXPECT_GT(transport->lost[surfaceIndex(*room, "floor")], 0.2);
@@ -233,10 +225,10 @@ TEST(Outside, WhatAPersonAskedForStays) {
   gltf.node("plane", gltf.mesh(plane, 0), TestGltf::extras({{"measure", true}}));
   const auto room = gltf.build(coarse());
   ASSERT_TRUE(room) << room.error().message;
-  EXPECT_THAT(namesOf(*room), Contains(std::string("porch")));
-  EXPECT_THAT(namesOf(*room), Contains(std::string("plane")));
-  EXPECT_THAT(namesOf(*room), Contains(std::string("south (back)")));  // the porch's light falls on it
-  EXPECT_THAT(namesOf(*room), Not(Contains(std::string("north (back)"))));
+  EXPECT_THAT(surfaceNames(*room), Contains(std::string("porch")));
+  EXPECT_THAT(surfaceNames(*room), Contains(std::string("plane")));
+  EXPECT_THAT(surfaceNames(*room), Contains(std::string("south (back)")));  // the porch's light falls on it
+  EXPECT_THAT(surfaceNames(*room), Not(Contains(std::string("north (back)"))));
   EXPECT_EQ(room->sites.size(), 22u);
 
   // A luminaire that hangs outside lights what it sees.
@@ -266,7 +258,7 @@ TEST(Outside, WithoutAPlaceForLightNothingIsLeftOut) {
 TEST(Outside, TheSameEveryTime) {
   const auto one = twoRooms(true).build(coarse()), two = twoRooms(true).build(coarse());
   ASSERT_TRUE(one && two);
-  EXPECT_EQ(namesOf(*one), namesOf(*two));
+  EXPECT_EQ(surfaceNames(*one), surfaceNames(*two));
   EXPECT_EQ(one->patches.area, two->patches.area);
   EXPECT_EQ(one->warnings, two->warnings);
 }

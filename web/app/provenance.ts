@@ -17,6 +17,7 @@ const provenanceSchema = v.object({
   residuals: known(v.array(share)), // before refinement, then after each step
   errors: known(v.object({ mean: share, sigma: share, patchRmsWorst: share })),
   warnings: known(v.array(v.string())),
+  fewPatches: known(v.array(v.string())), // surfaces whose spread other rays may move by more than 1 %
 });
 
 export type Provenance = v.InferOutput<typeof provenanceSchema>;
@@ -49,13 +50,10 @@ export function roomWarnings(scene: SceneInfo): string[] {
   return [...warnings, ...losing];
 }
 
-const fewPatches = 100; // as `fiatlux info` has it: below, other rays may move a spread by more than 1 %
-
 /** Sizes, rays and errors as pairs of a name and a value. */
 export function roomFacts(scene: SceneInfo): [string, string][] {
-  const { source, options, lost, residuals, errors } = readProvenance(scene.provenance);
+  const { source, options, lost, residuals, errors, fewPatches } = readProvenance(scene.provenance);
   const residual = residuals?.at(-1);
-  const uncertain = scene.surfaces.filter(({ measuring, patches }) => !measuring && patches < fewPatches);
   const facts: [string, string | null | undefined][] = [
     ['Made from', source?.file],
     ['Patches', `${grouped(String(scene.patches))} of ${patchSize(scene).toFixed(2)} m`],
@@ -68,7 +66,7 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
     ['Error of storing, mean', errors && fine(errors.mean)],
     ['… spread', errors && fine(errors.sigma)],
     ['… a patch, at worst', errors && fine(errors.patchRmsWorst)],
-    ['Spread uncertain by over 1 %, of few patches', uncertain.map(({ name }) => name).join(', ')],
+    ['Spread uncertain by over 1 %, of few patches', fewPatches?.join(', ')],
   ];
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }

@@ -54,6 +54,7 @@ describe('the room', () => {
       residuals: [0.05, 0.007, 0.0012],
       lost: 0.02,
       warnings: ['no mount is marked'],
+      fewPatches: ['floor', 'wall'],
       errors: { mean: 1e-9, sigma: 'damaged' },
     },
   };
