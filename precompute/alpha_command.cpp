@@ -94,8 +94,7 @@ void findAlpha(const AlphaCommandOptions& options) {
   if (!options.output.empty()) checkWritable(options.output);
   const Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
-  if (auto ok = checkAlphaIntentions(scene, intentions); !ok)
-    throw CommandError(options.intentions + ": " + ok.error().message);
+  orThrow(options.intentions, checkAlphaIntentions(scene, intentions));
   PreparedScene prepared(scene);
   const auto begin = std::chrono::steady_clock::now();
   AlphaSearch search(prepared, intentions, options.search);

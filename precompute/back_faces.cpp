@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "precompute/bounds.h"
 #include "precompute/disjoint_sets.h"
 #include "precompute/faces.h"
 
@@ -15,7 +16,7 @@ namespace {
 struct Sheet {
   bool open = false;
   double volume = 0;  // m3, positive where the fronts look outward
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  Bounds bounds;
 };
 
 /// Pieces that share edges, those of one node apart from those of another.
@@ -66,11 +67,7 @@ Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
     if (open[t]) sheet.open = true;
     const auto& v = mesh.triangles[t].vertex;
     sheet.volume += dot(mesh.positions[v[0]], cross(mesh.positions[v[1]], mesh.positions[v[2]])) / 6;
-    for (const std::uint32_t i : v) {
-      const Vec3& p = mesh.positions[i];
-      sheet.low = {std::min(sheet.low.x, p.x), std::min(sheet.low.y, p.y), std::min(sheet.low.z, p.z)};
-      sheet.high = {std::max(sheet.high.x, p.x), std::max(sheet.high.y, p.y), std::max(sheet.high.z, p.z)};
-    }
+    for (const std::uint32_t i : v) sheet.bounds.include(mesh.positions[i]);
   }
   return sheets;
 }
@@ -83,11 +80,16 @@ double solidAngle(const WeldedMesh& mesh, const WeldedTriangle& t, const Vec3& p
   return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
+/// About as large as the scene: a room rather than a thing in it.
+bool isLarge(const Sheet& sheet, const WeldedMesh& mesh) {
+  return sheet.bounds.diagonal() > 0.5 * mesh.diagonal;
+}
+
 /// Whether a closed sheet that looks outward is a room drawn from outside: as large as the scene, and other
 /// things stand within it, or there is nothing else.
 bool isRoomFromOutside(const WeldedMesh& mesh, Sheets& sheets, std::uint32_t root) {
   const Sheet& sheet = sheets.ofRoot[root];
-  if (sheet.open || sheet.volume <= 0 || length(sheet.high - sheet.low) <= 0.5 * mesh.diagonal) return false;
+  if (sheet.open || sheet.volume <= 0 || !isLarge(sheet, mesh)) return false;
   std::vector<std::uint32_t> own, others;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     (sheets.isMember[t] && sheets.sets.find(t) == root ? own : others).push_back(t);
@@ -120,8 +122,7 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
       const std::uint32_t root = sheets.sets.find(t);
       const Sheet& sheet = sheets.ofRoot[root];
       if (roomFromOutside[root] < 0) roomFromOutside[root] = isRoomFromOutside(mesh, sheets, root);
-      const bool isRoom = length(sheet.high - sheet.low) > 0.5 * mesh.diagonal;
-      if (sheet.open || roomFromOutside[root] || (sheet.volume < 0 && !isRoom))
+      if (sheet.open || roomFromOutside[root] || (sheet.volume < 0 && !isLarge(sheet, mesh)))
         faces.push_back({turned, t, triangle.mesh, triangle.source, true});
     }
   }

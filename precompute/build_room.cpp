@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/short_number.h"
+#include "precompute/bounds.h"
 #include "precompute/charts.h"
 #include "precompute/clusters.h"
 #include "precompute/command_error.h"
@@ -58,12 +59,7 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
 }
 
 void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
-  Vec3 low = mesh.positions[0], high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const double width = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double width = boundsOf(mesh.positions).longestEdge();
   if (width > 100)
     warnings.push_back("the room is " + shortNumber(width) + " m wide: the file is probably in " +
                        (width > 2000 ? "millimetres: pass --scale 0.001"
@@ -78,13 +74,6 @@ std::vector<Face> frontFaces(const WeldedMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     faces.push_back({mesh.triangles[t].vertex, t, mesh.triangles[t].mesh, mesh.triangles[t].source, false});
   return faces;
-}
-
-double areaOf(const SurfaceTree& tree) {
-  double area = 0;
-  for (const SurfaceGroup& group : tree.groups)
-    for (const Region& region : group.regions) area += region.area;
-  return area;
 }
 
 /// The room's surfaces without its outside, and where luminaires may hang.
@@ -261,8 +250,8 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   addMeasuringPlanes(source, roles, room.patchSize, names, room);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, options, room);
-  checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
-              static_cast<double>(room.sites.size()), static_cast<double>(room.surfaces.size()));
+  checkForeseenMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
+                      static_cast<double>(room.sites.size()), static_cast<double>(room.surfaces.size()));
   return room;
 }
 

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include "precompute/bounds.h"
+
 namespace fiatlux {
 namespace {
 
@@ -34,15 +36,13 @@ std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full,
   const Patches& patches = room.patches;
   std::vector<double> area(k, 0);
   std::vector<std::uint32_t> sample(k, kNone);
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  Bounds bounds;
   for (std::uint32_t p = 0; p < patches.count; ++p) {
-    const Vec3& c = patches.center[p];
-    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+    bounds.include(patches.center[p]);
     area[cluster[p]] += patches.area[p];
     if (sample[cluster[p]] == kNone) sample[cluster[p]] = p;
   }
-  const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-9});
+  const double side = std::max(bounds.longestEdge(), 1e-9);
   std::vector<std::tuple<std::uint32_t, int, std::uint32_t, std::uint32_t>>
       small;  // surface, direction, curve, cluster
   std::vector<std::uint32_t> target(k);
@@ -52,7 +52,7 @@ std::uint32_t joinSmallClusters(const Room& room, std::uint32_t k, double full,
       target[c] = joined++;
       continue;
     }
-    const Vec3 at = (1023 / side) * (patches.center[sample[c]] - low);
+    const Vec3 at = (1023 / side) * (patches.center[sample[c]] - bounds.low);
     std::uint32_t curve = 0;
     for (int bit = 9; bit >= 0; --bit)
       for (const double x : {at.x, at.y, at.z})

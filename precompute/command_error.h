@@ -20,4 +20,13 @@ T orThrow(Result<T> result) {
   return std::move(result.value());
 }
 
+/// The same of what was read from a file or made of it: the line names the file once, whoever found the
+/// fault.
+template <class T>
+T orThrow(const std::string& path, Result<T> result) {
+  if (!result && result.error().message.rfind(path, 0) != 0)
+    throw CommandError(path + ": " + result.error().message);
+  return orThrow(std::move(result));
+}
+
 }  // namespace fiatlux

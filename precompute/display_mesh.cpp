@@ -224,7 +224,7 @@ class Mesher {
 /// Measuring planes have no triangles in the room: their patches' pieces are drawn.
 void addReceivers(const Room& room, const PatchBlender& blender, Parts& parts) {
   for (std::uint32_t p = room.patches.count; p < room.patches.rows(); ++p)
-    for (std::uint32_t f = room.fragmentOffset[p]; f < room.fragmentOffset[p + 1]; ++f) {
+    for (const Fragment& fragment : room.fragmentsOf(p)) {
       const std::uint32_t chart = room.chartOfPatch[p];
       const auto at = [&](const Vec3& corner) {
         Vertex vertex;
@@ -233,7 +233,7 @@ void addReceivers(const Room& room, const PatchBlender& blender, Parts& parts) {
         vertex.blend = blender.inChart(chart, corner);
         return vertex;
       };
-      const auto& corner = room.fragments[f].corner;
+      const auto& corner = fragment.corner;
       parts[{room.patches.surface[p], -1}].triangle(at(corner[0]), at(corner[1]), at(corner[2]), chart);
     }
 }

@@ -24,23 +24,23 @@ void evaluate(const EvaluateOptions& options) {
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
   const Scene scene = orThrow(readSceneFile(options.scene));
   std::vector<std::string> notes = file.notes;
-  Result<Layout> layout = layoutOnSites(file, scene, notes);
-  if (!layout) throw CommandError(options.layout + ": " + layout.error().message);
+  const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
   for (const std::string& note : notes) printNote(options.layout + ": " + note);
 
-  const LightResults results = lightResults(scene, layout.value());
+  const LightResults results = lightResults(scene, layout);
   if (!options.patches.empty())
     writeFileAtomically(options.patches,
-                        patchesCsv(scene.patches, scene.surfaces, illuminanceOf(scene, layout.value())));
+                        patchesCsv(scene.patches, scene.surfaces, illuminanceOf(scene, layout)));
   if (!options.json) {
     std::fputs(surfacesTable(results).c_str(), stdout);
     return;
   }
   nlohmann::ordered_json json = {{"identity", scene.identity}, {"surfaces", surfacesJson(results)}};
   json["all"] = surfaceJson(results.all);
-  json["layout"] = layoutJson(layout.value(), scene);
-  json["power"] = 0.0;
-  for (double flux : layout->flux) json["power"] = json["power"].get<double>() + layout->dimming * flux;
+  json["layout"] = layoutJson(layout, scene);
+  double power = 0;
+  for (double flux : layout.flux) power += layout.dimming * flux;
+  json["power"] = power;
   std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 

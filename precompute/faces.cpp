@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "precompute/bounds.h"
+
 namespace fiatlux {
 namespace {
 
@@ -100,18 +102,15 @@ void mergeDuplicates(WeldedMesh& mesh) {
 
 WeldedMesh weld(const SourceScene& source, const std::vector<std::uint32_t>& meshes) {
   WeldedMesh result;
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  Bounds bounds;
   std::size_t vertices = 0, triangles = 0;
   for (const std::uint32_t m : meshes) {
-    for (const Vec3& p : source.meshes[m].positions) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    for (const Vec3& p : source.meshes[m].positions) bounds.include(p);
     vertices += source.meshes[m].positions.size();
     triangles += source.meshes[m].triangles.size();
   }
   if (vertices == 0) return result;
-  result.diagonal = length(high - low);
+  result.diagonal = bounds.diagonal();
   result.tolerance = std::max(1e-5 * result.diagonal, 1e-12);
   result.triangles.reserve(triangles);
 

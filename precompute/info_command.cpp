@@ -30,13 +30,9 @@ nlohmann::json provenanceOf(std::span<const std::uint8_t> file, const SceneTable
 /// Everything, as --json prints it and as the table is made of.
 Json infoOf(const std::string& path) {
   const std::vector<std::uint8_t> file = readFileBytes(path);
-  const auto named = [&](auto result) {
-    if (!result) throw CommandError(path + ": " + result.error().message);
-    return std::move(result.value());
-  };
-  const SceneTable table = named(readSceneTable(file));
-  const Scene scene = named(readScene(file));
-  for (const SceneSection& section : table.sections) named(inflateSection(file, section));
+  const SceneTable table = orThrow(path, readSceneTable(file));
+  const Scene scene = orThrow(path, readScene(file));
+  for (const SceneSection& section : table.sections) orThrow(path, inflateSection(file, section));
   Json json;
   json["identity"] = scene.identity;
   json["version"] = table.version;

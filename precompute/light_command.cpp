@@ -32,17 +32,10 @@ struct LightOptions {
   bool json = false, grid = false;
 };
 
-template <class T>
-T about(const std::string& path, Result<T> result) {
-  if (!result && result.error().message.rfind(path, 0) != 0)
-    throw CommandError(path + ": " + result.error().message);
-  return orThrow(std::move(result));
-}
-
 Room readRoom(const LightOptions& options, Progress& progress) {
   progress.update("reading", 0);
-  const SourceScene source = about(options.source, readSourceScene(options.source, options.room.scale));
-  Room room = about(options.source, buildRoom(source, options.room));
+  const SourceScene source = orThrow(options.source, readSourceScene(options.source, options.room.scale));
+  Room room = orThrow(options.source, buildRoom(source, options.room));
   progress.clear();
   for (const std::string& warning : room.warnings) printNote("warning: " + options.source + ": " + warning);
   return room;
@@ -152,7 +145,7 @@ void light(LightOptions options) {
   std::vector<MeasuringPoint> points;
   if (!options.points.empty()) {
     const std::vector<std::uint8_t> bytes = readFileBytes(options.points);
-    points = about(options.points, parsePoints(std::string(bytes.begin(), bytes.end())));
+    points = orThrow(options.points, parsePoints(std::string(bytes.begin(), bytes.end())));
   }
   if (!options.patches.empty()) checkWritable(options.patches);
   Progress progress;
@@ -163,12 +156,13 @@ void light(LightOptions options) {
   for (const LayoutEntry& entry : file.luminaires)
     if (entry.free) options.room.luminaires.push_back(*entry.free);
   const Room room = readRoom(options, progress);
-  const std::vector<Luminaire> luminaires = about(options.layout, freeLuminaires(file, room.sites));
+  const std::vector<Luminaire> luminaires = orThrow(options.layout, freeLuminaires(file, room.sites));
 
-  const RayTracer tracer = about(options.source, RayTracer::build(room));
+  const RayTracer tracer = orThrow(options.source, RayTracer::build(room));
   for (const std::string& warning : warningsOfLostRays(room, tracer))
     printNote("warning: " + options.source + ": " + warning);
-  ForwardLight light = about(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
+  ForwardLight light =
+      orThrow(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
   PointOptions pointOptions;
   pointOptions.seed = options.forward.seed;
   pointOptions.threads = options.forward.threads;

@@ -9,7 +9,9 @@
 #include <numeric>
 #include <utility>
 
+#include "precompute/bounds.h"
 #include "precompute/hemisphere.h"
+#include "precompute/patch_sampler.h"
 #include "precompute/ray_sequence.h"
 
 namespace fiatlux {
@@ -49,29 +51,19 @@ const std::string& frontName(const Room& room, std::uint32_t triangle) {
   return t.leftOut != kNone ? room.leftOut[t.leftOut] : kUnknown;
 }
 
-struct Box {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-
-  explicit Box(const std::vector<Vec3>& positions) {
-    for (const Vec3& p : positions) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  }
-  /// By which side a ray from within leaves: index into kWays.
-  std::size_t wayOut(const Vec3& origin, const Vec3& direction) const {
-    std::size_t way = 0;
-    double nearest = 1e300;
-    const auto look = [&](std::size_t axis, double from, double d, double least, double most) {
-      const double distance = d > 0 ? (most - from) / d : d < 0 ? (least - from) / d : 1e300;
-      if (distance < nearest) nearest = distance, way = 2 * axis + (d > 0);
-    };
-    look(0, origin.x, direction.x, low.x, high.x);
-    look(1, origin.y, direction.y, low.y, high.y);
-    look(2, origin.z, direction.z, low.z, high.z);
-    return way;
-  }
-};
+/// By which side a ray from within leaves: index into kWays.
+std::size_t wayOut(const Bounds& bounds, const Vec3& origin, const Vec3& direction) {
+  std::size_t way = 0;
+  double nearest = 1e300;
+  const auto look = [&](std::size_t axis, double from, double d, double least, double most) {
+    const double distance = d > 0 ? (most - from) / d : d < 0 ? (least - from) / d : 1e300;
+    if (distance < nearest) nearest = distance, way = 2 * axis + (d > 0);
+  };
+  look(0, origin.x, direction.x, bounds.low.x, bounds.high.x);
+  look(1, origin.y, direction.y, bounds.low.y, bounds.high.y);
+  look(2, origin.z, direction.z, bounds.low.z, bounds.high.z);
+  return way;
+}
 
 double sumOf(const Ways& ways) { return std::accumulate(ways.begin(), ways.end(), 0.0); }
 
@@ -91,15 +83,16 @@ std::string namesOf(const Ways& ways) {
 Sample sampleOf(const Room& room, const RayTracer& tracer) {
   const std::size_t surfaces = room.surfaces.size();
   Sample sample{0, std::vector<double>(surfaces), std::vector<Ways>(surfaces, Ways{}), {}};
-  const Box box(room.positions);
-  const double near = 0.01 * length(box.high - box.low);
+  const Bounds bounds = boundsOf(room.positions);
+  const double near = 0.01 * bounds.diagonal();
   const RaySequence sequence(kRays);
   const std::uint32_t step = std::max(1u, room.patches.count / kPatches);
   for (std::uint32_t p = 0; p < room.patches.count; p += step) {
+    const PatchSampler sampler(room, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
     for (std::uint32_t i = 0; i < kRays; ++i) {
       const auto random = sequence.point(i, scramble);
-      const auto [position, normal] = room.pointOnPatch(p, random[2], random[3]);
+      const auto [position, normal, weight] = sampler.at(random[2], random[3]);
       const Vec3 origin = position + tracer.offset() * normal;
       const Vec3 direction = cosineDirection(Frame(normal), random[0], random[1]);
       RayPacket packet;
@@ -109,7 +102,7 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
       sample.rays += 1;
       sample.cast[room.patches.surface[p]] += 1;
       if (hit.triangle[0] == kNone)
-        sample.left[room.patches.surface[p]][box.wayOut(position, direction)] += 1;
+        sample.left[room.patches.surface[p]][wayOut(bounds, position, direction)] += 1;
       else if (tracer.patchOf(origin, direction, hit.triangle[0], hit.distance[0]) == kNone)
         sample.swallowed[frontName(room, hit.triangle[0])].add(hit.distance[0] < near);
     }

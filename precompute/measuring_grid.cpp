@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "precompute/bounds.h"
 
 namespace fiatlux {
 
@@ -51,8 +52,7 @@ double gridSpacing(double length, double width) {
 }
 
 std::vector<MeasuringGrid> measuringGrids(const Room& room) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : room.positions) lowest = std::min(lowest, p.y);
+  const double lowest = boundsOf(room.positions).low.y;
   std::vector<MeasuringGrid> grids;
   for (const Chart& chart : room.charts) {
     const bool measuring = room.surfaces[chart.surface].measuring;

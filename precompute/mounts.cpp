@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/short_number.h"
+#include "precompute/bounds.h"
 #include "precompute/command_error.h"
 #include "precompute/names.h"
 #include "precompute/room_memory.h"
@@ -59,8 +60,8 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
 /// The ceiling: the largest plane that faces down in the upper half, and others about as high.
 std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
                                   const Outlook& outlook, std::vector<std::string>& warnings) {
-  double low = 1e300, high = -1e300;
-  for (const Vec3& p : mesh.positions) low = std::min(low, p.y), high = std::max(high, p.y);
+  const Bounds bounds = boundsOf(mesh.positions);
+  const double low = bounds.low.y, high = bounds.high.y;
   struct Candidate {
     const SurfaceGroup* group;
     const Region* region;
@@ -159,8 +160,8 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ro
                                                    : sensible;
     const double size = options.siteSize > 0 ? options.siteSize : spacing;
     const double expected = mountArea(mesh, mount.faces) / (spacing * spacing);
-    checkMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
-                static_cast<double>(room.sites.size()) + expected, 1);
+    checkForeseenMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),
+                        static_cast<double>(room.sites.size()) + expected, 1);
     const std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
     if (sites.empty())
       room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +

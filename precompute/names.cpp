@@ -2,13 +2,15 @@
 #include "precompute/names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <numeric>
 
 namespace fiatlux {
 namespace {
 
-constexpr std::size_t kLongest = 120;  // characters of a name that are shown
+constexpr std::size_t kLongest = 120;      // characters of a name that are shown
+constexpr std::size_t kMostRanked = 2000;  // names that are compared with a misspelt one
 
 /// The next code point of UTF-8 and its bytes; broken sequences come out as one replacement character a byte.
 std::uint32_t nextCodePoint(const std::string& text, std::size_t& at) {
@@ -55,6 +57,7 @@ std::string cleaned(const std::string& text, bool slashes) {
   return result;
 }
 
+/// Letters to insert, delete or replace to get from a to b (Levenshtein), case apart.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -84,15 +87,16 @@ std::string UniqueNames::take(const std::string& wanted) {
   return name;
 }
 
-std::string closestNames(const std::string& wanted, const std::vector<std::string>& names) {
+std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote) {
   const std::string asked = cleanText(wanted);
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& name : names)
-    if (ranked.size() < 2000) ranked.emplace_back(editDistance(asked, name), name);
+    if (ranked.size() < kMostRanked) ranked.emplace_back(editDistance(asked, name), name);
   std::sort(ranked.begin(), ranked.end());
   ranked.erase(std::unique(ranked.begin(), ranked.end()), ranked.end());
   std::string list;
-  for (std::size_t i = 0; i < ranked.size() && i < 3; ++i) list += (i ? ", '" : "'") + ranked[i].second + "'";
+  for (std::size_t i = 0; i < ranked.size() && i < 3; ++i)
+    list += (i ? ", " : "") + (quote + ranked[i].second + quote);
   return list;
 }
 

@@ -25,7 +25,7 @@ class UniqueNames {
   std::set<std::string> taken_;
 };
 
-/// Up to three of `names` that look most like `wanted`, as "'a', 'b', 'c'"; for error messages.
-std::string closestNames(const std::string& wanted, const std::vector<std::string>& names);
+/// Up to three of `names` that look most like `wanted`, each in quotes: "'a', 'b', 'c'"; for error messages.
+std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote = '\'');
 
 }  // namespace fiatlux

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "precompute/area_sampler.h"
 #include "precompute/disjoint_sets.h"
 #include "precompute/hemisphere.h"
 #include "precompute/ray_sequence.h"
@@ -21,35 +22,13 @@ constexpr std::uint32_t kLightRays = 256;                 // from a piece, or a 
 constexpr double kOpen = 0.5;                             // share of lost rays from which a space is open
 constexpr double kSees = 0.005;                           // share of rays that must meet what is lit
 
-/// Points by area on some faces.
-struct FaceSampler {
-  struct Triangle {
-    Vec3 corner, first, second, normal;
-    double before;  // area of those before it, m2
-  };
-  std::vector<Triangle> triangles;
-  double area = 0;  // m2
-
-  FaceSampler(const WeldedMesh& mesh, const std::vector<Face>& faces) {
-    for (const Face& face : faces) {
-      const Vec3 &a = mesh.positions[face.vertex[0]], &b = mesh.positions[face.vertex[1]],
-                 &c = mesh.positions[face.vertex[2]];
-      const Vec3 normal = areaVector(mesh.positions, face.vertex);
-      triangles.push_back({a, b - a, c - a, normalized(normal), area});
-      area += length(normal);
-    }
-  }
-  LightPlace at(double u, double v) const {
-    const double wanted = u * area;
-    auto next = std::upper_bound(triangles.begin(), triangles.end(), wanted,
-                                 [](double x, const Triangle& t) { return x < t.before; });
-    const double end = next == triangles.end() ? area : next->before;
-    const Triangle& t = *--next;
-    const double share = end > t.before ? std::clamp((wanted - t.before) / (end - t.before), 0.0, 1.0) : 0.5;
-    const double root = std::sqrt(share);
-    return {t.corner + (root * (1 - v)) * t.first + (root * v) * t.second, t.normal};
-  }
-};
+AreaSampler samplerOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Fragment> triangles;
+  for (const Face& face : faces)
+    triangles.push_back(
+        {{mesh.positions[face.vertex[0]], mesh.positions[face.vertex[1]], mesh.positions[face.vertex[2]]}});
+  return AreaSampler(triangles);
+}
 
 Room blockersOf(const WeldedMesh& mesh) {
   Room room;
@@ -61,7 +40,7 @@ Room blockersOf(const WeldedMesh& mesh) {
 }  // namespace
 
 struct Outlook::Piece {
-  FaceSampler sampler;
+  AreaSampler sampler;
   std::uint32_t rays = 0, lost = 0;
   std::vector<std::uint32_t> met;  // the pieces that the other rays met
 };
@@ -78,8 +57,8 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
     for (const Face& face : pieces[p].faces) pieceOfSide_[face.triangle][face.back] = p;
-    pieces_.push_back({FaceSampler(mesh, pieces[p].faces), 0, 0, {}});
-    area += pieces_.back().sampler.area;
+    pieces_.push_back({samplerOf(mesh, pieces[p].faces), 0, 0, {}});
+    area += pieces_.back().sampler.area();
   }
   auto tracing = std::make_unique<Tracing>();
   tracing->room = blockersOf(mesh);
@@ -91,7 +70,7 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
   const auto least = static_cast<std::uint32_t>(
       std::clamp<double>(kRayBudget / static_cast<double>(pieces_.size()), RayPacket::kSize, kFewRays));
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    const auto share = static_cast<std::uint32_t>(16 * kManyRays * pieces_[p].sampler.area / area);
+    const auto share = static_cast<std::uint32_t>(16 * kManyRays * pieces_[p].sampler.area() / area);
     cast(p, std::min(least + share, kManyRays), p);
   }
 }
@@ -107,7 +86,7 @@ void Outlook::cast(std::uint32_t index, std::uint32_t rays, std::uint64_t seed) 
     RayPacket packet;
     for (std::uint32_t i = first; i < std::min(first + RayPacket::kSize, rays); ++i) {
       const auto random = tracing_->sequence.point(i, scramble);
-      const LightPlace from = piece.sampler.at(random[2], random[3]);
+      const AreaSampler::Point from = piece.sampler.at(random[2], random[3]);
       direction[i - first] = cosineDirection(Frame(from.normal), random[0], random[1]);
       tracer.aim(packet, from.position + tracer.offset() * from.normal, direction[i - first],
                  std::numeric_limits<float>::infinity());
@@ -150,7 +129,7 @@ bool Outlook::seesLight(std::uint32_t index, const std::vector<LightPlace>& plac
   };
   for (std::uint32_t i = 0; i < rays; ++i) {
     const auto random = tracing_->sequence.point(i, scramble);
-    const LightPlace from = pieces_[index].sampler.at(random[2], random[3]);
+    const AreaSampler::Point from = pieces_[index].sampler.at(random[2], random[3]);
     const LightPlace& light = places[std::size_t{i} * places.size() / rays];
     const Vec3 way = light.position - from.position;
     if (dot(way, from.normal) <= 0 || dot(way, light.normal) > 0) continue;
@@ -167,13 +146,14 @@ void Outlook::spread(std::vector<bool>& lit) const {
     std::vector<double> received(pieces_.size(), 0);  // m2
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
       if (lit[p])
-        for (const std::uint32_t q : pieces_[p].met) received[q] += pieces_[p].sampler.area / pieces_[p].rays;
+        for (const std::uint32_t q : pieces_[p].met)
+          received[q] += pieces_[p].sampler.area() / pieces_[p].rays;
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
       if (lit[p]) continue;
       const auto seen = std::count_if(pieces_[p].met.begin(), pieces_[p].met.end(),
                                       [&](std::uint32_t q) { return lit[q]; });
       if (static_cast<double>(seen) < kSees * pieces_[p].rays &&
-          received[p] < kSees * pieces_[p].sampler.area)
+          received[p] < kSees * pieces_[p].sampler.area())
         continue;
       lit[p] = changed = true;
     }
@@ -196,8 +176,8 @@ std::vector<bool> Outlook::open(const std::vector<bool>& lit) const {
   }
   std::vector<double> area(pieces_.size(), 0), lost(pieces_.size(), 0);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-    area[spaces.find(p)] += pieces_[p].sampler.area;
-    lost[spaces.find(p)] += pieces_[p].sampler.area * pieces_[p].lost / pieces_[p].rays;
+    area[spaces.find(p)] += pieces_[p].sampler.area();
+    lost[spaces.find(p)] += pieces_[p].sampler.area() * pieces_[p].lost / pieces_[p].rays;
   }
   std::vector<bool> open(pieces_.size());
   for (std::uint32_t p = 0; p < pieces_.size(); ++p)
@@ -211,13 +191,12 @@ Outlook::Unlit Outlook::unlit(const std::vector<Face>& mounts, const std::vector
   if (!tracing_ || (mounts.empty() && places.empty())) return unlit;
   std::vector<LightPlace> lights = places;
   if (!mounts.empty()) {
-    const FaceSampler sampler(mesh_, mounts);
+    const AreaSampler sampler = samplerOf(mesh_, mounts);
     const auto scramble = RaySequence::scramble(0);
     for (std::uint32_t i = 0; i < kLightRays; ++i) {
       const auto random = tracing_->sequence.point(i, scramble);
-      LightPlace place = sampler.at(random[0], random[1]);
-      place.position += 2 * tracing_->tracer->offset() * place.normal;
-      lights.push_back(place);
+      const auto [position, normal] = sampler.at(random[0], random[1]);
+      lights.push_back({position + 2 * tracing_->tracer->offset() * normal, normal});
     }
   }
   std::vector<bool> lit(pieces_.size(), false);

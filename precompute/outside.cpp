@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kVoid = 0.5;          // share of lost rays from which a side looks into the void
 constexpr std::size_t kMostNames = 4;  // in the note
-
-constexpr double kLittle = 1e-4;  // of the room's area: not worth a line
+constexpr double kLittle = 1e-4;       // of the room's area: not worth a line
 
 /// "20 m2" and "'floor' 12 m2, 'wall' 8 m2": what there is of each name, most first.
 struct AreaList {
@@ -35,13 +34,6 @@ bool liesOn(const std::vector<std::array<bool, 2>>& sides, const SurfaceGroup& g
     const Face& face = group.set.faces[f];
     return sides[face.triangle][face.back];
   });
-}
-
-double areaOf(const SurfaceTree& tree) {
-  double area = 0;
-  for (const SurfaceGroup& group : tree.groups)
-    for (const Region& region : group.regions) area += region.area;
-  return area;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "precompute/area_sampler.h"
 #include "precompute/room.h"
 
 namespace fiatlux {
@@ -27,12 +28,8 @@ class PatchSampler {
   std::vector<PatchPoint> quadrature(std::uint32_t edge) const;
 
  private:
-  struct Piece {
-    Vec3 corner, first, second;    // m, a corner of the fragment and its edges from there
-    Vec3 normal;                   // unit
-    double before = 0, share = 0;  // of the patch's area
-  };
-  std::vector<Piece> pieces_;
+  AreaSampler fragments_;
+  PatchPoint center_;  // stands for a patch too thin to have area in its fragments
   bool fullCell_ = false;
   Vec3 cellCorner_, cellU_, cellV_;  // m, of a full cell
 };

@@ -20,6 +20,7 @@
 #include "precompute/progress.h"
 #include "precompute/room_command_options.h"
 #include "precompute/scene_build.h"
+#include "precompute/transport_memory.h"
 
 namespace fiatlux {
 namespace {
@@ -44,28 +45,6 @@ std::string lightOptions(const PrecomputeOptions& options, const Room& room) {
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
   return text.str();
-}
-
-/// Refuses what would not fit, naming what is too many.
-void checkMemory(const PrecomputeOptions& options, const Room& room) {
-  const double bytes = transportBytes(room.patches, room.sites.size(), options.transport);
-  if (bytes <= options.room.memory * 1e9) return;
-  const Patches& patches = room.patches;
-  const double rays = 4.0 * patches.rows() * options.transport.rays;
-  const double clusters = 4.0 * patches.count * patches.clusterCount;
-  const double responses = 8.0 * patches.rows() * room.sites.size();
-  std::string cure = std::to_string(patches.rows()) + " patches x " + std::to_string(patches.clusterCount) +
-                     " clusters are too many: pass a larger --patch";
-  if (rays >= clusters && rays >= responses)
-    cure = std::to_string(patches.rows()) + " patches x " + std::to_string(options.transport.rays) +
-           " rays are too many: pass a larger --patch or fewer --rays";
-  else if (responses >= clusters)
-    cure = std::to_string(patches.rows()) + " patches x " + std::to_string(room.sites.size()) +
-           " sites are too many: pass a larger --patch or --site-spacing";
-  char line[160];
-  std::snprintf(line, sizeof line, "it would take %.1f GB where --memory allows %.1f: ", bytes / 1e9,
-                options.room.memory);
-  throw CommandError(options.source + ": " + line + cure);
 }
 
 /// Surfaces of fewer patches are not covered by the promise that another ray seed moves sigma by at most 1 %:
@@ -118,19 +97,6 @@ double lap(std::chrono::steady_clock::time_point& since) {
   return std::round(taken.count() * 1e3) / 1e3;
 }
 
-template <class T>
-T named(const std::string& path, Result<T> result) {
-  if (!result) throw CommandError(path + ": " + result.error().message);
-  return std::move(result.value());
-}
-
-/// Errors of the source and its room name the file once, whoever found them.
-template <class T>
-T aboutSource(const std::string& path, Result<T> result) {
-  if (!result && result.error().message.rfind(path, 0) == 0) throw CommandError(result.error().message);
-  return named(path, std::move(result));
-}
-
 void precompute(PrecomputeOptions options) {
   if (options.output.empty())
     options.output = std::filesystem::path(options.source).replace_extension(".flux").string();
@@ -143,23 +109,23 @@ void precompute(PrecomputeOptions options) {
   options.room.paper = options.transport.paper;
 
   progress.update("reading", 0);
-  const SourceScene source = aboutSource(options.source, readSourceScene(options.source, options.room.scale));
+  const SourceScene source = orThrow(options.source, readSourceScene(options.source, options.room.scale));
   const double readingSeconds = lap(clock);
   progress.update("patches", 0);
-  Room room = aboutSource(options.source, buildRoom(source, options.room));
+  Room room = orThrow(options.source, buildRoom(source, options.room));
   for (const std::string& warning : source.warnings)
     if (std::find(room.warnings.begin(), room.warnings.end(), warning) == room.warnings.end())
       room.warnings.push_back(warning);
-  const RayTracer tracer = aboutSource(options.source, RayTracer::build(room));
+  const RayTracer tracer = orThrow(options.source, RayTracer::build(room));
   for (std::string& warning : warningsOfLostRays(room, tracer)) room.warnings.push_back(std::move(warning));
   progress.clear();
   for (const std::string& warning : room.warnings) printNote("warning: " + options.source + ": " + warning);
-  checkMemory(options, room);
+  orThrow(options.source, checkTransportMemory(room, options.transport, options.room.memory));
   const std::string identity = identityOf("fiatlux method " + std::to_string(kMethodVersion) + " source " +
                                           room.sourceHash + " " + lightOptions(options, room));
   const double patchSeconds = lap(clock);
 
-  Transport transport = named(options.source, computeTransport(room, options.transport));
+  Transport transport = orThrow(options.source, computeTransport(room, options.transport));
   Json provenance = provenanceOf(options, room, transport);
   lap(clock);
   progress.update("display mesh", 0);
@@ -175,7 +141,7 @@ void precompute(PrecomputeOptions options) {
       std::round(std::chrono::duration<double>(clock - start).count() * 1e3) / 1e3;
   FileErrors errors;
   const std::vector<std::uint8_t> file =
-      named(options.source, buildSceneFile({scene, std::move(display), &provenance, paper}, errors));
+      orThrow(options.source, buildSceneFile({scene, std::move(display), &provenance, paper}, errors));
   writeFileAtomically(options.output, file);
   progress.clear();
 

@@ -1,14 +1,14 @@
 // Embree 3: one static scene of triangles around the room's centre (single precision is finest there),
-// watertight
-// ("robust") traversal, packets of eight.
+// watertight ("robust") traversal, packets of eight.
 #include "precompute/ray_tracer.h"
 
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <vector>
+
+#include "precompute/bounds.h"
 
 namespace fiatlux {
 
@@ -33,14 +33,9 @@ RayTracer::~RayTracer() = default;
 Result<RayTracer> RayTracer::build(const Room& room) {
   auto parts = std::make_unique<Parts>();
   parts->room = &room;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-  for (const Vec3& p : room.positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  if (!room.positions.empty()) parts->center = 0.5 * (low + high);
-  parts->offset = room.positions.empty() ? 0 : 4e-6 * length(high - low);
+  const Bounds bounds = boundsOf(room.positions);
+  if (!bounds.empty()) parts->center = 0.5 * (bounds.low + bounds.high);
+  parts->offset = 4e-6 * bounds.diagonal();
   for (const RoomTriangle& t : room.triangles) {
     const Vec3& a = room.positions[t.vertex[0]];
     parts->normal.push_back(cross(room.positions[t.vertex[1]] - a, room.positions[t.vertex[2]] - a));

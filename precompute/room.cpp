@@ -1,7 +1,8 @@
-// Where a point of the room lies in the patch numbering, and points spread over a patch.
+// Where a point of the room lies in the patch numbering.
 #include "precompute/room.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fiatlux {
 
@@ -31,39 +32,6 @@ std::uint32_t Room::patchAt(std::uint32_t triangle, bool back, const Vec3& point
       if (distance < least) least = distance, nearest = p;
     }
   return nearest;
-}
-
-Room::PointOnPatch Room::pointOnPatch(std::uint32_t p, double u, double v) const {
-  const std::uint32_t first = fragmentOffset[p];
-  if (fragmentOffset[p + 1] - first == 2) {
-    // A whole cell: one rectangle, on which stratified (u, v) stay stratified.
-    const auto& [a, b, c] = fragments[first].corner;
-    const auto& [a2, c2, d] = fragments[first + 1].corner;
-    const auto same = [](const Vec3& x, const Vec3& y) { return length(x - y) < 1e-12; };
-    if (same(a, a2) && same(c, c2) && length((b - a) + (d - a) - (c - a)) < 1e-9 * length(c - a))
-      return {a + u * (b - a) + v * (d - a), normalized(cross(b - a, d - a))};
-  }
-  // Choose a fragment by area with u, then stretch u back to [0, 1) within it.
-  const auto crossOf = [&](std::uint32_t f) {
-    const auto& [a, b, c] = fragments[f].corner;
-    return cross(b - a, c - a);
-  };
-  double total = 0;
-  for (std::uint32_t f = fragmentOffset[p]; f < fragmentOffset[p + 1]; ++f) total += length(crossOf(f));
-  double before = 0;
-  std::uint32_t chosen = fragmentOffset[p];
-  for (std::uint32_t f = chosen; f < fragmentOffset[p + 1]; ++f) {
-    const double area = length(crossOf(f));
-    chosen = f;
-    if (u * total < before + area || f + 1 == fragmentOffset[p + 1]) {
-      u = area > 0 ? std::clamp((u * total - before) / area, 0.0, 1.0) : 0.5;
-      break;
-    }
-    before += area;
-  }
-  const auto& [a, b, c] = fragments[chosen].corner;
-  const double root = std::sqrt(u);
-  return {(1 - root) * a + (root * (1 - v)) * b + (root * v) * c, normalized(crossOf(chosen))};
 }
 
 }  // namespace fiatlux

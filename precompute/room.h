@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,12 +60,10 @@ struct Room {
 
   /// The patch of a point on a triangle's front or back; kNone when the back is no surface.
   std::uint32_t patchAt(std::uint32_t triangle, bool back, const Vec3& point) const;
-  /// A point on patch p for (u, v) in [0, 1)^2, uniform by area: stratified (u, v) give stratified points on
-  /// a patch that is a full cell of a flat chart. Second member: geometric unit normal there.
-  struct PointOnPatch {
-    Vec3 position, normal;
-  };
-  PointOnPatch pointOnPatch(std::uint32_t p, double u, double v) const;
+  /// What patch p is made of.
+  std::span<const Fragment> fragmentsOf(std::uint32_t p) const {
+    return std::span(fragments).subspan(fragmentOffset[p], fragmentOffset[p + 1] - fragmentOffset[p]);
+  }
 };
 
 }  // namespace fiatlux

@@ -8,8 +8,8 @@
 
 namespace fiatlux {
 
-void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites,
-                 double surfaces) {
+void checkForeseenMemory(const RoomOptions& options, double patches, double clusters, double rows,
+                         double sites, double surfaces) {
   struct Part {
     double bytes;
     std::string what, cure;
@@ -57,7 +57,7 @@ void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& option
   const double patches = foreseenPatches(charts);
   const double clusters = options.paper ? patches / (options.cluster * options.cluster)
                                         : std::min<double>(patches / 4, mostClusters);
-  checkMemory(options, patches, clusters, patches, 0, 0);
+  checkForeseenMemory(options, patches, clusters, patches, 0, 0);
 }
 
 }  // namespace fiatlux

@@ -1,4 +1,5 @@
-// Whether a room fits into the memory that may be used, asked before anything is allocated.
+// Whether a room will fit into the memory that may be used, asked while it is being made, before anything
+// large is allocated; transport_memory.h asks again when its sizes are known.
 #pragma once
 
 #include <vector>
@@ -8,9 +9,10 @@
 
 namespace fiatlux {
 
-/// Throws a CommandError that names the largest part where the sizes need more than --memory.
-void checkMemory(const RoomOptions& options, double patches, double clusters, double rows, double sites,
-                 double surfaces);
+/// Throws a CommandError that names the largest part where sizes that are known or foreseen need more than
+/// --memory.
+void checkForeseenMemory(const RoomOptions& options, double patches, double clusters, double rows,
+                         double sites, double surfaces);
 
 /// How many patches charts will have, about.
 double foreseenPatches(const std::vector<ChartDraft>& charts);

@@ -1,30 +1,11 @@
 // Surface names to leaves, and what a misspelt one may have meant; see intentions_json.h.
-#include <algorithm>
 #include <set>
 
 #include "precompute/intentions_json.h"
+#include "precompute/names.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr std::size_t kSuggestions = 3;
-
-/// Letters to insert, delete or replace to get from a to b (Levenshtein), case apart.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
 
 /// Every name that can be asked for: leaves and inner nodes.
 std::set<std::string> knownNames(const Scene& scene) {
@@ -39,15 +20,10 @@ std::set<std::string> knownNames(const Scene& scene) {
 }
 
 std::string suggestions(const Scene& scene, const std::string& name) {
-  const std::string asked = name.substr(0, 200);
-  std::vector<std::pair<std::size_t, std::string>> ranked;
-  for (const std::string& known : knownNames(scene))
-    ranked.emplace_back(editDistance(asked, known.substr(0, 200)), known);
-  std::sort(ranked.begin(), ranked.end());
-  std::string text;
-  for (std::size_t i = 0; i < ranked.size() && i < kSuggestions; ++i)
-    text += (i == 0 ? " The closest are \"" : ", \"") + ranked[i].second.substr(0, 80) + "\"";
-  return text.empty() ? " The scene has none." : text + "; or \"all\".";
+  std::vector<std::string> known;
+  for (const std::string& one : knownNames(scene)) known.push_back(cleanText(one));
+  const std::string closest = closestNames(name, known, '"');
+  return closest.empty() ? " The scene has none." : " The closest are " + closest + "; or \"all\".";
 }
 
 }  // namespace

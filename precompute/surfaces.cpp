@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "precompute/bounds.h"
+
 namespace fiatlux {
 namespace {
 
@@ -27,10 +29,8 @@ struct Draft {
   bool splits = true;  // may be cut into regions
 };
 
-/// The word for a plane of a group, before numbering.
-std::string wordFor(const Region& region, const Vec3& low, const Vec3& high, bool roomLike,
-                    double lowestFloor) {
-  const double middle = 0.5 * (low.y + high.y);
+/// The word for a plane of a group, before numbering; `middle` and `lowestFloor` are heights, m.
+std::string wordFor(const Region& region, double middle, bool roomLike, double lowestFloor) {
   if (region.normal.y > 0.7)
     return roomLike && region.centroid.y < lowestFloor + 0.5 && region.centroid.y <= middle + 1e-9 ? "floor"
                                                                                                    : "top";
@@ -41,14 +41,11 @@ std::string wordFor(const Region& region, const Vec3& low, const Vec3& high, boo
 
 /// Names of the large planes of a group, "floor", "wall 1"...; "" for the others.
 std::vector<std::string> regionWords(const WeldedMesh& mesh, const SurfaceGroup& group, double least) {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  Bounds bounds;
   for (const Face& face : group.set.faces)
-    for (const std::uint32_t v : face.vertex) {
-      const Vec3& p = mesh.positions[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  const bool roomLike = length(high - low) > 0.5 * mesh.diagonal;
+    for (const std::uint32_t v : face.vertex) bounds.include(mesh.positions[v]);
+  const bool roomLike = bounds.diagonal() > 0.5 * mesh.diagonal;
+  const double middle = 0.5 * (bounds.low.y + bounds.high.y);
   double lowestFloor = 1e300;
   for (const Region& region : group.regions)
     if (region.area > least && region.normal.y > 0.7) lowestFloor = std::min(lowestFloor, region.centroid.y);
@@ -57,7 +54,7 @@ std::vector<std::string> regionWords(const WeldedMesh& mesh, const SurfaceGroup&
   std::map<std::string, std::vector<std::uint32_t>> byWord;
   for (std::uint32_t r = 0; r < group.regions.size(); ++r)
     if (group.regions[r].area > least)
-      byWord[wordFor(group.regions[r], low, high, roomLike, lowestFloor)].push_back(r);
+      byWord[wordFor(group.regions[r], middle, roomLike, lowestFloor)].push_back(r);
   std::vector<std::string> words(group.regions.size());
   for (auto& [word, members] : byWord) {
     const auto key = [&](std::uint32_t r) {
@@ -80,6 +77,13 @@ struct NodeFacts {
 };
 
 }  // namespace
+
+double areaOf(const SurfaceTree& tree) {
+  double area = 0;
+  for (const SurfaceGroup& group : tree.groups)
+    for (const Region& region : group.regions) area += region.area;
+  return area;
+}
 
 SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
                          double regionShare, UniqueNames& names) {

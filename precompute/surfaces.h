@@ -25,6 +25,9 @@ struct SurfaceTree {
   std::vector<std::string> warnings;
 };
 
+/// Of all regions together, m2.
+double areaOf(const SurfaceTree& tree);
+
 /// Groups all `faces` (fronts, and backs of sheets) of a welded mesh. `regionShare` of the whole area makes a
 /// plane a surface of its own; 0 = never (measuring planes). Names are taken from `names`.
 SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,

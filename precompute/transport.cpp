@@ -11,13 +11,11 @@
 #include "precompute/direct_light.h"
 #include "precompute/paper_transport.h"
 #include "precompute/parallel.h"
+#include "precompute/transport_memory.h"
 
 namespace fiatlux {
 
 namespace {
-
-constexpr std::uint32_t kBlockWidth =
-    16;  // columns solved together: a row's rays are read once for all of them
 
 /// Times the stages and passes their progress on.
 class Stages {
@@ -114,20 +112,6 @@ void collectStatistics(const Room& room, unsigned threads, Transport& result) {
 }
 
 }  // namespace
-
-double transportBytes(const Patches& patches, std::size_t sites, const TransportOptions& options) {
-  const double n = patches.count, rows = patches.rows(), k = patches.clusterCount,
-               m = static_cast<double>(sites);
-  const double hits = (options.paper ? 4 : 8) * rows * options.rays, u = 4 * rows * k, core = 3 * 8 * k * k,
-               responses = 4 * rows * m;
-  const double blocks = threadCount(options.threads) * 4.0 * kBlockWidth * (4 * n + 2 * rows);
-  double surfaces = 0;
-  if (!patches.surface.empty())
-    surfaces = 1.0 + *std::max_element(patches.surface.begin(), patches.surface.end());
-  const double statistics = 2 * surfaces * 8 * m * m;
-  if (!options.paper) return hits + u + core + 2 * responses + blocks + statistics;
-  return hits + 2 * u + core + responses + statistics + surfaces * 8 * k * k;
-}
 
 Result<Transport> computeTransport(const Room& room, const TransportOptions& options) {
   if (room.patches.count == 0) return Error{"the room has no surfaces"};

@@ -39,6 +39,8 @@ struct PaperTransport {
   SparseRows siteClusters;  // V^T E of each site at 1 lm: share of the site in cluster c / A_c
 };
 
+inline constexpr std::uint32_t kBlockWidth = 16;  // sites solved together: each ray is read once for them all
+
 struct Transport {
   FormFactors factors;
   std::vector<float> direct;  // lx per lm, column-major rows x sites; empty in paper mode
@@ -54,8 +56,5 @@ struct Transport {
 
 /// Errors: no patches, a singular system. The same room, rays, refine and seed give the same bits.
 Result<Transport> computeTransport(const Room& room, const TransportOptions& options);
-
-/// Bytes that computeTransport would hold at its peak, before anything is allocated.
-double transportBytes(const Patches& patches, std::size_t sites, const TransportOptions& options);
 
 }  // namespace fiatlux

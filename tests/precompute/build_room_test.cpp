@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "precompute/patch_sampler.h"
 #include "tests/precompute/gltf_builder.h"
 
 namespace fiatlux {
@@ -39,7 +40,7 @@ void expectConsistent(const Room& room) {
     ASSERT_GT(patches.area[p], 0);
     ASSERT_NEAR(length(patches.normal[p]), 1, 1e-9);
     for (const std::uint32_t q : {patches.left[p], patches.up[p]}) ASSERT_TRUE(q == kNone || q < p);
-    const auto point = room.pointOnPatch(p, 0.3, 0.6);
+    const auto point = PatchSampler(room, p).at(0.3, 0.6);
     ASSERT_GT(dot(point.normal, patches.normal[p]), 0);
   }
   for (std::uint32_t t = 0; t < room.triangles.size(); ++t) {
