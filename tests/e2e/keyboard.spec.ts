@@ -100,3 +100,12 @@ test('axe finds nothing serious: wide and narrow, light and dark, every tab and 
     await page.getByRole('button', { name: 'wall north', exact: true }).click();
   }
 });
+
+test('what is typed right after the key of the palette arrives in it', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('csv');
+  await page.keyboard.press('Enter');
+  expect((await download).suggestedFilename()).toBe('box-luminaires.csv');
+});

@@ -1,7 +1,7 @@
 /** A modal dialogue on the native element: focus stays inside, Escape and a click beside it close it. */
 import { X } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 
 interface Props {
   readonly title: string;
@@ -12,7 +12,8 @@ interface Props {
 
 export function Dialog({ title, close, children, ...props }: Props) {
   const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => element.current?.showModal(), []);
+  // note: at once and not after the next frame, so that what is typed right after the key that opens it arrives.
+  useLayoutEffect(() => element.current?.showModal(), []);
   return (
     <dialog
       ref={element}
