@@ -90,9 +90,20 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   return { intentions: { luminaires, goals, constraints, quantity }, goalCards, origins };
 }
 
-/** The range that Keep asks for, from the mean that is there now. */
+/** The range that Keep asks for, from the mean that is there now; its ends have three digits, rounded towards the mean. */
 export function keepRange(mean: number): { min: number; max: number } {
-  return { min: mean * (1 - keepTolerance), max: mean * (1 + keepTolerance) };
+  return {
+    min: toThreeDigits(mean * (1 - keepTolerance), Math.ceil),
+    max: toThreeDigits(mean * (1 + keepTolerance), Math.floor),
+  };
+}
+
+function toThreeDigits(value: number, round: typeof Math.ceil): number {
+  if (!(value > 0)) return 0;
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
+  // What is round but for the last bits of a double stays what it is.
+  const exact = Number((value / unit).toPrecision(12));
+  return Number((round(exact) * unit).toPrecision(3));
 }
 
 /** The bound that a field of a card holds, if any. */

@@ -17,11 +17,18 @@ interface Props {
   readonly onEnd?: () => void;
 }
 
-/** "1 250,5" -> 1250.5; null where it is no number. */
-export function readNumber(text: string): number | null {
-  const clean = text.replace(/[\s\u202f\u2009]/g, '').replace(',', '.');
-  if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
-  const value = Number(clean);
+/**
+ * "1 250,5", "1.250,5", "1,250.5", "1250.5 lx" -> 1250.5; null where it is no number. A single comma or point is the
+ * decimal one; where both occur it is the last, and the others must stand between groups of three.
+ */
+export function readNumber(text: string, unit = ''): number | null {
+  const clean = text.replace(/[\s'\u2019]/g, '');
+  const bare = unit && clean.endsWith(unit) ? clean.slice(0, -unit.length) : clean;
+  const grouped = /^([+-]?\d{1,3})((?:\.\d{3})+),(\d*)$|^([+-]?\d{1,3})((?:,\d{3})+)\.(\d*)$/.exec(bare);
+  const [whole, groups, decimals] = grouped?.slice(1).filter((part) => part !== undefined) ?? [];
+  const plain = grouped ? `${whole}${groups?.replace(/[.,]/g, '')}.${decimals}` : bare.replace(',', '.');
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain)) return null;
+  const value = Number(plain);
   return Number.isFinite(value) ? value : null;
 }
 
@@ -32,16 +39,16 @@ export function NumberField(props: Props) {
   const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
-  const isWrong = draft !== null && draft !== '' && readNumber(draft) === null;
+  const isWrong = draft !== null && draft !== '' && readNumber(draft, unit) === null;
   const take = (text: string) => {
     setDraft(text);
-    const next = readNumber(text);
+    const next = readNumber(text, unit);
     if (next !== null && !waits?.(next)) onInput(fit(next));
     else if (next !== null) return;
     else if (text.trim() === '' && placeholder !== undefined) onInput(undefined);
   };
   const end = () => {
-    const waiting = draft === null ? null : readNumber(draft);
+    const waiting = draft === null ? null : readNumber(draft, unit);
     if (waiting !== null && waits?.(waiting)) onInput(fit(waiting));
     setDraft(null);
     onEnd?.();

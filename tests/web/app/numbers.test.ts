@@ -58,7 +58,20 @@ test('numbers as people write them', () => {
   expect([0, 0.0004, 0.052, 0.5, 1].map(percent)).toEqual(['0.0 %', '< 0.1 %', '5.2 %', '50 %', '100 %']);
   expect([0.7, 1, 12, 130, 999].map(niceCeiling)).toEqual([0.8, 1, 15, 150, 1000]);
   expect([200, 1000, 30].map(niceStep)).toEqual([1, 5, 0.2]);
-  expect(['1 250,5', '.5', '-3', '1e3', '', 'abc', '1.2.3'].map(readNumber)).toEqual([
+  expect(['1.250,5', '1,250.5', "1'250.5", '1.000.000,', '1,5.5'].map((text) => readNumber(text))).toEqual([
+    1250.5,
+    1250.5,
+    1250.5,
+    1e6,
+    null,
+  ]);
+  expect(['300 lx', '300lx', '300 m', 'lx'].map((text) => readNumber(text, 'lx'))).toEqual([
+    300,
+    300,
+    null,
+    null,
+  ]);
+  expect(['1 250,5', '.5', '-3', '1e3', '', 'abc', '1.2.3'].map((text) => readNumber(text))).toEqual([
     1250.5,
     0.5,
     -3,

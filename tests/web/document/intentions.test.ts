@@ -37,6 +37,18 @@ describe('cards become goals and constraints', () => {
     expect(asked({ verb }).intentions.goals).toEqual([{ statistic, sense, weight: 1, surfaces: ['wall'] }]);
   });
 
+  test.each([231.3, 0.0537, 12.04, 999.6, 4712.8, 1])(
+    'keep asks for round bounds that %f lx meets',
+    (mean) => {
+      const { min, max } = keepRange(mean);
+      for (const bound of [min, max]) expect(bound).toBe(Number(bound.toPrecision(3)));
+      expect(min).toBeGreaterThanOrEqual(0.9 * mean - 1e-9);
+      expect(max).toBeLessThanOrEqual(1.1 * mean + 1e-9);
+      expect(min).toBeLessThan(mean);
+      expect(max).toBeGreaterThan(mean);
+    },
+  );
+
   test('keep is a range of +-10 % around the present mean and no goal', () => {
     const range = keepRange(200);
     expect(range.min).toBeCloseTo(180);
