@@ -156,3 +156,41 @@ test('intentions are added, edited and removed, with every verb', async ({ page 
   await expect(cards).toHaveCount(6);
   await settled(page);
 });
+
+test('a drag after typing elsewhere is one step of undo, from its first value on', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await tab(page, 'Luminaires');
+  const flux = page.getByRole('slider', { name: 'Flux of each' });
+  const typed = page.getByRole('textbox', { name: /Flux of each/ });
+  await typed.fill('4000');
+  const at = await thumb(flux);
+  await page.mouse.move(at.x, at.y); // the caret is still in the field
+  await page.mouse.down();
+  await page.mouse.move(at.x + 0.2 * at.width, at.y, { steps: 3 });
+  await page.mouse.up();
+  await expect(typed).not.toHaveValue('4000');
+  await undo(page).click();
+  await expect(typed).toHaveValue('4000');
+});
+
+test('what cannot be placed is told once, with a way back, and forgotten when it can', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await tab(page, 'Luminaires');
+  const apart = page.getByRole('textbox', { name: /Apart by at least/ });
+  const refusals = page.getByRole('alert').filter({ hasText: 'found room for only' });
+  await apart.fill('3.9');
+  await expect(refusals).toHaveCount(1);
+  await apart.fill('3.8');
+  await apart.press('ArrowDown');
+  await expect(refusals).toHaveCount(1);
+  await expect(page.getByText('Not solved')).toBeVisible();
+  await apart.fill('0');
+  await settled(page);
+  await expect(refusals).toHaveCount(0);
+  await apart.press('Enter');
+
+  await apart.fill('3.9');
+  await refusals.getByRole('button', { name: 'Undo' }).click();
+  await expect(apart).toHaveValue('0');
+  await expect(refusals).toHaveCount(0);
+});

@@ -148,9 +148,7 @@ export function createApp(store: Store, { canvas, labels, createViewer, createWo
     travel(step, done) {
       if (!step) return;
       store.announcement.value = `${done}: ${step.label}.`;
-      app.setDisplay({ quantity: store.document.peek().quantity });
-      if (step.layout) solving.show(step.layout);
-      else solving.solve();
+      solving.travel(step);
     },
     pickFile() {
       const input = document.createElement('input');

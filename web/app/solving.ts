@@ -10,7 +10,7 @@ import { coreOrder, fromCore, toCore, type Order } from './luminaire-order.ts';
 import { sentence } from './format.ts';
 import { createFrameBatch } from './frame-batch.ts';
 import { fitLegend } from './legend-range.ts';
-import type { Progress, Store } from './store.ts';
+import type { Message, Progress, Store } from './store.ts';
 
 export interface Solving {
   /** Resolves when the scene is open; rejects with one readable line. */
@@ -23,6 +23,8 @@ export interface Solving {
   solveAfresh(): void;
   /** Shows exactly this layout. */
   show(layout: Layout): void;
+  /** After an undo or redo: shows the step's layout, or searches where it has none. */
+  travel(step: { readonly layout: Layout | null } | undefined): void;
   findAlpha(card: string, intentions: Intentions): void;
   /** Recomputes the layout shown from the patches; the answer is store.check. */
   check(): void;
@@ -54,6 +56,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
   let current: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
   let order: Order = [];
   let checking: Layout | null = null; // was asked to be checked
+  let refusal: number | null = null; // the message about a wish that the solver refused
   const later = createFrameBatch();
 
   function receive(message: FromWorker): void {
@@ -108,6 +111,7 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
       probing = null;
       return;
     }
+    forgetRefusal();
     const isShown = message.evaluations === 0;
     const state = isShown ? 'shown' : message.type === 'settled' ? 'settled' : 'improving';
     const { evaluations, milliseconds } = message;
@@ -159,14 +163,40 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     else if (probing) probing.reject(new Error(message));
     else {
       const isDead = /solver stopped/.test(message); // the client has given up on its workers
-      store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : undefined);
+      forgetRefusal();
+      refusal = store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : wayBack());
     }
     opening = probing = arrived = null;
-    const { state, evaluations, milliseconds } = store.progress.peek();
     // A file that cannot be opened takes nothing from what is shown, except a search that was running.
-    const isOver = wasOpening && state !== 'improving';
-    if (!isOver) store.progress.value = { state: 'idle', evaluations, milliseconds };
+    const isOver = wasOpening && store.progress.peek().state !== 'improving';
+    if (!isOver) store.progress.value = { state: 'idle', evaluations: 0, milliseconds: 0 };
     if (store.alphaRun.peek()?.done === null) store.alphaRun.value = null;
+  }
+
+  /** A refused wish is told once: the next refusal replaces the message, an answer takes it away. */
+  function forgetRefusal(): void {
+    if (refusal !== null) store.dismiss(refusal);
+    refusal = null;
+  }
+
+  /** One click back to what could be solved, where an edit asked for what cannot. */
+  function wayBack(): Message['action'] {
+    const wasAsked = store.progress.peek().state === 'improving' && store.history.peek().past.length > 0;
+    return wasAsked ? { label: 'Undo', run: () => travel(store.undo()) } : undefined;
+  }
+
+  function travel(step: { readonly layout: Layout | null } | undefined): void {
+    if (!step) return;
+    store.display.value = { ...store.display.peek(), quantity: store.document.peek().quantity };
+    if (step.layout) show(step.layout);
+    else solve();
+  }
+
+  function show(layout: Layout): void {
+    const intentions = begin();
+    current = layout;
+    order = coreOrder(layout, intentions.luminaires.pinned);
+    client.show(intentions, toCore(layout, order));
   }
 
   /** A fresh worker with the same room; the last good layout stays and the search goes on from it. */
@@ -223,12 +253,8 @@ export function createSolving(store: Store, viewer: Viewer, createWorker: () => 
     solve: (event) => solve(event),
     solveFrom: (layout) => solve(undefined, layout),
     solveAfresh: () => solve(undefined, null),
-    show(layout) {
-      const intentions = begin();
-      current = layout;
-      order = coreOrder(layout, intentions.luminaires.pinned);
-      client.show(intentions, toCore(layout, order));
-    },
+    show,
+    travel,
     findAlpha(card, intentions) {
       begin();
       store.alphaRun.value = { card, steps: [], done: null };

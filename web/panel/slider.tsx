@@ -39,6 +39,8 @@ export function Slider(props: SliderProps) {
       max={max}
       step={step / 10}
       value={value}
+      // The focus comes before the first value: what had it ends its step of undo before this drag begins one.
+      onPointerDown={(event) => event.currentTarget.focus()}
       onInput={(event) => onInput(event.currentTarget.valueAsNumber)}
       onChange={onEnd}
       onBlur={onEnd}
