@@ -3,7 +3,9 @@ import { effect } from '@preact/signals';
 import { encodeLink } from '../document/share-link.ts';
 import { linkOf } from '../document/sites.ts';
 import type { Project } from '../document/project-file.ts';
+import { keepForReload } from '../document/reload.ts';
 import type { Viewer } from '../viewer/types.ts';
+import { hasLink } from './address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './store.ts';
 
@@ -90,12 +92,18 @@ export function createLeaving(store: Store, solving: Solving, viewer: Viewer): L
   };
 }
 
-/** Keeps the work in the browser some time after each change, and says honestly when that is refused. */
+/**
+ * Keeps the work in the browser some time after each change and when the page is left, and says honestly when that is
+ * refused. What a link shows is not kept before something is changed: it stays in the address, and the work that was
+ * there before must outlive a look at it.
+ */
 export function keepSaved(store: Store, project: () => Project, room: (id: string) => boolean): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let told = false;
+  // A file of one's own is not kept either.
+  const isOurs = () => room(store.document.peek().room) && !hasLink();
   const write = async () => {
-    if (!room(store.document.peek().room)) return; // a file of one's own: the browser does not keep it
+    if (!isOurs()) return;
     try {
       const { save } = await import('../document/autosave.ts');
       store.saving.value = { state: 'saved', at: await save(project()) };
@@ -110,10 +118,22 @@ export function keepSaved(store: Store, project: () => Project, room: (id: strin
       told = true;
     }
   };
-  return effect(() => {
+  const leave = () => {
+    if (store.shown.peek() === null || !isOurs()) return;
+    const work = project();
+    const isSearching = store.progress.peek().state === 'improving'; // its layout does not answer what is asked
+    keepForReload(isSearching ? { ...work, document: { ...work.document, layout: null } } : work);
+  };
+  globalThis.addEventListener?.('pagehide', leave);
+  const stop = effect(() => {
     void store.document.value;
     const isReady = store.shown.value !== null && store.progress.value.state !== 'improving';
     clearTimeout(timer);
     if (isReady) timer = setTimeout(write, 1200);
   });
+  return () => {
+    stop();
+    clearTimeout(timer);
+    globalThis.removeEventListener?.('pagehide', leave);
+  };
 }

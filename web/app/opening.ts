@@ -6,6 +6,7 @@ import type { Project } from '../document/project-file.ts';
 import { cleanName } from '../document/schema.ts';
 import type { SceneInfo } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
+import { forgetLink } from './address.ts';
 import { documentFrom, entryOf, rooms, type GalleryEntry } from './catalog.ts';
 import { firstRoom, requestScene } from './first-scene.ts';
 import { createFileOpening } from './opening-files.ts';
@@ -16,8 +17,8 @@ import type { Store } from './store.ts';
 export interface Opening {
   entry(id: string): Promise<void>;
   file(file: File): Promise<void>;
-  /** What the address asks for, or else the last work, or else the first room. */
-  start(hash: string, last: Project | null): Promise<void>;
+  /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
+  start(hash: string, lastWork: () => Promise<Project | null>): Promise<void>;
   link(hash: string): Promise<boolean>;
   /** Leaves the preview of a .glb: the room that was open is shown again as it was. */
   endPreview(): Promise<void>;
@@ -58,7 +59,9 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
         document: documentFrom(entry.asked, scene.identity, entry.room),
       }));
       const scene = store.scene.peek();
-      if (isCurrent() && scene) await settleBounds(entry, scene);
+      if (!isCurrent() || !scene) return;
+      forgetLink();
+      await settleBounds(entry, scene);
     });
 
   function titleOf(room: string): string {
@@ -118,6 +121,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
           throw new Error('the room has changed since this project was saved; its places no longer fit');
         return { document, view: project };
       });
+      if (isCurrent()) forgetLink();
     });
 
   const openFile = createFileOpening(store, viewer, placing, openProject);
@@ -135,10 +139,12 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     async endPreview() {
       if (!(await placing.restore()) && store.scene.peek() === null) await openEntry(firstRoom);
     },
-    async start(hash, last) {
-      if (placing.begun) return; // a person was faster
+    async start(hash, lastWork) {
       if (hash.length > 1 && (await readLink(hash))) return;
-      if (hash.length <= 1 && last && isRoom(last.document.room) && (await openProject(last))) return;
+      const last = await lastWork();
+      const { loading, scene, preview } = store;
+      if ([loading, scene, preview].some((each) => each.peek() !== null)) return; // a person was faster
+      if (last && isRoom(last.document.room) && (await openProject(last))) return;
       await openEntry(firstRoom);
     },
   };

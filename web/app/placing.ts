@@ -23,8 +23,6 @@ export interface Placement {
 }
 
 export interface Placing {
-  /** Whether anything has been wished for. */
-  readonly begun: boolean;
   /** Runs one opening; errors become one message, and what was on the screen stays. Resolves to its success. */
   attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean>;
   /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
@@ -125,9 +123,6 @@ export function createPlacing(store: Store, solving: Solving, viewer: Viewer): P
   }
 
   return {
-    get begun() {
-      return turn > 0;
-    },
     attempt,
     place,
     restore,

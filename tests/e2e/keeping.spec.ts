@@ -1,0 +1,75 @@
+// What the browser keeps: the work outlives a reload at any moment, other tabs, and a look at somebody's link.
+import type { Page } from '@playwright/test';
+import { expect, openApp, openRoom, settled, status, tab, test } from './app.ts';
+
+const flux = (page: Page) => page.getByRole('textbox', { name: /Flux of each/ });
+
+async function setFlux(page: Page, value: string): Promise<void> {
+  await tab(page, 'Luminaires');
+  await flux(page).fill(value);
+}
+
+/** The work is in the browser's database, as the page says. */
+async function kept(page: Page): Promise<void> {
+  await settled(page);
+  await tab(page, 'Results');
+  const about = page.getByText('About this room');
+  if (!(await page.getByText(/kept in this browser/).isVisible())) await about.click();
+  await expect(page.getByText(/kept in this browser/)).toBeVisible();
+}
+
+test('a reload right after an edit loses nothing, and each tab has its own work', async ({
+  page,
+  context,
+}) => {
+  await openRoom(page, 'Box');
+  await setFlux(page, '2340');
+  await page.reload();
+  await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
+  await tab(page, 'Luminaires');
+  await expect(flux(page)).toHaveValue('2340');
+  await kept(page);
+
+  const other = await context.newPage();
+  await openApp(other);
+  await setFlux(other, '7770');
+  await kept(other);
+  await other.close();
+  await page.reload();
+  await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
+  await tab(page, 'Luminaires');
+  await expect(flux(page)).toHaveValue('2340');
+});
+
+test('a link that is only looked at leaves the work alone, and leaves the address with another room', async ({
+  page,
+  context,
+}) => {
+  await openRoom(page, 'Box');
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const link = await page.getByRole('textbox', { name: 'Link' }).inputValue();
+  await page.keyboard.press('Escape');
+  await setFlux(page, '2340');
+  await kept(page);
+  await page.close();
+
+  const other = await context.newPage();
+  await openApp(other, link);
+  await other.waitForTimeout(2500); // longer than the work waits to be kept
+  await other.close();
+
+  const damaged = await context.newPage();
+  await openApp(damaged, link.slice(0, -3));
+  await expect(damaged.getByRole('alert')).toContainText('cannot be read');
+  await tab(damaged, 'Luminaires');
+  await expect(flux(damaged)).toHaveValue('2340');
+  await damaged.close();
+
+  const again = await context.newPage();
+  await openApp(again);
+  await tab(again, 'Luminaires');
+  await expect(flux(again)).toHaveValue('2340');
+  await openApp(again, link);
+  await openRoom(again, 'E corridor');
+  expect(new URL(again.url()).hash).toBe('');
+});
