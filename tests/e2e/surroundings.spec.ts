@@ -169,3 +169,12 @@ test('a full disk is told once, and the work goes on', async ({ page }) => {
   await page.waitForTimeout(2000); // longer than the pause before the next attempt to store
   await expect(told).toHaveCount(1);
 });
+
+test('a browser without 3D graphics is told what to do', async ({ page, watched }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText(/no 3D graphics.*hardware acceleration/);
+  watched.faults.length = 0; // three reports it to the console, too
+});

@@ -22,10 +22,13 @@ export function DropZone() {
       drop: (event) => {
         depth = 0;
         setOver(false);
-        const file = event.dataTransfer?.files[0];
+        const { files } = event.dataTransfer ?? {};
+        const file = files?.[0];
         if (!hasFiles(event)) return;
         event.preventDefault();
-        if (file) void app.opening.file(file);
+        if (!files || !file) return;
+        void app.opening.file(file);
+        if (files.length > 1) app.store.say('info', `Of ${files.length} files the first is opened.`);
       },
     };
     const entries = Object.entries(listeners) as [string, EventListener][];

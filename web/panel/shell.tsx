@@ -1,9 +1,11 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { forgetLink } from '../app/address.ts';
 import { AppContext, createApp, type App, type Parts } from '../app/app.ts';
 import { listenToKeys } from '../app/keyboard.ts';
 import type { Store } from '../app/store.ts';
+import { takeFromReload } from '../document/reload.ts';
 import { Dialogs } from './dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
@@ -25,22 +27,24 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     const parts = { canvas: canvas.current, labels: labels.current, createViewer, createWorker };
     try {
       setApp(createApp(store, parts));
-    } catch (error) {
-      store.say('error', `The 3D view cannot start: ${error instanceof Error ? error.message : error}`);
+    } catch {
+      store.say(
+        'error',
+        'This browser gives the page no 3D graphics (WebGL 2). Switch hardware acceleration on in its settings, or open the page in another browser.',
+      );
     }
   }, []);
 
   useEffect(() => {
     if (!app) return;
-    void begin(app);
+    void app.opening.start(location.hash, lastWork);
     const listen = () => {
       if (location.hash.length > 1) void app.opening.link(location.hash);
     };
     window.addEventListener('hashchange', listen);
     // A link stays in the address until something is changed: then it no longer tells what is on the screen.
     const forget = effect(() => {
-      if (store.history.value.past.length > 0 && location.hash)
-        window.history.replaceState(null, '', location.pathname + location.search);
+      if (store.history.value.past.length > 0) forgetLink();
     });
     const deaf = listenToKeys(app.actions, () => store.dialog.peek() !== null);
     return () => {
@@ -65,13 +69,9 @@ export function Shell({ store, createViewer, createWorker }: Props) {
   );
 }
 
-async function begin(app: App): Promise<void> {
-  const hash = location.hash;
-  const last = hash.length > 1 ? null : await lastWork();
-  await app.opening.start(hash, last);
-}
-
 async function lastWork() {
+  const left = takeFromReload();
+  if (left) return left;
   try {
     const { load } = await import('../document/autosave.ts');
     return (await load())?.project ?? null;
