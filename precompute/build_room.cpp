@@ -182,9 +182,10 @@ void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts,
       (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
 }
 
-void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double patch, UniqueNames& names,
-                        Room& room) {
+void addMeasuringPlanes(const SourceScene& source, const Roles& roles, const RoomOptions& options,
+                        UniqueNames& names, Room& room) {
   if (roles.measures.empty()) return;
+  const double patch = room.patchSize;
   const WeldedMesh mesh = weld(source, roles.measures);
   std::vector<Face> faces = frontFaces(mesh);
   for (Face& face : faces) {
@@ -195,11 +196,9 @@ void addMeasuringPlanes(const SourceScene& source, const Roles& roles, double pa
   const SurfaceTree tree = findSurfaces(source, mesh, faces, 0, names);
   addSurfaces(tree, true, room);
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, patch, first);
+  checkGrids(charts, options, patch, kMostClusters);
   appendPatches(mesh, charts, patch, nullptr, room);
 }
-
-// --- the whole
-// -------------------------------------------------------------------------------------------------------
 
 void checkOptions(const RoomOptions& options) {
   const auto refuse = [](const char* what) {
@@ -247,7 +246,7 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   if (edge != options.cluster)
     room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
                             " patches, so that there are at most 3000");
-  addMeasuringPlanes(source, roles, room.patchSize, names, room);
+  addMeasuringPlanes(source, roles, options, names, room);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, options, room);
   checkForeseenMemory(options, room.patches.count, room.patches.clusterCount, room.patches.rows(),

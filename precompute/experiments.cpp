@@ -7,14 +7,9 @@
 #include <cstdio>
 
 #include "core/bound.h"
-#include "core/short_number.h"
 #include "precompute/svg_plot.h"
 
 namespace fiatlux {
-
-std::string number(double value, int digits) {
-  return shortNumber(value, digits);
-}
 
 Intentions problemOf(const Experiments& e, std::uint32_t count, Statistic statistic, Sense sense,
                      const SurfaceSet& surfaces) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/prepared_scene.h"
+#include "core/short_number.h"
 #include "core/vns.h"
 
 namespace fiatlux {
@@ -48,10 +49,11 @@ RunSummary repeat(Experiments& e, const std::string& name, const Intentions& int
 /// white.
 std::string planOf(Experiments& e, const std::string& name, const Layout& layout, double brightest);
 
-/// " (at most 4.2 % from the best possible, proved)", or nothing where nothing is proved.
+/// "proved optimal", "within 4.2 %" of the best possible, or "nothing proved".
 std::string provedText(Experiments& e, const Intentions& intentions, const Evaluation& best);
 
-std::string number(double value, int digits = 4);
+/// As the report writes it.
+inline std::string number(double value, int digits = 4) { return shortNumber(value, digits); }
 
 void experimentDispersion(Experiments& e);  // 5.1
 void experimentIntentions(Experiments& e);  // 5.2, and the exhaustive check for three luminaires

@@ -58,10 +58,11 @@ Json infoOf(const std::string& path) {
                                 {"bytes", section.storedBytes},
                                 {"inflated", section.inflatedBytes},
                                 {"errorBound", section.errorBound}});
+  // note: whoever made the file wrote this; it never replaces what was read off the file
   const nlohmann::json provenance = provenanceOf(file, table);
-  json["seconds"] = nlohmann::json::object();
   for (const auto& item : provenance.items())
-    json[item.key() == "identity" ? "source" : item.key()] = item.value();
+    if (!json.contains(item.key())) json[item.key()] = item.value();
+  if (!json.contains("seconds")) json["seconds"] = Json::object();
   return json;
 }
 

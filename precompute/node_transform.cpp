@@ -6,7 +6,7 @@
 
 #include "core/short_number.h"
 #include "precompute/command_error.h"
-#include "precompute/gltf_document.h"
+#include "precompute/gltf_refusal.h"
 
 namespace fiatlux {
 namespace {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -34,7 +35,11 @@ void parallelFor(std::size_t count, unsigned threads, const std::function<void(s
   };
   std::vector<std::thread> others;
   const std::size_t used = std::min<std::size_t>(threadCount(threads), std::max<std::size_t>(count, 1));
-  for (std::size_t i = 1; i < used; ++i) others.emplace_back(work, false);
+  try {
+    for (std::size_t i = 1; i < used; ++i) others.emplace_back(work, false);
+  } catch (const std::system_error&) {
+    // The machine has no more threads to give: those there are do it.
+  }
   work(true);
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

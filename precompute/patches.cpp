@@ -187,6 +187,42 @@ void numberPatches(ChartDraft& draft, std::uint32_t index, double patch, std::ve
   linkNeighbors(chart, homeCell, first, patches);
 }
 
+/// By patch from row `first` to row `end`: its pieces, in their order.
+std::vector<std::vector<std::uint32_t>> piecesOfPatches(const std::vector<Piece>& pieces, std::uint32_t first,
+                                                        std::uint32_t end) {
+  std::vector<std::vector<std::uint32_t>> members(end - first);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) members[pieces[i].cell - first].push_back(i);
+  return members;
+}
+
+/// Appends centre and normal of a patch; returns its area, m2. `fallback`: the normal where pieces cancel.
+double addShape(const std::vector<Piece>& pieces, const std::vector<std::uint32_t>& members,
+                const Vec3& fallback, Room& room) {
+  double area = 0;
+  Vec3 moment{}, normal{};
+  for (const std::uint32_t m : members) {
+    const auto& c = pieces[m].fragment.corner;
+    area += pieces[m].area;
+    moment += pieces[m].area / 3 * (c[0] + c[1] + c[2]);
+    normal += cross(c[1] - c[0], c[2] - c[0]);
+  }
+  room.patches.center.push_back((1 / area) * moment);
+  room.patches.normal.push_back(length(normal) > 1e-3 * area ? normalized(normal) : fallback);
+  return area;
+}
+
+/// Appends what a patch is made of: its pieces, or two triangles where it is a whole cell.
+void addFragments(const ChartDraft& draft, const Home& home, double area, const std::vector<Piece>& pieces,
+                  const std::vector<std::uint32_t>& members, Room& room) {
+  std::array<Fragment, 2> whole;
+  if (!home.shared && wholeCell(draft, home.cell, area, pieces, members, whole)) {
+    room.fragments.insert(room.fragments.end(), whole.begin(), whole.end());
+  } else {
+    for (const std::uint32_t m : members) room.fragments.push_back(pieces[m].fragment);
+  }
+  room.fragmentOffset.push_back(static_cast<std::uint32_t>(room.fragments.size()));
+}
+
 void warnOfClamped(const std::map<std::string, double>& clamped, Room& room) {
   std::size_t listed = 0;
   for (const auto& [name, value] : clamped) {
@@ -216,46 +252,21 @@ void appendPatches(const WeldedMesh& mesh, std::vector<ChartDraft>& drafts, doub
     room.charts.push_back(drafts[d].chart);
   }
 
-  // Sort the pieces by patch, keeping their order.
-  const std::uint32_t rows = patches.rows(), count = rows - firstRow;
-  std::vector<std::uint32_t> offset(count + 1, 0), order(pieces.size());
-  for (const Piece& piece : pieces) ++offset[piece.cell - firstRow + 1];
-  for (std::uint32_t i = 0; i < count; ++i) offset[i + 1] += offset[i];
-  std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) order[fill[pieces[i].cell - firstRow]++] = i;
-
   if (room.fragmentOffset.empty()) room.fragmentOffset.push_back(0);
   std::map<std::string, double> clamped;
-  std::vector<std::uint32_t> members;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    members.assign(order.begin() + offset[i], order.begin() + offset[i + 1]);
-    double area = 0;
-    Vec3 moment{}, normal{};
-    for (const std::uint32_t m : members) {
-      const auto& c = pieces[m].fragment.corner;
-      area += pieces[m].area;
-      moment += pieces[m].area / 3 * (c[0] + c[1] + c[2]);
-      normal += cross(c[1] - c[0], c[2] - c[0]);
-    }
+  const std::vector<std::vector<std::uint32_t>> piecesOf = piecesOfPatches(pieces, firstRow, patches.rows());
+  for (std::size_t i = 0; i < homes.size(); ++i) {
     const ChartDraft& draft = drafts[homes[i].draft];
-    double raw = 0;
-    patches.reflectance.push_back(
-        static_cast<float>(reflectance ? meanReflectance(*reflectance, pieces, members, area, raw) : 0));
-    if (raw > kMostReflectance + 1e-6) {
-      double& most = clamped[reflectance->materialName(pieces[members[0]].mesh)];
-      most = std::max(most, raw);
-    }
-    std::array<Fragment, 2> whole;
-    if (!homes[i].shared && wholeCell(draft, homes[i].cell, area, pieces, members, whole)) {
-      room.fragments.insert(room.fragments.end(), whole.begin(), whole.end());
-    } else {
-      for (const std::uint32_t m : members) room.fragments.push_back(pieces[m].fragment);
-    }
-    room.fragmentOffset.push_back(static_cast<std::uint32_t>(room.fragments.size()));
+    const double area = addShape(pieces, piecesOf[i], draft.chart.normal, room);
     patches.area[firstRow + i] = area;
-    patches.center.push_back((1 / area) * moment);
-    patches.normal.push_back(length(normal) > 1e-3 * area ? normalized(normal) : draft.chart.normal);
+    addFragments(draft, homes[i], area, pieces, piecesOf[i], room);
     room.chartOfPatch.push_back(firstChart + homes[i].draft);
+    double unclamped = 0;
+    patches.reflectance.push_back(static_cast<float>(
+        reflectance ? meanReflectance(*reflectance, pieces, piecesOf[i], area, unclamped) : 0));
+    if (unclamped <= kMostReflectance + 1e-6) continue;
+    double& most = clamped[reflectance->materialName(pieces[piecesOf[i][0]].mesh)];
+    most = std::max(most, unclamped);
   }
   warnOfClamped(clamped, room);
 }

@@ -8,11 +8,16 @@
 namespace fiatlux {
 namespace {
 
+constexpr int kClamp = 33071, kMirror = 33648;  // wrap modes of a glTF sampler; all others repeat
+
 /// Texel of coordinate x in an image of `size` under a glTF wrap mode.
 std::uint32_t wrapped(double x, std::uint32_t size, int mode) {
-  if (mode == 33071) x = std::clamp(x, 0.0, 1.0);
-  if (mode == 33648) x = 1 - std::abs(x - 2 * std::floor(x / 2) - 1);
-  x -= std::floor(x) * (mode == 33071 ? 0 : 1);
+  if (mode == kClamp)
+    x = std::clamp(x, 0.0, 1.0);
+  else if (mode == kMirror)
+    x = 1 - std::abs(x - 2 * std::floor(x / 2) - 1);
+  else
+    x -= std::floor(x);
   return std::min(static_cast<std::uint32_t>(std::max(x, 0.0) * size), size - 1);
 }
 

@@ -1,5 +1,5 @@
 // A glTF 2.0 file, checked and flattened into world-space triangles with materials; the boundary beyond which no
-// tinygltf type passes (gltf_file.cpp).
+// tinygltf type passes (gltf_model.h).
 #pragma once
 
 #include <array>

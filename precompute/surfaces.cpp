@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "precompute/bounds.h"
@@ -12,11 +13,12 @@ namespace fiatlux {
 namespace {
 
 constexpr std::size_t kMostNodes = 256;  // with more surfaces than this, small nodes share one
+constexpr double kSmallNode = 0.005;     // of the scene's area
 constexpr double kOnePlane = 0.995;      // of a group's area: then the group is that plane
 
 /// What makes faces one group.
 struct GroupKey {
-  int kind = 0;          // 0 named surface, 1 node, 2 the small nodes of a crowded scene
+  enum class Kind { kNamed, kNode, kSmallNodes } kind = Kind::kNode;
   std::uint32_t id = 0;  // of the name or node
   int material = -1;     // only where a node has several
   bool back = false;
@@ -26,7 +28,107 @@ struct GroupKey {
 struct Draft {
   std::string name;
   std::vector<Face> faces;
+  bool back = false;
   bool splits = true;  // may be cut into regions
+};
+
+/// Sorts faces into groups: by the surface that extras name, else by node and material, but for the small
+/// nodes of a crowded scene, which are one group.
+class Grouper {
+ public:
+  /// Takes the names first that the file's author gave on purpose.
+  Grouper(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
+          UniqueNames& names)
+      : source_(source), mesh_(mesh), names_(names) {
+    for (const Face& face : faces) {
+      const SourceMesh& from = source.meshes[face.mesh];
+      const double area = length(areaVector(mesh.positions, face.vertex));
+      area_ += area;
+      if (!from.extras.surface.empty()) {
+        named_.try_emplace(from.extras.surface);
+        continue;
+      }
+      Node& node = nodes_[from.nodeIndex];
+      node.area += area;
+      if (std::find(node.materials.begin(), node.materials.end(), from.material) == node.materials.end())
+        node.materials.push_back(from.material);
+    }
+    std::uint32_t count = 0;
+    for (auto& [name, surface] : named_) surface = {count++, names.take(name)};
+  }
+
+  double area() const { return area_; }  // m2, of all faces
+  std::size_t nodes() const { return nodes_.size(); }
+  bool isCrowded() const { return nodes_.size() > kMostNodes; }
+
+  /// In the order in which they are met, fronts before backs; `splits`: nodes may be cut into regions.
+  std::vector<Draft> drafts(const std::vector<Face>& faces, bool splits) {
+    std::vector<Draft> drafts;
+    std::map<GroupKey, std::size_t> known;
+    for (const Face& face : faces) {
+      const GroupKey key = keyOf(face);
+      const auto [found, fresh] = known.emplace(key, drafts.size());
+      if (fresh)
+        drafts.push_back({nameOf(key, source_.meshes[face.mesh]),
+                          {},
+                          key.back,
+                          splits && key.kind == GroupKey::Kind::kNode});
+      drafts[found->second].faces.push_back(face);
+    }
+    std::stable_sort(drafts.begin(), drafts.end(),
+                     [](const Draft& x, const Draft& y) { return x.back < y.back; });
+    return drafts;
+  }
+
+ private:
+  struct Named {
+    std::uint32_t id = 0;
+    std::string name;  // unique
+  };
+  struct Node {
+    double area = 0;             // m2
+    std::vector<int> materials;  // in order of appearance
+    std::string name = {};       // unique, "" until it is asked for
+  };
+
+  GroupKey keyOf(const Face& face) const {
+    const SourceMesh& from = source_.meshes[face.mesh];
+    GroupKey key;
+    key.back = face.back && mesh_.triangles[face.triangle].backMesh == kNone;
+    if (!from.extras.surface.empty()) {
+      key.kind = GroupKey::Kind::kNamed;
+      key.id = named_.at(from.extras.surface).id;
+      return key;
+    }
+    const Node& node = nodes_.at(from.nodeIndex);
+    if (isCrowded() && node.area < kSmallNode * area_) {
+      key.kind = GroupKey::Kind::kSmallNodes;
+      return key;
+    }
+    key.id = from.nodeIndex;
+    if (node.materials.size() > 1) key.material = from.material;
+    return key;
+  }
+
+  std::string nameOf(const GroupKey& key, const SourceMesh& from) {
+    if (key.kind == GroupKey::Kind::kNamed) return named_.at(from.extras.surface).name;
+    if (key.kind == GroupKey::Kind::kSmallNodes) {
+      if (smallName_.empty()) smallName_ = names_.take("small things");
+      return smallName_;
+    }
+    Node& node = nodes_[from.nodeIndex];
+    if (node.name.empty()) node.name = names_.take(from.node);
+    if (node.materials.size() == 1) return node.name;
+    return node.name + "/" + (from.material < 0 ? "default material" : source_.materials[from.material].name);
+  }
+
+  const SourceScene& source_;
+  const WeldedMesh& mesh_;
+  UniqueNames& names_;
+  std::map<std::uint32_t, Node> nodes_;  // those whose extras name no surface
+  std::map<std::string, Named> named_;
+  std::string smallName_;
+  double area_ = 0;
 };
 
 /// The word for a plane of a group, before numbering; `middle` and `lowestFloor` are heights, m.
@@ -71,10 +173,55 @@ std::vector<std::string> regionWords(const WeldedMesh& mesh, const SurfaceGroup&
   return words;
 }
 
-struct NodeFacts {
-  double area = 0;
-  std::vector<int> materials;  // in order of appearance
+/// Gives the regions of groups their leaves. Fronts come first: the back of 'x' is 'x (back)'.
+class Leaves {
+ public:
+  Leaves(const WeldedMesh& mesh, SurfaceTree& tree, UniqueNames& names)
+      : tree_(tree), names_(names), leafOfTriangle_(mesh.triangles.size(), kNone) {}
+
+  /// `words` of its regions as regionWords gives them, all "" where the group stays whole.
+  void addFronts(const std::string& name, const std::vector<std::string>& words, SurfaceGroup& group) {
+    const bool split =
+        std::any_of(words.begin(), words.end(), [](const std::string& word) { return !word.empty(); });
+    std::map<std::string, std::uint32_t> leafOfWord;
+    for (const std::string& word : std::set<std::string>(words.begin(), words.end()))
+      leafOfWord[word] = addLeaf(!split ? name : name + "/" + (word.empty() ? "rest" : word));
+    for (std::size_t r = 0; r < group.regions.size(); ++r) {
+      group.leafOfRegion.push_back(leafOfWord[words[r]]);
+      for (const std::uint32_t f : group.regions[r].faces)
+        leafOfTriangle_[group.set.faces[f].triangle] = group.leafOfRegion[r];
+    }
+  }
+
+  void addBacks(SurfaceGroup& group) {
+    for (const Region& region : group.regions) {
+      const std::uint32_t front = leafOfTriangle_[group.set.faces[region.faces[0]].triangle];
+      const auto [found, fresh] = backOfLeaf_.emplace(front, static_cast<std::uint32_t>(tree_.names.size()));
+      if (fresh) tree_.names.push_back(names_.take(tree_.names[front] + " (back)"));
+      group.leafOfRegion.push_back(found->second);
+    }
+  }
+
+ private:
+  std::uint32_t addLeaf(const std::string& name) {
+    // note: a plain name was reserved when it was handed out, a path was not
+    const bool reserved = name.find('/') == std::string::npos;
+    tree_.names.push_back(reserved ? name : names_.take(name));
+    return static_cast<std::uint32_t>(tree_.names.size() - 1);
+  }
+
+  SurfaceTree& tree_;
+  UniqueNames& names_;
+  std::vector<std::uint32_t> leafOfTriangle_;  // of its front
+  std::map<std::uint32_t, std::uint32_t> backOfLeaf_;
 };
+
+/// Whether one plane is all of a group but for crumbs.
+bool isOnePlane(const SurfaceGroup& group) {
+  double area = 0, largest = 0;
+  for (const Region& region : group.regions) area += region.area, largest = std::max(largest, region.area);
+  return largest >= kOnePlane * area;
+}
 
 }  // namespace
 
@@ -87,117 +234,23 @@ double areaOf(const SurfaceTree& tree) {
 
 SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
                          double regionShare, UniqueNames& names) {
-  // Gather facts of nodes, and the named surfaces.
-  std::map<std::uint32_t, NodeFacts> nodes;
-  std::map<std::string, std::uint32_t> namedIds;
-  double total = 0;
-  for (const Face& face : faces) {
-    const SourceMesh& from = source.meshes[face.mesh];
-    const double area = length(areaVector(mesh.positions, face.vertex));
-    total += area;
-    if (!from.extras.surface.empty()) {
-      namedIds.emplace(from.extras.surface, 0);
-      continue;
-    }
-    NodeFacts& facts = nodes[from.nodeIndex];
-    facts.area += area;
-    if (std::find(facts.materials.begin(), facts.materials.end(), from.material) == facts.materials.end())
-      facts.materials.push_back(from.material);
-  }
-  const bool crowded = nodes.size() > kMostNodes;
+  Grouper grouper(source, mesh, faces, names);
   SurfaceTree tree;
-  if (crowded)
-    tree.warnings.push_back(std::to_string(nodes.size()) +
+  if (grouper.isCrowded())
+    tree.warnings.push_back(std::to_string(grouper.nodes()) +
                             " nodes: those below 0.5 % of the area are one surface, 'small things'");
-
-  // Names first for what the file's author named on purpose, then for nodes as they come.
-  std::map<GroupKey, Draft> drafts;
-  std::map<std::uint32_t, std::string> nodeNames;
-  std::string smallName;
-  std::uint32_t count = 0;
-  std::map<std::string, std::string> namedNames;
-  for (auto& [name, id] : namedIds) {
-    id = count++;
-    namedNames[name] = names.take(name);
-  }
-  std::vector<std::pair<std::size_t, GroupKey>> order;
-  std::size_t position = 0;
-  for (const Face& face : faces) {
-    const SourceMesh& from = source.meshes[face.mesh];
-    GroupKey key;
-    key.back = face.back && mesh.triangles[face.triangle].backMesh == kNone;
-    const NodeFacts* facts = nullptr;
-    if (!from.extras.surface.empty()) {
-      key.id = namedIds[from.extras.surface];
-    } else {
-      facts = &nodes[from.nodeIndex];
-      key.kind = crowded && facts->area < 0.005 * total ? 2 : 1;
-      key.id = key.kind == 1 ? from.nodeIndex : 0;
-      if (key.kind == 1 && facts->materials.size() > 1) key.material = from.material;
-    }
-    Draft& draft = drafts[key];
-    if (draft.name.empty()) {
-      order.emplace_back(position++, key);
-      draft.splits = key.kind == 1 && regionShare > 0;
-      if (key.kind == 0) {
-        draft.name = namedNames[from.extras.surface];
-      } else if (key.kind == 2) {
-        if (smallName.empty()) smallName = names.take("small things");
-        draft.name = smallName;
-      } else {
-        std::string& nodeName = nodeNames[from.nodeIndex];
-        if (nodeName.empty()) nodeName = names.take(from.node);
-        draft.name = nodeName;
-        if (facts->materials.size() > 1)
-          draft.name += "/" + (from.material < 0 ? "default material" : source.materials[from.material].name);
-      }
-    }
-    draft.faces.push_back(face);
-  }
-
-  // Cut groups into leaves. Backs follow the leaf of their front, so that 'x (back)' is the back of 'x'.
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.second.back < b.second.back; });
-  std::vector<std::uint32_t> leafOfTriangle(mesh.triangles.size(), kNone);
-  std::map<std::uint32_t, std::uint32_t> backOfLeaf;
-  for (const auto& entry : order) {
-    Draft& draft = drafts[entry.second];
+  Leaves leaves(mesh, tree, names);
+  for (Draft& draft : grouper.drafts(faces, regionShare > 0)) {
     SurfaceGroup group;
     group.set = makeFaceSet(mesh, std::move(draft.faces));
     group.regions = flatRegions(mesh, group.set);
-    group.leafOfRegion.assign(group.regions.size(), kNone);
-    if (entry.second.back) {
-      for (std::size_t r = 0; r < group.regions.size(); ++r) {
-        const std::uint32_t front = leafOfTriangle[group.set.faces[group.regions[r].faces[0]].triangle];
-        const auto [found, fresh] = backOfLeaf.emplace(front, static_cast<std::uint32_t>(tree.names.size()));
-        if (fresh) tree.names.push_back(names.take(tree.names[front] + " (back)"));
-        group.leafOfRegion[r] = found->second;
-      }
-    } else {
-      double area = 0, largest = 0;
-      for (const Region& region : group.regions)
-        area += region.area, largest = std::max(largest, region.area);
-      std::vector<std::string> words(group.regions.size());
-      if (draft.splits && largest < kOnePlane * area) words = regionWords(mesh, group, regionShare * total);
-      const bool split =
-          std::any_of(words.begin(), words.end(), [](const std::string& w) { return !w.empty(); });
-      std::map<std::string, std::uint32_t> leafOfWord;
-      std::vector<std::string> sorted(words);
-      std::sort(sorted.begin(), sorted.end());
-      for (const std::string& word : sorted) {
-        if (leafOfWord.count(word)) continue;
-        const std::string name = !split ? draft.name : draft.name + "/" + (word.empty() ? "rest" : word);
-        leafOfWord[word] = static_cast<std::uint32_t>(tree.names.size());
-        // note: a plain name was reserved when it was handed out, a path was not
-        const bool reserved = name.find('/') == std::string::npos;
-        tree.names.push_back(reserved ? name : names.take(name));
-      }
-      for (std::size_t r = 0; r < group.regions.size(); ++r) {
-        group.leafOfRegion[r] = leafOfWord[words[r]];
-        for (const std::uint32_t f : group.regions[r].faces)
-          leafOfTriangle[group.set.faces[f].triangle] = group.leafOfRegion[r];
-      }
-    }
+    std::vector<std::string> words(group.regions.size());
+    if (draft.splits && !draft.back && !isOnePlane(group))
+      words = regionWords(mesh, group, regionShare * grouper.area());
+    if (draft.back)
+      leaves.addBacks(group);
+    else
+      leaves.addFronts(draft.name, words, group);
     tree.groups.push_back(std::move(group));
   }
   return tree;

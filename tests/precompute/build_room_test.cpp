@@ -281,6 +281,17 @@ TEST(BuildRoom, MeasuringPlanesReceiveOnly) {
   expectConsistent(*room);
 }
 
+TEST(BuildRoom, AMeasuringPlaneThatIsTooFineIsRefusedBeforeItIsCut) {
+  TestGltf gltf = boxRoom({4, 3, 5}, 1);
+  TestMesh plane;
+  plane.quad({-250, 0.75, -250}, {0, 0, 500}, {500, 0, 0});
+  gltf.node("working plane", gltf.mesh(plane), TestGltf::extras({{"measure", true}}));
+  RoomOptions options;
+  options.patch = 0.25;
+  options.memory = 0.05;
+  EXPECT_THAT(refusal(gltf, options), HasSubstr("patches of 0.25 m need 4e+06 grid cells"));
+}
+
 TEST(BuildRoom, MountsByNameAndWhatHappensWithoutRoom) {
   TestGltf gltf = boxRoom({4, 3, 5}, 0);
   RoomOptions options;

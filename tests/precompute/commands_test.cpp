@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "precompute/scene_io.h"
 #include "tests/precompute/command_run.h"
 
 namespace fiatlux {
@@ -122,6 +123,31 @@ TEST_F(Commands, PaperCarriesItsMatrices) {
   for (const char* name : {"Y", "V", "clusterMean", "clusterCovariance.5"})
     EXPECT_THAT(names, testing::Contains(std::string(name)));
   EXPECT_EQ(runFiatlux(*folder_, "evaluate paper.flux --layout layout.json").status, 0);
+}
+
+TEST_F(Commands, ProvenanceNeverReplacesWhatWasReadOffTheFile) {
+  const std::string text = textOfFile(*folder_ / "box.flux");
+  const std::vector<std::uint8_t> file(text.begin(), text.end());
+  const SceneTable table = readSceneTable(file).value();
+  const std::string lie = R"({"patches": "many", "sections": 3, "identity": [], "program": "another"})";
+  std::vector<PlainSection> provenance;
+  provenance.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
+                                    static_cast<std::uint32_t>(lie.size()), 1, {lie.begin(), lie.end()}));
+  std::vector<StoredSection> sections = deflateSections(std::move(provenance));
+  for (const SceneSection& section : table.sections) {
+    const std::span<const std::uint8_t> bytes = storedBytes(file, section);
+    if (section.name != "provenance") sections.push_back({section, {bytes.begin(), bytes.end()}});
+  }
+  const std::vector<std::uint8_t> lying = assembleSceneFile(table.identity, table.counts, sections);
+  writeTextFile(*folder_ / "lying.flux", {lying.begin(), lying.end()});
+
+  const json info = json::parse(runFiatlux(*folder_, "info lying.flux --json").out);
+  EXPECT_EQ(info["patches"], table.counts.patches);
+  EXPECT_EQ(info["sections"].size(), table.sections.size());
+  EXPECT_EQ(info["identity"], table.identity);
+  EXPECT_EQ(info["program"], "another");
+  EXPECT_EQ(info["seconds"], json::object());
+  EXPECT_EQ(runFiatlux(*folder_, "info lying.flux").status, 0);
 }
 
 TEST_F(Commands, BadRoomsAreRefused) {

@@ -77,7 +77,7 @@ TEST(HostileGltf, TheRoomOfTheseTestsIsSound) {
   EXPECT_EQ(room->sites.size(), 20u);
 }
 
-TEST(HostileGltf, CountsAndExtentsBeyondTheirBuffers) {  // items 1, 2
+TEST(HostileGltf, CountsAndExtentsBeyondTheirBuffers) {
   TestGltf gltf = plainRoom();
   gltf.glb.json["accessors"][0]["count"] = 2147483647;
   EXPECT_THAT(refusal(gltf), HasSubstr("accessor 0"));
@@ -95,7 +95,7 @@ TEST(HostileGltf, CountsAndExtentsBeyondTheirBuffers) {  // items 1, 2
   EXPECT_THAT(refusal(gltf), HasSubstr("accessor 0"));
 }
 
-TEST(HostileGltf, IndexOutOfRange) {  // item 3
+TEST(HostileGltf, IndexOutOfRange) {
   TestGltf gltf;
   TestMesh mesh;
   mesh.box({}, {4, 3, 5}, true);
@@ -104,7 +104,24 @@ TEST(HostileGltf, IndexOutOfRange) {  // item 3
   EXPECT_THAT(refusal(gltf), HasSubstr("index 4000000000 is out of range"));
 }
 
-TEST(HostileGltf, VerticesThatAreNoNumbers) {  // item 4
+TEST(HostileGltf, IndicesAndJointsThatAreNoWholeNumbers) {
+  for (const int type : {5120, 5122, 5126}) {
+    TestGltf gltf = plainRoom();
+    const int indices = gltf.glb.json["meshes"][0]["primitives"][0]["indices"];
+    gltf.glb.json["accessors"][indices]["componentType"] = type;
+    EXPECT_THAT(refusal(gltf), HasSubstr("its indices are not unsigned whole numbers"));
+  }
+  TestGltf gltf = plainRoom();
+  ordered_json& attributes = gltf.glb.json["meshes"][0]["primitives"][0]["attributes"];
+  const std::size_t vertices = gltf.glb.json["accessors"][attributes["POSITION"].get<int>()]["count"];
+  const std::vector<float> joints(4 * vertices, -1);
+  const int view = gltf.glb.addView(joints.data(), 4 * joints.size(), 0, 0);
+  attributes["JOINTS_0"] = attributes["WEIGHTS_0"] =
+      gltf.glb.addAccessor(view, 5126, false, vertices, "VEC4");
+  EXPECT_THAT(refusal(gltf), HasSubstr("JOINTS_0 are not unsigned whole numbers"));
+}
+
+TEST(HostileGltf, VerticesThatAreNoNumbers) {
   for (const float bad : {NAN, INFINITY, -INFINITY}) {
     TestGltf gltf;
     TestMesh mesh;
@@ -115,7 +132,7 @@ TEST(HostileGltf, VerticesThatAreNoNumbers) {  // item 4
   }
 }
 
-TEST(HostileGltf, NodeCycle) {  // item 5
+TEST(HostileGltf, NodeCycle) {
   TestGltf gltf = plainRoom();
   gltf.glb.json["nodes"][0]["children"] = {1};
   gltf.glb.json["nodes"][1]["children"] = {2};
@@ -125,7 +142,7 @@ TEST(HostileGltf, NodeCycle) {  // item 5
   EXPECT_THAT(refusal(gltf), HasSubstr("node"));
 }
 
-TEST(HostileGltf, NodeChainOfAHundredThousand) {  // item 6: a flat walk opens it
+TEST(HostileGltf, NodeChainOfAHundredThousand) {  // a flat walk opens it
   TestGltf gltf;
   TestMesh mesh;
   mesh.box({}, {4, 3, 5}, true);
@@ -141,7 +158,7 @@ TEST(HostileGltf, NodeChainOfAHundredThousand) {  // item 6: a flat walk opens i
   EXPECT_EQ(room->triangles.size(), 12u);
 }
 
-TEST(HostileGltf, TwoHundredThousandInstances) {  // item 7
+TEST(HostileGltf, TwoHundredThousandInstances) {
   TestGltf gltf = plainRoom();
   TestMesh small;
   small.triangle({1, 1, 1}, {1.1, 1, 1}, {1, 1.1, 1});
@@ -162,7 +179,7 @@ TEST(HostileGltf, TwoHundredThousandInstances) {  // item 7
   EXPECT_THAT(refusal(gltf), HasSubstr("5 million are accepted"));
 }
 
-TEST(HostileGltf, AddressesOutsideTheFolderAreNeverOpened) {  // items 8, 9, 10
+TEST(HostileGltf, AddressesOutsideTheFolderAreNeverOpened) {
   const Folder folder;
   folder.write("secret.bin", "abcd");
   EXPECT_THAT(folder.refusal("../secret.bin"), HasSubstr("outside the file's folder"));
@@ -183,7 +200,7 @@ TEST(HostileGltf, AddressesOutsideTheFolderAreNeverOpened) {  // items 8, 9, 10
   EXPECT_THAT(folder.refusal("data:text/plain,AAAA"), HasSubstr("not base64"));
 }
 
-TEST(HostileGltf, SparseIndexOutOfRange) {  // item 11
+TEST(HostileGltf, SparseIndexOutOfRange) {
   TestGltf gltf = plainRoom();
   const std::uint16_t index = 60000;
   const float value[3] = {0, 0, 0};
@@ -196,7 +213,7 @@ TEST(HostileGltf, SparseIndexOutOfRange) {  // item 11
   EXPECT_THAT(refusal(gltf), HasSubstr("do not fit"));
 }
 
-TEST(HostileGltf, RequiredExtensionsAreNamed) {  // items 12, 13
+TEST(HostileGltf, RequiredExtensionsAreNamed) {
   for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "VENDOR_unheard_of"}) {
     TestGltf gltf = plainRoom();
     gltf.glb.json["extensionsRequired"] = {name};
@@ -210,7 +227,7 @@ TEST(HostileGltf, RequiredExtensionsAreNamed) {  // items 12, 13
   EXPECT_THAT(refusal(gltf), HasSubstr("KHR_draco_mesh_compression"));
 }
 
-TEST(HostileGltf, NothingToLight) {  // items 14, 21
+TEST(HostileGltf, NothingToLight) {
   TestGltf empty;
   EXPECT_THAT(refusal(empty), HasSubstr("no surfaces"));
   for (const int mode : {0, 1, 2, 3}) {
@@ -225,7 +242,7 @@ TEST(HostileGltf, NothingToLight) {  // items 14, 21
   EXPECT_THAT(refusal(flat), HasSubstr("zero area"));
 }
 
-TEST(HostileGltf, ScalesWithoutMeasure) {  // item 15
+TEST(HostileGltf, ScalesWithoutMeasure) {
   for (const double scale : {1e30, 0.0, 1e300, -1e30}) {
     TestGltf gltf;
     TestMesh mesh;
@@ -237,7 +254,7 @@ TEST(HostileGltf, ScalesWithoutMeasure) {  // item 15
   for (const double scale : {0.0, -1.0, 1e30, double{NAN}}) EXPECT_FALSE(gltf.read(scale));
 }
 
-TEST(HostileGltf, ColoursOutsideTheirRange) {  // item 16
+TEST(HostileGltf, ColoursOutsideTheirRange) {
   for (const double grey : {1.0, 7.0, -3.0, 1e9}) {
     TestGltf gltf;
     TestMesh mesh;
@@ -253,7 +270,7 @@ TEST(HostileGltf, ColoursOutsideTheirRange) {  // item 16
   }
 }
 
-TEST(HostileGltf, NamesAreTextAndShort) {  // item 17
+TEST(HostileGltf, NamesAreTextAndShort) {
   for (const std::string& name :
        {std::string("<img src=x onerror=alert(1)>"), std::string("</script>"), std::string("a\u202Egnp.exe"),
         std::string(5 << 20, 'n'), std::string("all"), std::string("\n\x1b[31m"), std::string("a/b/c")}) {
@@ -275,7 +292,7 @@ TEST(HostileGltf, NamesAreTextAndShort) {  // item 17
   }
 }
 
-TEST(HostileGltf, KeysOfPrototypesMeanNothing) {  // item 18
+TEST(HostileGltf, KeysOfPrototypesMeanNothing) {
   TestGltf gltf = plainRoom();
   gltf.glb.json["__proto__"] = {{"polluted", true}};
   gltf.glb.json["nodes"][0]["extras"] = {{"__proto__", {{"fiatlux", {{"mount", true}}}}},
@@ -283,7 +300,7 @@ TEST(HostileGltf, KeysOfPrototypesMeanNothing) {  // item 18
   EXPECT_TRUE(gltf.build());
 }
 
-TEST(HostileGltf, JsonNestedThirtyThousandDeep) {  // item 19
+TEST(HostileGltf, JsonNestedThirtyThousandDeep) {
   for (const char open : {'[', '{'}) {
     std::string text = "{\"asset\":{\"version\":\"2.0\"},\"extras\":";
     for (int i = 0; i < 30000; ++i) text += open == '[' ? "[" : "{\"a\":";
@@ -291,7 +308,7 @@ TEST(HostileGltf, JsonNestedThirtyThousandDeep) {  // item 19
   }
 }
 
-TEST(HostileGltf, ThingsThatAreNoGltf) {  // item 20
+TEST(HostileGltf, ThingsThatAreNoGltf) {
   EXPECT_THAT(refusal(bytesOf("")), HasSubstr("empty"));
   EXPECT_THAT(refusal(bytesOf("<!doctype html><html></html>")), HasSubstr("neither a GLB nor glTF"));
   EXPECT_THAT(refusal(bytesOf(std::string("\xff\xfe{\0\"\0", 6))), HasSubstr("neither a GLB nor glTF"));
@@ -304,7 +321,7 @@ TEST(HostileGltf, ThingsThatAreNoGltf) {  // item 20
   EXPECT_FALSE(readSourceScene(std::string("/nowhere/at/all.glb"), 1));
 }
 
-TEST(HostileGltf, GlbLengthsThatLie) {  // item 20
+TEST(HostileGltf, GlbLengthsThatLie) {
   TestGltf gltf = plainRoom();
   const std::vector<std::uint8_t> good = gltf.glb.bytes();
   for (const std::size_t word : {8u, 12u})
@@ -336,7 +353,7 @@ TEST(HostileGltf, MoreThanTheBudgets) {
   EXPECT_THAT(refusal(bytesOf(text + "]}")), HasSubstr("more than a million nodes"));
 }
 
-TEST(HostileGltf, DracoWithGarbageIsRefusedByName) {  // item 13
+TEST(HostileGltf, DracoWithGarbageIsRefusedByName) {
   TestGltf gltf = plainRoom();
   const std::vector<std::uint8_t> garbage(64, 0xd7);
   const int view = gltf.glb.addView(garbage.data(), garbage.size(), 0, 0);

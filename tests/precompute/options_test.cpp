@@ -11,6 +11,11 @@ namespace {
 
 using testing::HasSubstr;
 
+struct Option {
+  const char* name;
+  std::vector<const char*> refused;  // values
+};
+
 class Options : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -37,87 +42,60 @@ class Options : public testing::Test {
     EXPECT_EQ(folder_->files(), files) << said;
   }
 
+  static void expectRefused(const std::string& command, const std::vector<Option>& options) {
+    for (const Option& option : options)
+      for (const char* value : option.refused) expectRefused(command, option.name, value);
+  }
+
   static TemporaryFolder* folder_;
 };
 TemporaryFolder* Options::folder_ = nullptr;
 
-struct Case {
-  const char *option, *value;
+const std::vector<Option> kOfARoom = {
+    {"--patch", {"-1", "nan", "0", "inf", "1e-300", "wide", "0x10"}},
+    {"--rays", {"0", "1e9", "-1", "99999999999999999999", "1.5"}},
+    {"--scale", {"0", "inf", "nan", "-1"}},
+    {"--memory", {"0", "nan", "-4"}},
+    {"--threads", {"-1", "1e9"}},
+    {"--site-spacing", {"0", "-0.5", "nan"}},
+    {"--site-size", {"nan", "0", "inf"}},
+    {"--seed", {"-1", "1e3", "18446744073709551616"}},
+    {"--spacing", {"0"}},  // there are no such options
+    {"--size", {"nan"}},
+};
+const std::vector<Option> kOfPrecompute = {
+    {"--refine", {"-1", "101", "nan"}},
+    {"--cluster", {"0", "-2", "65"}},
+};
+const std::vector<Option> kOfASearch = {
+    {"--seed", {"-1", "nan"}},
+    {"--runs", {"0", "-1", "1e9"}},
+    {"--evaluations", {"0", "-5", "inf", "5000000000"}},
+};
+const std::vector<Option> kOfAlpha = {
+    {"--delta-alpha", {"0", "nan"}},
+    {"--delta-phi", {"-1", "2"}},
+    {"--iterations", {"0", "-1"}},
 };
 
 TEST_F(Options, OfARoom) {
-  for (const char* command :
-       {"precompute box.gltf -o new.flux", "light box.gltf --layout layout.json --patches new.csv"})
-    for (const Case& c : std::initializer_list<Case>{{"--patch", "-1"},
-                                                     {"--patch", "nan"},
-                                                     {"--patch", "0"},
-                                                     {"--patch", "inf"},
-                                                     {"--patch", "1e-300"},
-                                                     {"--patch", "wide"},
-                                                     {"--patch", "0x10"},
-                                                     {"--rays", "0"},
-                                                     {"--rays", "1e9"},
-                                                     {"--rays", "-1"},
-                                                     {"--rays", "99999999999999999999"},
-                                                     {"--rays", "1.5"},
-                                                     {"--scale", "0"},
-                                                     {"--scale", "inf"},
-                                                     {"--scale", "nan"},
-                                                     {"--scale", "-1"},
-                                                     {"--memory", "0"},
-                                                     {"--memory", "nan"},
-                                                     {"--memory", "-4"},
-                                                     {"--threads", "-1"},
-                                                     {"--threads", "1e9"},
-                                                     {"--site-spacing", "0"},
-                                                     {"--site-spacing", "-0.5"},
-                                                     {"--site-spacing", "nan"},
-                                                     {"--site-size", "nan"},
-                                                     {"--site-size", "0"},
-                                                     {"--site-size", "inf"},
-                                                     {"--seed", "-1"},
-                                                     {"--seed", "1e3"},
-                                                     {"--seed", "18446744073709551616"},
-                                                     {"--spacing", "0"},
-                                                     {"--size", "nan"}})
-      expectRefused(command, c.option, c.value);
-  for (const Case& c : std::initializer_list<Case>{{"--refine", "-1"},
-                                                   {"--refine", "101"},
-                                                   {"--refine", "nan"},
-                                                   {"--cluster", "0"},
-                                                   {"--cluster", "-2"},
-                                                   {"--cluster", "65"}})
-    expectRefused("precompute box.gltf -o new.flux", c.option, c.value);
+  const std::string precompute = "precompute box.gltf -o new.flux";
+  expectRefused(precompute, kOfARoom);
+  expectRefused(precompute, kOfPrecompute);
+  expectRefused("light box.gltf --layout layout.json --patches new.csv", kOfARoom);
 }
 
 TEST_F(Options, OfASearch) {
-  for (const char* command : {"solve box.flux --intentions wishes.json -o new.json",
-                              "alpha box.flux --intentions wishes.json -o new.json"})
-    for (const Case& c : std::initializer_list<Case>{{"--seed", "-1"},
-                                                     {"--seed", "nan"},
-                                                     {"--runs", "0"},
-                                                     {"--runs", "-1"},
-                                                     {"--runs", "1e9"},
-                                                     {"--evaluations", "0"},
-                                                     {"--evaluations", "-5"},
-                                                     {"--evaluations", "inf"},
-                                                     {"--evaluations", "5000000000"}})
-      expectRefused(command, c.option, c.value);
-  for (const Case& c : std::initializer_list<Case>{{"--delta-alpha", "0"},
-                                                   {"--delta-alpha", "nan"},
-                                                   {"--delta-phi", "-1"},
-                                                   {"--delta-phi", "2"},
-                                                   {"--iterations", "0"},
-                                                   {"--iterations", "-1"}})
-    expectRefused("alpha box.flux --intentions wishes.json -o new.json", c.option, c.value);
+  const std::string alpha = "alpha box.flux --intentions wishes.json -o new.json";
+  expectRefused(alpha, kOfASearch);
+  expectRefused(alpha, kOfAlpha);
+  expectRefused("solve box.flux --intentions wishes.json -o new.json", kOfASearch);
 }
 
 TEST_F(Options, OfTheOthers) {
-  for (const Case& c : std::initializer_list<Case>{{"--rays", "0"}, {"--seed", "-1"}, {"--threads", "-1"}})
-    expectRefused("validate", c.option, c.value);
-  for (const Case& c : std::initializer_list<Case>{{"--runs", "0"}, {"--evaluations", "-1"}})
-    expectRefused("experiments --scene box.flux -o new", c.option, c.value);
-  expectRefused("evaluate box.flux --layout layout.json", "--patch", "-1");
+  expectRefused("validate", {{"--rays", {"0"}}, {"--seed", {"-1"}}, {"--threads", {"-1"}}});
+  expectRefused("experiments --scene box.flux -o new", {{"--runs", {"0"}}, {"--evaluations", {"-1"}}});
+  expectRefused("evaluate box.flux --layout layout.json", {{"--patch", {"-1"}}});
 }
 
 TEST_F(Options, SensibleNumbersAreTaken) {

@@ -57,7 +57,10 @@ TEST(Reflectance, WrapModesAndTransforms) {
   scene.materials[0].wrapS = 33648;
   EXPECT_EQ(atU(1.25), 1);
   EXPECT_EQ(atU(1.75), 0);
-  EXPECT_EQ(atU(-0.25), 0);  // mirror
+  EXPECT_EQ(atU(-0.25), 0);
+  EXPECT_EQ(atU(1), 1);  // the very edge belongs to the texel beside it
+  EXPECT_EQ(atU(-1), 1);
+  EXPECT_EQ(atU(2), 0);  // mirror
   scene.materials[0].wrapS = 10497;
   scene.materials[0].uvTransform = {0.5, 0, 1, 1, 0};
   EXPECT_EQ(atU(0.25), 1);
