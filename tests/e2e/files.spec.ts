@@ -2,6 +2,8 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { mapColor } from '../../web/viewer/color-maps.ts';
 import { difference, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
 
 const scenes = path.join(import.meta.dirname, '../../public/scenes');
@@ -87,4 +89,31 @@ test('a .glb is shown with the line that makes it live', async ({ page }) => {
   await note.getByRole('button', { name: 'Close the preview' }).click();
   await expect(note).toHaveCount(0);
   await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.3);
+});
+
+test('a picture in false colours carries its legend, a realistic one does not', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const save = async () => {
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'File and export' }).click();
+    await page.getByRole('menuitem', { name: /PNG/ }).click();
+    return PNG.sync.read(readFileSync(await (await download).path()));
+  };
+  /** The colour of a pixel counted from the lower left corner. */
+  const at = ({ data, width, height }: PNG, x: number, y: number) => [
+    ...data.subarray(4 * ((height - y) * width + x)).subarray(0, 3),
+  ];
+  const apart = (a: readonly number[], b: readonly number[]) =>
+    Math.max(...a.map((value, channel) => Math.abs(value - b[channel]!)));
+  const realistic = await save();
+  await page.keyboard.press('c');
+  await expect(page.getByRole('region', { name: 'Legend' })).toBeVisible();
+  const colored = await save();
+  expect([colored.width, colored.height]).toEqual([realistic.width, realistic.height]);
+  for (const place of [0.05, 0.95]) {
+    const color = mapColor('viridis', place);
+    const x = Math.round(24 + place * 236);
+    expect(apart(at(colored, x, 44), color)).toBeLessThan(12);
+    expect(apart(at(realistic, x, 44), color)).toBeGreaterThan(40);
+  }
 });

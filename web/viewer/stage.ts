@@ -64,6 +64,11 @@ export class Stage {
     return Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
   }
 
+  /** Pixels of the picture a CSS pixel. */
+  get ratio(): number {
+    return this.renderer.getPixelRatio();
+  }
+
   draw(camera: Camera): void {
     this.renderer.render(this.scene, camera);
   }

@@ -57,7 +57,7 @@ export interface Viewer {
   view(name: ViewName): void;
   fit(): void;
   home(): void;
-  /** The present picture, drawn at once. */
+  /** The present picture, drawn at once; one in false colours has its legend in a corner. */
   png(): Promise<Blob>;
   dispose(): void;
 }

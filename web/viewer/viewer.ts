@@ -6,6 +6,7 @@ import { CameraRig } from './camera-rig.ts';
 import { CutAway } from './cut-away.ts';
 import { Emphasis } from './emphasis.ts';
 import { FrameLoop } from './frame-loop.ts';
+import { withLegend } from './legend-picture.ts';
 import { LuminaireHand } from './luminaire-hand.ts';
 import { LuminaireObjects } from './luminaire-objects.ts';
 import { LuminaireTags } from './luminaire-tags.ts';
@@ -159,7 +160,9 @@ class RoomViewer implements Viewer {
 
   async png(): Promise<Blob> {
     this.draw();
-    return this.stage.png();
+    const picture = await this.stage.png();
+    const { display } = this;
+    return display?.mode === 'falseColor' ? withLegend(picture, display, this.stage.ratio) : picture;
   }
 
   dispose(): void {
