@@ -1,20 +1,16 @@
 // Four columns go side by side (lanes), so that a processor has something to do while it waits for one of
-// them. A block: for each stream and lane its two lengths in bytes; then for each its packed symbols and its
-// escapes. A symbol is the zigzag of a residual: 0..2 in two bits, four to a byte, lowest first; 3 = 3 + the
-// next escape byte; an escape of 255 is followed by four bytes that hold the symbol itself.
+// them. Each number is predicted from its neighbours; the zigzag of what is left is a symbol of a stream.
 #include "core/response_codec.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
+#include <cstdlib>
+
+#include "core/response_quantiser.h"
+#include "core/response_streams.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr std::int32_t kLargest = 1 << 24;  // of a quantised value: still exact as a float
-constexpr std::size_t kStreams = 6, kLanes = 4;
-constexpr std::size_t kHeaderBytes = kStreams * kLanes * 8;
 
 std::uint32_t zigzag(std::int32_t v) {
   return (static_cast<std::uint32_t>(v) << 1) ^ static_cast<std::uint32_t>(v >> 31);
@@ -74,146 +70,6 @@ class Quad {
   std::vector<Numbers> value_, residual_;
 };
 
-class StreamWriter {
- public:
-  void put(std::uint32_t symbol) {
-    if (count_++ % 4 == 0) packed_.push_back(0);
-    packed_.back() |= static_cast<std::uint8_t>(std::min(symbol, 3u) << (2 * ((count_ - 1) % 4)));
-    if (symbol < 3) return;
-    const std::uint32_t rest = std::min(symbol - 3, 255u);
-    escapes_.push_back(static_cast<std::uint8_t>(rest));
-    for (int shift = 0; rest == 255 && shift < 32; shift += 8)
-      escapes_.push_back(static_cast<std::uint8_t>(symbol >> shift));
-  }
-  const std::vector<std::uint8_t>& packed() const { return packed_; }
-  const std::vector<std::uint8_t>& escapes() const { return escapes_; }
-
- private:
-  std::vector<std::uint8_t> packed_, escapes_;
-  std::size_t count_ = 0;
-};
-
-std::vector<std::uint8_t> joined(const std::array<StreamWriter, kStreams * kLanes>& streams) {
-  std::vector<std::uint8_t> block;
-  const auto append = [&](const std::vector<std::uint8_t>& bytes) {
-    block.insert(block.end(), bytes.begin(), bytes.end());
-  };
-  for (const StreamWriter& stream : streams)
-    for (std::size_t size : {stream.packed().size(), stream.escapes().size()})
-      for (int shift = 0; shift < 32; shift += 8) block.push_back(static_cast<std::uint8_t>(size >> shift));
-  for (const StreamWriter& stream : streams) append(stream.packed()), append(stream.escapes());
-  return block;
-}
-
-/// A stream's place in the block. Reading takes no branch that the data decides, except for rare long
-/// escapes.
-struct StreamReader {
-  const std::uint8_t* packed = nullptr;
-  const std::uint8_t* escapes = nullptr;
-  std::uint32_t packedBytes = 0, escapeBytes = 0;
-  std::uint32_t symbols = 0, escaped = 0;  // read so far: symbols, bytes of escapes
-
-  /// The next symbol; sets `bad` where the stream has ended.
-  std::uint32_t next(bool& bad) {
-    const std::uint32_t byte = symbols >> 2;
-    if (byte >= packedBytes) return bad = true, 0;
-    const std::uint32_t symbol = (packed[byte] >> (2 * (symbols & 3))) & 3;
-    ++symbols;
-    const std::uint32_t escape = symbol == 3;
-    if (escaped + escape > escapeBytes) return bad = true, 0;
-    const std::uint32_t rest = escapes[escaped & (0u - escape)] & (0u - escape);
-    escaped += escape;
-    return rest < 255 ? symbol + rest : longSymbol(bad);
-  }
-  /// All bytes are used.
-  bool finished() const { return (symbols + 3) >> 2 == packedBytes && escaped == escapeBytes; }
-
- private:
-  std::uint32_t longSymbol(bool& bad) {
-    if (escapeBytes - escaped < 4) return bad = true, 0;
-    std::uint32_t symbol;
-    std::memcpy(&symbol, escapes + escaped, 4);
-    escaped += 4;
-    return symbol;
-  }
-};
-
-/// Cuts a block into its streams; false where the lengths are not those of the block.
-bool split(std::span<const std::uint8_t> block, std::array<StreamReader, kStreams * kLanes>& streams) {
-  if (block.size() < kHeaderBytes) return false;
-  std::uint64_t at = kHeaderBytes;
-  for (std::size_t i = 0; i < streams.size(); ++i) {
-    StreamReader& stream = streams[i];
-    std::memcpy(&stream.packedBytes, &block[8 * i], 4);
-    std::memcpy(&stream.escapeBytes, &block[8 * i + 4], 4);
-    const std::uint64_t end = at + stream.packedBytes + stream.escapeBytes;
-    if (end > block.size()) return false;
-    stream.packed = block.data() + at;
-    // note: a stream without escapes still reads escapes[0], and throws it away.
-    stream.escapes = stream.escapeBytes > 0 ? stream.packed + stream.packedBytes : block.data();
-    at = end;
-  }
-  return at == block.size();
-}
-
-/// Steps and floors of one column, and what the rounding does to each surface.
-class Quantiser {
- public:
-  Quantiser(const Patches& patches, std::uint32_t surfaces, double step)
-      : patches_(patches), surfaces_(surfaces), step_(step), area_(surfaces) {
-    for (std::uint32_t p = 0; p < patches.rows(); ++p) area_[patches.surface[p]] += patches.area[p];
-  }
-
-  /// Sets the scales of a column and the numbers of its rows.
-  void quantise(const float* column, ResponseScale* scales, std::vector<std::int32_t>& numbers) {
-    std::vector<double> peak(surfaces_), dimArea(surfaces_), dim(surfaces_), darkest(surfaces_, 1e300);
-    mean_.assign(surfaces_, 0);
-    for (std::uint32_t p = 0; p < patches_.rows(); ++p) {
-      mean_[patches_.surface[p]] += patches_.area[p] * column[p] / area_[patches_.surface[p]];
-      peak[patches_.surface[p]] = std::max<double>(peak[patches_.surface[p]], column[p]);
-    }
-    for (std::uint32_t s = 0; s < surfaces_; ++s)
-      scales[s] = {static_cast<float>(std::max(step_ * mean_[s], peak[s] / (kLargest / 2))), 0};
-    for (std::uint32_t p = 0; p < patches_.rows(); ++p) {
-      const std::uint32_t s = patches_.surface[p];
-      numbers[p] =
-          scales[s].step > 0 ? static_cast<std::int32_t>(std::lround(double{column[p]} / scales[s].step)) : 0;
-      if (numbers[p] > 0) continue;
-      dimArea[s] += patches_.area[p];
-      dim[s] += patches_.area[p] * column[p];
-      darkest[s] = std::min<double>(darkest[s], column[p]);
-    }
-    // note: where no light at all arrives (a sealed corner), dim patches must not be given any.
-    for (std::uint32_t s = 0; s < surfaces_; ++s)
-      if (dimArea[s] > 0 && darkest[s] > 1e-4 * scales[s].step)
-        scales[s].floor = static_cast<float>(std::min(dim[s] / dimArea[s], 0.5 * scales[s].step));
-  }
-
-  /// RMS error over the mean of each surface; raises the bounds.
-  void judge(const float* column, const ResponseScale* scales, const std::vector<std::int32_t>& numbers,
-             float* rms, std::vector<float>& bound) const {
-    std::vector<double> squares(surfaces_), worst(surfaces_);
-    for (std::uint32_t p = 0; p < patches_.rows(); ++p) {
-      const ResponseScale& scale = scales[patches_.surface[p]];
-      const float stored = numbers[p] > 0 ? static_cast<float>(numbers[p]) * scale.step : scale.floor;
-      const double error = std::abs(double{stored} - column[p]);
-      squares[patches_.surface[p]] += patches_.area[p] * error * error;
-      worst[patches_.surface[p]] = std::max(worst[patches_.surface[p]], error);
-    }
-    for (std::uint32_t s = 0; s < surfaces_; ++s) {
-      if (!(mean_[s] > 0)) continue;
-      rms[s] = static_cast<float>(std::sqrt(squares[s] / area_[s]) / mean_[s]);
-      bound[s] = std::max(bound[s], static_cast<float>(worst[s] / mean_[s] * 1.000001));
-    }
-  }
-
- private:
-  const Patches& patches_;
-  std::uint32_t surfaces_;
-  double step_;
-  std::vector<double> area_, mean_;
-};
-
 /// Decodes `width` columns side by side into out (column-major); false where a stream ends or a value is out
 /// of range. `scale`: of the first column's surfaces, then the next column's.
 template <std::uint32_t width>
@@ -228,7 +84,7 @@ bool decodeLanes(const std::vector<Neighbours>& neighbours, const std::vector<st
     for (std::uint32_t i = 0; i < width; ++i) {
       const auto symbol = streams[static_cast<std::uint32_t>(stream[i]) * kLanes + i].next(bad);
       const std::int64_t number = std::int64_t{prediction[i]} + unzigzag(symbol);
-      bad |= number < 0 || number > kLargest;
+      bad |= number < 0 || number > kLargestNumber;
       value[i] = static_cast<std::int32_t>(number);
     }
     if (bad) return false;

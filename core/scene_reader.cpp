@@ -3,94 +3,17 @@
 #include "core/scene_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <set>
 
+#include "core/checked_sections.h"
 #include "core/covariance_codec.h"
 #include "core/crc32.h"
 #include "core/response_codec.h"
 #include "core/scene_sections.h"
-#include "core/section_codec.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr const char* kRemedy = "; the file is damaged: make it again with fiatlux precompute";
-
-Error faultIn(std::string_view section, const std::string& what) {
-  return Error{"section " + std::string(section) + ": " + what + kRemedy};
-}
-
-/// Takes sections by name, checks their shapes, decodes them; remembers the first fault.
-class Sections {
- public:
-  Sections(const SceneTable& table, std::vector<std::vector<std::uint8_t>>& bytes)
-      : table_(table), bytes_(bytes) {}
-
-  bool ok() const { return fault_.message.empty(); }
-  const Error& fault() const { return fault_; }
-  void fail(std::string_view section, const std::string& what) {
-    if (ok()) fault_ = faultIn(section, what);
-  }
-  bool has(std::string_view name) const { return table_.find(name) != nullptr; }
-  const SceneSection& line(std::string_view name) const { return *table_.find(name); }
-
-  /// The section's bytes; it must have this type and encoding. kAnyRows leaves the number of rows open.
-  static constexpr std::uint64_t kAnyRows = ~0ull;
-  std::vector<std::uint8_t> take(std::string_view name, ElementType type, Encoding encoding,
-                                 std::uint64_t rows, std::uint32_t columns) {
-    const SceneSection* section = table_.find(name);
-    if (!section) return fail(name, "it is missing"), std::vector<std::uint8_t>{};
-    const bool fits = section->type == type && section->encoding == encoding && section->columns == columns &&
-                      (rows == kAnyRows || section->rows == rows);
-    if (!fits) return fail(name, "its shape does not fit the room's counts"), std::vector<std::uint8_t>{};
-    return takeAny(name);
-  }
-  std::vector<std::uint8_t> takeAny(std::string_view name) {
-    const auto index = static_cast<std::size_t>(&line(name) - table_.sections.data());
-    if (bytes_[index].size() != table_.sections[index].inflatedBytes)
-      return fail(name, "it was not provided"), std::vector<std::uint8_t>{};
-    return std::move(bytes_[index]);
-  }
-  template <class T>
-  std::vector<T> plain(std::string_view name, ElementType type, std::uint64_t rows, std::uint32_t columns) {
-    const std::vector<std::uint8_t> bytes = take(name, type, Encoding::kPlain, rows, columns);
-    std::vector<T> values(bytes.size() / sizeof(T));
-    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-    return values;
-  }
-  /// Doubles, all finite and in [low, high].
-  std::vector<double> doubles(std::string_view name, std::uint64_t rows, std::uint32_t columns, double low,
-                              double high) {
-    std::vector<double> values = plain<double>(name, ElementType::kFloat64, rows, columns);
-    checkRange(name, values, low, high);
-    return values;
-  }
-  std::vector<float> floats(std::string_view name, Encoding encoding, std::uint64_t rows,
-                            std::uint32_t columns, double low, double high) {
-    const std::vector<std::uint8_t> bytes = take(name, ElementType::kFloat32, encoding, rows, columns);
-    std::vector<float> values = decodeFloatPlanes(bytes);
-    checkRange(name, values, low, high);
-    return values;
-  }
-  std::vector<std::uint32_t> integers(std::string_view name, std::uint64_t rows, std::uint32_t columns) {
-    const std::vector<std::uint8_t> bytes =
-        take(name, ElementType::kUint32, Encoding::kDeltaPlanes, rows, columns);
-    return decodeDeltaPlanes(bytes, columns);
-  }
-
- private:
-  template <class T>
-  void checkRange(std::string_view name, const std::vector<T>& values, double low, double high) {
-    for (T v : values)
-      if (!(v >= low && v <= high)) return fail(name, "a value is no number or out of range");
-  }
-  const SceneTable& table_;
-  std::vector<std::vector<std::uint8_t>>& bytes_;
-  Error fault_;
-};
 
 constexpr double kHuge = 1e30;  // of anything physical in a file
 // Of light in a file, lx for 1 lm: sums and squares of what is below stay finite, as floats too.
@@ -98,9 +21,9 @@ constexpr double kBrightestMean = 1e12, kLargestWeight = 1e6;
 constexpr double kBrightestPatch = kBrightestMean * (1 << 24);  // responses count up to 2^24 steps
 constexpr std::size_t kLongestName = 1000;                      // bytes; the writer cuts names far below
 
-void readSurfaces(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readSurfaces(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::vector<std::uint8_t> names =
-      in.take("surfaceNames", ElementType::kUint8, Encoding::kPlain, Sections::kAnyRows, 1);
+      in.take("surfaceNames", ElementType::kUint8, Encoding::kPlain, CheckedSections::kAnyRows, 1);
   const std::vector<double> numbers = in.doubles("surfaces", counts.surfaces, kSurfaceColumns, 0, kHuge);
   if (!in.ok()) return;
   std::set<std::string> seen = {"all"};
@@ -125,7 +48,7 @@ void readSurfaces(Sections& in, const SceneCounts& counts, Scene& scene) {
   if (from != names.end()) in.fail("surfaceNames", "there are more names than surfaces");
 }
 
-void readPatchLabels(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readPatchLabels(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   Patches& patches = scene.patches;
   const std::uint32_t rows = counts.rows();
   patches.surface = in.integers("patchSurfaces", rows, 1);
@@ -154,7 +77,7 @@ void readPatchLabels(Sections& in, const SceneCounts& counts, Scene& scene) {
   }
 }
 
-void readPatches(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readPatches(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   Patches& patches = scene.patches;
   const std::uint32_t rows = counts.rows();
   patches.count = counts.patches;
@@ -177,7 +100,7 @@ void readPatches(Sections& in, const SceneCounts& counts, Scene& scene) {
   readPatchLabels(in, counts, scene);
 }
 
-void readSites(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readSites(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::vector<double> numbers = in.doubles("sites", counts.sites, kSiteColumns, -kHuge, kHuge);
   if (!in.ok()) return;
   for (std::uint32_t j = 0; j < counts.sites; ++j) {
@@ -190,7 +113,7 @@ void readSites(Sections& in, const SceneCounts& counts, Scene& scene) {
 }
 
 /// The columns as stored, rows x counts.columns.
-std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Patches& patches) {
+std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, const Patches& patches) {
   const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
   const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
                                                2 * counts.surfaces, 0, kBrightestMean);
@@ -202,7 +125,7 @@ std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Pa
     const std::string name = numberedName("responses", block);
     const std::uint32_t width = std::min(perBlock, counts.columns - first);
     const std::vector<std::uint8_t> bytes =
-        in.take(name, ElementType::kUint8, Encoding::kResponses, Sections::kAnyRows, 1);
+        in.take(name, ElementType::kUint8, Encoding::kResponses, CheckedSections::kAnyRows, 1);
     if (!in.ok()) return {};
     const auto part =
         std::span(scales).subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
@@ -214,7 +137,7 @@ std::vector<float> readColumns(Sections& in, const SceneCounts& counts, const Pa
 }
 
 /// Site responses = columns x responseWeights.
-void readResponses(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readResponses(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::uint32_t rows = counts.rows();
   std::vector<float> columns = readColumns(in, counts, scene.patches);
   const std::vector<std::uint32_t> offsets = in.integers("responseOffsets", counts.sites + 1ull, 1);
@@ -249,7 +172,8 @@ void readResponses(Sections& in, const SceneCounts& counts, Scene& scene) {
     in.fail("responseWeights", "light is out of range");
 }
 
-void readCovariance(Sections& in, const std::string& name, std::uint32_t m, std::vector<double>& covariance) {
+void readCovariance(CheckedSections& in, const std::string& name, std::uint32_t m,
+                    std::vector<double>& covariance) {
   if (!in.has(name)) return in.fail(name, "it is missing");
   const std::vector<std::uint8_t> bytes = in.takeAny(name);
   if (!in.ok()) return;
@@ -257,7 +181,7 @@ void readCovariance(Sections& in, const std::string& name, std::uint32_t m, std:
   if (!fault.empty()) in.fail(name, fault);
 }
 
-void readStatistics(Sections& in, const SceneCounts& counts, Scene& scene) {
+void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::uint32_t m = counts.sites;
   const std::vector<double> lit = in.doubles("illuminanceMeans", counts.surfaces, m, 0, kBrightestMean);
   const std::vector<double> reflected = in.doubles("exitanceMeans", counts.surfaces, m, 0, kBrightestMean);
@@ -285,10 +209,6 @@ void readStatistics(Sections& in, const SceneCounts& counts, Scene& scene) {
 }
 
 }  // namespace
-
-std::string numberedName(std::string_view name, std::uint32_t number) {
-  return number == 0 ? std::string(name) : std::string(name) + "." + std::to_string(number);
-}
 
 Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
   Result<SceneTable> table = readSceneTable(file);
@@ -323,7 +243,7 @@ Result<Done> SceneReader::provide(std::uint32_t section, std::vector<std::uint8_
 }
 
 Result<Scene> SceneReader::finish() {
-  Sections in(table_, bytes_);
+  CheckedSections in(table_, bytes_);
   Scene scene;
   scene.identity = table_.identity;
   readSurfaces(in, table_.counts, scene);

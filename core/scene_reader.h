@@ -38,7 +38,4 @@ class SceneReader {
   std::vector<std::vector<std::uint8_t>> bytes_;  // of each section, empty until provided
 };
 
-/// "covariance.12": sections that come in numbers carry them after a dot; the first block has none.
-std::string numberedName(std::string_view name, std::uint32_t number);
-
 }  // namespace fiatlux

@@ -7,7 +7,6 @@
 
 #include "core/covariance_codec.h"
 #include "core/response_codec.h"
-#include "core/scene_reader.h"
 #include "core/section_codec.h"
 
 namespace fiatlux {
@@ -165,6 +164,10 @@ void addStatistics(const Scene& scene, std::vector<PlainSection>& out, EncodingR
 }
 
 }  // namespace
+
+std::string numberedName(std::string_view name, std::uint32_t number) {
+  return number == 0 ? std::string(name) : std::string(name) + "." + std::to_string(number);
+}
 
 SceneCounts countsOf(const Scene& scene) {
   const auto m = static_cast<std::uint32_t>(scene.sites.size());

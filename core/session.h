@@ -27,7 +27,6 @@ struct SearchProgress {
 class Session {
  public:
   // --- The scene: openTable, then provide() every section with needed(), then finish().
-  // --------------------------
 
   /// Checks a file and remembers its table; the scene that was open stays until finish().
   Result<Done> openTable(std::span<const std::uint8_t> file);
@@ -43,7 +42,6 @@ class Session {
   const Scene* scene() const { return scene_.get(); }
 
   // --- Intentions: surfaces are sorted leaf indices, none for "all".
-  // ----------------------------------------------
 
   /// Replaces what is asked; running searches end, statistics of surface sets are kept. On an Error nothing
   /// changes.
@@ -51,7 +49,6 @@ class Session {
   const Intentions& intentions() const { return intentions_; }
 
   // --- The search. Each of the next four is an Error without scene or intentions.
-  // ---------------------------------
 
   /// Begins a search, from `start` where given (fitted to the rules), at random otherwise.
   Result<Done> start(std::uint64_t seed, const Layout* start);

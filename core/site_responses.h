@@ -1,6 +1,5 @@
-// Light of every patch for sources given by their direct light: all interreflections, DESIGN of the method
-// steps 2, 3. b = (I - Y V^T) e with e = rho D, refined by b <- b + (I - Y V^T)(e - (I - R F) b); then g = D
-// + F b.
+// Light of every patch for sources given by their direct light D, all interreflections included:
+//   b = (I - Y V^T) e, e = rho D;   refined by b <- b + (I - Y V^T)(e - (I - R F) b);   g = D + F b.
 #pragma once
 
 #include <cstdint>

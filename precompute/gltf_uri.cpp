@@ -11,6 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string inQuotes(const std::string& text) {
+  std::string quoted = "'";
+  return quoted.append(cleanText(text)).append("'");
+}
+
 int base64Value(unsigned char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -63,7 +68,7 @@ std::string percentDecoded(const std::string& uri) {
 
 /// The file behind a relative uri; only below `folder`, also after links are followed.
 std::string siblingPath(const std::string& uri, const std::string& folder, const std::string& place) {
-  const std::string name = percentDecoded(uri), shown = std::string("'") + cleanText(name) + "'";
+  const std::string name = percentDecoded(uri), shown = inQuotes(name);
   const std::string cure = "; put the file beside the glTF and name it plainly, or export as .glb";
   if (name.find("//") != std::string::npos || name.find(':') != std::string::npos)
     throw GltfError(place + " names the address " + shown + ", and nothing is fetched" + cure);
@@ -87,7 +92,7 @@ std::string siblingPath(const std::string& uri, const std::string& folder, const
 
 std::vector<std::uint8_t> readWholeFile(const std::string& path) {
   std::error_code error;
-  const std::string shown = std::string("'") + cleanText(path) + "'";
+  const std::string shown = inQuotes(path);
   if (!fs::exists(path, error)) throw GltfError(shown + " does not exist; check the name");
   if (!fs::is_regular_file(path, error)) throw GltfError(shown + " is not a file; name a .glb or .gltf file");
   const auto size = fs::file_size(path, error);

@@ -59,7 +59,6 @@ val valueOf(const Result<Shown>& shown) {
 }
 
 // --- the scene
-// ------------------------------------------------------------------------------------------------------
 
 val sectionsOf(const Session& session) {
   val sections = val::array();
@@ -144,7 +143,6 @@ val info(const Session& session) {
 }
 
 // --- intentions
-// -----------------------------------------------------------------------------------------------------
 
 template <class E>
 E enumOf(const val& object, const char* key) {
@@ -190,7 +188,6 @@ std::string setIntentions(Session& session, val asked) {
 }
 
 // --- search
-// ---------------------------------------------------------------------------------------------------------
 
 std::string start(Session& session, std::uint32_t seed) { return errorOf(session.start(seed, nullptr)); }
 
@@ -229,7 +226,6 @@ val check(Session& session, val sites, val flux, double dimming) {
 }
 
 // --- the alpha-search
-// -----------------------------------------------------------------------------------------------
 
 std::string startAlpha(Session& session, std::uint32_t seed) { return errorOf(session.startAlpha(seed)); }
 
@@ -267,7 +263,6 @@ val advanceAlpha(Session& session, std::uint32_t evaluations, std::uint32_t from
 }
 
 // --- the bound
-// ------------------------------------------------------------------------------------------------------
 
 std::string startBound(Session& session) { return errorOf(session.startBound()); }
 

@@ -212,7 +212,9 @@ TEST(Outside, WhatRestsOnTheFloorHasNoUnderside) {
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("2 m2 face the void or rest on something"));
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("'chest' 2 m2"));
   for (const RoomTriangle& triangle : room->triangles)
-    if (triangle.chart == kNone) EXPECT_EQ(room->leftOut[triangle.leftOut], "chest");
+    if (triangle.chart == kNone) {
+      EXPECT_EQ(room->leftOut[triangle.leftOut], "chest");
+    }
 }
 
 TEST(Outside, WhatAPersonAskedForStays) {
