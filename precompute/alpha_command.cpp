@@ -13,6 +13,7 @@
 #include "precompute/intentions_json.h"
 #include "precompute/option_checks.h"
 #include "precompute/progress.h"
+#include "precompute/results_json.h"
 #include "precompute/scene_io.h"
 #include "precompute/solve_report.h"
 
@@ -58,21 +59,24 @@ Json iterationJson(const AlphaIteration& it) {
           {"layout", layoutJson(it.layout)}};
 }
 
-Json reportJson(PreparedScene& prepared, const AlphaSearch& search, double seconds) {
+/// The layout that answers, or the best there is instead; nullptr where there is none.
+const Layout* layoutOf(const AlphaSearch& search) {
+  if (search.solution()) return &search.solution()->layout;
+  return search.fallback() ? &*search.fallback() : nullptr;
+}
+
+Json reportJson(const Scene& scene, const AlphaSearch& search, double seconds) {
   Json report = {
       {"outcome", outcomeName(search.outcome())}, {"verdict", search.verdict()}, {"alpha", nullptr}};
-  const Layout* layout = nullptr;
   if (search.solution()) {
     report["alpha"] = search.solution()->alpha;
     report["phi"] = search.solution()->phi;
-    layout = &search.solution()->layout;
   } else if (search.fallback()) {
     report["feasibleBound"] = search.feasibleBound();
-    layout = &*search.fallback();
   }
-  if (layout) {
+  if (const Layout* layout = layoutOf(search)) {
     report["layout"] = layoutJson(*layout);
-    report["surfaces"] = surfacesJson(prepared, *layout);
+    report["surfaces"] = surfacesJson(lightResults(scene, *layout));
   }
   report["iterations"] = Json::array();
   for (const AlphaIteration& iteration : search.iterations())
@@ -100,15 +104,13 @@ void findAlpha(const AlphaCommandOptions& options) {
   AlphaSearch search(prepared, intentions, options.search);
   while (!search.done()) search.advance(1u << 16);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const Layout* layout = search.solution()   ? &search.solution()->layout
-                         : search.fallback() ? &*search.fallback()
-                                             : nullptr;
+  const Layout* layout = layoutOf(search);
   if (!options.output.empty() && layout)
     writeFileAtomically(options.output, layoutJson(*layout).dump(2) + "\n");
   if (options.json) {
     std::printf(
         "%s\n",
-        reportJson(prepared, search, seconds).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+        reportJson(scene, search, seconds).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     return;
   }
   printTable(search);

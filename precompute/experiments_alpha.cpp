@@ -90,6 +90,74 @@ PlotSeries seriesOf(const char* name, const char* color, PlotSeries::Mark mark) 
   return {name, color, mark, {}};
 }
 
+/// One search, iteration by iteration: a table and a plot.
+void reportIterations(Experiments& e, const AlphaSearch& search) {
+  e.report +=
+      "| alpha | region | interval | mean | sigma | true min | Phi |\n|---|---|---|---|---|---|---|\n";
+  PlotSeries tried = seriesOf("alpha tried", "#d22", PlotSeries::Mark::kStar);
+  PlotSeries low = seriesOf("alpha a", "#24d", PlotSeries::Mark::kSquare),
+             high = seriesOf("alpha b", "#222", PlotSeries::Mark::kCircle);
+  double step = 0;
+  for (const AlphaIteration& it : search.iterations()) {
+    e.report += "| " + number(it.alpha) + " | " + regionName(it.region) + " | " + number(it.low) + " to " +
+                number(it.high) + " | " + number(it.mean) + " | " + number(it.sigma) + " | " +
+                number(it.minimum) + " | " + number(it.phi) + " |\n";
+    step += 1;
+    tried.points.emplace_back(step, it.alpha);
+    low.points.emplace_back(step, it.low);
+    high.points.emplace_back(step, it.high);
+  }
+  e.pictures.emplace_back("alpha-iterations.svg",
+                          svgPlot("alpha-search", "iteration", "alpha", {low, high, tried}));
+}
+
+/// What searches from other seeds find.
+struct AlphaSpread {
+  std::size_t found = 0;  // searches that found one
+  double mean = 0, deviation = 0;
+  double worstPhi = 0;  // lm/m2
+};
+
+AlphaSpread spreadOfAlphas(Experiments& e, double minimum) {
+  AlphaSpread spread;
+  std::vector<double> alphas;
+  for (std::uint64_t seed = 1; seed <= e.runs; ++seed) {
+    const AlphaSearch search = searched(e, minimum, seed);
+    if (!search.solution()) continue;
+    alphas.push_back(search.solution()->alpha);
+    spread.worstPhi = std::max(spread.worstPhi, search.solution()->phi);
+    e.rows += "5.4 alpha-search," + std::to_string(seed) + "," + number(search.solution()->phi, 9) + ",0," +
+              std::to_string(search.evaluations()) + ",,,alpha " + number(alphas.back(), 6) + "\n";
+  }
+  const auto count = static_cast<double>(alphas.size());
+  double squares = 0;
+  for (double alpha : alphas) spread.mean += alpha / count;
+  for (double alpha : alphas) squares += (alpha - spread.mean) * (alpha - spread.mean) / count;
+  spread.found = alphas.size();
+  spread.deviation = std::sqrt(squares);
+  return spread;
+}
+
+/// Phi(alpha) up to the largest alpha that has a solution.
+void plotPhi(Experiments& e, double minimum) {
+  const double alphaMax = largestAlpha(e, minimum);
+  PlotSeries phi = seriesOf("Phi(alpha)", "#24d", PlotSeries::Mark::kLine),
+             all = seriesOf("keeps every patch", "#2a2", PlotSeries::Mark::kCircle);
+  PlotSeries some = seriesOf("some patches below", "#d22", PlotSeries::Mark::kStar);
+  // From above: what a larger alpha allows, a smaller one does too, so each answer starts the next search.
+  Layout start;
+  for (int i = 40; i >= 0; --i) {
+    const double alpha = alphaMax * i / 40;
+    const Answer a = solveChebyshev(e, minimum, alpha, start.sites.empty() ? nullptr : &start);
+    if (!a.feasible) continue;
+    start = a.layout;
+    phi.points.emplace_back(alpha, a.mean);
+    (a.minimum >= minimum ? all : some).points.emplace_back(alpha, a.mean);
+  }
+  e.pictures.emplace_back("phi-of-alpha.svg",
+                          svgPlot("Phi(alpha)", "alpha", "least mean of the wall, lm/m2", {phi, some, all}));
+}
+
 }  // namespace
 
 void experimentChebyshev(Experiments& e) {
@@ -130,60 +198,18 @@ void experimentAlpha(Experiments& e) {
   const AlphaSearch search = searched(e, minimum, 1);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   e.report += "At least " + number(minimum) + " lm/m2 on every patch. " + search.verdict() + " " +
-              number(1e3 * seconds, 3) +
-              " ms.\n\n| alpha | region | interval | mean | sigma | true min | Phi "
-              "|\n|---|---|---|---|---|---|---|\n";
-  PlotSeries tried = seriesOf("alpha tried", "#d22", PlotSeries::Mark::kStar);
-  PlotSeries low = seriesOf("alpha a", "#24d", PlotSeries::Mark::kSquare),
-             high = seriesOf("alpha b", "#222", PlotSeries::Mark::kCircle);
-  double step = 0;
-  for (const AlphaIteration& it : search.iterations()) {
-    e.report += "| " + number(it.alpha) + " | " + regionName(it.region) + " | " + number(it.low) + " to " +
-                number(it.high) + " | " + number(it.mean) + " | " + number(it.sigma) + " | " +
-                number(it.minimum) + " | " + number(it.phi) + " |\n";
-    step += 1;
-    tried.points.emplace_back(step, it.alpha);
-    low.points.emplace_back(step, it.low);
-    high.points.emplace_back(step, it.high);
-  }
-  e.pictures.emplace_back("alpha-iterations.svg",
-                          svgPlot("alpha-search", "iteration", "alpha", {low, high, tried}));
-  std::vector<double> alphas;
-  double worst = 0, sum = 0, squares = 0;
-  for (std::uint64_t seed = 1; seed <= e.runs; ++seed) {
-    const AlphaSearch again = searched(e, minimum, seed);
-    if (!again.solution()) continue;
-    alphas.push_back(again.solution()->alpha);
-    worst = std::max(worst, again.solution()->phi);
-    e.rows += "5.4 alpha-search," + std::to_string(seed) + "," + number(again.solution()->phi, 9) + ",0," +
-              std::to_string(again.evaluations()) + ",,,alpha " + number(alphas.back(), 6) + "\n";
-  }
-  for (double alpha : alphas) sum += alpha / static_cast<double>(alphas.size());
-  for (double alpha : alphas) squares += (alpha - sum) * (alpha - sum) / static_cast<double>(alphas.size());
-  const double alphaMax = largestAlpha(e, minimum);
-  PlotSeries phi = seriesOf("Phi(alpha)", "#24d", PlotSeries::Mark::kLine),
-             all = seriesOf("keeps every patch", "#2a2", PlotSeries::Mark::kCircle);
-  PlotSeries some = seriesOf("some patches below", "#d22", PlotSeries::Mark::kStar);
-  // From above: what a larger alpha allows, a smaller one does too, so each answer starts the next search.
-  Layout start;
-  for (int i = 40; i >= 0; --i) {
-    const double alpha = alphaMax * i / 40;
-    const Answer a = solveChebyshev(e, minimum, alpha, start.sites.empty() ? nullptr : &start);
-    if (!a.feasible) continue;
-    start = a.layout;
-    phi.points.emplace_back(alpha, a.mean);
-    (a.minimum >= minimum ? all : some).points.emplace_back(alpha, a.mean);
-  }
-  e.pictures.emplace_back("phi-of-alpha.svg",
-                          svgPlot("Phi(alpha)", "alpha", "least mean of the wall, lm/m2", {phi, some, all}));
+              number(1e3 * seconds, 3) + " ms.\n\n";
+  reportIterations(e, search);
+  const AlphaSpread spread = spreadOfAlphas(e, minimum);
+  plotPhi(e, minimum);
   e.report += "\n![iterations](alpha-iterations.svg)\n![Phi(alpha)](phi-of-alpha.svg)\n\n" +
-              std::to_string(alphas.size()) + " of " + std::to_string(e.runs) +
-              " seeds found an alpha; mean " + number(sum) + ", standard deviation " +
-              number(std::sqrt(squares), 2) + ", worst Phi " + number(worst) + " lm/m2.\n\n";
+              std::to_string(spread.found) + " of " + std::to_string(e.runs) +
+              " seeds found an alpha; mean " + number(spread.mean) + ", standard deviation " +
+              number(spread.deviation, 2) + ", worst Phi " + number(spread.worstPhi) + " lm/m2.\n\n";
   e.comparison.push_back("| 5.4 time of an alpha-search | 120 s | " + number(1e3 * seconds, 3) +
                          " ms | as in 5.1 |");
   e.comparison.push_back("| 5.4 standard deviation of alpha over 20 searches | 0.22 | " +
-                         number(std::sqrt(squares), 2) +
+                         number(spread.deviation, 2) +
                          " | every problem starts from the best layout known for it |");
 }
 

@@ -139,6 +139,32 @@ void printGrids(const Room& room, const std::vector<GridResult>& grids) {
   }
 }
 
+Json reportJson(const Room& room, const ForwardLight& light, const LightResults& results) {
+  return {{"surfaces", surfacesJson(results)},
+          {"all", surfaceJson(results.all)},
+          {"patches", room.patches.count},
+          {"patchSize", room.patchSize},
+          {"residual", light.residual},
+          {"steps", light.steps},
+          {"energy", energyJson(light.energy)},
+          {"lost", lostJson(room, light)},
+          {"seconds", light.seconds}};
+}
+
+void warnOf(const LightOptions& options, const ForwardLight& light) {
+  if (light.residual > options.forward.tolerance) {
+    char line[120];
+    std::snprintf(line, sizeof line, "warning: not converged, residual %.2g after %u steps", light.residual,
+                  light.steps);
+    printNote(line);
+  }
+
+  if (light.energy.lostDirect > 0.01 * light.energy.emitted)
+    printNote("warning: " + options.layout +
+              ": more than 1 % of the light leaves the room or meets backs at once; does a luminaire hang "
+              "outside, or within something?");
+}
+
 void light(LightOptions options) {
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
   for (const std::string& note : file.notes) printNote(options.layout + ": " + note);
@@ -171,18 +197,7 @@ void light(LightOptions options) {
   std::vector<GridResult> grids;
   if (options.grid) grids = readGrids(room, tracer, luminaires, radiosity, pointOptions);
   progress.clear();
-  if (light.residual > options.forward.tolerance) {
-    char line[120];
-    std::snprintf(line, sizeof line, "warning: not converged, residual %.2g after %u steps", light.residual,
-                  light.steps);
-    printNote(line);
-  }
-
-  if (light.energy.lostDirect > 0.01 * light.energy.emitted)
-    printNote("warning: " + options.layout +
-              ": more than 1 % of the light leaves the room or meets backs at once; does a luminaire hang "
-              "outside, or within something?");
-
+  warnOf(options, light);
   const LightResults results = lightResults(room.patches, room.surfaces, light.illuminance);
   if (!options.patches.empty()) {
     writeFileAtomically(options.patches, patchesCsv(room.patches, room.surfaces, light.illuminance));
@@ -193,17 +208,10 @@ void light(LightOptions options) {
     if (!points.empty()) std::printf("\n%s", pointsCsv(points, readings).c_str());
     return;
   }
-  Json json = {{"surfaces", surfacesJson(results)}, {"all", surfaceJson(results.all)}};
-  json["patches"] = room.patches.count;
-  json["patchSize"] = room.patchSize;
+  Json json = reportJson(room, light, results);
   json["directOnly"] = options.forward.directOnly;
-  json["residual"] = light.residual;
-  json["steps"] = light.steps;
-  json["energy"] = energyJson(light.energy);
-  json["lost"] = lostJson(room, light);
   if (!options.points.empty()) json["points"] = pointsJson(points, readings);
   if (options.grid) json["grids"] = gridsJson(room, grids);
-  json["seconds"] = light.seconds;
   std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 

@@ -14,6 +14,7 @@
 #include "precompute/commands.h"
 #include "precompute/intentions_json.h"
 #include "precompute/option_checks.h"
+#include "precompute/results_json.h"
 #include "precompute/scene_io.h"
 #include "precompute/solve_report.h"
 
@@ -55,7 +56,7 @@ Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& r
   const Shown shown = shownOf(prepared, intentions, run.layout);
   return {{"seed", run.seed},
           {"layout", layoutJson(run.layout)},
-          {"surfaces", surfacesJson(prepared, run.layout)},
+          {"surfaces", surfacesJson(lightResults(prepared.scene(), run.layout))},
           {"goal", goalJson(shown)},
           {"violations", violationsJson(prepared.scene(), intentions, shown)},
           {"evaluations", run.evaluations},

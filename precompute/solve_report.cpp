@@ -14,11 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMet = 1e-6;
 
-Json readingJson(const SurfaceReading& reading) {
-  return {
-      {"mean", reading.mean}, {"sigma", reading.sigma}, {"min", reading.minimum}, {"max", reading.maximum}};
-}
-
 std::string boundsText(const Constraint& c) {
   std::string text;
   if (std::isfinite(c.lower)) text += "at least " + shortNumber(c.lower, kReportDigits);
@@ -40,24 +35,6 @@ Json layoutJson(const Layout& layout) {
   for (std::size_t i = 0; i < layout.sites.size(); ++i)
     luminaires.push_back({{"site", layout.sites[i]}, {"flux", layout.flux[i]}});
   return {{"dimming", layout.dimming}, {"luminaires", luminaires}};
-}
-
-Json surfacesJson(PreparedScene& prepared, const Layout& layout) {
-  const Scene& scene = prepared.scene();
-  Intentions nothing;
-  const Shown illuminance = shownOf(prepared, nothing, layout);
-  nothing.quantity = Quantity::kExitance;
-  const Shown exitance = shownOf(prepared, nothing, layout);
-  Json surfaces = Json::array();
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface& surface = scene.surfaces[s];
-    Json entry = {{"name", surface.name}, {"area", surface.area}, {"patches", surface.patches}};
-    entry.update(readingJson(illuminance.surfaces[s]));
-    entry["reflectance"] = surface.reflectance;
-    if (!surface.measuring) entry["exitance"] = readingJson(exitance.surfaces[s]);
-    surfaces.push_back(entry);
-  }
-  return surfaces;
 }
 
 Json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown) {

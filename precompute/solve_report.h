@@ -11,10 +11,6 @@ namespace fiatlux {
 /// {"dimming", "luminaires": [{"site", "flux"}]}: a layout.json.
 nlohmann::ordered_json layoutJson(const Layout& layout);
 
-/// The surfaces of a layout as `evaluate` lists them: name, area, patches, illuminance, reflectance,
-/// exitance.
-nlohmann::ordered_json surfacesJson(PreparedScene& prepared, const Layout& layout);
-
 /// The constraints that are not met (by more than a millionth): number, statistic, surface, value, bounds,
 /// violation.
 nlohmann::ordered_json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown);

@@ -49,6 +49,7 @@ class SearchCommands : public ::testing::Test {
     CLI::App app;
     addSolveCommand(app);
     addAlphaCommand(app);
+    addEvaluateCommand(app);
     std::reverse(arguments.begin(), arguments.end());
     ::testing::internal::CaptureStdout();
     try {
@@ -80,6 +81,16 @@ TEST_F(SearchCommands, SolveWritesItsBestLayoutAndOneJsonDocument) {
   const Json layout = Json::parse(read("l.json"));
   EXPECT_EQ(layout["luminaires"].size(), 3u);
   EXPECT_EQ(layout["dimming"], 1);
+}
+
+TEST_F(SearchCommands, SolveListsSurfacesAsEvaluateDoes) {
+  write("i.json", R"({"luminaires": {"count": 3, "flux": 1000, "dimming": [0.5, 0.5]},
+    "goals": [{"surface": "floor", "statistic": "sigma", "sense": "min"}]})");
+  const Json solved = Json::parse(
+      run({"solve", path("room.flux"), "--intentions", path("i.json"), "--json", "-o", path("l.json")}));
+  const Json evaluated =
+      Json::parse(run({"evaluate", path("room.flux"), "--layout", path("l.json"), "--json"}));
+  EXPECT_EQ(solved["runs"][0]["surfaces"], evaluated["surfaces"]);
 }
 
 TEST_F(SearchCommands, TheSameSeedGivesTheSameLayout) {
