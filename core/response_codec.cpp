@@ -102,7 +102,7 @@ bool decodeLanes(const std::vector<Neighbours>& neighbours, const std::vector<st
 
 std::uint32_t responseBlockColumns(std::uint32_t rows) {
   // note: a value takes at most 5.25 bytes, so that a block stays below 64 MB for up to 2 million rows.
-  return std::max<std::uint32_t>(kLanes, (11u << 20) / std::max(1u, rows) / kLanes * kLanes);
+  return static_cast<std::uint32_t>(std::max(kLanes, (11u << 20) / std::max(1u, rows) / kLanes * kLanes));
 }
 
 EncodedResponses encodeResponses(const Responses& responses, const Patches& patches, std::uint32_t surfaces,

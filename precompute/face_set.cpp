@@ -39,8 +39,8 @@ void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-  const double cell =
-      std::max({lengths[lengths.size() / 2], total / (16.0 * open.size()), 4 * mesh.tolerance});
+  const double cell = std::max(
+      {lengths[lengths.size() / 2], total / (16.0 * static_cast<double>(open.size())), 4 * mesh.tolerance});
   const VertexLattice lattice(mesh.positions, vertices, cell);
 
   const std::size_t budget = 20'000'000 + 500 * open.size();

@@ -125,7 +125,8 @@ std::vector<PointReading> readPoints(const RayTracer& tracer, const std::vector<
 
 Result<std::vector<MeasuringPoint>> parsePoints(const std::string& csv) {
   std::vector<MeasuringPoint> points;
-  std::istringstream lines(csv);
+  const bool marked = csv.rfind("\xef\xbb\xbf", 0) == 0;  // as spreadsheets mark UTF-8
+  std::istringstream lines(marked ? csv.substr(3) : csv);
   std::string line;
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;

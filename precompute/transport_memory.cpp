@@ -28,7 +28,7 @@ Result<Done> checkTransportMemory(const Room& room, const TransportOptions& opti
   const Patches& patches = room.patches;
   const double rays = 4.0 * patches.rows() * options.rays;
   const double clusters = 4.0 * patches.count * patches.clusterCount;
-  const double responses = 8.0 * patches.rows() * room.sites.size();
+  const double responses = 8.0 * patches.rows() * static_cast<double>(room.sites.size());
   std::string cure = std::to_string(patches.rows()) + " patches x " + std::to_string(patches.clusterCount) +
                      " clusters are too many: pass a larger --patch";
   if (rays >= clusters && rays >= responses)

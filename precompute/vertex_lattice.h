@@ -32,8 +32,9 @@ class VertexLattice {
     std::uint64_t seen[27];
     int seenCount = 0;
     for (std::size_t s = 0; s < steps; ++s) {
-      const Vec3 low = a + (l > 0 ? std::min(1.0, s * cell_ / l) : 0.0) * (b - a);
-      const Vec3 high = a + (l > 0 ? std::min(1.0, (s + 1) * cell_ / l) : 1.0) * (b - a);
+      const auto step = static_cast<double>(s);
+      const Vec3 low = a + (l > 0 ? std::min(1.0, step * cell_ / l) : 0.0) * (b - a);
+      const Vec3 high = a + (l > 0 ? std::min(1.0, (step + 1) * cell_ / l) : 1.0) * (b - a);
       const auto range = [&](double p, double q) {
         return std::pair{at(std::min(p, q) - margin), at(std::max(p, q) + margin)};
       };
