@@ -1,6 +1,6 @@
 /**
- * The first script, as small as can be: asks for the scene and starts the solver, so that both arrive while the app
- * itself is on its way.
+ * The first script, as small as can be: starts the solver and has it fetch and open the scene, while the app itself is on
+ * its way and then busy with starting.
  */
 import './styles/base.css';
 import './styles/controls.css';
@@ -12,9 +12,10 @@ import './styles/tables.css';
 import './styles/overlays.css';
 import './styles/dialogs.css';
 import './viewer/viewer.css';
-import { fetchEarly } from './app/first-scene.ts';
+import { expectScene, likelyRoom, sceneAddress } from './app/first-scene.ts';
 import { startWorkerEarly } from './solver/solver-worker.ts';
 
-fetchEarly(location.hash);
-startWorkerEarly();
+const room = likelyRoom(location.hash);
+const ahead = startWorkerEarly(room && sceneAddress(room));
+if (room && ahead) expectScene(room, ahead);
 void import('./start.tsx');

@@ -2,14 +2,21 @@
  * Scene files of the site. The one that the first screen will most likely show (the room of the last work, or the
  * first one) is asked for before the app has arrived; it is used once, by whoever fetches that room first.
  */
+import { sceneBytes } from '../solver/scene-bytes.ts';
+
 export const firstRoom = 'office';
 
 const key = 'fiatlux.room';
 
 interface Early {
   readonly room: string;
-  readonly response: Promise<Response | null>;
-  readonly abort: () => void;
+  readonly file: EarlyFile;
+}
+
+/** A file that is on its way; its bytes reject where it has to be asked for again. */
+export interface EarlyFile {
+  readonly bytes: Promise<ArrayBuffer>;
+  abandon(): void;
 }
 
 let early: Early | null = null;
@@ -33,23 +40,27 @@ export function rememberRoom(room: string): void {
   }
 }
 
-export function fetchEarly(hash: string): void {
-  const room = likelyRoom(hash);
-  if (!room) return;
-  const stop = new AbortController();
-  early = { room, response: request(room, stop.signal), abort: () => stop.abort() };
+export function sceneAddress(room: string): string {
+  return new URL(`./scenes/${room}.flux`, document.baseURI).href;
 }
 
-/** null where there is no connection. */
-export async function requestScene(room: string): Promise<Response | null> {
+export function expectScene(room: string, file: EarlyFile): void {
+  early = { room, file };
+}
+
+/** The scene file of a room. Rejects with one readable line. */
+export async function requestScene(room: string): Promise<ArrayBuffer> {
   const waiting = early;
   early = null;
-  if (waiting?.room === room) return (await waiting.response) ?? request(room);
-  waiting?.abort();
+  if (waiting?.room === room) return waiting.file.bytes.catch(() => request(room));
+  waiting?.file.abandon();
   return request(room);
 }
 
-function request(room: string, signal?: AbortSignal): Promise<Response | null> {
-  const address = new URL(`./scenes/${room}.flux`, document.baseURI);
-  return fetch(address, signal ? { signal } : {}).catch(() => null);
+async function request(room: string): Promise<ArrayBuffer> {
+  const response = await fetch(sceneAddress(room)).catch(() => null);
+  if (!response) throw new Error(`the room "${room}" could not be loaded: no connection; try again`);
+  const bytes = await sceneBytes(response);
+  if (!bytes) throw new Error(`the room "${room}" is not on this server; build it with: npm run build`);
+  return bytes;
 }

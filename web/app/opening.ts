@@ -24,15 +24,6 @@ export interface Opening {
   endPreview(): Promise<void>;
 }
 
-async function fetchScene(room: string): Promise<ArrayBuffer> {
-  const response = await requestScene(room);
-  if (!response) throw new Error(`the room "${room}" could not be loaded: no connection; try again`);
-  const isPage = response.headers.get('content-type')?.startsWith('text/html') ?? false;
-  if (!response.ok || isPage)
-    throw new Error(`the room "${room}" is not on this server; build it with: npm run build`);
-  return response.arrayBuffer();
-}
-
 export function createOpening(store: Store, solving: Solving, viewer: Viewer): Opening {
   const placing = createPlacing(store, solving, viewer);
   const { attempt, place } = placing;
@@ -55,7 +46,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
     attempt('Opening the room', async (isCurrent) => {
       const entry = entryOf(id);
       if (!entry) throw new Error(`there is no room "${cleanName(id)}"`);
-      await place(await fetchScene(entry.room), entry.title, isCurrent, (scene) => ({
+      await place(await requestScene(entry.room), entry.title, isCurrent, (scene) => ({
         document: documentFrom(entry.asked, scene.identity, entry.room),
       }));
       const scene = store.scene.peek();
@@ -79,7 +70,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
       return false;
     }
     return attempt('Opening the link', async (isCurrent) => {
-      await place(bytes ?? (await fetchScene(link.room)), titleOf(link.room), isCurrent, (scene) => {
+      await place(bytes ?? (await requestScene(link.room)), titleOf(link.room), isCurrent, (scene) => {
         const same = scene.identity === link.scene;
         if (!same && exact) {
           offerOther(link);
@@ -116,7 +107,7 @@ export function createOpening(store: Store, solving: Solving, viewer: Viewer): O
         throw new Error(
           `this project is about “${document.room}”, which is not part of this site; open its .flux file first`,
         );
-      await place(await fetchScene(document.room), titleOf(document.room), isCurrent, (scene) => {
+      await place(await requestScene(document.room), titleOf(document.room), isCurrent, (scene) => {
         if (scene.identity !== document.scene)
           throw new Error('the room has changed since this project was saved; its places no longer fit');
         return { document, view: project };

@@ -100,6 +100,18 @@ export type ToWorker =
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
+/** Before the app is there: fetches a file and opens it as revision 0 -> 'fetched', then as for 'open'. */
+export type AheadRequest =
+  | { readonly type: 'fetch'; readonly address: string }
+  /** Another file is wanted: what is not opened yet need not be. */
+  | { readonly type: 'abandon' };
+
+/** A copy of the file; null = the host has none, or there is no connection. */
+export interface FetchedAhead {
+  readonly type: 'fetched';
+  readonly bytes: ArrayBuffer | null;
+}
+
 export type FromWorker =
   | { readonly type: 'ready' } // the module is loaded
   /** The display .glb, transferred: it can be read while the worker decodes the rest. */

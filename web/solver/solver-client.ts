@@ -8,6 +8,8 @@ import type { FromWorker, Intentions, ToWorker } from './protocol.ts';
 /** The part of a Worker that the client uses. */
 export interface WorkerLike {
   postMessage(message: ToWorker, transfer: Transferable[]): void;
+  /** Whether it is opening these very bytes already; its answers then come under this revision. */
+  adopt?(bytes: ArrayBuffer, revision: number): boolean;
   terminate(): void;
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -119,6 +121,8 @@ export function createSolverClient(
       latest.open = ++revision;
       wish = null;
       opening = { bytes, revision };
+      const mine = revision;
+      if (worker.adopt?.(bytes, mine)) return mine;
       const copy = bytes.slice(0);
       worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
       return revision;

@@ -1,6 +1,7 @@
 /** The worker: loads the module, feeds messages to the driver, and lets it work between messages. */
 import { loadCore } from './load-core.ts';
-import type { ToWorker } from './protocol.ts';
+import { sceneBytes } from './scene-bytes.ts';
+import type { AheadRequest, FetchedAhead, ToWorker } from './protocol.ts';
 import { SessionDriver, type Post } from './session-driver.ts';
 
 declare const self: DedicatedWorkerGlobalScope;
@@ -38,7 +39,23 @@ function receive(message: ToWorker): void {
   else driver.receive(message).then(schedule, die);
 }
 
-self.onmessage = (event: MessageEvent<ToWorker>) => receive(event.data);
+const abandoned = new AbortController();
+
+/** The file that the first screen will most likely show; nobody has asked for it yet. */
+async function fetchAhead(address: string): Promise<void> {
+  const bytes = await fetch(address, { signal: abandoned.signal })
+    .then(sceneBytes)
+    .catch(() => null);
+  const fetched: FetchedAhead = { type: 'fetched', bytes };
+  self.postMessage(fetched); // a copy
+  if (bytes && !abandoned.signal.aborted) receive({ type: 'open', revision: 0, bytes });
+}
+
+self.onmessage = ({ data }: MessageEvent<ToWorker | AheadRequest>) => {
+  if (data.type === 'fetch') void fetchAhead(data.address);
+  else if (data.type === 'abandon') abandoned.abort();
+  else receive(data);
+};
 
 loadCore(new URL('./core.wasm', import.meta.url)).then((core) => {
   driver = new SessionDriver(new core.Session(), post, clock);

@@ -1,14 +1,15 @@
 // The scene that is asked for before the app has arrived.
 import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import {
-  fetchEarly,
+  expectScene,
   firstRoom,
   likelyRoom,
   rememberRoom,
   requestScene,
 } from '../../../web/app/first-scene.ts';
 
-let asked: { room: string; signal: AbortSignal | null | undefined }[] = [];
+let asked: string[] = [];
+let abandoned = 0;
 const before = {
   fetch: globalThis.fetch,
   document: globalThis.document,
@@ -16,18 +17,26 @@ const before = {
 };
 const put = (name: string, value: unknown) =>
   Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+const text = (bytes: ArrayBuffer) => new TextDecoder().decode(bytes);
+const early = (bytes: Promise<ArrayBuffer>) => ({ bytes, abandon: () => void abandoned++ });
 
 beforeEach(() => {
   asked = [];
+  abandoned = 0;
   const kept = new Map<string, string>();
   put('document', { baseURI: 'https://example.test/sub/' });
   put('localStorage', {
     getItem: (key: string) => kept.get(key) ?? null,
     setItem: (key: string, value: string) => kept.set(key, value),
   });
-  put('fetch', (address: URL, init?: RequestInit) => {
-    asked.push({ room: address.pathname, signal: init?.signal });
-    return Promise.resolve(new Response(address.pathname));
+  put('fetch', (address: string) => {
+    const { pathname } = new URL(address);
+    asked.push(pathname);
+    return Promise.resolve(
+      pathname.includes('attic')
+        ? new Response('<html>', { headers: { 'content-type': 'text/html' } })
+        : new Response(pathname),
+    );
   });
 });
 afterEach(() => Object.entries(before).forEach(([name, value]) => put(name, value)));
@@ -42,18 +51,28 @@ test('is the one of the last work, else the first one, and none for a link', () 
 });
 
 test('is used once', async () => {
-  fetchEarly('');
-  expect(asked.map(({ room }) => room)).toEqual([`/sub/scenes/${firstRoom}.flux`]);
-  expect(await (await requestScene(firstRoom))?.text()).toContain(firstRoom);
-  expect(asked).toHaveLength(1);
-  await requestScene(firstRoom);
-  expect(asked).toHaveLength(2);
+  const bytes = new ArrayBuffer(4);
+  expectScene(firstRoom, early(Promise.resolve(bytes)));
+  expect(await requestScene(firstRoom)).toBe(bytes);
+  expect(asked).toEqual([]);
+  expect(text(await requestScene(firstRoom))).toContain(firstRoom);
+  expect(asked).toEqual([`/sub/scenes/${firstRoom}.flux`]);
+  expect(abandoned).toBe(0);
+});
+
+test('is asked for again where it did not come', async () => {
+  expectScene(firstRoom, early(Promise.reject(new Error('no connection'))));
+  expect(text(await requestScene(firstRoom))).toContain(firstRoom);
 });
 
 test('is given up where another room is opened', async () => {
-  fetchEarly('');
-  expect(await (await requestScene('box'))?.text()).toContain('box');
-  expect(asked[0]?.signal?.aborted).toBe(true);
+  expectScene(firstRoom, early(new Promise(() => {})));
+  expect(text(await requestScene('box'))).toContain('box');
+  expect(abandoned).toBe(1);
+});
+
+test('that a host does not have is told with the cure', async () => {
+  await expect(requestScene('attic')).rejects.toThrow(/"attic" is not on this server.*npm run build/);
 });
 
 test('is expected to be the first room where the browser keeps nothing', () => {
