@@ -32,6 +32,7 @@ export interface StageHost {
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
+  readonly anisotropy: number;
   /** Plain lights for a room without light of its own (a preview). */
   readonly daylight = new Group();
   width = 1; // CSS px
@@ -48,6 +49,8 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(new Color(0x000000), 1);
     this.renderer.toneMapping = AgXToneMapping;
+    // note: asks the graphics process and waits for it; later it would wait for all that is being compiled there.
+    this.anisotropy = Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
     this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
     this.daylight.visible = false;
     this.scene.add(this.background.mesh, this.daylight);
@@ -58,10 +61,6 @@ export class Stage {
     this.observer = new ResizeObserver(this.resize);
     this.observer.observe(canvas);
     this.resize();
-  }
-
-  get anisotropy(): number {
-    return Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
   }
 
   /** Pixels of the picture a CSS pixel. */
