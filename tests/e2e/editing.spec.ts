@@ -194,3 +194,14 @@ test('what cannot be placed is told once, with a way back, and forgotten when it
   await expect(apart).toHaveValue('0');
   await expect(refusals).toHaveCount(0);
 });
+
+test('a bound far beyond the light leaves the histogram its shape', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const bars = page.locator('.histogram .bar');
+  const before = await bars.count();
+  expect(before).toBeGreaterThan(8);
+  await page.getByRole('textbox', { name: /mean at most/ }).fill('9000000');
+  await page.getByRole('textbox', { name: /mean at most/ }).press('Enter');
+  await settled(page);
+  expect(await bars.count()).toBeGreaterThan(before / 3);
+});

@@ -3,7 +3,7 @@
  * shown is the one of least violation, so a bound eased to what it reaches there is met there.
  */
 import { boundOf, withBound, type BoundField, type Origin } from '../document/intentions.ts';
-import type { Card, FiatLuxDocument } from '../document/types.ts';
+import type { Card, FiatLuxDocument, Verb } from '../document/types.ts';
 import type { IntentionResult } from '../solver/protocol.ts';
 import { easedBound } from './format.ts';
 
@@ -85,4 +85,17 @@ export function fieldText(card: Card, field: BoundField): string {
     case 'contrast':
       return `contrast over ${card.contrast?.over.join(', ') ?? ''} at least`;
   }
+}
+
+const opposite: Partial<Record<Verb, Verb>> = { illuminate: 'overshadow', homogenize: 'vary' };
+
+/** Pairs of goals that pull the same surfaces in opposite directions: no layout can serve both. */
+export function opposedCards(cards: readonly Card[]): [Card, Card][] {
+  const active = cards.filter((card) => card.weight > 0);
+  const place = (card: Card) => [...card.surfaces].sort().join('\n');
+  return active.flatMap((card) =>
+    active
+      .filter((other) => opposite[card.verb] === other.verb && place(card) === place(other))
+      .map((other): [Card, Card] => [card, other]),
+  );
 }

@@ -15,6 +15,7 @@ const width = 320;
 const height = 96;
 const base = 78; // y of the axis
 const bins = 48;
+const farthest = 6; // times the most light there is
 
 const handles: readonly { field: BoundField; title: string; mark: string }[] = [
   { field: 'mean.min', title: 'mean at least', mark: 'μ ≥' },
@@ -28,10 +29,12 @@ export function Histogram({ card }: CardProps) {
   const sample = useSample(card.surfaces);
   const bound = useBound(card);
   const svg = useRef<SVGSVGElement>(null);
-  const bounds = handles.flatMap((handle) => boundOf(card, handle.field) ?? []);
-  const { scale, hold, release } = useScale(
-    Math.max(1e-3, sample?.most ?? 1, ...bounds.map((value) => value * 1.1)),
-  );
+  const most = Math.max(1e-3, sample?.most ?? 1);
+  // A bound far beyond the light stands at the edge, so that the light keeps its shape.
+  const bounds = handles
+    .flatMap((handle) => boundOf(card, handle.field) ?? [])
+    .filter((value) => value <= farthest * most);
+  const { scale, hold, release } = useScale(Math.max(most, ...bounds.map((value) => value * 1.1)));
   if (!sample) return null;
   const shares = histogram(sample, scale, bins);
   const peak = Math.max(...shares, 1e-9);

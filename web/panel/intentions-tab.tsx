@@ -1,9 +1,15 @@
 /** The cards, what to do where they cannot be met, and the quantity they speak of. */
 import { BookOpen, Plus } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
+import { opposedCards } from '../app/explain.ts';
+import type { Verb } from '../document/types.ts';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
+import { namesText } from './surface-picker.tsx';
+import { verbs } from './verbs.ts';
 import { Check } from './view-toolbar.tsx';
+
+const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title ?? verb;
 
 export function IntentionsTab() {
   const app = useApp();
@@ -36,6 +42,12 @@ export function IntentionsTab() {
           </li>
         ))}
       </ul>
+      {opposedCards(cards).map(([one, other]) => (
+        <p key={`${one.id} ${other.id}`} class="fine-print" role="note">
+          {titleOf(one.verb)} and {titleOf(other.verb).toLowerCase()} pull {namesText(one.surfaces)} in
+          opposite directions: only the difference of their weights counts.
+        </p>
+      ))}
       {cards.length === 0 && (
         <p class="empty">
           Nothing is asked yet. Pick a surface in the room and say what the light should do there.

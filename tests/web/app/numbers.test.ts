@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { folded } from '../../../web/app/families.ts';
-import { bindingBounds, easedCards, fluxThatWouldDo } from '../../../web/app/explain.ts';
+import { bindingBounds, easedCards, fluxThatWouldDo, opposedCards } from '../../../web/app/explain.ts';
 import {
   compact,
   duration,
@@ -23,7 +23,7 @@ import {
 } from '../../../web/app/statistics.ts';
 import { documentFrom } from '../../../web/app/catalog.ts';
 import { intentionsOf } from '../../../web/document/intentions.ts';
-import type { Card } from '../../../web/document/types.ts';
+import type { Card, Verb } from '../../../web/document/types.ts';
 import { readNumber } from '../../../web/panel/number-field.tsx';
 import { stepped } from '../../../web/panel/slider.tsx';
 import { innerNodes } from '../../../web/panel/surface-picker.tsx';
@@ -244,4 +244,14 @@ test('the line that makes a room live survives any file name', () => {
     "fiatlux precompute 'my o'\\''ffice.GLB' -o 'my o'\\''ffice.flux'",
   );
   expect(precomputeLine('-rf.glb')).toContain("'-rf.glb'");
+});
+
+test('goals that pull the same surfaces in opposite directions are named', () => {
+  const card = (id: string, verb: Verb, surfaces: string[], weight = 1) => ({ id, verb, surfaces, weight });
+  const pairs = (...cards: Card[]) => opposedCards(cards).map((pair) => pair.map(({ id }) => id));
+  const up = card('up', 'illuminate', ['floor', 'wall']);
+  expect(pairs(card('down', 'overshadow', ['wall', 'floor']), up)).toEqual([['up', 'down']]);
+  expect(pairs(up, card('down', 'overshadow', ['wall']))).toEqual([]);
+  expect(pairs(up, card('down', 'overshadow', ['wall', 'floor'], 0))).toEqual([]);
+  expect(pairs(up, card('vary', 'vary', ['floor', 'wall']))).toEqual([]);
 });
