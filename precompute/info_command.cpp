@@ -8,7 +8,7 @@
 #include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
 #include "precompute/commands.h"
-#include "precompute/layout_json.h"
+#include "precompute/json_text.h"
 #include "precompute/progress.h"
 #include "precompute/scene_io.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/validate_intentions.h"
 #include "precompute/command_error.h"
+#include "precompute/json_text.h"
 #include "precompute/progress.h"
 
 namespace fiatlux {
@@ -17,7 +18,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kDeepest = 64;
 constexpr std::uintmax_t kLongest = 1 << 20;
 constexpr std::size_t kMostEntries = 1000;
 
@@ -204,32 +204,14 @@ Intentions intentionsOf(const Scene& scene, const Json& json) {
   return intentions;
 }
 
-/// The document, refused before it is built when it nests too deep.
-Json documentOf(const std::string& text) {
-  const Json::parser_callback_t guard = [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw CommandError("nested deeper than " + std::to_string(kDeepest) + " levels");
-    return true;
-  };
-  try {
-    return Json::parse(text, guard);
-  } catch (const Json::parse_error& error) {
-    const std::size_t byte = error.byte == 0 ? 0 : error.byte - 1;
-    const auto line =
-        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())),
-                       '\n');
-    throw CommandError("not JSON: syntax error in line " + std::to_string(line) + " (byte " +
-                       std::to_string(byte) + ")");
-  } catch (const Json::exception&) {
-    throw CommandError("not JSON that can be read: a number out of range, or text that is not UTF-8");
-  }
-}
-
 }  // namespace
 
 Result<Intentions> parseIntentions(const Scene& scene, const std::string& text) {
   try {
     if (text.size() > kLongest) return Error{"longer than 1 MB"};
-    Intentions intentions = intentionsOf(scene, documentOf(text));
+    const Result<Json> json = parseJson(text);
+    if (!json) return json.error();
+    Intentions intentions = intentionsOf(scene, *json);
     if (auto ok = checkIntentions(scene, intentions); !ok) return ok.error();
     return intentions;
   } catch (const CommandError& error) {

@@ -9,6 +9,7 @@
 #include "precompute/atomic_file.h"
 #include "precompute/command_error.h"
 #include "precompute/direct_light.h"
+#include "precompute/json_text.h"
 #include "precompute/progress.h"
 
 namespace fiatlux {
@@ -19,7 +20,6 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostLuminaires = 10000;
 constexpr double kLargestFlux = 1e9;      // lm
 constexpr double kLargestDistance = 1e6;  // m
-constexpr int kDeepest = 64;
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
   throw CommandError(where + ": " + what);
@@ -157,23 +157,6 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
 }
 
 }  // namespace
-
-Result<Json> parseJson(const std::string& text) {
-  try {
-    // note: too deep a nesting is stopped while parsing, not after.
-    return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest)
-        throw CommandError("it is nested more than " + std::to_string(kDeepest) + " deep");
-      return true;
-    });
-  } catch (const CommandError& error) {
-    return Error{error.what()};
-  } catch (const Json::exception& error) {
-    std::string why = error.what();
-    if (const std::size_t end = why.find("] "); end != std::string::npos) why = why.substr(end + 2);
-    return Error{"not valid JSON: " + printable(why, 200)};
-  }
-}
 
 Result<LayoutFile> parseLayout(const std::string& text) {
   const Result<Json> json = parseJson(text);

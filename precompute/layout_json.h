@@ -43,7 +43,4 @@ Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std:
 /// {"dimming", "luminaires": [{"site", "position", "flux"}]}: what readLayoutFile reads.
 nlohmann::ordered_json layoutJson(const Layout& layout, const Scene& scene);
 
-/// Any JSON text, at most 64 deep; an error names line and column.
-Result<nlohmann::json> parseJson(const std::string& text);
-
 }  // namespace fiatlux

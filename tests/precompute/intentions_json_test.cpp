@@ -91,8 +91,8 @@ TEST(IntentionsJson, NamesTheClosestSurfaces) {
 TEST(IntentionsJson, SurvivesHostileText) {
   expectRefusal(std::string(100000, '['), "nested deeper than 64");
   expectRefusal(std::string(2 << 20, ' '), "longer than 1 MB");
-  expectRefusal("\xff\xfe{\x00}", "not JSON");
-  expectRefusal("", "not JSON");
+  expectRefusal("\xff\xfe{\x00}", "not valid JSON");
+  expectRefusal("", "not valid JSON");
 }
 
 TEST(IntentionsJson, StrangersTextStaysOnOneLine) {
