@@ -1,5 +1,5 @@
-// F b in two parts: whole clusters by one thin product, and nearby what the rays tell about the light within
-// them.
+// F b in three parts: whole clusters by one thin product, how the light leans over each, and nearby every
+// patch by itself.
 #include "core/form_factors.h"
 
 #include <Eigen/Dense>
@@ -11,24 +11,65 @@ namespace {
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Adds weight x (sum of the hits' rows of `detail`) to `out`, kWidth columns known to the compiler.
+/// Adds what one row gets beyond U V^T b, `width` columns; kWidth, if not 0, tells the compiler.
 template <std::uint32_t kWidth>
-void addHits(const std::uint32_t* hits, const std::uint32_t* end, float weight, const float* detail,
-             float* out) {
-  float sums[kWidth] = {};
-  for (; hits < end && *hits != kNone; ++hits) {
-    const float* source = detail + std::size_t{*hits} * kWidth;
-    for (std::uint32_t j = 0; j < kWidth; ++j) sums[j] += source[j];
+class Corrections {
+ public:
+  Corrections(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning)
+      : factors_(factors), width_(kWidth == 0 ? width : kWidth), detail_(detail), leaning_(leaning) {}
+
+  void add(std::uint32_t p, float* out) const {
+    const float* u = factors_.u.data() + std::size_t{p} * factors_.clusters;
+    for (const NearPatch& near : factors_.near[p])
+      addRow(near.factor, detail_ + std::size_t{near.patch} * width(), out);
+    for (const ClusterSlope& slope : factors_.slopes[p]) {
+      const float unit = u[slope.cluster] / kSlopeUnit;
+      const float* leaning = leaning_ + std::size_t{slope.cluster} * 2 * width();
+      addRow(unit * static_cast<float>(slope.u), leaning, out);
+      addRow(unit * static_cast<float>(slope.v), leaning + width(), out);
+    }
   }
-  for (std::uint32_t j = 0; j < kWidth; ++j) out[j] += weight * sums[j];
+
+ private:
+  std::uint32_t width() const { return kWidth == 0 ? width_ : kWidth; }
+  void addRow(float weight, const float* source, float* out) const {
+    for (std::uint32_t j = 0; j < width(); ++j) out[j] += weight * source[j];
+  }
+
+  const FormFactors& factors_;
+  const std::uint32_t width_;
+  const float *detail_, *leaning_;
+};
+
+template <std::uint32_t kWidth>
+void correct(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning,
+             float* out) {
+  const Corrections<kWidth> corrections(factors, width, detail, leaning);
+  for (std::uint32_t p = 0; p < factors.rows; ++p) {
+    float row[kWidth == 0 ? 1 : kWidth] = {};
+    float* target = out + std::size_t{p} * width;
+    if constexpr (kWidth == 0) {
+      corrections.add(p, target);
+    } else {  // summed in registers
+      corrections.add(p, row);
+      for (std::uint32_t j = 0; j < kWidth; ++j) target[j] += row[j];
+    }
+  }
 }
 
-void addHits(const std::uint32_t* hits, const std::uint32_t* end, float weight, const float* detail,
-             std::uint32_t width, float* out) {
-  for (; hits < end && *hits != kNone; ++hits) {
-    const float* source = detail + std::size_t{*hits} * width;
-    for (std::uint32_t j = 0; j < width; ++j) out[j] += weight * source[j];
+/// How b leans over each cluster along its two axes: k x 2 x width.
+std::vector<float> leaningOf(const FormFactors& factors, const float* b, std::uint32_t width) {
+  std::vector<float> leaning(std::size_t{factors.clusters} * 2 * width, 0.0f);
+  if (factors.slopeShare.empty()) return leaning;
+  for (std::uint32_t q = 0; q < factors.count; ++q) {
+    float* sums = leaning.data() + std::size_t{factors.cluster[q]} * 2 * width;
+    const float *share = factors.slopeShare.data() + std::size_t{q} * 2, *row = b + std::size_t{q} * width;
+    for (std::uint32_t j = 0; j < width; ++j) {
+      sums[j] += share[0] * row[j];
+      sums[width + j] += share[1] * row[j];
+    }
   }
+  return leaning;
 }
 
 }  // namespace
@@ -57,17 +98,13 @@ void irradiance(const FormFactors& factors, const float* b, std::uint32_t width,
       detail[std::size_t{q} * width + j] = b[std::size_t{q} * width + j] - mean[j];
     }
   }
-  for (std::uint32_t p = 0; p < factors.rows; ++p) {
-    const std::uint32_t* hits = factors.hits.data() + factors.hitOffset[p];
-    const std::uint32_t* end = factors.hits.data() + factors.hitOffset[p + 1];
-    float* row = out + std::size_t{p} * width;
-    if (width == 16) {
-      addHits<16>(hits, end, factors.hitWeight[p], detail.data(), row);
-    } else if (width == 8) {
-      addHits<8>(hits, end, factors.hitWeight[p], detail.data(), row);
-    } else {
-      addHits(hits, end, factors.hitWeight[p], detail.data(), width, row);
-    }
+  const std::vector<float> leaning = leaningOf(factors, b, width);
+  if (width == 16) {
+    correct<16>(factors, width, detail.data(), leaning.data(), out);
+  } else if (width == 8) {
+    correct<8>(factors, width, detail.data(), leaning.data(), out);
+  } else {
+    correct<0>(factors, width, detail.data(), leaning.data(), out);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 #include "precompute/effort.h"
 #include "precompute/far_field.h"
@@ -17,9 +19,10 @@ namespace {
 /// The least share of what its rays met that a row's estimate must see to be believed.
 constexpr double kPlausible = 0.5;
 
-/// Casts the rays of one patch; hits[i] is the patch that ray i met.
+/// Casts `rays` rays of one patch; hits[i] is the patch that ray i met.
 void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
-              std::uint64_t seed, std::uint32_t rays, std::uint32_t* hits) {
+              std::uint64_t seed, std::uint32_t rays, std::vector<std::uint32_t>& hits) {
+  hits.resize(rays);
   const auto scramble = RaySequence::scramble(seed);
   Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
   for (std::uint32_t first = 0; first < rays; first += RayPacket::kSize) {
@@ -40,47 +43,51 @@ void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySeq
   }
 }
 
-/// Turns the rays of row p into its U, its hits and their weight; `ranges` and `u` come from FarField::row.
-void finishRow(FormFactors& factors, std::uint32_t p, std::vector<FarField::Range>& ranges, float* u) {
-  std::uint32_t* hits = factors.hits.data() + factors.hitOffset[p];
-  std::uint32_t* end = factors.hits.data() + factors.hitOffset[p + 1];
-  const auto rays = static_cast<double>(end - hits);
-  const auto rangeOf = [&](std::uint32_t q) { return ranges[factors.cluster[q]]; };
-  std::uint32_t* met = std::remove(hits, end, kNone);
-  const auto lost = static_cast<double>(end - met) / rays;
+/// Turns the rays of row p and what is known of its surroundings into its U, near patches and slopes.
+/// `hits`: of all its rays, kNone where lost; farField: nullptr where only rays count.
+void finishRow(FormFactors& factors, std::uint32_t p, const FarField* farField,
+               std::vector<std::uint32_t>& hits, FarField::Row& row) {
+  const auto rays = static_cast<double>(hits.size());
+  std::erase(hits, kNone);
+  const auto met = static_cast<double>(hits.size());
+  const auto sumOf = [&](double rayHits) {
+    double sum = std::accumulate(row.u.begin(), row.u.end(), rayHits / rays);
+    for (const NearPatch& near : row.near) sum += near.factor;
+    return sum;
+  };
 
   // Where shadow rays saw far less than the rays met (a patch wedged into a corner, a sliver), trust the rays
   // alone.
-  double seen = 0;
-  for (std::uint32_t c = 0; c < factors.clusters; ++c) seen += u[c];
-  seen += static_cast<double>(std::count_if(
-              hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kNear; })) /
-          rays;
-  if (!(seen > kPlausible * (1 - lost))) {
-    std::fill(u, u + factors.clusters, 0.0f);
-    std::fill(ranges.begin(), ranges.end(), FarField::Range::kNear);
+  const auto isAway = [&](std::uint32_t q) { return farField && !farField->tooClose(p, q); };
+  const auto away = static_cast<double>(std::count_if(hits.begin(), hits.end(), isAway));
+  if (sumOf(met - away) > kPlausible * met / rays) {
+    std::erase_if(hits, isAway);
+  } else {
+    row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
   }
-  std::uint32_t* kept =
-      std::remove_if(hits, met, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kFar; });
-  std::sort(hits, kept);
-  std::fill(kept, end, kNone);
 
-  // One factor for near and far alike makes the row sum to what was not lost.
-  const auto near =
-      std::count_if(hits, kept, [&](std::uint32_t q) { return rangeOf(q) == FarField::Range::kNear; });
-  double sum = static_cast<double>(near) / rays;
-  for (std::uint32_t c = 0; c < factors.clusters; ++c) sum += u[c];
-  const double scale = sum > 0 ? (1 - lost) / sum : 0;
-  for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = static_cast<float>(scale * u[c]);
-  factors.lost[p] = static_cast<float>(lost);
-  factors.hitWeight[p] = static_cast<float>(scale / rays);
-  for (const std::uint32_t* hit = hits; hit < kept; ++hit) {
-    if (rangeOf(*hit) == FarField::Range::kNear) u[factors.cluster[*hit]] += factors.hitWeight[p];
+  // One factor for all makes the row sum to what was not lost.
+  const double sum = sumOf(static_cast<double>(hits.size()));
+  const auto scale = static_cast<float>(sum > 0 ? met / rays / sum : 0);
+  std::sort(hits.begin(), hits.end());
+  const auto oneRay = static_cast<float>(1 / rays);
+  for (std::size_t i = 0, j = 0; i < hits.size(); i = j) {
+    while (j < hits.size() && hits[j] == hits[i]) ++j;
+    row.near.push_back({hits[i], static_cast<float>(j - i) * oneRay});
   }
+  std::sort(row.near.begin(), row.near.end(),
+            [](const NearPatch& a, const NearPatch& b) { return a.patch < b.patch; });
+  for (NearPatch& near : row.near) {
+    near.factor *= scale;
+  }
+  float* u = factors.u.data() + std::size_t{p} * factors.clusters;
+  for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = scale * row.u[c];
+  for (const NearPatch& near : row.near) u[factors.cluster[near.patch]] += near.factor;
+  factors.lost[p] = static_cast<float>(1 - met / rays);
 }
 
-/// Sizes everything and fills in V.
-FormFactors emptyFactors(const Patches& patches, const std::vector<std::uint32_t>& rays) {
+/// Sizes everything but near patches and slopes, and fills in V.
+FormFactors emptyFactors(const Patches& patches) {
   FormFactors factors;
   factors.rows = patches.rows();
   factors.count = patches.count;
@@ -92,10 +99,8 @@ FormFactors emptyFactors(const Patches& patches, const std::vector<std::uint32_t
     factors.share.push_back(patches.area[q] / clusterArea[patches.cluster[q]]);
   }
   factors.u.resize(std::size_t{factors.rows} * factors.clusters);
-  factors.hitOffset.push_back(0);
-  for (const std::uint32_t count : rays) factors.hitOffset.push_back(factors.hitOffset.back() + count);
-  factors.hits.resize(factors.hitOffset.back());
-  factors.hitWeight.resize(factors.rows);
+  factors.near.resize(factors.rows);
+  factors.slopes.resize(factors.rows);
   factors.lost.resize(factors.rows);
   return factors;
 }
@@ -105,26 +110,32 @@ FormFactors emptyFactors(const Patches& patches, const std::vector<std::uint32_t
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
   const std::vector<std::uint32_t> effort =
       options.plain ? std::vector<std::uint32_t>(room.patches.rows(), 1) : effortOfRows(room.patches);
-  std::vector<std::uint32_t> rays;
-  for (const std::uint32_t factor : effort) rays.push_back(factor * options.rays);
-  FormFactors factors = emptyFactors(room.patches, rays);
-  const RaySequence sequence(rays.empty() ? 0 : *std::max_element(rays.begin(), rays.end()));
+  FormFactors factors = emptyFactors(room.patches);
+  const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
+  const RaySequence sequence(most * options.rays);
   const std::uint64_t seed = mixBits(options.seed);
-  const FarField farField(room, tracer, seed);
+  std::optional<FarField> farField;
+  if (!options.plain) farField.emplace(room, tracer, seed);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto castRows = [&](std::size_t portion) {
-    std::vector<FarField::Range> ranges(factors.clusters, FarField::Range::kNear);
+    std::vector<std::uint32_t> hits;
+    FarField::Row row;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
       const PatchSampler sampler(room, p);
-      float* u = factors.u.data() + std::size_t{p} * factors.clusters;
-      castRays(tracer, sampler, sequence, seed ^ mixBits(p), rays[p],
-               factors.hits.data() + factors.hitOffset[p]);
-      if (!options.plain) farField.row(p, effort[p], sampler, ranges, u);
-      finishRow(factors, p, ranges, u);
+      castRays(tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
+      if (farField) {
+        farField->row(p, effort[p], sampler, row);
+      } else {
+        row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
+      }
+      finishRow(factors, p, farField ? &*farField : nullptr, hits, row);
+      factors.near[p] = row.near;
+      factors.slopes[p] = row.slopes;
     }
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
+  if (farField) factors.slopeShare = farField->slopeShare();
   return factors;
 }
 

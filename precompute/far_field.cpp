@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "precompute/ray_sequence.h"
@@ -10,34 +11,61 @@ namespace fiatlux {
 
 namespace {
 
-// Distances between patch and cluster, in edges of both: from the first on a point a part is a fair
+// Distances between patch and cluster, in edges of both: from the first on one point of a part is a fair
 // quadrature, from the second on the light's spread within the cluster no longer matters.
-constexpr double kMiddleEdges = 2, kFarEdges = 8;
+constexpr double kNearEdges = 2, kFarEdges = 8;
+// Distance between two patches, in edges of both, from which on Gauss's 2 x 2 points of each are a fair
+// quadrature.
+constexpr double kCloseEdges = 1.5;
+constexpr std::uint32_t kLastSlope = std::numeric_limits<std::uint16_t>::max();
+
+std::int8_t inSlopeUnits(double slope) {
+  return static_cast<std::int8_t>(std::lround(kSlopeUnit * std::clamp(slope, -1.0, 1.0)));
+}
+
+/// Edge of a square that reaches as far as points at most `radius` from their centre, or is as large.
+double reachOf(double area, double radius) { return std::max(std::sqrt(area), std::numbers::sqrt2 * radius); }
+
+/// Power that a small piece of surface at one end of d, from `leaving` to `arriving`, sends to a unit of area
+/// at the other: cos cos / (pi r^2), 0 where they face away.
+double kernel(const Vec3& d, const Vec3& leaving, const Vec3& arriving) {
+  const double out = dot(d, leaving), in = -dot(d, arriving);
+  if (out <= 0 || in <= 0) return 0;
+  const double squared = dot(d, d);
+  return out * in / (std::numbers::pi * squared * squared);
+}
 
 }  // namespace
 
 FarField::FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed)
-    : room_(room), tracer_(tracer), seed_(seed), sequence_(kShadowPoints) {
+    : room_(room), tracer_(tracer), seed_(seed), sequence_(kMostRays) {
   const Patches& patches = room.patches;
-  std::vector<std::vector<std::uint32_t>> members(patches.clusterCount);
-  std::vector<Vec3> targets;  // kShadowPoints of each part
-  for (std::uint32_t q = 0; q < patches.count; ++q) members[patches.cluster[q]].push_back(q);
+  members_.resize(patches.clusterCount);
+  slopeShare_.resize(std::size_t{patches.count} * 2);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+    double radius = 0;
+    for (std::uint32_t f = room.fragmentOffset[p]; f < room.fragmentOffset[p + 1]; ++f) {
+      for (const Vec3& corner : room.fragments[f].corner)
+        radius = std::max(radius, length(corner - patches.center[p]));
+    }
+    patchReach_.push_back(reachOf(patches.area[p], radius));
+    if (p >= patches.count) continue;
+    members_[patches.cluster[p]].push_back(p);
+    samplers_.emplace_back(room, p);
+    const std::vector<PatchPoint> points = samplers_[p].quadrature(2);
+    std::copy_n(points.begin(), kGauss, gauss_.emplace_back().begin());
+  }
   for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
     firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    addParts(c, members[c], mixBits(seed ^ 0xfa5u) ^ c, targets);
+    addParts(c);
+    addSlopeShares(c);
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-
-  // Most rows use the first few targets of every part: they lie together.
-  targets_.resize(targets.size());
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    targets_[targetAt(i / kShadowPoints, i % kShadowPoints)] = targets[i];
-  }
 }
 
-void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed,
-                        std::vector<Vec3>& targets) {
+void FarField::addParts(std::uint32_t cluster) {
   const Patches& patches = room_.patches;
+  const std::vector<std::uint32_t>& members = members_[cluster];
   Vec3 center;
   double area = 0;
   for (const std::uint32_t q : members) {
@@ -48,7 +76,7 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   double radius = 0;
   for (const std::uint32_t q : members) radius = std::max(radius, length(patches.center[q] - center));
   center_.push_back(center);
-  reach_.push_back(std::max(std::sqrt(area), std::numbers::sqrt2 * radius));
+  reach_.push_back(reachOf(area, radius));
 
   // The second moment of the cluster about its centre, its patches taken as squares.
   double moment = 0, partMoment = 0;
@@ -67,28 +95,14 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   for (const auto& quarter : quarters) {
     if (quarter.empty()) continue;
     Part part;
-    part.cluster = cluster;
     for (const std::uint32_t q : quarter) {
       part.center += patches.area[q] * patches.center[q];
       part.normal += patches.area[q] * patches.normal[q];
       part.area += patches.area[q];
     }
+    part.members = quarter;
     part.center = (1 / part.area) * part.center;
     part.normal = normalized(part.normal);
-    // Where shadow rays end: the first number chooses the patch by area, what is left of it the place there.
-    std::vector<PatchSampler> samplers;
-    for (const std::uint32_t q : quarter) samplers.emplace_back(room_, q);
-    const auto scramble = RaySequence::scramble(seed = mixBits(seed));
-    for (std::uint32_t i = 0; i < kShadowPoints; ++i) {
-      const auto sample = sequence_.point(i, scramble);
-      double along = sample[0] * part.area;
-      std::size_t chosen = 0;
-      while (chosen + 1 < quarter.size() && along >= patches.area[quarter[chosen]])
-        along -= patches.area[quarter[chosen++]];
-      const double left = std::min(along / patches.area[quarter[chosen]], 1 - 1e-9);
-      const PatchPoint point = samplers[chosen].at(left, sample[1]);
-      targets.push_back(point.position + tracer_.offset() * point.normal);
-    }
     const Vec3 d = part.center - center;
     partMoment += part.area * dot(d, d);
     parts_.push_back(part);
@@ -97,85 +111,178 @@ void FarField::addParts(std::uint32_t cluster, const std::vector<std::uint32_t>&
   // Spread the points so that they have the cluster's second moment: on a square, Gauss's 2 x 2 nodes.
   const double spread = partMoment > 1e-9 * moment ? std::sqrt(moment / partMoment) : 1;
   for (std::size_t i = firstPart_.back(); i < parts_.size(); ++i) {
-    parts_[i].center = center + spread * (parts_[i].center - center);
+    const Vec3 d = spread * (parts_[i].center - center);
+    parts_[i].center = center + d;
+    parts_[i].u = dot(d, chart.uAxis) / reach_[cluster];
+    parts_[i].v = dot(d, chart.vAxis) / reach_[cluster];
   }
 }
 
-void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const std::vector<Vec3>& origins,
+/// So that a light of first moment s over the cluster, sum f_i (u, v)_i of its parts' form factors over their
+/// sum, becomes the linear density that has this moment: patch q gets share_q + s . slopeShare_q. The second
+/// moments are those of the patches, taken as squares: parts in a row along a diagonal have none across it.
+void FarField::addSlopeShares(std::uint32_t cluster) {
+  const Patches& patches = room_.patches;
+  const Chart& chart = room_.charts[room_.chartOfPatch[members_[cluster][0]]];
+  const double reach = reach_[cluster];
+  const auto along = [&](std::uint32_t q, const Vec3& axis) {
+    return dot(patches.center[q] - center_[cluster], axis) / reach;
+  };
+  double uu = 0, uv = 0, vv = 0;
+  for (const std::uint32_t q : members_[cluster]) {
+    const double area = patches.area[q], u = along(q, chart.uAxis), v = along(q, chart.vAxis),
+                 own = area / (12 * reach * reach);
+    uu += area * (u * u + own);
+    uv += area * u * v;
+    vv += area * (v * v + own);
+  }
+  const double determinant = uu * vv - uv * uv;
+  for (const std::uint32_t q : members_[cluster]) {
+    const double weight = patches.area[q] / determinant, u = along(q, chart.uAxis), v = along(q, chart.vAxis);
+    slopeShare_[std::size_t{q} * 2] = static_cast<float>(weight * (vv * u - uv * v));
+    slopeShare_[std::size_t{q} * 2 + 1] = static_cast<float>(weight * (uu * v - uv * u));
+  }
+}
+
+double FarField::edgesTo(std::uint32_t p, std::uint32_t cluster) const {
+  const Patches& patches = room_.patches;
+  return length(center_[cluster] - patches.center[p]) / (reach_[cluster] + std::sqrt(patches.area[p]));
+}
+
+bool FarField::tooClose(std::uint32_t p, std::uint32_t q) const {
+  const Patches& patches = room_.patches;
+  if (edgesTo(p, patches.cluster[q]) >= kNearEdges) return false;
+  return length(patches.center[q] - patches.center[p]) < kCloseEdges * (patchReach_[p] + patchReach_[q]);
+}
+
+/// A point of a part or patch, uniform by area: the first number chooses the patch of a part, what is left of
+/// it the place there.
+PatchPoint FarField::pointOn(std::uint32_t item, double u, double v) const {
+  if (item >= parts_.size()) return samplers_[item - parts_.size()].at(u, v);
+  const Part& part = parts_[item];
+  const std::vector<double>& area = room_.patches.area;
+  double along = u * part.area;
+  std::size_t chosen = 0;
+  while (chosen + 1 < part.members.size() && along >= area[part.members[chosen]])
+    along -= area[part.members[chosen++]];
+  const std::uint32_t q = part.members[chosen];
+  return samplers_[q].at(std::min(along / area[q], 1 - 1e-9), v);
+}
+
+/// All parts of distant clusters and all patches of other ones, not too close, that the row can see at all;
+/// by cluster.
+std::vector<FarField::Candidate> FarField::candidatesOf(std::uint32_t p, const PatchSampler& sampler) const {
+  const Patches& patches = room_.patches;
+  const Vec3 center = patches.center[p], normal = patches.normal[p];
+  const std::vector<PatchPoint> points = sampler.quadrature(2);
+  std::vector<Candidate> candidates;
+  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
+    if (edgesTo(p, c) >= kNearEdges) {
+      for (std::uint32_t i = firstPart_[c]; i < firstPart_[c + 1]; ++i) {
+        const Part& part = parts_[i];
+        const double factor = part.area * kernel(part.center - center, normal, part.normal);
+        if (factor > 0) candidates.push_back({i, c, factor});
+      }
+      continue;
+    }
+    for (const std::uint32_t q : members_[c]) {
+      if (tooClose(p, q)) continue;
+      double factor = 0;
+      for (const PatchPoint& from : points) {
+        for (const PatchPoint& to : gauss_[q])
+          factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
+      }
+      factor *= patches.area[q];
+      if (factor > 0) candidates.push_back({static_cast<std::uint32_t>(parts_.size()) + q, c, factor});
+    }
+  }
+  return candidates;
+}
+
+/// Rays from all over the patch to all over each candidate: both ends share a four-dimensional sequence, so
+/// few rays already cover both, and what hides a cluster from one side of the patch only (a picture's frame)
+/// is not mistaken.
+void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler,
                            std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const {
   RayPacket packet;
   std::size_t lane[RayPacket::kSize];
+  double carried[RayPacket::kSize];
   const auto flush = [&] {
     bool blocked[RayPacket::kSize];
     tracer_.occluded(packet, blocked);
-    for (std::uint32_t i = 0; i < packet.count; ++i) candidates[lane[i]].visible += !blocked[i];
+    for (std::uint32_t i = 0; i < packet.count; ++i) {
+      if (blocked[i]) continue;
+      ++candidates[lane[i]].visible;
+      candidates[lane[i]].arrived += carried[i];
+    }
     packet.count = 0;
   };
   for (std::size_t i = first; i < last; ++i) {
-    const std::uint64_t bits = mixBits(seed ^ candidates[i].part);
-    candidates[i].visible = 0;
-    for (std::uint32_t ray = 0; ray < rays; ++ray) {
-      const std::size_t point = (bits + ray) % origins.size();
-      const Vec3 &origin = origins[point], &target = targets_[targetAt(candidates[i].part, point)];
+    Candidate& candidate = candidates[i];
+    const auto scramble = RaySequence::scramble(mixBits(seed ^ candidate.item));
+    const double area = areaOf(candidate.item);
+    candidate.visible = 0;
+    candidate.arrived = 0;
+    candidate.asked = raysTo(candidate.item, rays);
+    for (std::uint32_t ray = 0; ray < candidate.asked; ++ray) {
+      const auto sample = sequence_.point(ray, scramble);
+      const PatchPoint from = sampler.at(sample[2], sample[3]),
+                       to = pointOn(candidate.item, sample[0], sample[1]);
+      const Vec3 origin = from.position + tracer_.offset() * from.normal;
       lane[packet.count] = i;
-      tracer_.aim(packet, origin, target - origin, 1);
+      carried[packet.count] = area * kernel(to.position - from.position, from.normal, to.normal);
+      tracer_.aim(packet, origin, to.position + tracer_.offset() * to.normal - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
     }
   }
   if (packet.count > 0) flush();
 }
 
-void FarField::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler,
-                   std::vector<Range>& ranges, float* u) const {
-  const Patches& patches = room_.patches;
-  const Vec3 center = patches.center[p], normal = patches.normal[p];
-  const double edge = std::sqrt(patches.area[p]);
-  std::vector<Candidate> candidates;
-  ranges.assign(patches.clusterCount, Range::kNear);
-  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
-    u[c] = 0;
-    const Vec3 apart = center_[c] - center;
-    const double edges = length(apart) / (reach_[c] + edge);
-    if (edges < kMiddleEdges) continue;
-    ranges[c] = edges < kFarEdges ? Range::kMiddle : Range::kFar;
-    for (std::uint32_t i = firstPart_[c]; i < firstPart_[c + 1]; ++i) {
-      const Part& part = parts_[i];
-      const Vec3 d = part.center - center;
-      const double leaving = dot(d, normal), arriving = -dot(d, part.normal);
-      if (leaving <= 0 || arriving <= 0) continue;
-      const double squared = dot(d, d);
-      candidates.push_back({i, part.area * leaving * arriving / (std::numbers::pi * squared * squared), 0});
+/// Writes down what row p gets from one cluster.
+void FarField::write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const {
+  double sum = 0, leanU = 0, leanV = 0;
+  for (const Candidate* candidate = first; candidate < last; ++candidate) {
+    // note: not kernel x visible share, for what is hidden may be the part that would give most.
+    const double factor =
+        candidate->visible == candidate->asked ? candidate->kernel : candidate->arrived / candidate->asked;
+    if (factor > 0 && candidate->item >= parts_.size()) {
+      row.near.push_back(
+          {candidate->item - static_cast<std::uint32_t>(parts_.size()), static_cast<float>(factor)});
+    } else if (factor > 0) {
+      const Part& part = parts_[candidate->item];
+      sum += factor;
+      leanU += factor * part.u;
+      leanV += factor * part.v;
     }
   }
+  if (!(sum > 0)) return;
+  const std::uint32_t cluster = first->cluster;
+  row.u[cluster] = static_cast<float>(sum);
+  if (cluster <= kLastSlope && edgesTo(p, cluster) < kFarEdges)
+    row.slopes.push_back(
+        {static_cast<std::uint16_t>(cluster), inSlopeUnits(leanU / sum), inSlopeUnits(leanV / sum)});
+}
 
-  // Point i here and point i of every part share a four-dimensional sequence: few rays already cover both
-  // ends, and what hides a cluster from one side of the patch only (a picture's frame) is not mistaken.
+void FarField::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const {
+  row.u.assign(room_.patches.clusterCount, 0.0f);
+  row.slopes.clear();
+  row.near.clear();
+  std::vector<Candidate> candidates = candidatesOf(p, sampler);
+
   const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
-  std::vector<Vec3> origins;
-  const auto scramble = RaySequence::scramble(seed);
-  for (std::size_t i = 0; i < std::min(kFewPoints * effort, kShadowPoints); ++i) {
-    const auto sample = sequence_.point(static_cast<std::uint32_t>(i), scramble);
-    const PatchPoint point = sampler.at(sample[2], sample[3]);
-    origins.push_back(point.position + tracer_.offset() * point.normal);
-  }
-  const std::uint32_t few = (effort + 3) / 4, many = 4 * effort * few;  // of 4 and 256 at most
-  castShadows(seed, few, origins, 0, candidates.size(), candidates);
+  const std::uint32_t few = (effort + 3) / 4, many = 4 * effort * few;  // of 4 and kMostRays at most
+  castShadows(seed, few, sampler, 0, candidates.size(), candidates);
 
   // A cluster that is seen in part is asked again, more often.
   for (std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
-    const std::uint32_t cluster = parts_[candidates[first].part].cluster;
-    std::uint32_t seen = 0;
-    for (last = first; last < candidates.size() && parts_[candidates[last].part].cluster == cluster; ++last) {
+    std::uint32_t seen = 0, asked = 0;
+    for (last = first; last < candidates.size() && candidates[last].cluster == candidates[first].cluster;
+         ++last) {
       seen += candidates[last].visible;
+      asked += candidates[last].asked;
     }
-    std::uint32_t rays = few;
-    if (seen > 0 && seen < few * (last - first)) {
-      rays = many;
-      castShadows(mixBits(seed), rays, origins, first, last, candidates);
-    }
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += candidates[i].kernel * candidates[i].visible / rays;
-    u[cluster] = static_cast<float>(sum);
+    if (seen > 0 && seen < asked) castShadows(mixBits(seed), many, sampler, first, last, candidates);
+    write(candidates.data() + first, candidates.data() + last, p, row);
   }
 }
 

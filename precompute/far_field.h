@@ -1,11 +1,14 @@
-// Form factors between patches and distant clusters, by the kernel cos cos / (pi r^2) and shadow rays. A
-// cosine ray rarely meets a small bright spot far away, and one hit too many is a bright patch; this estimate
-// has no such noise.
+// Form factors to all but the closest patches, by the kernel cos cos / (pi r^2) and shadow rays: patch by
+// patch nearby, further away by quarters of clusters. A cosine ray rarely meets a small bright spot, and one
+// hit too many is a bright patch; this estimate has no such noise.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/form_factors.h"
 #include "precompute/patch_sampler.h"
 #include "precompute/ray_sequence.h"
 #include "precompute/ray_tracer.h"
@@ -16,47 +19,74 @@ namespace fiatlux {
 /// Thread-safe once built. Room and tracer must outlive it.
 class FarField {
  public:
-  /// How a row sees a cluster: kNear by its rays alone; kMiddle: U from here, the light's spread within the
-  /// cluster from the rays; kFar: U from here, the spread ignored.
-  enum class Range : char { kNear, kMiddle, kFar };
-
   FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed);
 
-  /// ranges[c] and u[c] (k each) of row p; u is 0 for near clusters. effort: of effort.h, 1 to 16.
-  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, std::vector<Range>& ranges,
-           float* u) const;
+  /// What one row gets from everything that is not too close.
+  struct Row {
+    std::vector<float> u;              // k: of distant clusters; 0 for those that are seen patch by patch
+    std::vector<ClusterSlope> slopes;  // of distant clusters, except far ones
+    std::vector<NearPatch> near;       // patches of the other clusters
+  };
+  /// effort: of effort.h, 1 to 16.
+  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
+
+  /// Whether patch q is too close to row p for this estimate: then only rays tell.
+  bool tooClose(std::uint32_t p, std::uint32_t q) const;
+
+  /// FormFactors::slopeShare, n x 2.
+  const std::vector<float>& slopeShare() const { return slopeShare_; }
 
  private:
-  static constexpr std::size_t kShadowPoints = 256;  // that shadow rays start from or end in, at most
-  static constexpr std::size_t kFewPoints = 16;      // that rows of effort 1 use
+  static constexpr std::uint32_t kMostRays = 256;      // shadow rays to one part
+  static constexpr std::uint32_t kMostPatchRays = 16;  // and to one patch
+  static constexpr std::uint32_t kGauss = 4;           // points of a patch for the kernel
 
-  struct Part {  // about a quarter of a cluster
-    std::uint32_t cluster = 0;
+  struct Part {                          // about a quarter of a cluster
+    std::vector<std::uint32_t> members;  // patches
     Vec3 center, normal;
     double area = 0;
+    double u = 0, v = 0;  // of the centre from the cluster's, in edges of the cluster
   };
-  struct Candidate {  // a part that faces the row
-    std::uint32_t part;
-    double kernel;          // form factor if nothing is between
-    std::uint32_t visible;  // shadow rays that arrived
+  struct Candidate {            // a part or a patch that faces the row
+    std::uint32_t item;         // part, or parts_.size() + patch
+    std::uint32_t cluster;      // of it
+    double kernel;              // form factor if nothing is between
+    std::uint32_t asked = 0;    // shadow rays
+    std::uint32_t visible = 0;  // of these arrived
+    double arrived = 0;         // sum of the form factors that these stand for
   };
-  void addParts(std::uint32_t cluster, const std::vector<std::uint32_t>& members, std::uint64_t seed,
-                std::vector<Vec3>& targets);
-  std::size_t targetAt(std::size_t part, std::size_t point) const {
-    return (point / kFewPoints * parts_.size() + part) * kFewPoints + point % kFewPoints;
+
+  void addParts(std::uint32_t cluster);
+  void addSlopeShares(std::uint32_t cluster);
+  std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
+  void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
+                   std::size_t last, std::vector<Candidate>& candidates) const;
+  void write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const;
+  /// Shadow rays to a patch where a part of about four patches gets so many.
+  std::uint32_t raysTo(std::uint32_t item, std::uint32_t rays) const {
+    return item < parts_.size() ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);
   }
-  void castShadows(std::uint64_t seed, std::uint32_t rays, const std::vector<Vec3>& origins,
-                   std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const;
+
+  /// Distance of a row from a cluster, in edges of both.
+  double edgesTo(std::uint32_t p, std::uint32_t cluster) const;
+  double areaOf(std::uint32_t item) const {
+    return item < parts_.size() ? parts_[item].area : room_.patches.area[item - parts_.size()];
+  }
+  PatchPoint pointOn(std::uint32_t item, double u, double v) const;
 
   const Room& room_;
   const RayTracer& tracer_;
   std::uint64_t seed_;
-  RaySequence sequence_;                  // kShadowPoints points
-  std::vector<Part> parts_;               // by cluster
-  std::vector<Vec3> targets_;             // where shadow rays end, at targetAt(part, point)
-  std::vector<std::uint32_t> firstPart_;  // k + 1
-  std::vector<Vec3> center_;              // k, m
-  std::vector<double> reach_;             // k, m: edge of a square as large as the cluster
+  RaySequence sequence_;
+  std::vector<std::vector<std::uint32_t>> members_;    // k: patches, ascending
+  std::vector<Part> parts_;                            // by cluster
+  std::vector<std::uint32_t> firstPart_;               // k + 1
+  std::vector<Vec3> center_;                           // k, m
+  std::vector<double> reach_;                          // k, m: edge of a square as large as the cluster
+  std::vector<double> patchReach_;                     // rows, m: the same of patches
+  std::vector<PatchSampler> samplers_;                 // n
+  std::vector<std::array<PatchPoint, kGauss>> gauss_;  // n, points for the kernel
+  std::vector<float> slopeShare_;
 };
 
 }  // namespace fiatlux

@@ -11,19 +11,19 @@ PatchSampler::PatchSampler(const Room& room, std::uint32_t patch)
   // Recognise a full cell: flat, in the chart's plane, and as large as the cell.
   const Chart& chart = room.charts[room.chartOfPatch[patch]];
   const double area = fragments_.area();
-  fullCell_ = std::abs(area - chart.cellU * chart.cellV) <= 1e-6 * area;
+  fullCell_ = !fragments_.empty() && std::abs(area - chart.cellU * chart.cellV) <= 1e-6 * area;
   for (const AreaSampler::Piece& piece : fragments_.pieces())
     fullCell_ = fullCell_ && dot(piece.normal, chart.normal) > 1 - 1e-10;
   if (fullCell_) {
     cellU_ = chart.cellU * chart.uAxis;
     cellV_ = chart.cellV * chart.vAxis;
+    cellNormal_ = fragments_.pieces()[0].normal;
     cellCorner_ = room.patches.center[patch] - 0.5 * (cellU_ + cellV_);
   }
 }
 
-PatchPoint PatchSampler::at(double u, double v) const {
+PatchPoint PatchSampler::onFragments(double u, double v) const {
   if (fragments_.empty()) return center_;
-  if (fullCell_) return {cellCorner_ + u * cellU_ + v * cellV_, fragments_.pieces()[0].normal, 0};
   const auto [position, normal] = fragments_.at(u, v);
   return {position, normal, 0};
 }

@@ -22,16 +22,22 @@ class PatchSampler {
 
   /// Uniform by area for (u, v) in [0, 1)^2; on a full cell of a flat chart the map is the identity of the
   /// square, so stratified (u, v) give stratified points.
-  PatchPoint at(double u, double v) const;
+  PatchPoint at(double u, double v) const {
+    if (fullCell_) return {cellCorner_ + u * cellU_ + v * cellV_, cellNormal_, 0};
+    return onFragments(u, v);
+  }
 
   /// edge x edge points whose weights sum to 1: Gauss-Legendre on full cells (edge 2 or 4), strata elsewhere.
   std::vector<PatchPoint> quadrature(std::uint32_t edge) const;
 
  private:
-  AreaSampler fragments_;
-  PatchPoint center_;  // stands for a patch too thin to have area in its fragments
+  PatchPoint onFragments(double u, double v) const;
+
   bool fullCell_ = false;
   Vec3 cellCorner_, cellU_, cellV_;  // m, of a full cell
+  Vec3 cellNormal_;                  // unit
+  AreaSampler fragments_;
+  PatchPoint center_;  // stands for a patch too thin to have area in its fragments
 };
 
 }  // namespace fiatlux

@@ -100,6 +100,9 @@ double lap(std::chrono::steady_clock::time_point& since) {
 void precompute(PrecomputeOptions options) {
   if (options.output.empty())
     options.output = std::filesystem::path(options.source).replace_extension(".flux").string();
+  std::error_code none;
+  if (std::filesystem::equivalent(options.source, options.output, none))
+    throw CommandError(options.output + ": this is the room itself; pass another file to --output");
   checkWritable(options.output);
   const auto start = std::chrono::steady_clock::now();
   auto clock = start;

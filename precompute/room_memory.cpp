@@ -18,14 +18,14 @@ void checkForeseenMemory(const RoomOptions& options, double patches, double clus
   const Part parts[] = {
       {patches * clusters * 4, n + " patches x " + shortNumber(clusters) + " clusters",
        "a larger --patch or --cluster"},
-      {patches * options.rays * 4, n + " patches x " + std::to_string(options.rays) + " rays",
-       "a larger --patch or fewer --rays"},
+      {options.paper ? patches * std::min<double>(options.rays, patches) * 8 : 0,
+       n + " patches x " + std::to_string(options.rays) + " rays", "a larger --patch or fewer --rays"},
       {rows * sites * 4, shortNumber(rows) + " patches x " + shortNumber(sites) + " sites",
        "a larger --patch or --site-spacing"},
       {surfaces * sites * sites * 8,
        shortNumber(surfaces) + " surfaces x " + shortNumber(sites) + " sites squared",
        "a larger --site-spacing"},
-      {rows * 600, n + " patches", "a larger --patch"}};
+      {rows * (options.paper ? 600 : 6600), n + " patches", "a larger --patch"}};
   double total = 0;
   const Part* largest = parts;
   for (const Part& part : parts) {

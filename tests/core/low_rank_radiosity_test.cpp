@@ -12,7 +12,8 @@
 namespace fiatlux {
 namespace {
 
-/// n patches in k clusters, each row of F with `rays` random hits: a closed room that no geometry need have.
+/// n patches in k clusters, each row of F with `rays` random hits and some slopes: a closed room that no
+/// geometry need have.
 struct RandomRoom {
   Patches patches;
   FormFactors factors;
@@ -34,21 +35,32 @@ struct RandomRoom {
     factors.clusters = k;
     factors.cluster = patches.cluster;
     factors.u.assign(std::size_t{n} * k, 0.0f);
-    factors.hitWeight.assign(n, 1.0f / static_cast<float>(rays));
+    factors.near.resize(n);
+    factors.slopes.resize(n);
     factors.lost.assign(n, 0.0f);
     full.assign(std::size_t{n} * n, 0.0);
     for (std::uint32_t p = 0; p < n; ++p) factors.share.push_back(patches.area[p] / clusterArea[p % k]);
-    for (std::uint32_t p = 0; p <= n; ++p) factors.hitOffset.push_back(std::uint64_t{p} * rays);
     for (std::uint32_t p = 0; p < n; ++p) {
       std::vector<std::uint32_t> hits(rays);
       for (std::uint32_t& hit : hits) hit = random.below(n);
       std::sort(hits.begin(), hits.end());
       for (const std::uint32_t hit : hits) {
         factors.u[std::size_t{p} * k + hit % k] += 1.0f / static_cast<float>(rays);
+        factors.near[p].push_back({hit, 1.0f / static_cast<float>(rays)});
         full[std::size_t{p} * n + hit] += 1.0 / rays;
       }
-      factors.hits.insert(factors.hits.end(), hits.begin(), hits.end());
     }
+    for (std::uint32_t i = 0; i < 2 * n; ++i)
+      factors.slopeShare.push_back(static_cast<float>(0.1 * random.unit() - 0.05));
+    for (std::uint32_t p = 0; p < n; p += 2) addSlope(p, p % k, static_cast<std::int8_t>(p), -100);
+  }
+
+  void addSlope(std::uint32_t p, std::uint32_t cluster, std::int8_t u, std::int8_t v) {
+    factors.slopes[p].push_back({static_cast<std::uint16_t>(cluster), u, v});
+    for (std::uint32_t q = cluster; q < factors.count; q += factors.clusters)
+      full[std::size_t{p} * factors.count + q] +=
+          factors.u[std::size_t{p} * factors.clusters + cluster] / 127.0 *
+          (u * factors.slopeShare[2 * q] + v * factors.slopeShare[2 * q + 1]);
   }
 };
 

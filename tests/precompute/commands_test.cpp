@@ -165,6 +165,8 @@ TEST_F(Commands, BadRoomsAreRefused) {
   writeTextFile(*folder_ / "empty.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
   EXPECT_THAT(failure("precompute empty.gltf -o new.flux"), HasSubstr("empty.gltf"));
   EXPECT_THAT(failure("precompute gone.glb -o new.flux"), HasSubstr("gone.glb"));
+  EXPECT_THAT(failure("precompute box.gltf -o ./box.gltf"), HasSubstr("the room itself"));
+  EXPECT_EQ(textOfFile(*folder_ / "box.gltf").front(), '{');  // still there
   EXPECT_THAT(failure("precompute box.gltf -o new.flux --mount shelf"), HasSubstr("shelf"));
   EXPECT_THAT(failure("precompute box.gltf -o new.flux --site-spacing 9"), HasSubstr("site"));
   EXPECT_THAT(failure("precompute box.gltf -o new.flux --patch 0.01 --memory 0.1"), HasSubstr("GB"));
