@@ -12,7 +12,8 @@ export const catalog = [
     id: 'office',
     title: 'Open office',
     description: 'Twelve desks under a tiled ceiling, with a working plane at 0.75 m.',
-    precompute: ['--patch', '0.2', '--cluster', '4'],
+    // note: after two steps the means of cabinets far from the only lamp are still 0.6 % off
+    precompute: ['--patch', '0.2', '--cluster', '4', '--refine', '3'],
   },
   {
     id: 'classroom',

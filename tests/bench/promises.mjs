@@ -118,8 +118,9 @@ function patchDifference(reference, found) {
 
 function compareWithLight(room, layout, add) {
   const [fast, truth] = ['fast.csv', 'truth.csv'].map((name) => path.join(work, name));
+  const ofPrecomputeAlone = ['--cluster', '--refine'];
   const lightOptions = room.precompute.filter(
-    (word, i, all) => word !== '--cluster' && all[i - 1] !== '--cluster',
+    (word, i, all) => !ofPrecomputeAlone.includes(word) && !ofPrecomputeAlone.includes(all[i - 1]),
   );
   const evaluated = JSON.parse(
     fiatlux('evaluate', sceneFile(room, 1), '--layout', layout, '--json', '--patches', fast),

@@ -77,7 +77,7 @@ test('the catalogue names every room once, with words for people and options for
     expect(description).toMatch(/\.$/);
     expect(precompute.length % 2).toBe(0);
     for (let i = 0; i < precompute.length; i += 2) {
-      expect(precompute[i]).toMatch(/^--(patch|cluster|site-size)$/);
+      expect(precompute[i]).toMatch(/^--(patch|cluster|refine|site-size)$/);
       expect(Number(precompute[i + 1])).toBeGreaterThan(0);
     }
   }
