@@ -7,6 +7,7 @@ const address = `http://127.0.0.1:${port}/`;
 export default defineConfig({
   testDir: 'tests/e2e',
   timeout: 90_000,
+  expect: { timeout: 20_000 }, // a picture alone takes seconds where software draws it and others compute
   workers: 1,
   retries: 0,
   use: {

@@ -2,8 +2,8 @@
  * Do the sample rooms keep the promised accuracy? Two questions a room: what another ray seed changes, and whether a scene file
  * says what `fiatlux light` says of the same luminaires. Writes docs/fidelity.md; prints a JSON row for every figure.
  *   node tests/bench/promises.mjs [--work FOLDER] [id ...]
- * after `npm run build`; about ten minutes on 2 cores. --work keeps the scene files there and takes those that lie there. With ids
- * only these rooms are measured and nothing is written.
+ * after `npm run build`; about twenty minutes on 2 cores. --work keeps the scene files there and takes those that lie there. With
+ * ids only these rooms are measured, and their sections written anew.
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -230,11 +230,22 @@ does the app under "About this room".
 
 `;
 
+const document = path.join(root, 'docs/fidelity.md');
+const heading = (room) => `## ${room.title}\n`;
+
+/** A room's section as the document has it. */
+function written(text, room) {
+  const start = text.indexOf(heading(room));
+  if (start < 0) throw new Error(`${document} has no section ${room.title}: run without ids`);
+  const next = text.indexOf('\n## ', start);
+  return next < 0 ? text.slice(start) : text.slice(start, next + 1);
+}
+
 try {
-  const rooms = catalog.filter((room) => ids.length === 0 || ids.includes(room.id));
-  const sections = rooms.map((room) => section(measure(room)));
-  if (ids.length === 0)
-    writeFileSync(path.join(root, 'docs/fidelity.md'), `${introduction}${sections.join('\n')}`);
+  const measured = (room) => ids.length === 0 || ids.includes(room.id);
+  const before = existsSync(document) ? readFileSync(document, 'utf8') : '';
+  const sections = catalog.map((room) => (measured(room) ? section(measure(room)) : written(before, room)));
+  writeFileSync(document, `${introduction}${sections.map((text) => text.trimEnd()).join('\n\n')}\n`);
 } finally {
   if (options.work === undefined) rmSync(work, { recursive: true });
 }
