@@ -21,6 +21,7 @@ export default defineConfig({
   base: './',
   plugins: [announceApp],
   publicDir: '../public',
-  build: { outDir: '../dist', emptyOutDir: true, target: 'es2022' },
+  // three.js alone is larger than the size above which Vite warns.
+  build: { outDir: '../dist', emptyOutDir: true, target: 'es2022', chunkSizeWarningLimit: 1000 },
   worker: { format: 'es' },
 });

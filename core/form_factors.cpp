@@ -11,47 +11,29 @@ namespace {
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Adds what one row gets beyond U V^T b, `width` columns; kWidth, if not 0, tells the compiler.
-template <std::uint32_t kWidth>
-class Corrections {
- public:
-  Corrections(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning)
-      : factors_(factors), width_(kWidth == 0 ? width : kWidth), detail_(detail), leaning_(leaning) {}
-
-  void add(std::uint32_t p, float* out) const {
-    const float* u = factors_.u.data() + std::size_t{p} * factors_.clusters;
-    for (const NearPatch& near : factors_.near[p])
-      addRow(near.factor, detail_ + std::size_t{near.patch} * width(), out);
-    for (const ClusterSlope& slope : factors_.slopes[p]) {
-      const float unit = u[slope.cluster] / kSlopeUnit;
-      const float* leaning = leaning_ + std::size_t{slope.cluster} * 2 * width();
-      addRow(unit * static_cast<float>(slope.u), leaning, out);
-      addRow(unit * static_cast<float>(slope.v), leaning + width(), out);
-    }
-  }
-
- private:
-  std::uint32_t width() const { return kWidth == 0 ? width_ : kWidth; }
-  void addRow(float weight, const float* source, float* out) const {
-    for (std::uint32_t j = 0; j < width(); ++j) out[j] += weight * source[j];
-  }
-
-  const FormFactors& factors_;
-  const std::uint32_t width_;
-  const float *detail_, *leaning_;
-};
-
+/// Adds to `out` what rows get beyond U V^T b, `width` columns. kWidth is 0 or width: known to the compiler,
+/// a row's sum stays in registers.
 template <std::uint32_t kWidth>
 void correct(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning,
              float* out) {
-  const Corrections<kWidth> corrections(factors, width, detail, leaning);
+  const std::uint32_t columns = kWidth == 0 ? width : kWidth;
   for (std::uint32_t p = 0; p < factors.rows; ++p) {
-    float row[kWidth == 0 ? 1 : kWidth] = {};
-    float* target = out + std::size_t{p} * width;
-    if constexpr (kWidth == 0) {
-      corrections.add(p, target);
-    } else {  // summed in registers
-      corrections.add(p, row);
+    float sums[kWidth == 0 ? 1 : kWidth] = {};
+    float* target = out + std::size_t{p} * columns;
+    float* row = kWidth == 0 ? target : sums;
+    const auto add = [&](float weight, const float* source) {
+      for (std::uint32_t j = 0; j < columns; ++j) row[j] += weight * source[j];
+    };
+    const float* u = factors.u.data() + std::size_t{p} * factors.clusters;
+    for (const NearPatch& near : factors.near[p])
+      add(near.factor, detail + std::size_t{near.patch} * columns);
+    for (const ClusterSlope& slope : factors.slopes[p]) {
+      const float unit = u[slope.cluster] / kSlopeUnit;
+      const float* axes = leaning + std::size_t{slope.cluster} * 2 * columns;
+      add(unit * static_cast<float>(slope.u), axes);
+      add(unit * static_cast<float>(slope.v), axes + columns);
+    }
+    if constexpr (kWidth != 0) {
       for (std::uint32_t j = 0; j < kWidth; ++j) target[j] += row[j];
     }
   }

@@ -225,9 +225,9 @@ Room build(const SourceScene& source, const RoomOptions& options) {
             ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
             : "no surfaces: every triangle has zero area; check the scale of the nodes");
   if (mesh.withoutArea > 0)
-    room.warnings.push_back(std::to_string(mesh.withoutArea) + " triangles without area are left out");
+    room.warnings.push_back("triangles without area are left out: " + std::to_string(mesh.withoutArea));
   if (mesh.duplicates > 0)
-    room.warnings.push_back(std::to_string(mesh.duplicates) + " triangles that repeat others are left out");
+    room.warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
   warnOfScale(mesh, room.warnings);
 
   UniqueNames names;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "precompute/effort.h"
-#include "precompute/far_field.h"
 #include "precompute/hemisphere.h"
+#include "precompute/kernel_factors.h"
 #include "precompute/parallel.h"
 #include "precompute/patch_sampler.h"
 #include "precompute/ray_sequence.h"
@@ -44,9 +44,9 @@ void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySeq
 }
 
 /// Turns the rays of row p and what is known of its surroundings into its U, near patches and slopes.
-/// `hits`: of all its rays, kNone where lost; farField: nullptr where only rays count.
-void finishRow(FormFactors& factors, std::uint32_t p, const FarField* farField,
-               std::vector<std::uint32_t>& hits, FarField::Row& row) {
+/// `hits`: of all its rays, kNone where lost; kernels: nullptr where only rays count.
+void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kernels,
+               std::vector<std::uint32_t>& hits, KernelFactors::Row& row) {
   const auto rays = static_cast<double>(hits.size());
   std::erase(hits, kNone);
   const auto met = static_cast<double>(hits.size());
@@ -58,7 +58,7 @@ void finishRow(FormFactors& factors, std::uint32_t p, const FarField* farField,
 
   // Where shadow rays saw far less than the rays met (a patch wedged into a corner, a sliver), trust the rays
   // alone.
-  const auto isAway = [&](std::uint32_t q) { return farField && !farField->tooClose(p, q); };
+  const auto isAway = [&](std::uint32_t q) { return kernels && !kernels->tooClose(p, q); };
   const auto away = static_cast<double>(std::count_if(hits.begin(), hits.end(), isAway));
   if (sumOf(met - away) > kPlausible * met / rays) {
     std::erase_if(hits, isAway);
@@ -114,28 +114,28 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
   const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
   const RaySequence sequence(most * options.rays);
   const std::uint64_t seed = mixBits(options.seed);
-  std::optional<FarField> farField;
-  if (!options.plain) farField.emplace(room, tracer, seed);
+  std::optional<KernelFactors> kernels;
+  if (!options.plain) kernels.emplace(room, tracer, seed);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto castRows = [&](std::size_t portion) {
     std::vector<std::uint32_t> hits;
-    FarField::Row row;
+    KernelFactors::Row row;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
       const PatchSampler sampler(room, p);
       castRays(tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
-      if (farField) {
-        farField->row(p, effort[p], sampler, row);
+      if (kernels) {
+        kernels->row(p, effort[p], sampler, row);
       } else {
         row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
       }
-      finishRow(factors, p, farField ? &*farField : nullptr, hits, row);
+      finishRow(factors, p, kernels ? &*kernels : nullptr, hits, row);
       factors.near[p] = row.near;
       factors.slopes[p] = row.slopes;
     }
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
-  if (farField) factors.slopeShare = farField->slopeShare();
+  if (kernels) factors.slopeShare = kernels->slopeShare();
   return factors;
 }
 

@@ -1,6 +1,6 @@
 // Form factors (core/form_factors.h). Cosine-distributed rays, stratified over the patch and over the
 // hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
-// far_field.h says the rest.
+// kernel_factors.h says the rest.
 #pragma once
 
 #include <cstdint>

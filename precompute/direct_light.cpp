@@ -120,7 +120,7 @@ class Shadow {
  private:
   void flush() {
     bool blocked[RayPacket::kSize];
-    tracer_.occluded(packet_, blocked);
+    tracer_.occluded(packet_, blocked, true);  // from one patch to one source
     for (std::uint32_t i = 0; i < packet_.count; ++i) {
       visible_[lane_[i]] = !blocked[i];
       blocked_ += blocked[i];
@@ -184,11 +184,11 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p) {
       const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(kPoints);
-      const std::uint32_t penumbra = (effort[p] < 4 ? 2 : 4) * options.split;
+      const bool isSmall = effort[p] >= 2;
+      const std::uint32_t split = (isSmall ? 2 : 1) * options.split, penumbra = (isSmall ? 4 : 2) * split;
       for (std::size_t j = 0; j < sources.size(); ++j) {
-        light[j * rows + p] =
-            static_cast<float>(patchLight(tracer, sources[j], points, options.split, penumbra,
-                                          mixBits(seed ^ (std::uint64_t{p} << 32 | j)), lit));
+        light[j * rows + p] = static_cast<float>(patchLight(
+            tracer, sources[j], points, split, penumbra, mixBits(seed ^ (std::uint64_t{p} << 32 | j)), lit));
       }
     }
   };

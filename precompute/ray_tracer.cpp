@@ -119,12 +119,13 @@ void RayTracer::intersect(const RayPacket& rays, HitPacket& hits) const {
   }
 }
 
-void RayTracer::occluded(const RayPacket& rays, bool* blocked) const {
+void RayTracer::occluded(const RayPacket& rays, bool* blocked, bool coherent) const {
   alignas(32) std::int32_t valid[RayPacket::kSize];
   RTCRay8 query;
   fill(rays, query, valid);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
+  if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded8(valid, parts_->scene, &context, &query);
   for (std::uint32_t i = 0; i < rays.count; ++i) blocked[i] = query.tfar[i] < 0;
 }

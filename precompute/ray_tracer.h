@@ -36,8 +36,9 @@ class RayTracer {
   /// Adds a ray to the packet (count < kSize), world coordinates, metres. `reach` in lengths of `direction`.
   void aim(RayPacket& rays, const Vec3& origin, const Vec3& direction, double reach) const;
   void intersect(const RayPacket& rays, HitPacket& hits) const;
-  /// blocked[i]: a triangle's front or back crosses ray i.
-  void occluded(const RayPacket& rays, bool* blocked) const;
+  /// blocked[i]: a triangle's front or back crosses ray i. `coherent`: faster where the rays go nearly the
+  /// same way, slower where not.
+  void occluded(const RayPacket& rays, bool* blocked, bool coherent = false) const;
   /// The patch that a ray met: kNone where it met nothing, a back that is no surface, or a hole of a chart.
   std::uint32_t patchOf(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
                         double distance) const;

@@ -5,6 +5,7 @@
 
 #include "core/short_number.h"
 #include "precompute/command_error.h"
+#include "precompute/transport_memory.h"
 
 namespace fiatlux {
 
@@ -15,17 +16,19 @@ void checkForeseenMemory(const RoomOptions& options, double patches, double clus
     std::string what, cure;
   };
   const std::string n = shortNumber(patches);
+  constexpr double kRowBytes = 600;  // geometry
+  const double kept = options.paper ? 0 : kUsualEntries * (sizeof(NearPatch) + sizeof(ClusterSlope));
   const Part parts[] = {
       {patches * clusters * 4, n + " patches x " + shortNumber(clusters) + " clusters",
        "a larger --patch or --cluster"},
-      {options.paper ? patches * std::min<double>(options.rays, patches) * 8 : 0,
+      {options.paper ? patches * std::min<double>(options.rays, patches) * sizeof(NearPatch) : 0,
        n + " patches x " + std::to_string(options.rays) + " rays", "a larger --patch or fewer --rays"},
       {rows * sites * 4, shortNumber(rows) + " patches x " + shortNumber(sites) + " sites",
        "a larger --patch or --site-spacing"},
       {surfaces * sites * sites * 8,
        shortNumber(surfaces) + " surfaces x " + shortNumber(sites) + " sites squared",
        "a larger --site-spacing"},
-      {rows * (options.paper ? 600 : 6600), n + " patches", "a larger --patch"}};
+      {rows * (kRowBytes + kept), n + " patches", "a larger --patch"}};
   double total = 0;
   const Part* largest = parts;
   for (const Part& part : parts) {

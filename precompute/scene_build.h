@@ -14,7 +14,7 @@
 namespace fiatlux {
 
 /// Changes whenever the same room and options would give other light: part of a room's identity.
-inline constexpr int kMethodVersion = 3;
+inline constexpr int kMethodVersion = 4;
 
 /// What a scene says, before any rounding. Takes the large arrays out of `transport`.
 Scene sceneOf(const Room& room, Transport& transport, const std::string& identity);

@@ -10,13 +10,12 @@ namespace fiatlux {
 
 namespace {
 
-/// What rows keep of single patches and of slopes: in paper mode one entry a ray at most, else about as many
-/// as furnished rooms have (the open office: 490 and 210).
+/// What rows keep of single patches and of slopes: in paper mode one entry a ray at most.
 double nearBytes(const Patches& patches, const TransportOptions& options) {
-  constexpr double kUsual = 512;
   const double rows = patches.rows(), n = patches.count, k = patches.clusterCount;
   if (options.paper) return rows * sizeof(NearPatch) * std::min<double>(options.rays, n);
-  return rows * (sizeof(NearPatch) * std::min(kUsual, n) + sizeof(ClusterSlope) * std::min(kUsual, k));
+  return rows *
+         (sizeof(NearPatch) * std::min(kUsualEntries, n) + sizeof(ClusterSlope) * std::min(kUsualEntries, k));
 }
 
 }  // namespace

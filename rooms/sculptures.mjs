@@ -25,7 +25,8 @@ export function twist(material, height = 0.75) {
     const t = i / levels;
     const half = 0.115 * (1 - 0.45 * t) * (1 + 0.12 * Math.sin(Math.PI * t));
     const ring = Array.from({ length: points }, (_, j) => {
-      const [c, s] = [Math.cos((2 * Math.PI * j) / points), Math.sin((2 * Math.PI * j) / points)];
+      const angle = (2 * Math.PI * (j + 0.5)) / points; // no point in the middle of a side, nearly on a line with the next
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
       const radius = half / (c ** 4 + s ** 4) ** 0.25; // a superellipse
       return [radius * c, gap + height * t, -radius * s];
     });

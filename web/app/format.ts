@@ -12,9 +12,15 @@ export function compact(value: number): string {
   return grouped(value.toFixed(digits));
 }
 
+/** `compact` for narrow columns: below 1 hundredths, "< 0.01" where there is less than half of one. */
+export function tabular(value: number): string {
+  if (!(value > 0 && value < 1)) return compact(value);
+  return value < 0.005 ? '< 0.01' : value.toFixed(2);
+}
+
 /** "480–560"; one number where both ends read the same. The dash may break a line. */
 export function spanText(low: number, high: number): string {
-  const [from, to] = [compact(low), compact(high)];
+  const [from, to] = [tabular(low), tabular(high)];
   return from === to ? from : `${from}–\u200b${to}`;
 }
 

@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals';
 import { encodeLink } from '../document/share-link.ts';
 import { linkOf } from '../document/sites.ts';
-import type { Project } from '../document/project-file.ts';
+import { writeProject, type Project } from '../document/project-file.ts';
 import { keepForReload } from '../document/reload.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { hasLink } from './address.ts';
@@ -86,7 +86,6 @@ export function createLeaving(store: Store, solving: Solving, viewer: Viewer): L
       }),
     saveProject: () =>
       saving('project file', async () => {
-        const { writeProject } = await import('../document/project-file.ts');
         download(name('.fiatlux.json'), writeProject(project()), 'application/json');
       }),
   };

@@ -1,6 +1,6 @@
 /** Files by button or drop: scenes, projects, and rooms that have no light yet. Nothing of them leaves the computer. */
 import { documentOf } from '../document/sites.ts';
-import type { Project } from '../document/project-file.ts';
+import { readProject, type Project } from '../document/project-file.ts';
 import { cleanName } from '../document/schema.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { askedOfUnknown, documentFrom } from './catalog.ts';
@@ -25,7 +25,6 @@ export function createFileOpening(
     if (!bytes) return void store.say('error', `“${name}” could not be read from the disk.`);
     if (/\.glb$/i.test(name)) return void (await preview(name, bytes));
     if (/\.flux$/i.test(name)) return openFlux(name, bytes);
-    const { readProject } = await import('../document/project-file.ts');
     const project = readProject(new TextDecoder().decode(bytes));
     if (typeof project !== 'string') await openProject(project);
     else

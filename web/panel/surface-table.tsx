@@ -6,7 +6,7 @@ import { ChevronRight } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { folded, type Fold } from '../app/families.ts';
-import { compact, ratio, spanText, unitOf } from '../app/format.ts';
+import { ratio, spanText, tabular, unitOf } from '../app/format.ts';
 import { unionOf } from '../app/statistics.ts';
 import type { Quantity } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
@@ -147,7 +147,7 @@ function SurfaceRow({ row, leaf, isMember }: Line & { isMember?: boolean }) {
           </button>
         )}
       </th>
-      <td class="number strong">{compact(row.mean)}</td>
+      <td class="number strong">{tabular(row.mean)}</td>
       <Readings {...row} />
     </tr>
   );
@@ -156,9 +156,9 @@ function SurfaceRow({ row, leaf, isMember }: Line & { isMember?: boolean }) {
 function Readings({ mean, sigma, min, max }: Pick<SurfaceResult, 'mean' | 'sigma' | 'min' | 'max'>) {
   return (
     <>
-      <td class="number">{compact(min)}</td>
-      <td class="number">{compact(max)}</td>
-      <td class="number">{compact(sigma)}</td>
+      <td class="number">{tabular(min)}</td>
+      <td class="number">{tabular(max)}</td>
+      <td class="number">{tabular(sigma)}</td>
       <td class="number">
         {ratio(min / mean)} <span class="faint">{ratio(min / max)}</span>
       </td>

@@ -10,6 +10,7 @@ import {
   percent,
   percentAtMost,
   spanText,
+  tabular,
 } from '../../../web/app/format.ts';
 import { coreOrder, fromCore, toCore } from '../../../web/app/luminaire-order.ts';
 import {
@@ -54,6 +55,14 @@ test('numbers as people write them', () => {
     '12.3',
     '123',
     '1\u202f235',
+  ]);
+  expect([0, 0.0004, 0.0979, 0.996, 1.03, 606].map(tabular)).toEqual([
+    '0',
+    '< 0.01',
+    '0.10',
+    '1.00',
+    '1.03',
+    '606',
   ]);
   expect([0, 0.0004, 0.052, 0.5, 1].map(percent)).toEqual(['0.0 %', '< 0.1 %', '5.2 %', '50 %', '100 %']);
   expect([0.7, 1, 12, 130, 999].map(niceCeiling)).toEqual([0.8, 1, 15, 150, 1000]);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/form_factors.h"
+#include "precompute/cluster_parts.h"
 #include "precompute/patch_sampler.h"
 #include "precompute/ray_sequence.h"
 #include "precompute/ray_tracer.h"
@@ -17,9 +18,9 @@
 namespace fiatlux {
 
 /// Thread-safe once built. Room and tracer must outlive it.
-class FarField {
+class KernelFactors {
  public:
-  FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed);
+  KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed);
 
   /// What one row gets from everything that is not too close.
   struct Row {
@@ -34,21 +35,15 @@ class FarField {
   bool tooClose(std::uint32_t p, std::uint32_t q) const;
 
   /// FormFactors::slopeShare, n x 2.
-  const std::vector<float>& slopeShare() const { return slopeShare_; }
+  const std::vector<float>& slopeShare() const { return clusters_.slopeShare(); }
 
  private:
   static constexpr std::uint32_t kMostRays = 256;      // shadow rays to one part
   static constexpr std::uint32_t kMostPatchRays = 16;  // and to one patch
   static constexpr std::uint32_t kGauss = 4;           // points of a patch for the kernel
 
-  struct Part {                          // about a quarter of a cluster
-    std::vector<std::uint32_t> members;  // patches
-    Vec3 center, normal;
-    double area = 0;
-    double u = 0, v = 0;  // of the centre from the cluster's, in edges of the cluster
-  };
   struct Candidate {            // a part or a patch that faces the row
-    std::uint32_t item;         // part, or parts_.size() + patch
+    std::uint32_t item;         // part, or firstPatch_ + patch
     std::uint32_t cluster;      // of it
     double kernel;              // form factor if nothing is between
     std::uint32_t asked = 0;    // shadow rays
@@ -56,21 +51,19 @@ class FarField {
     double arrived = 0;         // sum of the form factors that these stand for
   };
 
-  void addParts(std::uint32_t cluster);
-  void addSlopeShares(std::uint32_t cluster);
   std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
   void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
                    std::size_t last, std::vector<Candidate>& candidates) const;
   void write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const;
   /// Shadow rays to a patch where a part of about four patches gets so many.
   std::uint32_t raysTo(std::uint32_t item, std::uint32_t rays) const {
-    return item < parts_.size() ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);
+    return item < firstPatch_ ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);
   }
 
   /// Distance of a row from a cluster, in edges of both.
   double edgesTo(std::uint32_t p, std::uint32_t cluster) const;
   double areaOf(std::uint32_t item) const {
-    return item < parts_.size() ? parts_[item].area : room_.patches.area[item - parts_.size()];
+    return item < firstPatch_ ? clusters_.parts()[item].area : room_.patches.area[item - firstPatch_];
   }
   PatchPoint pointOn(std::uint32_t item, double u, double v) const;
 
@@ -78,15 +71,11 @@ class FarField {
   const RayTracer& tracer_;
   std::uint64_t seed_;
   RaySequence sequence_;
-  std::vector<std::vector<std::uint32_t>> members_;    // k: patches, ascending
-  std::vector<Part> parts_;                            // by cluster
-  std::vector<std::uint32_t> firstPart_;               // k + 1
-  std::vector<Vec3> center_;                           // k, m
-  std::vector<double> reach_;                          // k, m: edge of a square as large as the cluster
-  std::vector<double> patchReach_;                     // rows, m: the same of patches
+  ClusterParts clusters_;
+  std::uint32_t firstPatch_;                           // items: parts, from here on patches
+  std::vector<double> patchReach_;                     // rows, m: squareReach of patches
   std::vector<PatchSampler> samplers_;                 // n
   std::vector<std::array<PatchPoint, kGauss>> gauss_;  // n, points for the kernel
-  std::vector<float> slopeShare_;
 };
 
 }  // namespace fiatlux

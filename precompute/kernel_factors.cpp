@@ -1,4 +1,4 @@
-#include "precompute/far_field.h"
+#include "precompute/kernel_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,6 @@ std::int8_t inSlopeUnits(double slope) {
   return static_cast<std::int8_t>(std::lround(kSlopeUnit * std::clamp(slope, -1.0, 1.0)));
 }
 
-/// Edge of a square that reaches as far as points at most `radius` from their centre, or is as large.
-double reachOf(double area, double radius) { return std::max(std::sqrt(area), std::numbers::sqrt2 * radius); }
-
 /// Power that a small piece of surface at one end of d, from `leaving` to `arriving`, sends to a unit of area
 /// at the other: cos cos / (pi r^2), 0 where they face away.
 double kernel(const Vec3& d, const Vec3& leaving, const Vec3& arriving) {
@@ -37,119 +34,35 @@ double kernel(const Vec3& d, const Vec3& leaving, const Vec3& arriving) {
 
 }  // namespace
 
-FarField::FarField(const Room& room, const RayTracer& tracer, std::uint64_t seed)
-    : room_(room), tracer_(tracer), seed_(seed), sequence_(kMostRays) {
+KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed)
+    : room_(room),
+      tracer_(tracer),
+      seed_(seed),
+      sequence_(kMostRays),
+      clusters_(room),
+      firstPatch_(static_cast<std::uint32_t>(clusters_.parts().size())) {
   const Patches& patches = room.patches;
-  members_.resize(patches.clusterCount);
-  slopeShare_.resize(std::size_t{patches.count} * 2);
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     double radius = 0;
-    for (std::uint32_t f = room.fragmentOffset[p]; f < room.fragmentOffset[p + 1]; ++f) {
-      for (const Vec3& corner : room.fragments[f].corner)
+    for (const Fragment& fragment : room.fragmentsOf(p)) {
+      for (const Vec3& corner : fragment.corner)
         radius = std::max(radius, length(corner - patches.center[p]));
     }
-    patchReach_.push_back(reachOf(patches.area[p], radius));
+    patchReach_.push_back(squareReach(patches.area[p], radius));
     if (p >= patches.count) continue;
-    members_[patches.cluster[p]].push_back(p);
     samplers_.emplace_back(room, p);
     const std::vector<PatchPoint> points = samplers_[p].quadrature(2);
     std::copy_n(points.begin(), kGauss, gauss_.emplace_back().begin());
   }
-  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
-    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    addParts(c);
-    addSlopeShares(c);
-  }
-  firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
 }
 
-void FarField::addParts(std::uint32_t cluster) {
+double KernelFactors::edgesTo(std::uint32_t p, std::uint32_t cluster) const {
   const Patches& patches = room_.patches;
-  const std::vector<std::uint32_t>& members = members_[cluster];
-  Vec3 center;
-  double area = 0;
-  for (const std::uint32_t q : members) {
-    center += patches.area[q] * patches.center[q];
-    area += patches.area[q];
-  }
-  center = (1 / area) * center;
-  double radius = 0;
-  for (const std::uint32_t q : members) radius = std::max(radius, length(patches.center[q] - center));
-  center_.push_back(center);
-  reach_.push_back(reachOf(area, radius));
-
-  // The second moment of the cluster about its centre, its patches taken as squares.
-  double moment = 0, partMoment = 0;
-  for (const std::uint32_t q : members) {
-    const Vec3 d = patches.center[q] - center;
-    moment += patches.area[q] * (dot(d, d) + patches.area[q] / 6);
-  }
-
-  // Quarter the cluster along its chart's axes.
-  const Chart& chart = room_.charts[room_.chartOfPatch[members[0]]];
-  std::array<std::vector<std::uint32_t>, 4> quarters;
-  for (const std::uint32_t q : members) {
-    const Vec3 local = patches.center[q] - center;
-    quarters[(dot(local, chart.uAxis) > 0 ? 1 : 0) + (dot(local, chart.vAxis) > 0 ? 2 : 0)].push_back(q);
-  }
-  for (const auto& quarter : quarters) {
-    if (quarter.empty()) continue;
-    Part part;
-    for (const std::uint32_t q : quarter) {
-      part.center += patches.area[q] * patches.center[q];
-      part.normal += patches.area[q] * patches.normal[q];
-      part.area += patches.area[q];
-    }
-    part.members = quarter;
-    part.center = (1 / part.area) * part.center;
-    part.normal = normalized(part.normal);
-    const Vec3 d = part.center - center;
-    partMoment += part.area * dot(d, d);
-    parts_.push_back(part);
-  }
-
-  // Spread the points so that they have the cluster's second moment: on a square, Gauss's 2 x 2 nodes.
-  const double spread = partMoment > 1e-9 * moment ? std::sqrt(moment / partMoment) : 1;
-  for (std::size_t i = firstPart_.back(); i < parts_.size(); ++i) {
-    const Vec3 d = spread * (parts_[i].center - center);
-    parts_[i].center = center + d;
-    parts_[i].u = dot(d, chart.uAxis) / reach_[cluster];
-    parts_[i].v = dot(d, chart.vAxis) / reach_[cluster];
-  }
+  return length(clusters_.centerOf(cluster) - patches.center[p]) /
+         (clusters_.reachOf(cluster) + std::sqrt(patches.area[p]));
 }
 
-/// So that a light of first moment s over the cluster, sum f_i (u, v)_i of its parts' form factors over their
-/// sum, becomes the linear density that has this moment: patch q gets share_q + s . slopeShare_q. The second
-/// moments are those of the patches, taken as squares: parts in a row along a diagonal have none across it.
-void FarField::addSlopeShares(std::uint32_t cluster) {
-  const Patches& patches = room_.patches;
-  const Chart& chart = room_.charts[room_.chartOfPatch[members_[cluster][0]]];
-  const double reach = reach_[cluster];
-  const auto along = [&](std::uint32_t q, const Vec3& axis) {
-    return dot(patches.center[q] - center_[cluster], axis) / reach;
-  };
-  double uu = 0, uv = 0, vv = 0;
-  for (const std::uint32_t q : members_[cluster]) {
-    const double area = patches.area[q], u = along(q, chart.uAxis), v = along(q, chart.vAxis),
-                 own = area / (12 * reach * reach);
-    uu += area * (u * u + own);
-    uv += area * u * v;
-    vv += area * (v * v + own);
-  }
-  const double determinant = uu * vv - uv * uv;
-  for (const std::uint32_t q : members_[cluster]) {
-    const double weight = patches.area[q] / determinant, u = along(q, chart.uAxis), v = along(q, chart.vAxis);
-    slopeShare_[std::size_t{q} * 2] = static_cast<float>(weight * (vv * u - uv * v));
-    slopeShare_[std::size_t{q} * 2 + 1] = static_cast<float>(weight * (uu * v - uv * u));
-  }
-}
-
-double FarField::edgesTo(std::uint32_t p, std::uint32_t cluster) const {
-  const Patches& patches = room_.patches;
-  return length(center_[cluster] - patches.center[p]) / (reach_[cluster] + std::sqrt(patches.area[p]));
-}
-
-bool FarField::tooClose(std::uint32_t p, std::uint32_t q) const {
+bool KernelFactors::tooClose(std::uint32_t p, std::uint32_t q) const {
   const Patches& patches = room_.patches;
   if (edgesTo(p, patches.cluster[q]) >= kNearEdges) return false;
   return length(patches.center[q] - patches.center[p]) < kCloseEdges * (patchReach_[p] + patchReach_[q]);
@@ -157,9 +70,9 @@ bool FarField::tooClose(std::uint32_t p, std::uint32_t q) const {
 
 /// A point of a part or patch, uniform by area: the first number chooses the patch of a part, what is left of
 /// it the place there.
-PatchPoint FarField::pointOn(std::uint32_t item, double u, double v) const {
-  if (item >= parts_.size()) return samplers_[item - parts_.size()].at(u, v);
-  const Part& part = parts_[item];
+PatchPoint KernelFactors::pointOn(std::uint32_t item, double u, double v) const {
+  if (item >= firstPatch_) return samplers_[item - firstPatch_].at(u, v);
+  const ClusterPart& part = clusters_.parts()[item];
   const std::vector<double>& area = room_.patches.area;
   double along = u * part.area;
   std::size_t chosen = 0;
@@ -171,21 +84,22 @@ PatchPoint FarField::pointOn(std::uint32_t item, double u, double v) const {
 
 /// All parts of distant clusters and all patches of other ones, not too close, that the row can see at all;
 /// by cluster.
-std::vector<FarField::Candidate> FarField::candidatesOf(std::uint32_t p, const PatchSampler& sampler) const {
+std::vector<KernelFactors::Candidate> KernelFactors::candidatesOf(std::uint32_t p,
+                                                                  const PatchSampler& sampler) const {
   const Patches& patches = room_.patches;
   const Vec3 center = patches.center[p], normal = patches.normal[p];
   const std::vector<PatchPoint> points = sampler.quadrature(2);
   std::vector<Candidate> candidates;
   for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
     if (edgesTo(p, c) >= kNearEdges) {
-      for (std::uint32_t i = firstPart_[c]; i < firstPart_[c + 1]; ++i) {
-        const Part& part = parts_[i];
+      for (std::uint32_t i = clusters_.firstOf(c); i < clusters_.firstOf(c + 1); ++i) {
+        const ClusterPart& part = clusters_.parts()[i];
         const double factor = part.area * kernel(part.center - center, normal, part.normal);
         if (factor > 0) candidates.push_back({i, c, factor});
       }
       continue;
     }
-    for (const std::uint32_t q : members_[c]) {
+    for (const std::uint32_t q : clusters_.membersOf(c)) {
       if (tooClose(p, q)) continue;
       double factor = 0;
       for (const PatchPoint& from : points) {
@@ -193,7 +107,7 @@ std::vector<FarField::Candidate> FarField::candidatesOf(std::uint32_t p, const P
           factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
       }
       factor *= patches.area[q];
-      if (factor > 0) candidates.push_back({static_cast<std::uint32_t>(parts_.size()) + q, c, factor});
+      if (factor > 0) candidates.push_back({firstPatch_ + q, c, factor});
     }
   }
   return candidates;
@@ -202,8 +116,9 @@ std::vector<FarField::Candidate> FarField::candidatesOf(std::uint32_t p, const P
 /// Rays from all over the patch to all over each candidate: both ends share a four-dimensional sequence, so
 /// few rays already cover both, and what hides a cluster from one side of the patch only (a picture's frame)
 /// is not mistaken.
-void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler,
-                           std::size_t first, std::size_t last, std::vector<Candidate>& candidates) const {
+void KernelFactors::castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler,
+                                std::size_t first, std::size_t last,
+                                std::vector<Candidate>& candidates) const {
   RayPacket packet;
   std::size_t lane[RayPacket::kSize];
   double carried[RayPacket::kSize];
@@ -239,17 +154,16 @@ void FarField::castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSa
 }
 
 /// Writes down what row p gets from one cluster.
-void FarField::write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const {
+void KernelFactors::write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const {
   double sum = 0, leanU = 0, leanV = 0;
   for (const Candidate* candidate = first; candidate < last; ++candidate) {
     // note: not kernel x visible share, for what is hidden may be the part that would give most.
     const double factor =
         candidate->visible == candidate->asked ? candidate->kernel : candidate->arrived / candidate->asked;
-    if (factor > 0 && candidate->item >= parts_.size()) {
-      row.near.push_back(
-          {candidate->item - static_cast<std::uint32_t>(parts_.size()), static_cast<float>(factor)});
+    if (factor > 0 && candidate->item >= firstPatch_) {
+      row.near.push_back({candidate->item - firstPatch_, static_cast<float>(factor)});
     } else if (factor > 0) {
-      const Part& part = parts_[candidate->item];
+      const ClusterPart& part = clusters_.parts()[candidate->item];
       sum += factor;
       leanU += factor * part.u;
       leanV += factor * part.v;
@@ -263,14 +177,14 @@ void FarField::write(const Candidate* first, const Candidate* last, std::uint32_
         {static_cast<std::uint16_t>(cluster), inSlopeUnits(leanU / sum), inSlopeUnits(leanV / sum)});
 }
 
-void FarField::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const {
+void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const {
   row.u.assign(room_.patches.clusterCount, 0.0f);
   row.slopes.clear();
   row.near.clear();
   std::vector<Candidate> candidates = candidatesOf(p, sampler);
 
   const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
-  const std::uint32_t few = (effort + 3) / 4, many = 4 * effort * few;  // of 4 and kMostRays at most
+  const std::uint32_t few = effort, many = effort * std::max(4u, effort);  // kMostRays at most
   castShadows(seed, few, sampler, 0, candidates.size(), candidates);
 
   // A cluster that is seen in part is asked again, more often.
