@@ -1,5 +1,5 @@
-// What a person asks of the light: goals and constraints on statistics of surfaces (paper sections 2.1, 3.1, 3.4),
-// and the luminaires that may be used. Plain data; evaluation is in evaluator.h.
+// What a person asks of the light: goals and constraints on statistics of surfaces (paper
+// sections 2.1, 3.1, 3.4), and the luminaires that may be used. Plain data; evaluation is in evaluator.h.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,14 @@ enum class Statistic : std::uint8_t {
 
 enum class Sense : std::uint8_t { kMinimize, kMaximize };
 
-/// A set of leaf surfaces by index, sorted, unique. Empty means "all" (every leaf that is not a measuring plane).
+/// A set of leaf surfaces by index, sorted, unique. Empty means "all" (every leaf that is not a measuring
+/// plane).
 using SurfaceSet = std::vector<std::uint32_t>;
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Part of the objective: weight x (signed value / value of the start layout), summed over the goals and minimised.
+/// Part of the objective: weight x (signed value / value of the start layout), summed over the goals and
+/// minimised.
 struct Goal {
   Statistic statistic = Statistic::kSigma;  // mean, sigma, power or contrast
   Sense sense = Sense::kMinimize;
@@ -37,11 +39,13 @@ struct Goal {
 };
 
 /// lower <= statistic <= upper; either may be infinite. For kChebyshev: mu - alpha sigma >= lower and
-/// mu + alpha sigma <= upper. Violation = sum of max(0, excess) / |bound| (excess itself where the bound is 0).
+/// mu + alpha sigma <= upper. Violation = sum of max(0, excess) / |bound| (excess itself where the bound is
+/// 0).
 struct Constraint {
   Statistic statistic = Statistic::kMean;
-  double lower = -kUnbounded, upper = kUnbounded;  // in the unit of the quantity; a ratio for uniformity, contrast
-  double alpha = 1;                                // kChebyshev only
+  double lower = -kUnbounded,
+         upper = kUnbounded;  // in the unit of the quantity; a ratio for uniformity, contrast
+  double alpha = 1;           // kChebyshev only
   SurfaceSet surfaces, over;
 };
 
@@ -62,7 +66,8 @@ struct Intentions {
   Quantity quantity = Quantity::kIlluminance;
 };
 
-/// Where the luminaires are: luminaire i hangs on sites[i] (at most one a site) and emits dimming * flux[i] lm.
+/// Where the luminaires are: luminaire i hangs on sites[i] (at most one a site) and emits dimming * flux[i]
+/// lm.
 struct Layout {
   std::vector<std::uint32_t> sites;
   std::vector<double> flux;  // lm each, before dimming

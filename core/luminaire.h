@@ -1,19 +1,23 @@
-// A luminaire anywhere in a room: the free form of `fiatlux light`, of which a site is the special case that hangs.
+// A luminaire anywhere in a room: the free form of `fiatlux light`, of which a site is the special case that
+// hangs.
 #pragma once
 
 #include "core/vec3.h"
 
 namespace fiatlux {
 
-/// A Lambertian rectangle of width x height metres, or a point where both are 0. It neither blocks nor absorbs light;
-/// within 1 mm of a surface it hangs on it and shines from its front.
+/// A Lambertian rectangle of width x height metres, or a point where both are 0. It neither blocks nor
+/// absorbs light; within 1 mm of a surface it hangs on it and shines from its front.
 struct Luminaire {
-  Vec3 position;             // m, centre
-  Vec3 normal{0, -1, 0};     // unit, the direction it shines in
-  Vec3 axis{1, 0, 0};        // unit, along `width`, perpendicular to normal
+  Vec3 position;                 // m, centre
+  Vec3 normal{0, -1, 0};         // unit, the direction it shines in
+  Vec3 axis{1, 0, 0};            // unit, along `width`, perpendicular to normal
   double width = 0, height = 0;  // m
-  double flux = 0;           // lm
-  enum class Distribution { kLambertian, kIsotropic } distribution = Distribution::kLambertian;  // points only: isotropic
+  double flux = 0;               // lm
+  enum class Distribution {
+    kLambertian,
+    kIsotropic
+  } distribution = Distribution::kLambertian;  // points only: isotropic
 };
 
 }  // namespace fiatlux

@@ -49,7 +49,8 @@ std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout) {
   return light;
 }
 
-ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values, const SurfaceSet& surfaces) {
+ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values,
+                                      const SurfaceSet& surfaces) {
   std::vector<char> member(scene.surfaces.size(), 0);
   for (std::uint32_t s : leavesOf(scene, surfaces)) member[s] = 1;
   ExplicitStatistics result{0, 0, kUnbounded, -kUnbounded};

@@ -1,5 +1,5 @@
-// A scene, ready to be lit: what a .flux file holds once it is read and checked (scene_file.h), on both sides.
-// Everything the evaluator and the search need, and nothing of how it was computed.
+// A scene, ready to be lit: what a .flux file holds once it is read and checked (scene_file.h), on both
+// sides. Everything the evaluator and the search need, and nothing of how it was computed.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct SurfaceStatistics {
   std::vector<double> covariance;  // C_s, m x m, row-major, symmetric, paper (11)
 };
 
-/// Light of every patch for each site at 1 lm. Column j holds rows() values: illuminance in lx per lm, direct light
-/// and all interreflections; exitance (reflected, lm/m2) is reflectance times that.
+/// Light of every patch for each site at 1 lm. Column j holds rows() values: illuminance in lx per lm, direct
+/// light and all interreflections; exitance (reflected, lm/m2) is reflectance times that.
 struct Responses {
   std::uint32_t rows = 0, sites = 0;
   std::vector<float> illuminance;  // column-major rows x sites
@@ -31,8 +31,8 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Site> sites;
   Responses responses;
-  std::vector<float> errorBound;  // per surface, the largest |stored - true| of illuminance, as a share of the
-                                  // surface's mean response to that site; guards true minima and maxima
+  std::vector<float> errorBound;  // per surface, the largest |stored - true| of illuminance, as a share of
+                                  // the surface's mean response to that site; guards true minima and maxima
   std::vector<SurfaceStatistics> illuminance;  // per leaf surface
   std::vector<SurfaceStatistics> exitance;     // per leaf surface; empty for measuring planes
 };
@@ -44,10 +44,12 @@ SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const S
 /// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j.
 std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout);
 
-/// Statistics of a surface set read off explicit values, one per row: area-weighted mean and sigma, least, largest.
+/// Statistics of a surface set read off explicit values, one per row: area-weighted mean and sigma, least,
+/// largest.
 struct ExplicitStatistics {
   double mean = 0, sigma = 0, minimum = 0, maximum = 0;
 };
-ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values, const SurfaceSet& surfaces);
+ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values,
+                                      const SurfaceSet& surfaces);
 
 }  // namespace fiatlux

@@ -1,4 +1,5 @@
-// The commands of `fiatlux`, one file each (<name>_command.cpp). Each adds its subcommand and options to the command line.
+// The commands of `fiatlux`, one file each (<name>_command.cpp). Each adds its subcommand and options to the
+// command line.
 #pragma once
 
 namespace CLI {

@@ -1,5 +1,5 @@
-// Charts -> patches: what of a chart's faces lies in one cell of its grid. Patches follow area, not triangles:
-// a wall has as many however it is triangulated.
+// Charts -> patches: what of a chart's faces lies in one cell of its grid. Patches follow area, not
+// triangles: a wall has as many however it is triangulated.
 #pragma once
 
 #include <string>

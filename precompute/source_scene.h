@@ -1,5 +1,5 @@
-// A glTF 2.0 file, checked and flattened into world-space triangles with materials; the boundary beyond which no
-// tinygltf type passes (gltf_model.h).
+// A glTF 2.0 file, checked and flattened into world-space triangles with materials; the boundary beyond which
+// no tinygltf type passes (gltf_model.h).
 #pragma once
 
 #include <array>
@@ -26,10 +26,11 @@ struct SourceMaterial {
   std::array<double, 4> baseColor{1, 1, 1, 1};  // linear factor
   int image = -1;                               // index of the base-colour texture's image, -1 none
   int texCoord = 0;
-  std::array<double, 5> uvTransform{0, 0, 1, 1, 0};  // offset u, v, scale u, v, rotation (KHR_texture_transform)
-  int wrapS = 10497, wrapT = 10497;             // glTF sampler codes
+  std::array<double, 5> uvTransform{0, 0, 1, 1,
+                                    0};  // offset u, v, scale u, v, rotation (KHR_texture_transform)
+  int wrapS = 10497, wrapT = 10497;      // glTF sampler codes
   bool doubleSided = false, unlit = false;
-  double roughness = 1, metallic = 0;           // for display only: all surfaces are diffuse to the solver
+  double roughness = 1, metallic = 0;  // for display only: all surfaces are diffuse to the solver
   enum class Alpha { kOpaque, kMask, kBlend } alpha = Alpha::kOpaque;
 };
 
@@ -41,10 +42,10 @@ struct NodeExtras {
   std::optional<double> siteSpacing;  // m
 };
 
-/// One primitive of one node instance, in world space (metres after --scale), triangulated, mirrored transforms undone so that
-/// counter-clockwise is the front.
+/// One primitive of one node instance, in world space (metres after --scale), triangulated, mirrored
+/// transforms undone so that counter-clockwise is the front.
 struct SourceMesh {
-  std::string node;  // plain name of the node ("node 7" where the file has none)
+  std::string node;             // plain name of the node ("node 7" where the file has none)
   std::uint32_t nodeIndex = 0;  // of the glTF; instances of one mesh on several nodes differ here
   int material = -1;            // -1 = glTF's default material
   NodeExtras extras;
@@ -63,9 +64,11 @@ struct SourceScene {
   std::string hash;  // 16 hex digits over the file, its buffers and its images
 };
 
-/// Reads and checks a .glb or .gltf file with its siblings. Never opens anything outside the file's folder, never a URL.
+/// Reads and checks a .glb or .gltf file with its siblings. Never opens anything outside the file's folder,
+/// never a URL.
 Result<SourceScene> readSourceScene(const std::string& path, double scale);
 /// The same from memory (tests, fuzzing): `name` is for messages; external files are refused.
-Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name, double scale);
+Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name,
+                                    double scale);
 
 }  // namespace fiatlux

@@ -289,8 +289,8 @@ TEST(SceneFile, SitesMayShareColumns) {
   }
 }
 
-/// The file of a scene whose sites share columns as given: `weights[i]` of column `columns[i]`, from `offsets[j]` on
-/// for site j.
+/// The file of a scene whose sites share columns as given: `weights[i]` of column `columns[i]`, from
+/// `offsets[j]` on for site j.
 std::vector<std::uint8_t> fileWithWeights(const Scene& scene, const std::vector<std::uint32_t>& offsets,
                                           const std::vector<std::uint32_t>& columns,
                                           const std::vector<double>& weights) {
