@@ -38,6 +38,15 @@ struct Source {
   }
 };
 
+/// Whether a point gets any light of the source if nothing is between.
+bool faces(const Source& source, const Vec3& position, const Vec3& normal) {
+  const Luminaire& l = source.luminaire;
+  if (source.oneSided && dot(position - l.position, l.normal) <= kFront) return false;
+  if (source.isPoint) return dot(l.position - position, normal) > 0;
+  return std::any_of(source.corners.begin(), source.corners.end(),
+                     [&](const Vec3& corner) { return dot(corner - position, normal) > 0; });
+}
+
 /// lx without any shadow.
 double unshadowed(const Source& source, const Vec3& position, const Vec3& normal) {
   const Luminaire& l = source.luminaire;
@@ -75,14 +84,16 @@ class Shadow {
  public:
   Shadow(const RayTracer& tracer, const Source& source) : tracer_(tracer), source_(source) {}
 
-  /// visible[i * split^2 + part] for each point i that is lit at all (lit[i] > 0); true elsewhere.
-  void cast(const std::vector<PatchPoint>& points, const std::vector<double>& lit, std::uint32_t split,
-            Random random) {
+  /// visible[i * split^2 + part] for each point i that faces the source; true elsewhere. `untilMixed`: no
+  /// further than it takes to see that the verdict is 0.
+  void cast(const std::vector<PatchPoint>& points, const std::vector<char>& facing, std::uint32_t split,
+            bool untilMixed, Random random) {
     split_ = source_.isPoint ? 1 : split;
     const std::uint32_t parts = split_ * split_;
     visible_.assign(points.size() * parts, 1);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (lit[i] <= 0) continue;
+      if (!facing[i]) continue;
+      if (untilMixed && cast_ > 0 && verdict() == 0) return;
       const Vec3 origin = points[i].position + tracer_.offset() * points[i].normal;
       for (std::uint32_t part = 0; part < parts; ++part) {
         const double u = (part % split_ + random.unit()) / split_,
@@ -138,34 +149,26 @@ class Shadow {
   std::size_t lane_[RayPacket::kSize];
 };
 
-/// Light at each point if nothing were between; returns the mean.
-double unshadowedMean(const Source& source, const std::vector<PatchPoint>& points, std::vector<double>& lit) {
-  lit.assign(points.size(), 0.0);
-  double sum = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    lit[i] = unshadowed(source, points[i].position, points[i].normal);
-    sum += points[i].weight * lit[i];
-  }
-  return sum;
-}
-
 /// Mean illuminance over one patch by its `points`: shadow rays to split x split parts of the source from
-/// each, and to penumbra x penumbra where a shadow's edge crosses the patch.
+/// each, and to penumbra x penumbra where a shadow's edge crosses the patch. `facing` is scratch.
 double patchLight(const RayTracer& tracer, const Source& source, const std::vector<PatchPoint>& points,
-                  std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed, std::vector<double>& lit) {
-  const double sum = unshadowedMean(source, points, lit);
-  if (sum <= 0) return 0;
+                  std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed,
+                  std::vector<char>& facing) {
+  facing.clear();
+  for (const PatchPoint& point : points) facing.push_back(faces(source, point.position, point.normal));
   Shadow probe(tracer, source);
-  probe.cast(points, lit, split, Random(seed));
-  if (probe.verdict() != 0) return probe.verdict() > 0 ? sum : 0;
+  probe.cast(points, facing, split, true, Random(seed));
+  if (probe.verdict() < 0) return 0;
 
   Shadow shadow(tracer, source);
-  shadow.cast(points, lit, penumbra, Random(seed, 1));
-  double seen = 0;
+  if (probe.verdict() == 0) shadow.cast(points, facing, penumbra, false, Random(seed, 1));
+  double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (lit[i] > 0) seen += points[i].weight * lit[i] * shadow.visibleShare(points[i], i);
+    if (!facing[i]) continue;
+    const double lit = points[i].weight * unshadowed(source, points[i].position, points[i].normal);
+    sum += probe.verdict() > 0 ? lit : lit * shadow.visibleShare(points[i], i);
   }
-  return seen;
+  return sum;
 }
 
 }  // namespace
@@ -180,15 +183,16 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
   constexpr std::uint32_t kRows = 32;   // a thread's portion
   constexpr std::uint32_t kPoints = 4;  // on a patch's edge: fewer miss the shadows of table legs and frames
   const auto lightRows = [&](std::size_t portion) {
-    std::vector<double> lit;
+    std::vector<char> facing;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p) {
       const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(kPoints);
       const bool isSmall = effort[p] >= 2;
       const std::uint32_t split = (isSmall ? 2 : 1) * options.split, penumbra = (isSmall ? 4 : 2) * split;
       for (std::size_t j = 0; j < sources.size(); ++j) {
-        light[j * rows + p] = static_cast<float>(patchLight(
-            tracer, sources[j], points, split, penumbra, mixBits(seed ^ (std::uint64_t{p} << 32 | j)), lit));
+        light[j * rows + p] =
+            static_cast<float>(patchLight(tracer, sources[j], points, split, penumbra,
+                                          mixBits(seed ^ (std::uint64_t{p} << 32 | j)), facing));
       }
     }
   };
@@ -199,12 +203,11 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
 double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const Luminaire& luminaire,
                      std::uint32_t split, std::uint64_t seed) {
   const Source source(luminaire);
-  const std::vector<PatchPoint> points = {receiver};
-  const std::vector<double> lit = {unshadowed(source, receiver.position, receiver.normal)};
-  if (lit[0] <= 0) return 0;
+  if (!faces(source, receiver.position, receiver.normal)) return 0;
   Shadow shadow(tracer, source);
-  shadow.cast(points, lit, split, Random(mixBits(seed)));
-  return shadow.verdict() > 0 ? lit[0] : lit[0] * shadow.visibleShare(receiver, 0);
+  shadow.cast({receiver}, {1}, split, false, Random(mixBits(seed)));
+  const double lit = unshadowed(source, receiver.position, receiver.normal);
+  return shadow.verdict() > 0 ? lit : lit * shadow.visibleShare(receiver, 0);
 }
 
 Luminaire luminaireOf(const Site& site) {
