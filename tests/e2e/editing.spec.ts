@@ -114,9 +114,18 @@ test('a luminaire that is dragged pins itself while the others place themselves 
   await page.getByRole('button', { name: 'Pin L2' }).click();
   await expect(page.getByRole('button', { name: 'Unpin L2' })).toHaveAttribute('aria-pressed', 'true');
   const held = (await places(page))[1];
-  await page.getByRole('textbox', { name: /Flux of each/ }).fill('2500');
+  const flux = page.getByRole('textbox', { name: /Flux of each/ });
+  await flux.fill('2500');
   await settled(page);
   expect((await places(page))[1]).toBe(held);
+  await flux.fill('2');
+  await flux.fill('26');
+  await flux.press('Escape'); // takes back what was typed
+  await expect(flux).toHaveValue('2500');
+
+  await page.getByRole('button', { name: 'Pin L1' }).click();
+  await page.getByRole('textbox', { name: 'Luminaires', exact: true }).fill('1');
+  await expect(page.getByText('No fewer: 2 are pinned.')).toBeVisible();
 });
 
 test('intentions are added, edited and removed, with every verb', async ({ page }) => {

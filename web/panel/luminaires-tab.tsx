@@ -95,6 +95,9 @@ function CountAndFlux() {
         onInput={(next) => set('Change the number of luminaires', { count: next })}
         onEnd={end}
       />
+      {pinned.length > 1 && count <= pinned.length && (
+        <p class="field-note">No fewer: {pinned.length} are pinned.</p>
+      )}
       <SliderRow
         label="Flux of each"
         value={flux}

@@ -38,9 +38,11 @@ const written = (value: number | undefined) =>
 export function NumberField(props: Props) {
   const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
   const [draft, setDraft] = useState<string | null>(null);
+  const [before, setBefore] = useState(value); // the typing began
   const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
   const isWrong = draft !== null && draft !== '' && readNumber(draft, unit) === null;
   const take = (text: string) => {
+    if (draft === null) setBefore(value);
     setDraft(text);
     const next = readNumber(text, unit);
     if (next !== null && !waits?.(next)) onInput(fit(next));
@@ -51,6 +53,11 @@ export function NumberField(props: Props) {
     const waiting = draft === null ? null : readNumber(draft, unit);
     if (waiting !== null && waits?.(waiting)) onInput(fit(waiting));
     setDraft(null);
+    onEnd?.();
+  };
+  const takeBack = () => {
+    setDraft(null);
+    if (value !== before) onInput(before);
     onEnd?.();
   };
   return (
@@ -69,6 +76,10 @@ export function NumberField(props: Props) {
         onBlur={end}
         onKeyDown={(event) => {
           if (event.key === 'Enter') return end();
+          if (event.key === 'Escape' && draft !== null) {
+            event.stopPropagation(); // what it would close stays open
+            return takeBack();
+          }
           if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
           event.preventDefault();
           const next = stepped(event, value ?? 0, step);
