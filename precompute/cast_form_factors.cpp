@@ -116,6 +116,7 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
   const std::uint64_t seed = mixBits(options.seed);
   std::optional<KernelFactors> kernels;
   if (!options.plain) kernels.emplace(room, tracer, seed);
+  const std::uint32_t finer = std::clamp(options.rays / kUsualRays, 1u, kMostEffort);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto castRows = [&](std::size_t portion) {
     std::vector<std::uint32_t> hits;
@@ -125,7 +126,7 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
       const PatchSampler sampler(room, p);
       castRays(tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
       if (kernels) {
-        kernels->row(p, effort[p], sampler, row);
+        kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
       } else {
         row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
       }

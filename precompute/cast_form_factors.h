@@ -13,9 +13,12 @@
 
 namespace fiatlux {
 
+inline constexpr std::uint32_t kUsualRays = 1024;
+
 struct CastOptions {
-  std::uint32_t rays = 1024;  // from every patch and receiver at least: times its effort (effort.h)
-  bool plain = false;         // as in the paper: the same rays from every patch, and nothing but rays
+  // From every patch and receiver, times its effort (effort.h). More than usual mean more shadow rays, too.
+  std::uint32_t rays = kUsualRays;
+  bool plain = false;  // as in the paper: the same rays from every patch, and nothing but rays
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;

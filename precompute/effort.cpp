@@ -5,7 +5,6 @@
 namespace fiatlux {
 
 std::vector<std::uint32_t> effortOfRows(const Patches& patches) {
-  constexpr std::uint32_t kMost = 16;
   std::vector<std::uint32_t> size;
   for (const std::uint32_t s : patches.surface) {
     size.resize(std::max<std::size_t>(size.size(), s + 1), 0);
@@ -17,7 +16,7 @@ std::vector<std::uint32_t> effortOfRows(const Patches& patches) {
     std::vector<std::uint32_t> effort;
     std::uint64_t total = 0;
     for (const std::uint32_t s : patches.surface) {
-      effort.push_back(std::clamp(enough / size[s], 1u, kMost));
+      effort.push_back(std::clamp(enough / size[s], 1u, kMostEffort));
       total += effort.back();
     }
     if (enough == 1 || total <= 2 * std::uint64_t{patches.rows()}) return effort;

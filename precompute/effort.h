@@ -9,7 +9,9 @@
 
 namespace fiatlux {
 
-/// A factor from 1 to 16 for every row, the same on all rows of a surface, their mean at most 2.
+inline constexpr std::uint32_t kMostEffort = 16;
+
+/// A factor from 1 to kMostEffort for every row, the same on all rows of a surface, their mean at most 2.
 std::vector<std::uint32_t> effortOfRows(const Patches& patches);
 
 }  // namespace fiatlux

@@ -28,7 +28,7 @@ class KernelFactors {
     std::vector<ClusterSlope> slopes;  // of distant clusters, except far ones
     std::vector<NearPatch> near;       // patches of the other clusters
   };
-  /// effort: of effort.h, 1 to 16.
+  /// effort: of effort.h, 1 to kMostEffort.
   void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
 
   /// Whether patch q is too close to row p for this estimate: then only rays tell.

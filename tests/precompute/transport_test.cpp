@@ -90,8 +90,7 @@ TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(one->residuals, five->residuals);
 }
 
-// note: sigmas of surfaces of a hundred patches or more; the block's sides are lit so evenly (sigma is 0.3 %
-// of the mean) that a change of 0.05 % in single patches is a tenth of sigma.
+// note: the block's sides are lit so evenly (sigma is 0.3 % of the mean) that the rays show in it.
 TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
   const Room room = furnishedBox();
   TransportOptions options;
@@ -111,7 +110,7 @@ TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
       const SurfaceStatistics &a = one->illuminance[s], &b = two->illuminance[s];
       const bool bright = a.mean[j] > 0.05 * mean;
       EXPECT_NEAR(b.mean[j] / a.mean[j], 1, bright ? 0.005 : 0.02) << room.surfaces[s].name << ", site " << j;
-      if (room.surfaces[s].patches < 100) continue;
+      if (sigmaOf(a, j) < 0.005 * a.mean[j]) continue;
       EXPECT_NEAR(sigmaOf(b, j) / sigmaOf(a, j), 1, bright ? 0.01 : 0.05)
           << room.surfaces[s].name << ", site " << j;
     }
@@ -171,6 +170,22 @@ TEST(FormFactors, ASmallBrightSpotIsSeenWithoutNoiseWhereverItIs) {
       ASSERT_NEAR(received[p], exact, 0.1 * exact + 2e-4) << "patch " << p;
     }
   }
+}
+
+TEST(FormFactors, MoreRaysMeanLessNoiseOfWhatIsPartlyHidden) {
+  const Room room = furnishedBox();
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  const auto noise = [&](std::uint32_t rays) {
+    const FormFactors one = castFormFactors(room, *tracer, {rays, false, 1, 0, {}});
+    const FormFactors two = castFormFactors(room, *tracer, {rays, false, 2, 0, {}});
+    double squares = 0;
+    for (std::size_t i = 0; i < one.u.size(); ++i) squares += std::pow(one.u[i] - two.u[i], 2);
+    return std::sqrt(squares);
+  };
+  const double usual = noise(1024);
+  EXPECT_LT(noise(4096), 0.6 * usual);
+  EXPECT_GT(usual, 0);
 }
 
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
