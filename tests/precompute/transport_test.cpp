@@ -90,7 +90,8 @@ TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(one->residuals, five->residuals);
 }
 
-// note: the block's sides are lit so evenly (sigma is 0.3 % of the mean) that the rays show in it.
+// note: except sigmas of the block's sides, lit so evenly (0.3 % of the mean) that a change of 0.05 % in
+// single patches is a tenth of sigma.
 TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
   const Room room = furnishedBox();
   TransportOptions options;
