@@ -24,8 +24,8 @@ struct Patches {
   std::vector<float> reflectance;      // 0..0.95; 0 for receivers
   std::vector<std::uint32_t> surface;  // index into the surfaces
   std::vector<std::uint32_t> cluster;  // of each patch, 0..k-1: V has its non-zero of row q there
-  std::vector<std::uint32_t> left,
-      up;  // the neighbour one cell before in its chart's grid (smaller index), or kNone
+  // The neighbour one cell before in its chart's grid (smaller index), or kNone.
+  std::vector<std::uint32_t> left, up;
 
   std::uint32_t rows() const { return static_cast<std::uint32_t>(area.size()); }
 };

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <optional>
 
-#include "precompute/effort.h"
 #include "precompute/hemisphere.h"
 #include "precompute/kernel_factors.h"
 #include "precompute/parallel.h"
@@ -58,10 +57,10 @@ void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kerne
 
   // Where shadow rays saw far less than the rays met (a patch wedged into a corner, a sliver), trust the rays
   // alone.
-  const auto isAway = [&](std::uint32_t q) { return kernels && !kernels->tooClose(p, q); };
-  const auto away = static_cast<double>(std::count_if(hits.begin(), hits.end(), isAway));
-  if (sumOf(met - away) > kPlausible * met / rays) {
-    std::erase_if(hits, isAway);
+  const auto isClose = [&](std::uint32_t q) { return !kernels || kernels->tooClose(p, q); };
+  const auto away = std::partition(hits.begin(), hits.end(), isClose);
+  if (sumOf(static_cast<double>(away - hits.begin())) > kPlausible * met / rays) {
+    hits.erase(away, hits.end());
   } else {
     row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
   }

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "core/form_factors.h"
+#include "precompute/effort.h"
 #include "precompute/ray_tracer.h"
 #include "precompute/room.h"
 
 namespace fiatlux {
-
-inline constexpr std::uint32_t kUsualRays = 1024;
 
 struct CastOptions {
   // From every patch and receiver, times its effort (effort.h). More than usual mean more shadow rays, too.

@@ -9,6 +9,9 @@
 
 namespace fiatlux {
 
+/// Rays from a row of effort 1, unless asked otherwise (--rays; docs/transport.md says why so many).
+inline constexpr std::uint32_t kUsualRays = 1024;
+
 inline constexpr std::uint32_t kMostEffort = 16;
 
 /// A factor from 1 to kMostEffort for every row, the same on all rows of a surface, their mean at most 2.

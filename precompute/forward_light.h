@@ -8,13 +8,14 @@
 
 #include "core/luminaire.h"
 #include "core/result.h"
+#include "precompute/effort.h"
 #include "precompute/ray_tracer.h"
 #include "precompute/room.h"
 
 namespace fiatlux {
 
 struct ForwardOptions {
-  std::uint32_t rays = 1024;  // from every patch and receiver
+  std::uint32_t rays = kUsualRays;  // from every patch and receiver
   std::uint64_t seed = 1;
   unsigned threads = 0;      // 0: all cores
   bool directOnly = false;   // no reflections (emergency lighting, EN 1838)

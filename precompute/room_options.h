@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "core/luminaire.h"
+#include "precompute/effort.h"
 
 namespace fiatlux {
 
 struct RoomOptions {
-  double patch = 0;           // m, edge of a patch; 0: so that n is about 25 000
-  std::uint32_t cluster = 4;  // patches on a cluster's edge
-  std::vector<std::string>
-      mounts;              // names of nodes or surfaces where luminaires may hang (besides extras.mount)
-  double siteSpacing = 0;  // m; 0: what the extras say, else a sensible default
-  double siteSize = 0;     // m, side of a site's square; 0: the spacing
+  double patch = 0;                   // m, edge of a patch; 0: so that n is about 25 000
+  std::uint32_t cluster = 4;          // patches on a cluster's edge
+  std::vector<std::string> mounts;    // nodes or surfaces where luminaires may hang (besides extras.mount)
+  double siteSpacing = 0;             // m; 0: what the extras say, else a sensible default
+  double siteSize = 0;                // m, side of a site's square; 0: the spacing
   std::vector<std::string> measures;  // names of measuring planes (besides extras.measure)
   double scale = 1;                   // metres per unit of the file
   double memory = 4;                  // GB, refused above
-  std::uint32_t rays = 1024;          // per patch that will be cast later: only to foresee the memory
+  std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory
   bool paper = false;                 // clusters stay exactly cluster x cluster, however many there are
   std::vector<Luminaire> luminaires;  // known beforehand: what they light stays, even if it faces the void
   bool requireSites = true;           // false: a room without a place to hang luminaires is fine

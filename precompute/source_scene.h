@@ -26,9 +26,9 @@ struct SourceMaterial {
   std::array<double, 4> baseColor{1, 1, 1, 1};  // linear factor
   int image = -1;                               // index of the base-colour texture's image, -1 none
   int texCoord = 0;
-  std::array<double, 5> uvTransform{0, 0, 1, 1,
-                                    0};  // offset u, v, scale u, v, rotation (KHR_texture_transform)
-  int wrapS = 10497, wrapT = 10497;      // glTF sampler codes
+  // Offset u, v, scale u, v, rotation (KHR_texture_transform).
+  std::array<double, 5> uvTransform{0, 0, 1, 1, 0};
+  int wrapS = 10497, wrapT = 10497;  // glTF sampler codes
   bool doubleSided = false, unlit = false;
   double roughness = 1, metallic = 0;  // for display only: all surfaces are diffuse to the solver
   enum class Alpha { kOpaque, kMask, kBlend } alpha = Alpha::kOpaque;

@@ -12,13 +12,14 @@
 #include "core/form_factors.h"
 #include "core/result.h"
 #include "core/scene.h"
+#include "precompute/effort.h"
 #include "precompute/room.h"
 
 namespace fiatlux {
 
 struct TransportOptions {
-  std::uint32_t rays = 1024;  // from every patch and receiver
-  std::uint32_t refine = 2;   // refinement steps after the low-rank answer
+  std::uint32_t rays = kUsualRays;  // from every patch and receiver
+  std::uint32_t refine = 2;         // refinement steps after the low-rank answer
   bool paper = false;  // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores; the result does not depend on it

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "precompute/effort.h"
+
 namespace fiatlux {
 
 struct ValidationOptions {
-  std::uint32_t rays = 1024;
+  std::uint32_t rays = kUsualRays;
   std::uint64_t seed = 1;
   unsigned threads = 0;
 };
