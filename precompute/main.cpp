@@ -4,10 +4,10 @@
 #include <exception>
 #include <new>
 
-#include "precompute/atomic_file.h"
-#include "precompute/command_error.h"
-#include "precompute/commands.h"
-#include "precompute/progress.h"
+#include "precompute/base/error.h"
+#include "precompute/commands/commands.h"
+#include "precompute/files/files_on_disk.h"
+#include "precompute/files/terminal.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Say what the light in a room should do; the luminaires find their places."};

@@ -7,6 +7,7 @@ import { createRequire } from 'node:module';
 import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { closureOf, librariesOf, sourcesOf } from './libraries.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..');
 const isRoot = process.getuid?.() === 0;
@@ -125,26 +126,24 @@ function cmake(preset, targets = []) {
   run('cmake', ['--build', '--preset', preset, '-j', jobs, ...wanted], { env });
 }
 
-/** Sources that use a scene file or ask another question: the sample rooms do not change with them. */
-const notTransport =
-  /_command\.cpp$|^(main|alpha|guarantees|bound|relaxed|vns|neighborhood|evaluator|objective|dimming|kernels|prepared|session|shown|start_|intentions_json|convex|diagonal|patch_extremes|validat|svg|experiment|solve|forward_light|point_light|results)/;
-
 /** Makes the sample rooms and precomputes those whose room, options or method changed. */
 async function sampleRooms() {
   const scenes = path.join(root, 'public', 'scenes');
   mkdirSync(scenes, { recursive: true });
-  const sources = (folder) =>
-    readdirSync(path.join(root, folder))
-      .filter((name) => /\.(cpp|h|mjs)$/.test(name) && !notTransport.test(name))
-      .sort()
-      .map((name) => readFileSync(path.join(root, folder, name)));
+  const generators = readdirSync(path.join(root, 'rooms'))
+    .sort()
+    .map((name) => readFileSync(path.join(root, 'rooms', name)));
   const { catalog } = await import('../rooms/catalog.mjs');
   const glbs = catalog.map((room) => path.join(scenes, `${room.id}.glb`));
-  once('rooms', hashOf(...sources('rooms')), glbs, () => {
+  once('rooms', hashOf(...generators), glbs, () => {
     say('Making the sample rooms');
     run('node', ['rooms/make.mjs']);
   });
-  const method = hashOf(...sources('core'), ...sources('precompute'));
+  const method = hashOf(
+    ...closureOf(librariesOf(root), 'precompute/pipeline')
+      .flatMap((folder) => sourcesOf(root, folder))
+      .map((file) => readFileSync(path.join(root, file))),
+  );
   for (const { id, precompute } of catalog) {
     const glb = path.join(scenes, `${id}.glb`);
     const flux = path.join(scenes, `${id}.flux`);

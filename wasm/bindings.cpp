@@ -4,7 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include "core/session.h"
+#include "core/session/session.h"
 
 namespace fiatlux {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/kernels.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/search/kernels.h"
 
 namespace fiatlux {
 namespace {

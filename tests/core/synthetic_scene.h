@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.h"
-#include "core/scene.h"
+#include "core/base/random.h"
+#include "core/scene/scene.h"
 
 namespace fiatlux {
 

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <vector>
 
-#include "precompute/build_room.h"
-#include "precompute/display_mesh.h"
+#include "precompute/geometry/build_room.h"
+#include "precompute/picture/display_mesh.h"
 #include "tests/fuzz/json_mutation.h"
 #include "tests/fuzz/one_line.h"
 

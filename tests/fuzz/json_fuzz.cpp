@@ -7,11 +7,11 @@
 #include <cstring>
 #include <string>
 
-#include "core/bound.h"
-#include "core/guarantees.h"
-#include "core/session.h"
-#include "precompute/intentions_json.h"
-#include "precompute/layout_json.h"
+#include "core/alpha/guarantees.h"
+#include "core/bound/bound.h"
+#include "core/session/session.h"
+#include "precompute/files/intentions_json.h"
+#include "precompute/files/layout_json.h"
 #include "tests/core/synthetic_scene.h"
 #include "tests/fuzz/json_mutation.h"
 #include "tests/fuzz/one_line.h"

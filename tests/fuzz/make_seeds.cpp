@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/scene_sections.h"
-#include "precompute/scene_io.h"
+#include "core/scene/scene_sections.h"
+#include "precompute/files/scene_io.h"
 #include "tests/core/corridor_scene.h"
 #include "tests/core/synthetic_scene.h"
-#include "tests/precompute/gltf_builder.h"
+#include "tests/precompute/gltf/gltf_builder.h"
 
 namespace fiatlux {
 namespace {
@@ -160,7 +160,7 @@ Bytes sceneFile(const Scene& scene, bool deflate) {
   plain.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
                                static_cast<std::uint32_t>(provenance.size()), 1,
                                {provenance.begin(), provenance.end()}));
-  if (deflate) return assembleSceneFile(scene.identity, countsOf(scene), deflateSections(std::move(plain)));
+  if (deflate) return assembleSceneFile(scene.identity, countsOf(scene), storeSections(plain, zlibDeflate));
   std::vector<StoredSection> stored;
   for (PlainSection& part : plain) stored.push_back({part.section, std::move(part.bytes)});
   return assembleSceneFile(scene.identity, countsOf(scene), stored);

@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/random.h"
-#include "core/scene_file.h"
-#include "core/section_codec.h"
-#include "core/session.h"
-#include "precompute/scene_io.h"
+#include "core/base/random.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/section_codec.h"
+#include "core/session/session.h"
+#include "precompute/files/scene_io.h"
 #include "tests/fuzz/one_line.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
@@ -57,7 +57,8 @@ Bytes fileOf(Parts parts, bool deflate) {
                                           std::max(1u, s.columns), std::move(part.bytes), s.errorBound));
   }
   if (deflate)
-    return assembleSceneFile(parts.identity, parts.counts, fiatlux::deflateSections(std::move(plain)));
+    return assembleSceneFile(parts.identity, parts.counts,
+                             fiatlux::storeSections(plain, fiatlux::zlibDeflate));
   for (fiatlux::PlainSection& part : plain) stored.push_back({part.section, std::move(part.bytes)});
   return assembleSceneFile(parts.identity, parts.counts, stored);
 }

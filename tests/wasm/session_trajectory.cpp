@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene_sections.h"
+#include "core/scene/scene_sections.h"
 #include "tests/core/synthetic_scene.h"
 #include "tests/wasm/open_file.h"
 

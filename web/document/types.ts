@@ -1,7 +1,7 @@
 /**
  * What was asked: the one immutable document of the app. Undo, autosave, project files and share links all carry
  * this; what is shown (the light of a layout) lives apart, in `Shown` of the solver's answers.
- * Words and units are those of the core (core/intentions.h) and of intentions.json.
+ * Words and units are those of the core (core/search/intentions.h) and of intentions.json.
  */
 
 export type Quantity = 'illuminance' | 'exitance'; // lx, or reflected lm/m2 (the paper's B)

@@ -95,7 +95,7 @@ export interface BoundProgress {
   readonly gap: number | null; // the best possible is better than the incumbent by at most this share; null = unknown
 }
 
-/** The order of core/intentions.h. */
+/** The order of core/search/intentions.h. */
 export const statisticCodes = {
   mean: 0,
   sigma: 1,

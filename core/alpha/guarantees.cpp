@@ -1,0 +1,62 @@
+// True extremes asked for, their Chebyshev form, and whether they hold; see guarantees.h.
+#include "core/alpha/guarantees.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/search/validate_intentions.h"
+
+namespace fiatlux {
+
+bool isGuarantee(const Constraint& c) {
+  return (c.statistic == Statistic::kMinimum && std::isfinite(c.lower)) ||
+         (c.statistic == Statistic::kMaximum && std::isfinite(c.upper));
+}
+
+Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentions) {
+  if (auto ok = checkIntentions(scene, intentions); !ok) return ok;
+  for (const Constraint& c : intentions.constraints)
+    if (isGuarantee(c)) return Done{};
+  return Error{
+      "there is no guarantee to find an alpha for; add a constraint on \"minimum\" with \"min\", or on "
+      "\"maximum\" "
+      "with \"max\""};
+}
+
+Intentions chebyshevProblem(const Intentions& intentions, double alpha) {
+  Intentions problem = intentions;
+  problem.constraints.clear();
+  for (const Constraint& c : intentions.constraints) {
+    if (!isGuarantee(c)) {
+      problem.constraints.push_back(c);
+      continue;
+    }
+    const bool minimum = c.statistic == Statistic::kMinimum;
+    Constraint replaced{Statistic::kChebyshev, -kUnbounded, kUnbounded, alpha, c.surfaces, {}};
+    (minimum ? replaced.lower : replaced.upper) = minimum ? c.lower : c.upper;
+    problem.constraints.push_back(replaced);
+    // The other side of a guarantee (a minimum from above, say) has no Chebyshev form and stays what it is.
+    Constraint rest = c;
+    (minimum ? rest.lower : rest.upper) = minimum ? -kUnbounded : kUnbounded;
+    if (std::isfinite(rest.lower) || std::isfinite(rest.upper)) problem.constraints.push_back(rest);
+  }
+  return problem;
+}
+
+Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
+                       const Layout& layout) {
+  std::vector<double> flux = layout.flux;
+  for (double& lumens : flux) lumens *= layout.dimming;
+  PatchExtremes patches(scene, quantity, surfaces);
+  patches.load(layout.sites.data(), flux.data(), static_cast<std::uint32_t>(flux.size()));
+  return patches.current();
+}
+
+double shortfallOf(const Constraint& guarantee, const Extremes& extremes) {
+  const bool minimum = guarantee.statistic == Statistic::kMinimum;
+  const double bound = minimum ? guarantee.lower : guarantee.upper;
+  const double excess = minimum ? bound - extremes.minimumLow : extremes.maximumHigh - bound;
+  return excess / std::max(std::fabs(bound), 1e-12);
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,150 @@
+// The dual ascent; see bound.h.
+#include "core/bound/bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/search/start_layout.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kStepsPerRound = 300, kRounds = 200, kFruitlessRounds = 25;
+constexpr std::uint32_t kPolishSteps = 12000, kShifts = 50, kShiftStep = 200, kMostSitesToShift = 600;
+
+}  // namespace
+
+OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions, const Evaluation& incumbent,
+                           const Layout* reference)
+    : sites_(prepared.siteCount()),
+      relaxation_(prepared.siteCount(), intentions.luminaires),
+      bound_(-kUnbounded),
+      bestDual_(-kUnbounded) {
+  const LuminaireRules& rules = intentions.luminaires;
+  problem_ = relaxIntentions(prepared, intentions,
+                             reference ? *reference : Layout{spreadSites(prepared, rules), {}, 1});
+  if (!problem_.supported) return;
+  if (problem_.squared && rules.dimmingLow == rules.dimmingHigh && sites_ <= kMostSitesToShift)
+    shift_ = std::make_unique<DiagonalShift>(sites_, problem_.covariance);
+  multipliers_.assign(problem_.sides.size(), 0.0);
+  bestMultipliers_ = multipliers_;
+  target_ = problem_.squared ? incumbent.goal * incumbent.goal : incumbent.goal;
+  openRound();
+}
+
+/// The Lagrangian for the multipliers: goal + sum of multiplier x side, all convex.
+void OptimumBound::openRound() {
+  ConvexObjective lagrangian = problem_.goal;
+  for (std::size_t k = 0; k < problem_.sides.size(); ++k) {
+    const double multiplier = multipliers_[k];
+    if (multiplier <= 0) continue;
+    lagrangian.constant += multiplier * problem_.sides[k].constant;
+    lagrangian.perDimming += multiplier * problem_.sides[k].perDimming;
+    for (std::uint32_t j = 0; j < sites_; ++j)
+      lagrangian.linear[j] += multiplier * problem_.sides[k].linear[j];
+    for (ConvexTerm term : problem_.sides[k].terms) {
+      term.weight *= multiplier;
+      lagrangian.terms.push_back(std::move(term));
+    }
+  }
+  relaxation_.setObjective(std::move(lagrangian));
+  stepsInRound_ = 0;
+}
+
+void OptimumBound::advance(std::uint32_t steps) {
+  while (steps > 0 && !done()) {
+    if (stage_ == Stage::kShift) {
+      std::vector<double> weights(sites_);
+      for (std::uint32_t j = 0; j < sites_; ++j)
+        weights[j] = std::max(1e-3, relaxation_.x()[j] / problem_.flux.largest *
+                                        (1 - relaxation_.x()[j] / problem_.flux.largest));
+      steps -= std::min(steps, kShiftStep);
+      if (++shifts_ <= kShifts && shift_->step(weights)) continue;
+      // x^T C x = x^T (C - D) x + sum d x^2, and x^2 >= least x on a site in use (<= largest x where d < 0).
+      const std::vector<double>& d = shift_->diagonal();
+      problem_.goal.constant = 0;
+      problem_.goal.terms = {{std::make_shared<const std::vector<double>>(shift_->shifted()), 1, false}};
+      for (std::uint32_t j = 0; j < sites_; ++j)
+        problem_.goal.linear[j] = d[j] * (d[j] > 0 ? problem_.flux.least : problem_.flux.largest);
+      multipliers_ = bestMultipliers_;
+      stage_ = Stage::kPolish;
+      openRound();
+      continue;
+    }
+    --steps;
+    const bool moving = relaxation_.step();
+    ++stepsInRound_;
+    const double gap = relaxation_.value() - relaxation_.bound();
+    const bool closed = !moving || gap <= 2e-5 * std::fabs(relaxation_.value());
+    if (closed || stepsInRound_ >= (stage_ == Stage::kPolish ? kPolishSteps : kStepsPerRound)) closeRound();
+  }
+}
+
+void OptimumBound::closeRound() {
+  const double dual = relaxation_.bound();
+  keep(dual);
+  if (stage_ == Stage::kPolish) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  if (dual > bestDual_ + 1e-6 * std::fabs(dual)) {
+    bestDual_ = dual;
+    bestMultipliers_ = multipliers_;
+    fruitless_ = 0;
+  } else if (++fruitless_ % 5 == 0) {
+    pace_ *= 0.5;
+  }
+  // Polyak: towards the incumbent's value along the broken (and the slack) sides.
+  double square = 0;
+  std::vector<double> slope(problem_.sides.size());
+  for (std::size_t k = 0; k < problem_.sides.size(); ++k) {
+    slope[k] = constraintValue(problem_.sides[k]);
+    if (slope[k] < 0 && multipliers_[k] <= 0) slope[k] = 0;
+    square += slope[k] * slope[k];
+  }
+  const double short_ = target_ - dual;
+  if (square <= 1e-14 || short_ <= 1e-9 * std::fabs(target_) || ++rounds_ >= kRounds ||
+      fruitless_ >= kFruitlessRounds)
+    return closeMultipliers();
+  for (std::size_t k = 0; k < problem_.sides.size(); ++k)
+    multipliers_[k] = std::max(0.0, multipliers_[k] + pace_ * short_ / square * slope[k]);
+  openRound();
+}
+
+void OptimumBound::closeMultipliers() {
+  multipliers_ = bestMultipliers_;
+  stage_ = shift_ && shift_->ok() ? Stage::kShift : Stage::kPolish;
+  if (stage_ == Stage::kPolish) openRound();
+}
+
+double OptimumBound::constraintValue(const ConvexObjective& form) const {
+  const std::vector<double>& x = relaxation_.x();
+  double value = form.constant + form.perDimming * relaxation_.t();
+  for (std::uint32_t j = 0; j < sites_; ++j) value += form.linear[j] * x[j];
+  for (const ConvexTerm& term : form.terms) {
+    double quadratic = 0;
+    for (std::uint32_t i = 0; i < sites_; ++i) {
+      if (x[i] == 0) continue;
+      double sum = 0;
+      for (std::uint32_t j = 0; j < sites_; ++j) sum += (*term.matrix)[std::size_t{i} * sites_ + j] * x[j];
+      quadratic += x[i] * sum;
+    }
+    value += term.weight * std::sqrt(std::max(0.0, quadratic));
+  }
+  return value;
+}
+
+/// A proved value of the objective becomes one of the goal, less the rounding of the sums.
+void OptimumBound::keep(double dual) {
+  const double safe = dual - 1e-9 * std::fabs(dual);
+  const double goal = !problem_.squared ? safe : safe > 0 ? std::sqrt(safe) : 0;
+  bound_ = std::max(bound_, goal);
+}
+
+std::optional<double> OptimumBound::within(const Evaluation& evaluation) const {
+  if (!problem_.supported || evaluation.violation > 1e-9 || !std::isfinite(bound_)) return std::nullopt;
+  if (bound_ == 0 || (bound_ > 0) != (evaluation.goal > 0)) return std::nullopt;
+  return std::max(0.0, evaluation.goal - bound_) / std::fabs(bound_);
+}
+
+}  // namespace fiatlux

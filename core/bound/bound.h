@@ -1,0 +1,60 @@
+// How good is a layout, provably? A value that no layout meeting the intentions can beat, by convex
+// relaxation (relaxed_intentions.h), Lagrange multipliers for the constraints, and z_i^2 = z_i moved out of
+// the covariance's diagonal. Only dual values are told, never an unconverged primal one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/bound/convex_relaxation.h"
+#include "core/bound/diagonal_shift.h"
+#include "core/bound/relaxed_intentions.h"
+#include "core/search/objective.h"
+
+namespace fiatlux {
+
+class OptimumBound {
+ public:
+  /// `reference` as for Evaluator, so that goals are in the same units. `incumbent`: the best layout known;
+  /// the better, the sooner the bound is tight. Precondition: checkIntentions passed. Matrices are copied;
+  /// nothing is referred to.
+  OptimumBound(PreparedScene& prepared, const Intentions& intentions, const Evaluation& incumbent,
+               const Layout* reference = nullptr);
+
+  /// False where no bound is known: without a goal, or with a contrast as goal.
+  bool supported() const { return problem_.supported; }
+
+  /// Goes on for about so many Frank-Wolfe steps (O(sites) each; a Newton step counts as 200).
+  void advance(std::uint32_t steps);
+  bool done() const { return !problem_.supported || stage_ == Stage::kDone; }
+
+  /// No layout that meets the constraints has an Evaluation::goal below this; -infinity until something is
+  /// proved.
+  double goal() const { return bound_; }
+
+  /// The best possible is better than `evaluation` by at most this share; nothing while nothing is proved, or
+  /// when the evaluation violates a constraint.
+  std::optional<double> within(const Evaluation& evaluation) const;
+
+ private:
+  enum class Stage : std::uint8_t { kMultipliers, kShift, kPolish, kDone };
+
+  void openRound();
+  void closeRound();
+  void closeMultipliers();
+  void keep(double value);
+  double constraintValue(const ConvexObjective& form) const;
+
+  std::uint32_t sites_ = 0;
+  RelaxedIntentions problem_;
+  ConvexRelaxation relaxation_;
+  std::vector<double> multipliers_, bestMultipliers_;  // of problem_.sides
+  std::unique_ptr<DiagonalShift> shift_;
+  double target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
+  Stage stage_ = Stage::kMultipliers;
+  std::uint32_t stepsInRound_ = 0, rounds_ = 0, fruitless_ = 0, shifts_ = 0;
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,157 @@
+// Frank-Wolfe on split luminaires; see convex_relaxation.h.
+#include "core/bound/convex_relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/search/objective.h"
+
+namespace fiatlux {
+namespace {
+
+double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+double termValue(const ConvexTerm& term, double quadratic) {
+  const double q = std::max(0.0, quadratic);
+  return term.weight * (term.root ? std::sqrt(q) : q);
+}
+
+}  // namespace
+
+ConvexRelaxation::ConvexRelaxation(std::uint32_t sites, const LuminaireRules& rules)
+    : sites_(sites), usable_(sites, 1), low_(rules.dimmingLow), high_(rules.dimmingHigh), x_(sites, 0.0) {
+  for (std::uint32_t site : rules.excluded) usable_[site] = 0;
+  for (std::uint32_t i = 0; i < rules.count; ++i) {
+    if (i < rules.pinned.size()) {
+      pinned_.emplace_back(rules.pinned[i], fluxOf(rules, i));
+      usable_[rules.pinned[i]] = 0;
+    } else {
+      fluxes_.push_back(fluxOf(rules, i));
+    }
+  }
+  std::sort(fluxes_.begin(), fluxes_.end(), std::greater<>());
+  t_ = high_;
+  double total = 0, free = 0;
+  for (double flux : fluxes_) total += flux;
+  for (char usable : usable_) free += usable;
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    if (usable_[j]) x_[j] = high_ * total / free;  // the centre of the hull
+  for (const auto& [site, flux] : pinned_) x_[site] = high_ * flux;
+}
+
+void ConvexRelaxation::setObjective(ConvexObjective objective) {
+  objective_ = std::move(objective);
+  bound_ = -kUnbounded;
+  refreshProducts();
+}
+
+/// M x anew, so that rounding does not pile up.
+void ConvexRelaxation::refreshProducts() {
+  products_.assign(objective_.terms.size(), std::vector<double>(sites_, 0.0));
+  quadratics_.assign(objective_.terms.size(), 0.0);
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const double* matrix = objective_.terms[k].matrix->data();
+    for (std::uint32_t i = 0; i < sites_; ++i) {
+      if (x_[i] == 0) continue;
+      const double* row = matrix + std::size_t{i} * sites_;
+      for (std::uint32_t j = 0; j < sites_; ++j) products_[k][j] += x_[i] * row[j];
+    }
+    quadratics_[k] = dotOf(x_, products_[k]);
+  }
+}
+
+/// The layout and dimming that a linear objective likes best: the largest flux on the smallest entry, and so
+/// on.
+ConvexRelaxation::Corner ConvexRelaxation::bestCorner(const std::vector<double>& gradient,
+                                                      double perDimming) const {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    if (usable_[j]) order.push_back(j);
+  const std::size_t count = std::min(fluxes_.size(), order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::uint32_t a, std::uint32_t b) {
+                      return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
+                    });
+  Corner corner;
+  corner.x = pinned_;
+  for (std::size_t i = 0; i < count; ++i) corner.x.emplace_back(order[i], fluxes_[i]);
+  double value = perDimming;
+  for (const auto& [site, flux] : corner.x) value += flux * gradient[site];
+  corner.t = value < 0 ? high_ : low_;
+  for (auto& [site, flux] : corner.x) flux *= corner.t;
+  return corner;
+}
+
+bool ConvexRelaxation::step() {
+  std::vector<double> gradient = objective_.linear;
+  value_ = objective_.constant + objective_.perDimming * t_ + dotOf(objective_.linear, x_);
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const ConvexTerm& term = objective_.terms[k];
+    value_ += termValue(term, quadratics_[k]);
+    const double factor =
+        term.root ? (quadratics_[k] > 0 ? term.weight / std::sqrt(quadratics_[k]) : 0) : 2 * term.weight;
+    for (std::uint32_t j = 0; j < sites_; ++j) gradient[j] += factor * products_[k][j];
+  }
+  const Corner corner = bestCorner(gradient, objective_.perDimming);
+  double gap = dotOf(gradient, x_) + objective_.perDimming * (t_ - corner.t);
+  for (const auto& [site, flux] : corner.x) gap -= gradient[site] * flux;
+  bound_ = std::max(bound_, value_ - std::max(0.0, gap));
+  if (gap <= 1e-9 * (std::fabs(value_) + 1e-300)) return false;
+
+  // Along d = corner - x: the quadratics need s^T M x and s^T M s, N rows of each matrix.
+  std::vector<double> crossed(objective_.terms.size(), 0.0), squares(objective_.terms.size(), 0.0);
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const double* matrix = objective_.terms[k].matrix->data();
+    for (const auto& [site, flux] : corner.x) {
+      crossed[k] += flux * products_[k][site];
+      for (const auto& [other, otherFlux] : corner.x)
+        squares[k] += flux * otherFlux * matrix[std::size_t{site} * sites_ + other];
+    }
+  }
+  double slope = objective_.perDimming * (corner.t - t_) - dotOf(objective_.linear, x_);
+  for (const auto& [site, flux] : corner.x) slope += objective_.linear[site] * flux;
+  const double gamma = lineSearch(crossed, squares, slope);
+  for (double& x : x_) x *= 1 - gamma;
+  for (const auto& [site, flux] : corner.x) x_[site] += gamma * flux;
+  t_ += gamma * (corner.t - t_);
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const double* matrix = objective_.terms[k].matrix->data();
+    for (double& product : products_[k]) product *= 1 - gamma;
+    for (const auto& [site, flux] : corner.x) {
+      const double* row = matrix + std::size_t{site} * sites_;
+      for (std::uint32_t j = 0; j < sites_; ++j) products_[k][j] += gamma * flux * row[j];
+    }
+    quadratics_[k] = dotOf(x_, products_[k]);
+  }
+  return true;
+}
+
+/// The gamma in [0, 1] that minimises the objective along the step, by bisection of its rising derivative.
+double ConvexRelaxation::lineSearch(const std::vector<double>& crossed, const std::vector<double>& squares,
+                                    double slope) const {
+  const auto derivative = [&](double gamma) {
+    double sum = slope;
+    for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+      const ConvexTerm& term = objective_.terms[k];
+      const double b = crossed[k] - quadratics_[k], a = squares[k] - 2 * crossed[k] + quadratics_[k];
+      const double rise = 2 * (b + gamma * a);
+      const double q = std::max(1e-300, quadratics_[k] + 2 * gamma * b + gamma * gamma * a);
+      sum += term.weight * (term.root ? rise / (2 * std::sqrt(q)) : rise);
+    }
+    return sum;
+  };
+  if (derivative(1) <= 0) return 1;
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    (derivative(middle) > 0 ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,69 @@
+// The problem with its one hard wish let go: luminaires may be split over sites (z in [0, 1], sum z = N, or
+// that much flux), everything else convex. Frank-Wolfe (1956) steps; what counts is not the value but the
+// value less the duality gap, which no real layout can beat however early one stops.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/search/intentions.h"
+
+namespace fiatlux {
+
+/// weight x^T M x, or weight sqrt(x^T M x) where `root`; M is m x m, row-major, symmetric, positive
+/// semidefinite. weight >= 0.
+struct ConvexTerm {
+  std::shared_ptr<const std::vector<double>> matrix;
+  double weight = 0;
+  bool root = false;
+};
+
+/// constant + linear x + perDimming t + sum of terms, for fluxes x (lm a site, dimmed) and the dimming t.
+struct ConvexObjective {
+  double constant = 0, perDimming = 0;
+  std::vector<double> linear;  // m
+  std::vector<ConvexTerm> terms;
+};
+
+/// Minimises over the convex hull of all (x, t) that layouts under the rules give; the minimum distance is
+/// let go too.
+class ConvexRelaxation {
+ public:
+  ConvexRelaxation(std::uint32_t sites, const LuminaireRules& rules);
+
+  /// A new objective with the matrices of the old one or others; keeps the point, forgets the bound.
+  void setObjective(ConvexObjective objective);
+
+  /// One Frank-Wolfe step with exact line search; false when the gap has closed.
+  bool step();
+
+  /// No layout under the rules has a smaller objective.
+  double bound() const { return bound_; }
+  double value() const { return value_; }
+  const std::vector<double>& x() const { return x_; }
+  double t() const { return t_; }
+
+ private:
+  struct Corner {
+    std::vector<std::pair<std::uint32_t, double>> x;  // site, lm
+    double t = 1;
+  };
+  Corner bestCorner(const std::vector<double>& gradient, double perDimming) const;
+  double lineSearch(const std::vector<double>& productWithCorner, const std::vector<double>& squares,
+                    double slope) const;
+  void refreshProducts();
+
+  std::uint32_t sites_;
+  std::vector<double> fluxes_;  // movable ones, largest first
+  std::vector<std::pair<std::uint32_t, double>> pinned_;
+  std::vector<char> usable_;
+  double low_, high_;
+  ConvexObjective objective_;
+  std::vector<double> x_;
+  double t_ = 1, value_ = 0, bound_ = 0;
+  std::vector<std::vector<double>> products_;  // M x of each term
+  std::vector<double> quadratics_;             // x^T M x of each term
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,31 @@
+// A luminaire anywhere in a room: the free form of `fiatlux light`, of which a site is the special case that
+// hangs.
+#pragma once
+
+#include "core/base/vec3.h"
+#include "core/scene/patches.h"
+
+namespace fiatlux {
+
+/// A Lambertian rectangle of width x height metres, or a point where both are 0. It neither blocks nor
+/// absorbs light; within 1 mm of a surface it hangs on it and shines from its front.
+struct Luminaire {
+  Vec3 position;                 // m, centre
+  Vec3 normal{0, -1, 0};         // unit, the direction it shines in
+  Vec3 axis{1, 0, 0};            // unit, along `width`, perpendicular to normal
+  double width = 0, height = 0;  // m
+  double flux = 0;               // lm
+  enum class Distribution {
+    kLambertian,
+    kIsotropic
+  } distribution = Distribution::kLambertian;  // points only: isotropic
+};
+
+/// Light starts this far in front of a luminaire, and shadow rays end there, m: what it hangs on (within
+/// 1 mm) never shadows it.
+inline constexpr double kLuminaireClearance = 0.002;
+
+/// A site as a luminaire of 1 lm.
+Luminaire luminaireOf(const Site& site);
+
+}  // namespace fiatlux

@@ -1,0 +1,78 @@
+// Unions of surfaces, and the explicit light of a layout against which every fast path is tested.
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fiatlux {
+namespace {
+
+SurfaceSet leavesOf(const Scene& scene, const SurfaceSet& surfaces) {
+  if (!surfaces.empty()) return surfaces;
+  SurfaceSet all;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (!scene.surfaces[s].measuring) all.push_back(s);
+  return all;
+}
+
+}  // namespace
+
+SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces) {
+  const auto& leaves = quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
+  const SurfaceSet members = leavesOf(scene, surfaces);
+  const std::size_t m = scene.sites.size();
+  SurfaceStatistics result{std::vector<double>(m), std::vector<double>(m * m)};
+  double total = 0;
+  for (std::uint32_t s : members) total += scene.surfaces[s].area;
+  for (std::uint32_t s : members) {
+    const double weight = scene.surfaces[s].area / total;
+    const SurfaceStatistics& leaf = leaves[s];
+    for (std::size_t i = 0; i < m; ++i) {
+      result.mean[i] += weight * leaf.mean[i];
+      double* row = result.covariance.data() + i * m;
+      for (std::size_t j = 0; j < m; ++j)
+        row[j] += weight * (leaf.covariance[i * m + j] + leaf.mean[i] * leaf.mean[j]);
+    }
+  }
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < m; ++j) result.covariance[i * m + j] -= result.mean[i] * result.mean[j];
+  return result;
+}
+
+std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout) {
+  std::vector<float> light(scene.responses.rows, 0.0f);
+  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
+    const float* column = scene.responses.column(layout.sites[i]);
+    const auto flux = static_cast<float>(layout.dimming * layout.flux[i]);
+    for (std::size_t p = 0; p < light.size(); ++p) light[p] += flux * column[p];
+  }
+  return light;
+}
+
+ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values,
+                                      const SurfaceSet& surfaces) {
+  std::vector<char> member(scene.surfaces.size(), 0);
+  for (std::uint32_t s : leavesOf(scene, surfaces)) member[s] = 1;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ExplicitStatistics result{0, 0, kInfinity, -kInfinity};
+  double area = 0, sum = 0, squares = 0;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (!member[scene.patches.surface[p]]) continue;
+    const double weight = scene.patches.area[p];
+    area += weight;
+    sum += weight * values[p];
+    result.minimum = std::min<double>(result.minimum, values[p]);
+    result.maximum = std::max<double>(result.maximum, values[p]);
+  }
+  result.mean = sum / area;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (!member[scene.patches.surface[p]]) continue;
+    const double deviation = values[p] - result.mean;
+    squares += scene.patches.area[p] * deviation * deviation;
+  }
+  result.sigma = std::sqrt(squares / area);
+  return result;
+}
+
+}  // namespace fiatlux

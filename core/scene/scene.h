@@ -1,0 +1,55 @@
+// A scene, ready to be lit: what a .flux file holds once it is read and checked (scene_file.h), on both
+// sides. Everything the evaluator and the search need, and nothing of how it was computed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/scene/layout.h"
+#include "core/scene/patches.h"
+
+namespace fiatlux {
+
+/// Statistics of one leaf surface's responses: mu = a x and sigma^2 = x^T C x for site fluxes x (lm).
+struct SurfaceStatistics {
+  std::vector<double> mean;        // a_s, m entries: lx (or lm/m2) per lm, paper (8)
+  std::vector<double> covariance;  // C_s, m x m, row-major, symmetric, paper (11)
+};
+
+/// Light of every patch for each site at 1 lm. Column j holds rows() values: illuminance in lx per lm, direct
+/// light and all interreflections; exitance (reflected, lm/m2) is reflectance times that.
+struct Responses {
+  std::uint32_t rows = 0, sites = 0;
+  std::vector<float> illuminance;  // column-major rows x sites
+  const float* column(std::uint32_t site) const { return illuminance.data() + std::size_t{site} * rows; }
+};
+
+struct Scene {
+  std::string identity;  // 16 hex digits: source, options that change the light, version of the method
+  Patches patches;
+  std::vector<Surface> surfaces;
+  std::vector<Site> sites;
+  Responses responses;
+  std::vector<float> errorBound;  // per surface, the largest |stored - true| of illuminance, as a share of
+                                  // the surface's mean response to that site; guards true minima and maxima
+  std::vector<SurfaceStatistics> illuminance;  // per leaf surface
+  std::vector<SurfaceStatistics> exitance;     // per leaf surface; empty for measuring planes
+};
+
+/// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,
+/// C = sum w_i (C_i + a_i a_i^T) - a a^T. `surfaces` empty means all leaves that are not measuring planes.
+SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces);
+
+/// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j.
+std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout);
+
+/// Statistics of a surface set read off explicit values, one per row: area-weighted mean and sigma, least,
+/// largest.
+struct ExplicitStatistics {
+  double mean = 0, sigma = 0, minimum = 0, maximum = 0;
+};
+ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values,
+                                      const SurfaceSet& surfaces);
+
+}  // namespace fiatlux

@@ -1,0 +1,258 @@
+// Every section against the counts, then every value against its range; only then does it become part of a
+// Scene.
+#include "core/scene/scene_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/scene/checked_sections.h"
+#include "core/scene/covariance_codec.h"
+#include "core/scene/crc32.h"
+#include "core/scene/response_codec.h"
+#include "core/scene/scene_sections.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr double kHuge = 1e30;  // of anything physical in a file
+// Of light in a file, lx for 1 lm: sums and squares of what is below stay finite, as floats too.
+constexpr double kBrightestMean = 1e12, kLargestWeight = 1e6;
+constexpr double kBrightestPatch = kBrightestMean * (1 << 24);  // responses count up to 2^24 steps
+constexpr std::size_t kLongestName = 1000;                      // bytes; the writer cuts names far below
+
+void readSurfaces(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  const std::vector<std::uint8_t> names =
+      in.take("surfaceNames", ElementType::kUint8, Encoding::kPlain, CheckedSections::kAnyRows, 1);
+  const std::vector<double> numbers = in.doubles("surfaces", counts.surfaces, kSurfaceColumns, 0, kHuge);
+  if (!in.ok()) return;
+  std::set<std::string> seen = {"all"};
+  auto from = names.begin();
+  for (std::uint32_t s = 0; s < counts.surfaces; ++s) {
+    const auto to = std::find(from, names.end(), 0);
+    if (to == names.end()) return in.fail("surfaceNames", "there are fewer names than surfaces");
+    const double* row = &numbers[s * kSurfaceColumns];
+    Surface surface;
+    surface.name.assign(from, to);
+    surface.area = row[0], surface.reflectance = row[1], surface.lost = row[2],
+    surface.measuring = row[3] != 0;
+    if (surface.name.size() > kLongestName) return in.fail("surfaceNames", "a name is too long");
+    if (surface.name.empty() || !seen.insert(surface.name).second)
+      return in.fail("surfaceNames", "a name is empty, reserved or there twice");
+    if (!(row[0] > 0) || row[1] > 1 || row[2] > 1 || row[3] > 1)
+      return in.fail("surfaces", "a value is out of range");
+    scene.errorBound.push_back(static_cast<float>(row[4]));
+    scene.surfaces.push_back(std::move(surface));
+    from = to + 1;
+  }
+  if (from != names.end()) in.fail("surfaceNames", "there are more names than surfaces");
+}
+
+void readPatchLabels(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  Patches& patches = scene.patches;
+  const std::uint32_t rows = counts.rows();
+  patches.surface = in.integers("patchSurfaces", rows, 1);
+  patches.cluster = in.integers("patchClusters", counts.patches, 1);
+  const std::vector<std::uint32_t> before = in.integers("patchNeighbours", rows, 2);
+  if (!in.ok()) return;
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    if (patches.surface[p] >= counts.surfaces)
+      return in.fail("patchSurfaces", "a patch is on a surface that is not there");
+    if (before[2 * p] > p || before[2 * p + 1] > p)
+      return in.fail("patchNeighbours", "a neighbour is not there");
+    Surface& surface = scene.surfaces[patches.surface[p]];
+    if (surface.measuring != (p >= counts.patches))
+      return in.fail("patchSurfaces", "patches and receivers are on the wrong surfaces");
+    ++surface.patches;
+  }
+  for (std::uint32_t label : patches.cluster)
+    if (label >= counts.clusters)
+      return in.fail("patchClusters", "a patch is in a cluster that is not there");
+  for (const Surface& surface : scene.surfaces)
+    if (surface.patches == 0) return in.fail("patchSurfaces", "a surface has no patch");
+  patches.left.resize(rows), patches.up.resize(rows);
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    patches.left[p] = before[2 * p] > 0 ? p - before[2 * p] : kNone;
+    patches.up[p] = before[2 * p + 1] > 0 ? p - before[2 * p + 1] : kNone;
+  }
+}
+
+void readPatches(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  Patches& patches = scene.patches;
+  const std::uint32_t rows = counts.rows();
+  patches.count = counts.patches;
+  patches.clusterCount = counts.clusters;
+  const std::vector<std::uint32_t> centers = in.integers("patchCenters", rows, 3);
+  const std::vector<std::uint32_t> normals = in.integers("patchNormals", rows, 3);
+  const std::vector<float> areas = in.floats("patchAreas", Encoding::kFloatPlanes, rows, 1, 0, kHuge);
+  patches.reflectance = in.floats("patchReflectances", Encoding::kFloatPlanes, rows, 1, 0, 1);
+  if (!in.ok()) return;
+  const auto vectorAt = [](const std::vector<std::uint32_t>& v, std::uint32_t p, double unit) {
+    const auto at = [&](int i) { return unit * static_cast<std::int32_t>(v[3 * p + i]); };
+    return Vec3{at(0), at(1), at(2)};
+  };
+  patches.area.assign(areas.begin(), areas.end());
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    if (!(areas[p] > 0)) return in.fail("patchAreas", "a patch has no area");
+    patches.center.push_back(vectorAt(centers, p, kPositionUnit));
+    patches.normal.push_back(normalized(vectorAt(normals, p, kDirectionUnit)));
+  }
+  readPatchLabels(in, counts, scene);
+}
+
+void readSites(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  const std::vector<double> numbers = in.doubles("sites", counts.sites, kSiteColumns, -kHuge, kHuge);
+  if (!in.ok()) return;
+  for (std::uint32_t j = 0; j < counts.sites; ++j) {
+    const double* v = &numbers[j * kSiteColumns];
+    const Site site{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9]};
+    const bool unit = std::abs(length(site.normal) - 1) < 1e-3 && std::abs(length(site.axis) - 1) < 1e-3;
+    if (!unit || !(site.size > 0)) return in.fail("sites", "a site has no size or direction");
+    scene.sites.push_back(site);
+  }
+}
+
+/// The columns as stored, rows x counts.columns.
+std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, const Patches& patches) {
+  const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
+  const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
+                                               2 * counts.surfaces, 0, kBrightestMean);
+  if (!in.ok()) return {};
+  std::vector<ResponseScale> scales;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
+  std::vector<float> columns(std::size_t{rows} * counts.columns);
+  for (std::uint32_t first = 0, block = 0; first < counts.columns; first += perBlock, ++block) {
+    const std::string name = numberedName("responses", block);
+    const std::uint32_t width = std::min(perBlock, counts.columns - first);
+    const std::vector<std::uint8_t> bytes =
+        in.take(name, ElementType::kUint8, Encoding::kResponses, CheckedSections::kAnyRows, 1);
+    if (!in.ok()) return {};
+    const auto part =
+        std::span(scales).subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
+    const std::string fault =
+        decodeResponses(bytes, patches, part, width, &columns[std::size_t{first} * rows]);
+    if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
+  }
+  return columns;
+}
+
+/// Site responses = columns x responseWeights.
+void readResponses(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  const std::uint32_t rows = counts.rows();
+  std::vector<float> columns = readColumns(in, counts, scene.patches);
+  const std::vector<std::uint32_t> offsets = in.integers("responseOffsets", counts.sites + 1ull, 1);
+  if (!in.ok()) return;
+  const std::uint32_t entries = offsets.back();
+  const std::vector<std::uint32_t> column = in.integers("responseColumns", entries, 1);
+  const std::vector<double> weight = in.doubles("responseWeights", entries, 1, 0, kLargestWeight);
+  if (!in.ok()) return;
+  if (std::uint64_t{rows} * entries > kMaxResponseProducts)
+    return in.fail("responseWeights", "patches x weights is over 2^30");
+  if (offsets[0] != 0 || !std::is_sorted(offsets.begin(), offsets.end()))
+    return in.fail("responseOffsets", "the offsets do not ascend");
+  bool identity = counts.columns == counts.sites && entries == counts.sites;
+  for (std::uint32_t i = 0; i < entries; ++i) {
+    if (column[i] >= counts.columns) return in.fail("responseColumns", "a column is not there");
+    identity = identity && offsets[i] == i && column[i] == i && weight[i] == 1;
+  }
+  scene.responses.rows = rows;
+  scene.responses.sites = counts.sites;
+  if (identity) {
+    scene.responses.illuminance = std::move(columns);
+    return;
+  }
+  std::vector<float>& mixed = scene.responses.illuminance;
+  mixed.assign(std::size_t{rows} * counts.sites, 0);
+  for (std::uint32_t j = 0; j < counts.sites; ++j)
+    for (std::uint32_t i = offsets[j]; i < offsets[j + 1]; ++i)
+      for (std::uint32_t p = 0; p < rows; ++p)
+        mixed[std::size_t{j} * rows + p] +=
+            static_cast<float>(weight[i] * columns[std::size_t{column[i]} * rows + p]);
+  if (std::any_of(mixed.begin(), mixed.end(), [](float light) { return !(light <= kBrightestPatch); }))
+    in.fail("responseWeights", "light is out of range");
+}
+
+void readCovariance(CheckedSections& in, const std::string& name, std::uint32_t m,
+                    std::vector<double>& covariance) {
+  if (!in.has(name)) return in.fail(name, "it is missing");
+  const std::vector<std::uint8_t> bytes = in.takeAny(name);
+  if (!in.ok()) return;
+  const std::string fault = decodeCovariance(in.line(name), bytes, m, covariance);
+  if (!fault.empty()) in.fail(name, fault);
+}
+
+void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  const std::uint32_t m = counts.sites;
+  const std::vector<double> lit = in.doubles("illuminanceMeans", counts.surfaces, m, 0, kBrightestMean);
+  const std::vector<double> reflected = in.doubles("exitanceMeans", counts.surfaces, m, 0, kBrightestMean);
+  scene.illuminance.resize(counts.surfaces);
+  scene.exitance.resize(counts.surfaces);
+  for (std::uint32_t s = 0; in.ok() && s < counts.surfaces; ++s) {
+    SurfaceStatistics& illuminance = scene.illuminance[s];
+    SurfaceStatistics& exitance = scene.exitance[s];
+    illuminance.mean.assign(lit.begin() + std::size_t{s} * m, lit.begin() + (s + 1) * std::size_t{m});
+    readCovariance(in, numberedName("illuminanceCovariance", s), m, illuminance.covariance);
+    if (scene.surfaces[s].measuring || !in.ok()) continue;
+    const std::string name = numberedName("exitanceCovariance", s);
+    if (in.has(name)) {
+      exitance.mean.assign(reflected.begin() + std::size_t{s} * m,
+                           reflected.begin() + (s + 1) * std::size_t{m});
+      readCovariance(in, name, m, exitance.covariance);
+    } else {
+      // One reflectance on the whole surface: exitance is that times illuminance.
+      const double rho = scene.surfaces[s].reflectance;
+      exitance = illuminance;
+      for (double& v : exitance.mean) v *= rho;
+      for (double& v : exitance.covariance) v *= rho * rho;
+    }
+  }
+}
+
+}  // namespace
+
+Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
+  Result<SceneTable> table = readSceneTable(file);
+  if (!table) return table.error();
+  return SceneReader(std::move(table.value()));
+}
+
+bool SceneReader::needed(std::uint32_t section) const {
+  constexpr std::string_view kNeeded[] = {
+      "surfaceNames",      "surfaces",       "patchCenters",          "patchNormals",      "patchAreas",
+      "patchReflectances", "patchSurfaces",  "patchClusters",         "patchNeighbours",   "sites",
+      "responses",         "responseScales", "responseOffsets",       "responseColumns",   "responseWeights",
+      "illuminanceMeans",  "exitanceMeans",  "illuminanceCovariance", "exitanceCovariance"};
+  const std::string_view name = table_.sections[section].name;
+  return std::find(std::begin(kNeeded), std::end(kNeeded), name.substr(0, name.find('.'))) !=
+         std::end(kNeeded);
+}
+
+Result<Done> SceneReader::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
+  if (section >= table_.sections.size()) return Error{"there is no section " + std::to_string(section)};
+  const SceneSection& line = table_.sections[section];
+  if (bytes.size() != line.inflatedBytes) return faultIn(line.name, "its size differs");
+  if (crc32Of(bytes) != line.inflatedCrc) return faultIn(line.name, "checksum differs");
+  return Done{};
+}
+
+Result<Done> SceneReader::provide(std::uint32_t section, std::vector<std::uint8_t> bytes) {
+  const Result<Done> verified = verify(section, bytes);
+  if (!verified) return verified.error();
+  bytes_[section] = std::move(bytes);
+  return Done{};
+}
+
+Result<Scene> SceneReader::finish() {
+  CheckedSections in(table_, bytes_);
+  Scene scene;
+  scene.identity = table_.identity;
+  readSurfaces(in, table_.counts, scene);
+  if (in.ok()) readPatches(in, table_.counts, scene);
+  if (in.ok()) readSites(in, table_.counts, scene);
+  if (in.ok()) readResponses(in, table_.counts, scene);
+  if (in.ok()) readStatistics(in, table_.counts, scene);
+  if (!in.ok()) return in.fault();
+  return scene;
+}
+
+}  // namespace fiatlux

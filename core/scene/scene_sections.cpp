@@ -1,0 +1,197 @@
+// A scene's numbers as sections: the exact inverse of scene_reader.cpp.
+#include "core/scene/scene_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/scene/covariance_codec.h"
+#include "core/scene/response_codec.h"
+#include "core/scene/section_codec.h"
+
+namespace fiatlux {
+namespace {
+
+template <class T>
+std::vector<std::uint8_t> bytesOf(const std::vector<T>& values) {
+  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
+  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
+PlainSection doubles(const char* name, const std::vector<double>& values, std::uint32_t columns) {
+  return plainSection(name, ElementType::kFloat64, Encoding::kPlain,
+                      static_cast<std::uint32_t>(values.size() / columns), columns, bytesOf(values));
+}
+
+PlainSection floats(const char* name, const std::vector<float>& values, std::uint32_t columns) {
+  return plainSection(name, ElementType::kFloat32, Encoding::kFloatPlanes,
+                      static_cast<std::uint32_t>(values.size() / columns), columns,
+                      encodeFloatPlanes(values));
+}
+
+PlainSection integers(const char* name, const std::vector<std::uint32_t>& values, std::uint32_t columns) {
+  return plainSection(name, ElementType::kUint32, Encoding::kDeltaPlanes,
+                      static_cast<std::uint32_t>(values.size() / columns), columns,
+                      encodeDeltaPlanes(values, columns));
+}
+
+std::vector<std::uint32_t> quantised(const std::vector<Vec3>& vectors, double unit) {
+  std::vector<std::uint32_t> values;
+  for (const Vec3& v : vectors)
+    for (double x : {v.x, v.y, v.z}) values.push_back(static_cast<std::uint32_t>(std::lround(x / unit)));
+  return values;
+}
+
+/// "" or why this scene cannot be written.
+std::string faultOf(const Scene& scene) {
+  const SceneCounts counts = countsOf(scene);
+  const auto finite = [](double v) { return std::isfinite(v); };
+  if (scene.sites.empty()) return "the room has no site for a luminaire";
+  if (counts.rows() == 0 || scene.surfaces.empty()) return "the room has no surfaces";
+  if (std::uint64_t{counts.rows()} * counts.sites > kMaxResponseValues)
+    return std::to_string(counts.rows()) + " patches x " + std::to_string(counts.sites) +
+           " sites are too many for a scene file: use larger patches or a wider site spacing";
+  if (std::uint64_t{counts.surfaces} * counts.sites * counts.sites > kMaxCovarianceValues)
+    return std::to_string(counts.surfaces) + " surfaces with " + std::to_string(counts.sites) +
+           " sites are too many for a scene file: use a wider site spacing";
+  for (const Vec3& c : scene.patches.center)
+    if (!(std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) < 32000))
+      return "the room reaches beyond 32 km";
+  for (float v : scene.responses.illuminance)
+    if (!finite(v) || v < 0) return "a response is negative or no number";
+  for (const auto* set : {&scene.illuminance, &scene.exitance})
+    for (const SurfaceStatistics& statistics : *set)
+      if (!std::all_of(statistics.mean.begin(), statistics.mean.end(), finite) ||
+          !std::all_of(statistics.covariance.begin(), statistics.covariance.end(), finite))
+        return "a mean or covariance is no number";
+  return "";
+}
+
+void addSurfaces(const Scene& scene, const std::vector<float>& errorBound, std::vector<PlainSection>& out) {
+  std::vector<std::uint8_t> names;
+  std::vector<double> numbers;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    names.insert(names.end(), surface.name.begin(), surface.name.end());
+    names.push_back(0);
+    numbers.insert(numbers.end(), {surface.area, surface.reflectance, surface.lost,
+                                   static_cast<double>(surface.measuring), errorBound[s]});
+  }
+  const auto length = static_cast<std::uint32_t>(names.size());
+  out.push_back(
+      plainSection("surfaceNames", ElementType::kUint8, Encoding::kPlain, length, 1, std::move(names)));
+  out.push_back(doubles("surfaces", numbers, kSurfaceColumns));
+}
+
+void addPatches(const Patches& patches, std::vector<PlainSection>& out) {
+  std::vector<std::uint32_t> neighbours;
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    for (std::uint32_t q : {patches.left[p], patches.up[p]}) neighbours.push_back(q == kNone ? 0 : p - q);
+  out.push_back(integers("patchCenters", quantised(patches.center, kPositionUnit), 3));
+  out.push_back(integers("patchNormals", quantised(patches.normal, kDirectionUnit), 3));
+  out.push_back(floats("patchAreas", {patches.area.begin(), patches.area.end()}, 1));
+  out.push_back(floats("patchReflectances", patches.reflectance, 1));
+  out.push_back(integers("patchSurfaces", patches.surface, 1));
+  out.push_back(integers("patchClusters", patches.cluster, 1));
+  out.push_back(integers("patchNeighbours", neighbours, 2));
+}
+
+void addSites(const std::vector<Site>& sites, std::vector<PlainSection>& out) {
+  std::vector<double> numbers;
+  for (const Site& site : sites) {
+    for (const Vec3& v : {site.position, site.normal, site.axis})
+      numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    numbers.push_back(site.size);
+  }
+  out.push_back(doubles("sites", numbers, kSiteColumns));
+}
+
+void addResponses(const Scene& scene, EncodedResponses& encoded, std::vector<PlainSection>& out) {
+  const auto m = static_cast<std::uint32_t>(scene.sites.size());
+  std::vector<float> scales;
+  for (const ResponseScale& scale : encoded.scales) scales.insert(scales.end(), {scale.step, scale.floor});
+  out.push_back(floats("responseScales", scales, 2 * static_cast<std::uint32_t>(scene.surfaces.size())));
+  const float bound = *std::max_element(encoded.errorBound.begin(), encoded.errorBound.end());
+  for (std::uint32_t block = 0; block < encoded.blocks.size(); ++block) {
+    const auto length = static_cast<std::uint32_t>(encoded.blocks[block].size());
+    out.push_back(plainSection(numberedName("responses", block), ElementType::kUint8, Encoding::kResponses,
+                               length, 1, std::move(encoded.blocks[block]), bound));
+  }
+  // Each site has its own column here.
+  std::vector<std::uint32_t> offsets(m + 1), columns(m);
+  for (std::uint32_t j = 0; j <= m; ++j) offsets[j] = j;
+  for (std::uint32_t j = 0; j < m; ++j) columns[j] = j;
+  out.push_back(integers("responseOffsets", offsets, 1));
+  out.push_back(integers("responseColumns", columns, 1));
+  out.push_back(doubles("responseWeights", std::vector<double>(m, 1.0), 1));
+}
+
+/// Per surface: whether all its patches have one reflectance, so that exitance follows from illuminance.
+std::vector<bool> uniformSurfaces(const Scene& scene) {
+  std::vector<bool> uniform(scene.surfaces.size(), true);
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
+    const Surface& surface = scene.surfaces[scene.patches.surface[p]];
+    if (std::abs(scene.patches.reflectance[p] - surface.reflectance) > 1e-6 * surface.reflectance)
+      uniform[scene.patches.surface[p]] = false;
+  }
+  return uniform;
+}
+
+void addStatistics(const Scene& scene, std::vector<PlainSection>& out, EncodingReport* report) {
+  const auto m = static_cast<std::uint32_t>(scene.sites.size());
+  const std::vector<bool> uniform = uniformSurfaces(scene);
+  std::vector<double> lit, reflected;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const SurfaceStatistics& illuminance = scene.illuminance[s];
+    lit.insert(lit.end(), illuminance.mean.begin(), illuminance.mean.end());
+    out.push_back(encodeCovariance(numberedName("illuminanceCovariance", s), illuminance.covariance, m,
+                                   kCovarianceTolerance));
+    if (report)
+      report->ranks.push_back(out.back().section.encoding == Encoding::kFactored ? out.back().section.rows
+                                                                                 : 0);
+    if (scene.surfaces[s].measuring || uniform[s]) {
+      reflected.insert(reflected.end(), m, 0.0);
+      continue;
+    }
+    const SurfaceStatistics& exitance = scene.exitance[s];
+    reflected.insert(reflected.end(), exitance.mean.begin(), exitance.mean.end());
+    out.push_back(encodeCovariance(numberedName("exitanceCovariance", s), exitance.covariance, m,
+                                   kCovarianceTolerance));
+  }
+  out.push_back(doubles("illuminanceMeans", lit, m));
+  out.push_back(doubles("exitanceMeans", reflected, m));
+}
+
+}  // namespace
+
+std::string numberedName(std::string_view name, std::uint32_t number) {
+  return number == 0 ? std::string(name) : std::string(name) + "." + std::to_string(number);
+}
+
+SceneCounts countsOf(const Scene& scene) {
+  const auto m = static_cast<std::uint32_t>(scene.sites.size());
+  return {scene.patches.count,
+          scene.patches.rows() - scene.patches.count,
+          scene.patches.clusterCount,
+          m,
+          m,
+          static_cast<std::uint32_t>(scene.surfaces.size())};
+}
+
+Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport* report) {
+  const std::string fault = faultOf(scene);
+  if (!fault.empty()) return Error{fault};
+  std::vector<PlainSection> sections;
+  EncodedResponses encoded =
+      encodeResponses(scene.responses, scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()));
+  addSurfaces(scene, encoded.errorBound, sections);
+  addPatches(scene.patches, sections);
+  addSites(scene.sites, sections);
+  addResponses(scene, encoded, sections);
+  addStatistics(scene, sections, report);
+  if (report) report->responseRms = std::move(encoded.rms);
+  return sections;
+}
+
+}  // namespace fiatlux

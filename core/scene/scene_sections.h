@@ -1,0 +1,60 @@
+// What lies in a scene file, version 1: the sections' names, shapes and units, for the writer and the reader
+// alike. With n patches, r receivers, rows = n + r, k clusters, m sites, c columns, S surfaces:
+//
+//   surfaceNames            bytes     UTF-8, a zero after each
+//   surfaces                S x 5     area (m2), reflectance, share of lost rays, measuring (0 or 1),
+//                                     error bound
+//   patchCenters            rows x 3  kPositionUnit metres
+//   patchNormals            rows x 3  kDirectionUnit
+//   patchAreas              rows      m2
+//   patchReflectances       rows
+//   patchSurfaces           rows
+//   patchClusters           n
+//   patchNeighbours         rows x 2  how many rows before is the left, the upper neighbour; 0 = none
+//   sites                   m x 10    position, normal, axis, size (m)
+//   responseScales          c x 2S    step and floor on each surface, lx per lm
+//   responses[.1 ...]       bytes     quantised columns, in blocks (response_codec.h)
+//   responseOffsets         m + 1     site j is the sum of weight x column over its entries
+//                                     [offset j, offset j + 1)
+//   responseColumns         entries   the column of an entry
+//   responseWeights         entries   its weight
+//   illuminanceMeans        S x m     lx per lm
+//   exitanceMeans           S x m     lm/m2 per lm; zeros where one reflectance gives them from the
+//                                     illuminance
+//   illuminanceCovariance[.s]         a section a surface (covariance_codec.h)
+//   exitanceCovariance[.s]            only of surfaces with more than one reflectance
+// and, not needed to light the scene: `room` (a .glb), `provenance` (JSON), and the paper's matrices.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "core/scene/scene_file.h"
+
+namespace fiatlux {
+
+inline constexpr double kPositionUnit = 0x1p-16;   // m: 0.015 mm; a room reaches 32 km
+inline constexpr double kDirectionUnit = 0x1p-15;  // of a unit vector's component
+inline constexpr std::uint32_t kSurfaceColumns = 5, kSiteColumns = 10;
+inline constexpr double kCovarianceTolerance = 1e-6;
+
+/// "covariance.12": sections that come in numbers carry them after a dot; the first block has none.
+std::string numberedName(std::string_view name, std::uint32_t number);
+
+/// What encoding did to the numbers, for the file's own report.
+struct EncodingReport {
+  std::vector<float> responseRms;    // sites x surfaces: RMS error over the surface, as a share of its mean
+  std::vector<std::uint32_t> ranks;  // per surface: rows of the factored covariance, 0 = packed
+};
+
+SceneCounts countsOf(const Scene& scene);
+
+/// The sections that SceneReader needs, from a scene with unquantised responses and statistics (errorBound is
+/// computed here). An error where the scene is beyond what a file holds.
+Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport* report = nullptr);
+
+}  // namespace fiatlux

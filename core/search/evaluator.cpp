@@ -1,0 +1,188 @@
+// Delta evaluation on cached sums; see evaluator.h.
+#include "core/search/evaluator.h"
+
+#include <algorithm>
+
+#include "core/search/start_layout.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kBlock = 64;
+
+std::vector<double> fluxesOf(const LuminaireRules& rules) {
+  std::vector<double> flux;
+  for (std::uint32_t i = 0; i < rules.count; ++i) flux.push_back(fluxOf(rules, i));
+  return flux;
+}
+
+Layout referenceLayout(const PreparedScene& prepared, const Intentions& intentions, const Layout* reference) {
+  if (reference && reference->sites.size() == intentions.luminaires.count) return *reference;
+  return {spreadSites(prepared, intentions.luminaires), {}, 1};
+}
+
+}  // namespace
+
+Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
+    : siteCount_(prepared.siteCount()),
+      flux_(fluxesOf(intentions.luminaires)),
+      objective_(prepared, intentions, referenceLayout(prepared, intentions, reference)) {
+  const std::size_t count = objective_.sets().size();
+  moments_.resize(count);
+  rows_.resize(count);
+  patches_.resize(count);
+  trialMoments_.resize(count);
+  trialExtremes_.resize(count);
+  extremes_.resize(count);
+  means_.resize(count * kBlock);
+  variances_.resize(count * kBlock);
+  for (std::size_t s = 0; s < count; ++s) {
+    const ObjectiveSet& set = objective_.sets()[s];
+    if (set.needsVariance) rows_[s].resize(siteCount_);
+    if (set.needsExtremes) patches_[s].emplace(prepared.scene(), intentions.quantity, set.surfaces);
+  }
+}
+
+Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
+  const auto count = static_cast<std::uint32_t>(sites.size());
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const ObjectiveSet& set = objective_.sets()[s];
+    const KernelStatistics& statistics = *set.statistics;
+    trialMoments_[s].mean = meanOf(statistics.mean.data(), sites.data(), flux_.data(), count);
+    if (set.needsVariance)
+      trialMoments_[s].variance =
+          varianceOf(statistics.covariance.data(), siteCount_, sites.data(), flux_.data(), count);
+    if (!set.needsExtremes) continue;
+    patches_[s]->load(sites.data(), flux_.data(), count);
+    trialExtremes_[s] = patches_[s]->current();
+    if (!sites_.empty()) patches_[s]->load(sites_.data(), flux_.data(), count);
+  }
+  return objective_.judge(trialMoments_.data(), trialExtremes_.data());
+}
+
+void Evaluator::load(const std::vector<std::uint32_t>& sites) {
+  sites_ = sites;
+  const auto count = static_cast<std::uint32_t>(sites_.size());
+  for (std::size_t s = 0; s < rows_.size(); ++s)
+    if (objective_.sets()[s].needsVariance)
+      fillRow(objective_.sets()[s].statistics->covariance.data(), siteCount_, sites_.data(), flux_.data(),
+              count, rows_[s].data());
+  refresh();
+}
+
+/// Moments, extremes and evaluation of the layout it stands at, from its rows.
+void Evaluator::refresh() {
+  const auto count = static_cast<std::uint32_t>(sites_.size());
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const ObjectiveSet& set = objective_.sets()[s];
+    moments_[s].mean = meanOf(set.statistics->mean.data(), sites_.data(), flux_.data(), count);
+    if (set.needsVariance)
+      moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
+    if (!set.needsExtremes) continue;
+    patches_[s]->load(sites_.data(), flux_.data(), count);
+    extremes_[s] = patches_[s]->current();
+  }
+  current_ = objective_.judge(moments_.data(), extremes_.data());
+}
+
+bool Evaluator::prefers(const Evaluation& a, const Evaluation& b) const {
+  if (penalty_ == 0) return isBetter(a, b);
+  return a.goal + penalty_ * a.violation < b.goal + penalty_ * b.violation - 1e-10;
+}
+
+/// With true extremes asked for: the trial's evaluation, by hope first and patches last. False when it cannot
+/// be better.
+bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
+                               Evaluation& result) {
+  const auto judgeWith = [&](auto&& extremesOf) {
+    for (std::size_t s = 0; s < patches_.size(); ++s)
+      if (patches_[s]) trialExtremes_[s] = extremesOf(s);
+    result = objective_.judge(trialMoments_.data(), trialExtremes_.data());
+    return prefers(result, toBeat);
+  };
+  return judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); }) &&
+         judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes, count); }) &&
+         judgeWith([&](std::size_t s) { return patches_[s]->changed(changes, count); });
+}
+
+void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {
+  const std::size_t sets = moments_.size();
+  const std::uint32_t from = sites_[i];
+  const double flux = flux_[i];
+  for (std::uint32_t first = 0; first < count; first += kBlock) {
+    const std::uint32_t n = std::min(kBlock, count - first);
+    const std::uint32_t* block = candidates + first;
+    for (std::size_t s = 0; s < sets; ++s) {
+      const ObjectiveSet& set = objective_.sets()[s];
+      const KernelStatistics& c = *set.statistics;
+      movedMeans(c.mean.data(), moments_[s].mean, from, flux, block, n, means_.data() + s * kBlock);
+      if (set.needsVariance)
+        movedVariances(c.covariance.data(), c.diagonal.data(), siteCount_, rows_[s].data(),
+                       moments_[s].variance, from, flux, block, n, variances_.data() + s * kBlock);
+    }
+    for (std::uint32_t k = 0; k < n; ++k) {
+      for (std::size_t s = 0; s < sets; ++s)
+        trialMoments_[s] = {means_[s * kBlock + k], variances_[s * kBlock + k]};
+      Evaluation evaluation;
+      if (objective_.needsExtremes()) {
+        const FluxChange changes[2] = {{from, -flux}, {block[k], flux}};
+        if (!settleExtremes(changes, 2, best.evaluation, evaluation)) continue;
+      } else {
+        evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
+        if (!prefers(evaluation, best.evaluation)) continue;
+      }
+      best = {{{i, block[k]}, {}}, 1, evaluation};
+    }
+  }
+}
+
+std::uint32_t Evaluator::changesOf(const Trial& trial, FluxChange* changes) const {
+  std::uint32_t count = 0;
+  for (std::uint32_t k = 0; k < trial.count; ++k) {
+    const Move& move = trial.moves[k];
+    changes[count++] = {sites_[move.luminaire], -flux_[move.luminaire]};
+    changes[count++] = {move.site, flux_[move.luminaire]};
+  }
+  return count;
+}
+
+void Evaluator::momentsAfter(const FluxChange* changes, std::uint32_t count) {
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const KernelStatistics& c = *objective_.sets()[s].statistics;
+    double mean = moments_[s].mean;
+    for (std::uint32_t k = 0; k < count; ++k) mean += changes[k].flux * c.mean[changes[k].site];
+    trialMoments_[s].mean = mean;
+    if (objective_.sets()[s].needsVariance)
+      trialMoments_[s].variance = changedVariance(c.covariance.data(), siteCount_, rows_[s].data(),
+                                                  moments_[s].variance, changes, count);
+  }
+}
+
+void Evaluator::tryPair(const Move& a, const Move& b, Trial& best) {
+  Trial trial{{a, b}, 2, {}};
+  FluxChange changes[4];
+  const std::uint32_t count = changesOf(trial, changes);
+  momentsAfter(changes, count);
+  if (objective_.needsExtremes()) {
+    if (!settleExtremes(changes, count, best.evaluation, trial.evaluation)) return;
+  } else {
+    trial.evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
+    if (!prefers(trial.evaluation, best.evaluation)) return;
+  }
+  best = trial;
+}
+
+void Evaluator::apply(const Trial& trial) {
+  FluxChange changes[4];
+  const std::uint32_t count = changesOf(trial, changes);
+  for (std::size_t s = 0; s < rows_.size(); ++s) {
+    if (!objective_.sets()[s].needsVariance) continue;
+    for (std::uint32_t k = 0; k < count; ++k)
+      addToRow(objective_.sets()[s].statistics->covariance.data(), siteCount_, changes[k].site,
+               changes[k].flux, rows_[s].data());
+  }
+  for (std::uint32_t k = 0; k < trial.count; ++k) sites_[trial.moves[k].luminaire] = trial.moves[k].site;
+  refresh();
+}
+
+}  // namespace fiatlux

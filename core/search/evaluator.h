@@ -1,0 +1,89 @@
+// Trial layouts, cheaply: the evaluator stands at one layout, keeps the sums C x of it, and tells what a
+// change of it would be worth in O(1) loads per surface set instead of N (N + 1) / 2. Paper (8), (10);
+// section 7 of the method.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/search/intentions.h"
+#include "core/search/objective.h"
+
+namespace fiatlux {
+
+/// A luminaire put on another site.
+struct Move {
+  std::uint32_t luminaire = 0, site = 0;
+};
+
+/// Moves made together: one, or two for exchanges. Their sites may be each other's.
+struct Trial {
+  Move moves[2];
+  std::uint32_t count = 0;
+  Evaluation evaluation;
+};
+
+class Evaluator {
+ public:
+  /// Precondition: checkIntentions passed. `reference` scales the goals; without it a spread-out layout does.
+  /// The prepared scene must outlive the evaluator.
+  Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference = nullptr);
+
+  /// A full evaluation of any layout of `count` sites, patches included where true extremes are asked for.
+  Evaluation evaluate(const std::vector<std::uint32_t>& sites);
+
+  /// Stands at a layout; `current()` is its evaluation.
+  void load(const std::vector<std::uint32_t>& sites);
+  const std::vector<std::uint32_t>& sites() const { return sites_; }
+  const std::vector<double>& flux() const { return flux_; }  // lm of each luminaire, before dimming
+  const Evaluation& current() const { return current_; }
+
+  /// Tries luminaire `i` on each of `count` candidates; `best` becomes the best of them when one is better
+  /// than it. One evaluation a candidate.
+  void tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best);
+
+  /// Tries two moves at once; `best` as above. One evaluation.
+  void tryPair(const Move& a, const Move& b, Trial& best);
+
+  /// Above 0, trials compare goal + penalty x violation instead of violation first: a walk through layouts
+  /// that break a bound a little. 0 restores the order of `isBetter`.
+  void setPenalty(double penalty) { penalty_ = penalty; }
+
+  /// Makes the moves of a trial.
+  void apply(const Trial& trial);
+
+  /// The layout it stands at, with its dimming.
+  Layout layout() const { return {sites_, flux_, current_.dimming}; }
+  /// Value of goal g in its own unit where it stands.
+  double goalValue(std::size_t g) const {
+    return objective_.goalValue(g, moments_.data(), extremes_.data(), current_.dimming);
+  }
+  const Objective& objective() const { return objective_; }
+  /// Mean and variance per objective set where it stands.
+  const std::vector<Moments>& moments() const { return moments_; }
+
+ private:
+  std::uint32_t changesOf(const Trial& trial, FluxChange* changes) const;
+  void momentsAfter(const FluxChange* changes, std::uint32_t count);
+  bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
+                      Evaluation& result);
+  void refresh();
+  bool prefers(const Evaluation& a, const Evaluation& b) const;
+
+  std::uint32_t siteCount_ = 0;
+  double penalty_ = 0;
+  std::vector<double> flux_;
+  Objective objective_;
+  std::vector<std::uint32_t> sites_;
+  Evaluation current_;
+  std::vector<Moments> moments_;
+  std::vector<std::vector<double>> rows_;              // C x of each set that needs variances
+  std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
+  std::vector<Extremes> extremes_;                     // where it stands, of each set that needs them
+  std::vector<Moments> trialMoments_;                  // scratch, one per set
+  std::vector<Extremes> trialExtremes_;                // scratch, one per set
+  std::vector<double> means_, variances_;              // scratch, sets x block
+};
+
+}  // namespace fiatlux

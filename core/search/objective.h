@@ -1,0 +1,88 @@
+// Intentions compiled for one scene: from the mean and variance of each surface set that matters (and the
+// patch extremes, where true ones are asked for) to violation, goal and dimming.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/search/dimming.h"
+#include "core/search/intentions.h"
+#include "core/search/patch_extremes.h"
+#include "core/search/prepared_scene.h"
+
+namespace fiatlux {
+
+/// Mean and variance of one surface set at t = 1.
+struct Moments {
+  double mean = 0, variance = 0;
+};
+
+/// A surface set that the intentions mention; `needsVariance` and `needsExtremes` say what must be computed
+/// of it.
+struct ObjectiveSet {
+  SurfaceSet surfaces;
+  std::shared_ptr<const KernelStatistics> statistics;
+  bool needsVariance = false, needsExtremes = false;
+};
+
+class Objective {
+ public:
+  /// Goals are measured against their values for `reference` at the upper end of the dimming.
+  /// Precondition: checkIntentions(scene, intentions) passed. Beyond what that allows to a person, a goal may
+  /// be the true minimum or maximum (with its margin), unscaled: the largest bound that is feasible is found
+  /// that way.
+  Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
+
+  const std::vector<ObjectiveSet>& sets() const { return sets_; }
+  bool needsExtremes() const { return needsExtremes_; }
+  bool hasConstraints() const { return !sides_.empty(); }
+
+  /// `moments` and `extremes`: one per set (extremes are read only where needed). With hoped-for extremes the
+  /// result is a bound: no layout with these moments is better.
+  Evaluation judge(const Moments* moments, const Extremes* extremes) const;
+
+  /// What mean and variance alone allow: 0 <= minimum <= mean, maximum >= mean + variance / mean
+  /// (Bhatia-Davis).
+  static Extremes allowedBy(const Moments& moments);
+
+  /// What Evaluation::goal adds per unit of goal g's value: sign x weight / reference value.
+  double goalFactor(std::size_t g) const { return terms_[g].factor; }
+
+  /// Value of goal g at dimming t, in its own unit.
+  double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
+
+ private:
+  struct Side {  // one finite bound of a constraint
+    Statistic statistic;
+    std::uint32_t set, over;
+    double alpha, bound;
+    bool lower, scaleFree;
+  };
+  struct Term {  // one goal
+    Statistic statistic;
+    std::uint32_t set, over;
+    double factor;  // sign x weight / |reference value|
+  };
+
+  std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
+  void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
+  void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
+  void scaleGoals(const Intentions& intentions, const Layout& reference);
+  double sideValue(const Side& side, const Moments* moments, const Extremes* extremes) const;
+  double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
+
+  std::vector<ObjectiveSet> sets_;
+  std::vector<Side> sides_;
+  std::vector<Term> terms_;
+  double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
+  bool needsExtremes_ = false;
+  mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
+};
+
+/// Flux of luminaire i under the rules, lm.
+inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
+  return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
+}
+
+}  // namespace fiatlux

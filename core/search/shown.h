@@ -1,0 +1,50 @@
+// Everything that is shown of one layout: its light, the statistics of every surface, and how each goal and
+// constraint stands. Means and spreads come from the statistics (paper (8), (10)), minima and maxima from the
+// patches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/search/intentions.h"
+#include "core/search/prepared_scene.h"
+
+namespace fiatlux {
+
+/// In the quantity asked for: lx, or lm/m2. Measuring planes have no exitance: all 0 there.
+struct SurfaceReading {
+  double mean = 0, sigma = 0, minimum = 0, maximum = 0;
+};
+
+/// One constraint as it stands. For kChebyshev `value` is mu - alpha sigma, or mu + alpha sigma where that
+/// side is the tighter one. True minima and maxima are judged with the margin of the stored responses' error
+/// bound.
+struct ConstraintReading {
+  double value = 0;
+  double violation = 0;  // sum of max(0, excess) / |bound|, the excess itself where the bound is 0
+  double margin = 0;     // least signed distance to a bound / |bound|; negative where not met
+};
+
+struct Shown {
+  Layout layout;
+  std::vector<float> illuminance;        // lx, rows() entries
+  std::vector<SurfaceReading> surfaces;  // one a leaf, then "all"
+  std::vector<double> goals;             // value of each, in its unit
+  std::vector<ConstraintReading> constraints;
+};
+
+/// Precondition: checkLayout and checkIntentions passed.
+Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout);
+
+/// Sites that exist, each once; one flux a luminaire, finite and not negative; the dimming likewise.
+Result<Done> checkLayout(const Scene& scene, const Layout& layout);
+
+/// Statistics against patches: the largest difference of a mean or sigma, relative to the surface's mean.
+struct StatisticsCheck {
+  double largestDifference = 0;
+  std::uint32_t surface = 0;  // leaf, or the number of leaves for "all"
+};
+StatisticsCheck checkStatistics(const Scene& scene, Quantity quantity, const Shown& shown);
+
+}  // namespace fiatlux

@@ -1,0 +1,182 @@
+// Checks of luminaires, goals and constraints; see validate_intentions.h.
+#include "core/search/validate_intentions.h"
+
+#include <cmath>
+
+#include "core/base/short_number.h"
+#include "core/search/prepared_scene.h"
+#include "core/search/start_layout.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kMostLuminaires = 1000;
+
+std::string text(double value) { return shortNumber(value, 6); }
+
+std::string text(std::size_t value) { return std::to_string(value); }
+
+Result<Done> checkFluxes(const LuminaireRules& rules) {
+  if (rules.flux.size() != 1 && rules.flux.size() != rules.count)
+    return Error{"luminaires: " + text(rules.flux.size()) + " fluxes for " + text(std::size_t{rules.count}) +
+                 " luminaires; give one for all or one for each"};
+  for (double flux : rules.flux)
+    if (!(flux > 0) || !(flux <= 1e9))
+      return Error{"luminaires: a flux of " + text(flux) + " lm; it must be above 0"};
+  if (!(rules.dimmingLow >= 0) || !(rules.dimmingHigh <= 1) || !(rules.dimmingLow <= rules.dimmingHigh) ||
+      !(rules.dimmingHigh > 0))
+    return Error{"luminaires: dimming from " + text(rules.dimmingLow) + " to " + text(rules.dimmingHigh) +
+                 "; it must be a range within 0 to 1"};
+  return Done{};
+}
+
+Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
+  const std::size_t m = scene.sites.size();
+  std::vector<char> excluded(m, 0), pinned(m, 0);
+  std::size_t free = m;
+  for (std::uint32_t site : rules.excluded) {
+    if (site >= m)
+      return Error{"luminaires: excluded site " + text(std::size_t{site}) +
+                   " does not exist; sites are 0 to " + text(m - 1)};
+    if (!excluded[site]) --free;
+    excluded[site] = 1;
+  }
+  for (std::uint32_t site : rules.pinned) {
+    if (site >= m)
+      return Error{"luminaires: pinned site " + text(std::size_t{site}) + " does not exist; sites are 0 to " +
+                   text(m - 1)};
+    if (excluded[site])
+      return Error{"luminaires: site " + text(std::size_t{site}) +
+                   " is both pinned and excluded; drop one of the two"};
+    if (pinned[site])
+      return Error{"luminaires: site " + text(std::size_t{site}) +
+                   " is pinned twice; a site holds one luminaire"};
+    pinned[site] = 1;
+  }
+  if (rules.pinned.size() > rules.count)
+    return Error{"luminaires: " + text(rules.pinned.size()) + " are pinned but the count is " +
+                 text(std::size_t{rules.count}) + "; raise the count or unpin"};
+  if (rules.count > free)
+    return Error{"luminaires: " + text(std::size_t{rules.count}) + " luminaires on " + text(free) +
+                 " free sites; lower the count or exclude fewer sites"};
+  return Done{};
+}
+
+Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
+  if (!(rules.minDistance >= 0) || !std::isfinite(rules.minDistance))
+    return Error{"luminaires: a minimum distance of " + text(rules.minDistance) + " m; it must be 0 or more"};
+  if (rules.minDistance == 0) return Done{};
+  for (std::size_t i = 0; i < rules.pinned.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance =
+          length(scene.sites[rules.pinned[i]].position - scene.sites[rules.pinned[j]].position);
+      if (distance < rules.minDistance)
+        return Error{"luminaires: pinned sites " + text(std::size_t{rules.pinned[j]}) + " and " +
+                     text(std::size_t{rules.pinned[i]}) + " are " + text(distance) +
+                     " m apart, closer than the minimum distance of " + text(rules.minDistance) + " m"};
+    }
+  const std::size_t room = packSites(PreparedScene(scene), rules).size();
+  if (room < rules.count)
+    return Error{"luminaires: found room for only " + text(room) + " of " + text(std::size_t{rules.count}) +
+                 " luminaires " + text(rules.minDistance) +
+                 " m apart; lower the count or the minimum distance"};
+  return Done{};
+}
+
+Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quantity quantity,
+                           const std::string& where) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i] >= scene.surfaces.size())
+      return Error{where + ": surface number " + text(std::size_t{surfaces[i]}) + " does not exist"};
+    if (i > 0 && surfaces[i] <= surfaces[i - 1])
+      return Error{where + ": the surfaces of a set must be sorted and different"};
+    if (quantity == Quantity::kExitance && scene.surfaces[surfaces[i]].measuring)
+      return Error{where + ": \"" + scene.surfaces[surfaces[i]].name +
+                   "\" is a measuring plane and reflects nothing; ask for illuminance"};
+  }
+  return Done{};
+}
+
+Result<Done> checkSets(const Scene& scene, Statistic statistic, const SurfaceSet& surfaces,
+                       const SurfaceSet& over, Quantity quantity, const std::string& where) {
+  if (statistic == Statistic::kPower) return Done{};
+  if (auto ok = checkSurfaces(scene, surfaces, quantity, where); !ok) return ok;
+  if (statistic == Statistic::kContrast) return checkSurfaces(scene, over, quantity, where);
+  return Done{};
+}
+
+Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, const std::string& where) {
+  if (goal.statistic != Statistic::kMean && goal.statistic != Statistic::kSigma &&
+      goal.statistic != Statistic::kPower && goal.statistic != Statistic::kContrast)
+    return Error{where + ": " + statisticName(goal.statistic) +
+                 " cannot be a goal, only a constraint; goals are mean, sigma, power and contrast"};
+  if (!(goal.weight > 0) || !std::isfinite(goal.weight))
+    return Error{where + ": a weight of " + text(goal.weight) + "; it must be above 0"};
+  return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);
+}
+
+Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity quantity,
+                             const std::string& where) {
+  if (std::isnan(c.lower) || std::isnan(c.upper)) return Error{where + ": a bound is not a number"};
+  if (!std::isfinite(c.lower) && !std::isfinite(c.upper))
+    return Error{where + ": no bound; give \"min\", \"max\" or both"};
+  if (c.lower > c.upper)
+    return Error{where + ": the minimum " + text(c.lower) + " is above the maximum " + text(c.upper)};
+  if (c.statistic == Statistic::kChebyshev && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
+    return Error{where + ": alpha is " + text(c.alpha) + "; it must be 0 or more"};
+  return checkSets(scene, c.statistic, c.surfaces, c.over, quantity, where);
+}
+
+}  // namespace
+
+Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
+  const LuminaireRules& rules = intentions.luminaires;
+  if (scene.sites.empty()) return Error{"the scene has no sites, so no luminaire can hang; give it a mount"};
+  if (rules.count == 0 || rules.count > kMostLuminaires)
+    return Error{"luminaires: a count of " + text(std::size_t{rules.count}) + "; it must be 1 to " +
+                 text(std::size_t{kMostLuminaires})};
+  if (auto ok = checkFluxes(rules); !ok) return ok;
+  if (auto ok = checkSites(scene, rules); !ok) return ok;
+  if (auto ok = checkDistance(scene, rules); !ok) return ok;
+  for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
+    const Goal& goal = intentions.goals[g];
+    if (auto ok = checkGoal(scene, goal, intentions.quantity, "goal " + text(g + 1)); !ok) return ok;
+  }
+  for (std::size_t c = 0; c < intentions.constraints.size(); ++c) {
+    const Constraint& constraint = intentions.constraints[c];
+    const std::string where = "constraint " + text(c + 1) + " (" + statisticName(constraint.statistic) + ")";
+    if (auto ok = checkConstraint(scene, constraint, intentions.quantity, where); !ok) return ok;
+  }
+  return Done{};
+}
+
+std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces) {
+  if (surfaces.empty()) return "all";
+  std::string name;
+  for (std::uint32_t s : surfaces) name += (name.empty() ? "" : " + ") + scene.surfaces[s].name;
+  return name;
+}
+
+const char* statisticName(Statistic statistic) {
+  switch (statistic) {
+    case Statistic::kMean:
+      return "mean";
+    case Statistic::kSigma:
+      return "sigma";
+    case Statistic::kPower:
+      return "power";
+    case Statistic::kChebyshev:
+      return "chebyshev";
+    case Statistic::kMinimum:
+      return "minimum";
+    case Statistic::kMaximum:
+      return "maximum";
+    case Statistic::kUniformity:
+      return "uniformity";
+    case Statistic::kContrast:
+      return "contrast";
+  }
+  return "";
+}
+
+}  // namespace fiatlux

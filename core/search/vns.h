@@ -1,0 +1,80 @@
+// Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake the best layout
+// in growing neighbourhoods, improve it by local search on delta evaluations, start the neighbourhoods again
+// when that helped. A pure function of scene, intentions, start and seed; it advances in slices of any size
+// without changing its path.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/search/evaluator.h"
+#include "core/search/intentions.h"
+#include "core/search/neighborhood.h"
+
+namespace fiatlux {
+
+class Vns {
+ public:
+  /// `start`: a layout to improve (the incumbent of the last search when a slider moves), fitted to the
+  /// rules; nullptr starts at random. `reference` scales the goals (see Evaluator). The prepared scene must
+  /// outlive the search. Precondition: checkIntentions(scene, intentions) passed.
+  Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
+      const Layout* start = nullptr, const Layout* reference = nullptr);
+
+  /// Spends exactly `evaluations` more evaluations (one = one trial layout), or none when nothing can move.
+  void advance(std::uint32_t evaluations);
+
+  /// The best layout so far, always a complete one, and what it is worth.
+  Layout incumbent() const { return {best_, evaluator_.flux(), bestEvaluation_.dimming}; }
+  const Evaluation& evaluation() const { return bestEvaluation_; }
+
+  std::uint64_t evaluations() const { return evaluations_; }
+  /// The count of evaluations at which the incumbent was found.
+  std::uint64_t foundAt() const { return foundAt_; }
+  /// How often the whole sequence of neighbourhoods has been tried in vain since the last improvement.
+  std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
+
+ private:
+  enum class Phase : std::uint8_t { kGather, kWalk, kNear, kFar, kSwap, kPairs };
+
+  void begin(const std::vector<std::uint32_t>& sites);
+  std::uint32_t spend(std::uint32_t limit);
+  void openScan();
+  void closeScan();
+  void enter(Phase phase);
+  void nextPhase();
+  std::uint32_t trySwaps(std::uint32_t limit);
+  std::uint32_t tryPairs(std::uint32_t limit);
+  std::uint32_t tryGatherings(std::uint32_t limit);
+  void changeNeighborhood();
+  void shake();
+  void beginShaken(const std::vector<std::uint32_t>& sites);
+
+  std::uint64_t evaluations_ = 0, foundAt_ = 0;
+  Evaluator evaluator_;
+  Neighborhood neighborhood_;
+  Random random_;
+  PreparedScene& prepared_;
+  LuminaireRules rules_;
+  bool differentFluxes_ = false;
+
+  std::vector<std::uint32_t> base_, best_;  // what is shaken; the incumbent
+  Evaluation baseEvaluation_, bestEvaluation_;
+  std::uint32_t level_ = 0, fruitlessRounds_ = 0, roundsOnBase_ = 0;
+
+  // The running local search: which luminaire's moves are being tried, and how far.
+  Phase phase_ = Phase::kNear;
+  bool thorough_ = true;         // far and pair phases too
+  std::uint32_t luminaire_ = 0;  // whose turn it is
+  std::uint32_t fruitless_ = 0;  // luminaires in a row that found nothing
+  std::uint32_t position_ = 0;   // in candidates_
+  bool scanning_ = false;
+  std::vector<std::uint32_t> candidates_, partnerCandidates_;
+  std::uint32_t partner_ = 0;
+  std::vector<std::uint32_t> gathered_;  // the best gathering so far of those tried
+  Evaluation gatheredEvaluation_;
+  Trial found_;  // best of the current scan
+};
+
+}  // namespace fiatlux

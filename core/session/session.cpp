@@ -1,0 +1,115 @@
+// The order of things in a sitting; see session.h.
+#include "core/session/session.h"
+
+#include <utility>
+
+#include "core/alpha/guarantees.h"
+#include "core/search/validate_intentions.h"
+
+namespace fiatlux {
+
+Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
+  Result<SceneReader> reader = SceneReader::open(file);
+  if (!reader) return reader.error();
+  reader_.emplace(std::move(*reader));
+  return Done{};
+}
+
+Result<Done> Session::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
+  if (!reader_) return Error{"no scene file is being opened"};
+  return reader_->verify(section, bytes);
+}
+
+Result<Done> Session::provide(std::uint32_t section, std::vector<std::uint8_t> bytes) {
+  if (!reader_) return Error{"no scene file is being opened"};
+  return reader_->provide(section, std::move(bytes));
+}
+
+Result<Done> Session::finish() {
+  if (!reader_) return Error{"no scene file is being opened"};
+  Result<Scene> scene = reader_->finish();
+  reader_.reset();
+  if (!scene) return scene.error();
+  adopt(std::move(*scene));
+  return Done{};
+}
+
+void Session::adopt(Scene scene) {
+  search_.reset();
+  alpha_.reset();
+  bound_.reset();
+  prepared_.reset();
+  asked_ = false;
+  intentions_ = {};
+  scene_ = std::make_unique<Scene>(std::move(scene));
+  prepared_ = std::make_unique<PreparedScene>(*scene_);
+}
+
+Result<Done> Session::setIntentions(const Intentions& intentions) {
+  if (!scene_) return Error{"no scene is open"};
+  Result<Done> checked = checkIntentions(*scene_, intentions);
+  if (!checked) return checked;
+  search_.reset();
+  alpha_.reset();
+  bound_.reset();
+  intentions_ = intentions;
+  asked_ = true;
+  return Done{};
+}
+
+Result<Done> Session::ready() const {
+  if (!scene_) return Error{"no scene is open"};
+  if (!asked_) return Error{"nothing is asked of the light yet"};
+  return Done{};
+}
+
+Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
+  Result<Done> can = ready();
+  if (!can) return can;
+  bound_.reset();
+  search_ = std::make_unique<Vns>(*prepared_, intentions_, seed, start);
+  return Done{};
+}
+
+SearchProgress Session::advance(std::uint32_t evaluations) {
+  if (!search_) return {};
+  search_->advance(evaluations);
+  return {search_->evaluations(), search_->foundAt(), search_->evaluation()};
+}
+
+Result<Shown> Session::incumbent() {
+  if (!search_) return Error{"no search is running"};
+  return shownOf(*prepared_, intentions_, search_->incumbent());
+}
+
+Result<Shown> Session::show(const Layout& layout) {
+  Result<Done> can = ready();
+  if (!can) return can.error();
+  Result<Done> checked = checkLayout(*scene_, layout);
+  if (!checked) return checked.error();
+  return shownOf(*prepared_, intentions_, layout);
+}
+
+Result<Done> Session::startAlpha(std::uint64_t seed) {
+  Result<Done> can = ready();
+  if (!can) return can;
+  Result<Done> checked = checkAlphaIntentions(*scene_, intentions_);
+  if (!checked) return checked;
+  AlphaOptions options;
+  options.seed = seed;
+  alpha_ = std::make_unique<AlphaSearch>(*prepared_, intentions_, options);
+  return Done{};
+}
+
+Result<Done> Session::startBound() {
+  if (!search_) return Error{"no search is running that could be bounded"};
+  bound_ = std::make_unique<OptimumBound>(*prepared_, intentions_, search_->evaluation());
+  return Done{};
+}
+
+std::optional<double> Session::boundGap() const {
+  if (!search_ || !bound_ || !bound_->supported()) return std::nullopt;
+  return bound_->within(search_->evaluation());
+}
+
+}  // namespace fiatlux

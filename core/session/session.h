@@ -1,0 +1,89 @@
+// One person's sitting with a room: the scene that is open, what is asked of its light, and the search that
+// answers. The one coarse class behind both the page's worker (wasm/bindings.cpp) and the native benchmarks.
+// No clock and no I/O: who calls decides how much is done at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/alpha/alpha_search.h"
+#include "core/bound/bound.h"
+#include "core/scene/scene_reader.h"
+#include "core/search/intentions.h"
+#include "core/search/shown.h"
+#include "core/search/vns.h"
+
+namespace fiatlux {
+
+struct SearchProgress {
+  std::uint64_t evaluations = 0;  // since start()
+  std::uint64_t foundAt = 0;      // the count at which the incumbent was found; 0 = it is the start
+  Evaluation evaluation;          // of the incumbent
+};
+
+class Session {
+ public:
+  // --- The scene: openTable, then provide() every section with needed(), then finish().
+
+  /// Checks a file and remembers its table; the scene that was open stays until finish().
+  Result<Done> openTable(std::span<const std::uint8_t> file);
+  /// Precondition of the next four: openTable succeeded (an Error says so otherwise).
+  const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
+  bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
+  Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
+  Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
+  /// Decodes the sections into the scene; drops the old one, its intentions and searches.
+  Result<Done> finish();
+  /// Takes a scene that did not come from a file.
+  void adopt(Scene scene);
+  const Scene* scene() const { return scene_.get(); }
+
+  // --- Intentions: surfaces are sorted leaf indices, none for "all".
+
+  /// Replaces what is asked; running searches end, statistics of surface sets are kept. On an Error nothing
+  /// changes.
+  Result<Done> setIntentions(const Intentions& intentions);
+  const Intentions& intentions() const { return intentions_; }
+
+  // --- The search. Each of the next four is an Error without scene or intentions.
+
+  /// Begins a search, from `start` where given (fitted to the rules), at random otherwise.
+  Result<Done> start(std::uint64_t seed, const Layout* start);
+  /// Spends that many evaluations. Nothing happens before start().
+  SearchProgress advance(std::uint32_t evaluations);
+  /// Readings of the best layout so far.
+  Result<Shown> incumbent();
+  /// Readings of any layout.
+  Result<Shown> show(const Layout& layout);
+
+  /// The alpha-search of paper section 4 for the true minima and maxima that are asked for: nullptr before
+  /// startAlpha succeeded.
+  Result<Done> startAlpha(std::uint64_t seed);
+  AlphaSearch* alpha() { return alpha_.get(); }
+
+  /// A provable bound on the goal of the search that runs or has run; nullptr before startBound succeeded. An
+  /// Error without a search.
+  Result<Done> startBound();
+  OptimumBound* bound() { return bound_.get(); }
+  /// The best possible is better than the incumbent by at most this share; nothing while nothing is proved.
+  std::optional<double> boundGap() const;
+
+ private:
+  Result<Done> ready() const;
+
+  std::optional<SceneReader> reader_;
+  // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<PreparedScene> prepared_;
+  bool asked_ = false;
+  Intentions intentions_;
+  std::unique_ptr<Vns> search_;
+  std::unique_ptr<AlphaSearch> alpha_;
+  std::unique_ptr<OptimumBound> bound_;
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,34 @@
+// Light of every patch for sources given by their direct light D, all interreflections included:
+//   b = (I - Y V^T) e, e = rho D;   refined by b <- b + (I - Y V^T)(e - (I - R F) b);   g = D + F b.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/patches.h"
+#include "core/transport/form_factors.h"
+#include "core/transport/low_rank_radiosity.h"
+
+namespace fiatlux {
+
+/// Sources solved together: each near patch and slope is read once for them all.
+inline constexpr std::uint32_t kBlockWidth = 16;
+
+/// One block of sources, `width` columns (kBlockWidth is the fastest). All matrices row-major.
+struct ResponseBlock {
+  std::uint32_t width = 0;
+  std::vector<float> direct;  // in: rows x width, lx
+  std::vector<float>
+      emission;  // in, may be empty: n x width, lm/m2 that patches themselves emit (furnace tests)
+  std::vector<float> radiosity;   // out: n x width, lm/m2: reflected light and emission
+  std::vector<float> irradiance;  // out: rows x width, lx: direct light and everything reflected
+  std::vector<double> residuals;  // out: (refinement steps + 1) x width: |e - (I - R F) b| / |e|, weighted by
+                                  // area, before each step and after the last; 0 for a dark column
+};
+
+/// Solves the block with `refine` refinement steps, or fewer where every residual is below `tolerance`
+/// already. The residual after the last step costs no extra gather: F b is what step 3 needs anyway.
+void solveResponses(const FormFactors& factors, const Patches& patches, const LowRankRadiosity& lowRank,
+                    std::uint32_t refine, double tolerance, ResponseBlock& block);
+
+}  // namespace fiatlux

@@ -1,0 +1,110 @@
+// fiatlux experiments: section 5 of the paper as a report with plots and raw runs, made again by one command.
+#include "precompute/experiments/experiments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "precompute/base/error.h"
+#include "precompute/commands/commands.h"
+#include "precompute/commands/option_checks.h"
+#include "precompute/files/files_on_disk.h"
+#include "precompute/files/intentions_json.h"
+#include "precompute/files/scene_io.h"
+#include "precompute/files/terminal.h"
+
+namespace fiatlux {
+namespace {
+
+struct ExperimentsOptions {
+  std::string scene = "public/scenes/e-corridor.flux", folder = "docs", wall = "yellow wall";
+  std::uint32_t runs = 20, evaluations = 25000;
+};
+
+/// The pictures of the room that `npm run pictures` left beside the plots, named after the experiments.
+std::string roomPictures(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".jpg") names.push_back(entry.path().stem().string());
+  if (names.empty()) return "";
+  std::sort(names.begin(), names.end());
+  std::string section =
+      "\n## The room in each experiment\n\nSeen by the app; `npm run pictures` takes them again.\n\n";
+  for (const std::string& name : names)
+    section += "**" + name + "**\n\n![" + name + "](experiments/" + name + ".jpg)\n\n";
+  return section;
+}
+
+void runExperiments(const ExperimentsOptions& options) {
+  const Scene scene = orThrow(readSceneFile(options.scene));
+  PreparedScene prepared(scene);
+  Experiments e{prepared, orThrow(surfacesNamed(scene, {options.wall}))};
+  if (scene.sites.size() < 7)
+    throw CommandError(options.scene + ": fewer than seven sites; the experiments place six luminaires");
+  for (std::uint32_t s : e.wall)
+    if (scene.surfaces[s].measuring)
+      throw CommandError(options.scene + ": \"" + options.wall +
+                         "\" is a measuring plane; name a wall with --wall");
+  std::error_code failure;
+  const std::filesystem::path plots = std::filesystem::path(options.folder) / "experiments";
+  std::filesystem::create_directories(plots, failure);
+  if (failure) throw CommandError(plots.string() + ": cannot be made; choose another folder with -o");
+  e.runs = options.runs;
+  e.evaluations = options.evaluations;
+  Progress progress;
+  const std::pair<const char*, void (*)(Experiments&)> parts[] = {{"dispersion", experimentDispersion},
+                                                                  {"intentions", experimentIntentions},
+                                                                  {"chebyshev", experimentChebyshev},
+                                                                  {"alpha", experimentAlpha},
+                                                                  {"speed", experimentSpeed}};
+  for (const auto& [name, part] : parts) {
+    progress.update(name, 0);
+    part(e);
+    progress.update(name, 1);
+  }
+  std::string table = "| figure | paper | here | why they differ |\n|---|---|---|---|\n";
+  for (const std::string& row : e.comparison) table += row + "\n";
+  for (std::size_t at = 0; (at = e.report.find(".svg)", at)) != std::string::npos; at += 5) {
+    const std::size_t open = e.report.rfind('(', at);
+    e.report.insert(open + 1, "experiments/");
+    at += std::string("experiments/").size();
+  }
+  const std::string report = "# The paper's experiments, run again\n\nMade by `fiatlux experiments` on " +
+                             std::filesystem::path(options.scene).filename().string() + " (" +
+                             std::to_string(scene.patches.count) + " patches, " +
+                             std::to_string(scene.patches.clusterCount) + " clusters, " +
+                             std::to_string(scene.sites.size()) +
+                             " sites). The paper's room is not published: ours meets all counts that it "
+                             "prints, not its dimensions, so shares and "
+                             "ratios are compared, not absolute values. Raw runs: "
+                             "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
+                             table + "\n" + e.report + roomPictures(plots);
+  for (const auto& [name, svg] : e.pictures) writeFileAtomically((plots / name).string(), svg);
+  writeFileAtomically((plots / "runs.csv").string(), e.rows);
+  writeFileAtomically((std::filesystem::path(options.folder) / "experiments.md").string(), report);
+}
+
+}  // namespace
+
+void addExperimentsCommand(CLI::App& app) {
+  auto options = std::make_shared<ExperimentsOptions>();
+  CLI::App* command =
+      app.add_subcommand("experiments", "Run the paper's section 5 and write a report with plots");
+  command->add_option("-o,--output", options->folder, "folder for experiments.md and experiments/")
+      ->capture_default_str();
+  command->add_option("--scene", options->scene, "scene file (.flux)")->capture_default_str();
+  command->add_option("--wall", options->wall, "the surface that plays the yellow wall")
+      ->capture_default_str();
+  command->add_option("--runs", options->runs, "seeds a problem")
+      ->check(wholeFrom(1, 1000))
+      ->capture_default_str();
+  command->add_option("--evaluations", options->evaluations, "trial layouts a run")
+      ->check(wholeFrom(1, 10000000))
+      ->capture_default_str();
+  command->callback([options] { runExperiments(*options); });
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,140 @@
+// fiatlux info: what is in a scene file and how it was made.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
+#include "precompute/commands/commands.h"
+#include "precompute/files/files_on_disk.h"
+#include "precompute/files/scene_io.h"
+#include "precompute/files/terminal.h"
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The file's account of its own making; an empty object where it has none. Of a person's making, so never
+/// relied on.
+nlohmann::json provenanceOf(std::span<const std::uint8_t> file, const SceneTable& table) {
+  const SceneSection* section = table.find("provenance");
+  if (!section) return nlohmann::json::object();
+  const std::vector<std::uint8_t> bytes = orThrow(inflateSection(file, *section));
+  Result<nlohmann::json> json = parseJson(std::string(bytes.begin(), bytes.end()));
+  return json && json->is_object() ? std::move(json.value()) : nlohmann::json::object();
+}
+
+/// Everything, as --json prints it and as the table is made of.
+Json infoOf(const std::string& path) {
+  const std::vector<std::uint8_t> file = readFileBytes(path);
+  const SceneTable table = orThrow(path, readSceneTable(file));
+  const Scene scene = orThrow(path, readScene(file));
+  for (const SceneSection& section : table.sections) orThrow(path, inflateSection(file, section));
+  Json json;
+  json["identity"] = scene.identity;
+  json["version"] = table.version;
+  json["bytes"] = file.size();
+  json["patches"] = table.counts.patches;
+  json["clusters"] = table.counts.clusters;
+  json["sites"] = table.counts.sites;
+  json["receivers"] = table.counts.receivers;
+  json["surfaces"] = Json::array();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    json["surfaces"].push_back({{"name", surface.name},
+                                {"patches", surface.patches},
+                                {"area", surface.area},
+                                {"reflectance", surface.reflectance},
+                                {"lost", surface.lost},
+                                {"measuring", surface.measuring},
+                                {"errorBound", scene.errorBound[s]}});
+  }
+  json["sections"] = Json::array();
+  for (const SceneSection& section : table.sections)
+    json["sections"].push_back({{"name", section.name},
+                                {"bytes", section.storedBytes},
+                                {"inflated", section.inflatedBytes},
+                                {"errorBound", section.errorBound}});
+  // note: whoever made the file wrote this; it never replaces what was read off the file
+  const nlohmann::json provenance = provenanceOf(file, table);
+  for (const auto& item : provenance.items())
+    if (!json.contains(item.key())) json[item.key()] = item.value();
+  if (!json.contains("seconds")) json["seconds"] = Json::object();
+  return json;
+}
+
+/// A member of the provenance that may be missing or of any type, in one line.
+std::string textOf(const Json& json, const char* key) {
+  if (!json.contains(key)) return "";
+  const Json& value = json[key];
+  if (value.is_string()) return printable(value.get<std::string>());
+  std::string text;
+  if (value.is_object() || value.is_array()) {
+    for (const auto& item : value.items()) {
+      char number[32] = "";
+      if (item.value().is_number()) std::snprintf(number, sizeof number, "%.4g", item.value().get<double>());
+      const std::string shown = *number ? number
+                                : item.value().is_string()
+                                    ? item.value().get<std::string>()
+                                    : item.value().dump(-1, ' ', false, Json::error_handler_t::replace);
+      text += (text.empty() ? "" : ", ") + (value.is_object() ? item.key() + " " : std::string()) + shown;
+    }
+    return printable(text);
+  }
+  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void printTable(const std::string& path, const Json& json) {
+  const auto count = [&](const char* key) { return json[key].get<unsigned>(); };
+  std::printf("%s: identity %s, version %u, %.2f MB\n", path.c_str(),
+              json["identity"].get<std::string>().c_str(), count("version"),
+              json["bytes"].get<double>() / 1e6);
+  std::printf("%u patches, %u clusters, %u sites, %u receivers\n\n", count("patches"), count("clusters"),
+              count("sites"), count("receivers"));
+  std::printf("%-32s %8s %10s %12s %8s\n", "surface", "patches", "area m2", "reflectance", "lost");
+  for (const Json& s : json["surfaces"])
+    std::printf("%-32s %8u %10.3f %12.3f %7.3f%%%s\n", printable(s["name"].get<std::string>(), 60).c_str(),
+                s["patches"].get<unsigned>(), s["area"].get<double>(), s["reflectance"].get<double>(),
+                100 * s["lost"].get<double>(), s["measuring"].get<bool>() ? "  (measuring plane)" : "");
+  std::printf("\n%-32s %12s %12s\n", "section", "bytes", "inflated");
+  for (const Json& s : json["sections"])
+    std::printf("%-32s %12llu %12llu\n", s["name"].get<std::string>().c_str(),
+                s["bytes"].get<unsigned long long>(), s["inflated"].get<unsigned long long>());
+  std::puts("");
+  for (const char* key :
+       {"source", "options", "patchSize", "seconds", "lost", "residuals", "ranks", "errors", "peakMiB"})
+    if (const std::string text = textOf(json, key); !text.empty())
+      std::printf("%-10s %s\n", key, text.c_str());
+  if (const std::string names = textOf(json, "fewPatches"); !names.empty())
+    std::printf("%-10s too few patches, sigma may move by more than 1 %% with the ray seed: %s\n", "note",
+                names.c_str());
+  if (json.contains("warnings") && json["warnings"].is_array())
+    for (const Json& warning : json["warnings"])
+      if (warning.is_string())
+        std::printf("%-10s %s\n", "warning", printable(warning.get<std::string>()).c_str());
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app) {
+  struct Options {
+    std::string scene;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "What is in a scene file, and how it was made");
+  command->add_option("scene", options->scene, "Scene file (.flux)")->required();
+  command->add_flag("--json", options->json, "One JSON document on standard output");
+  command->callback([options] {
+    const Json json = infoOf(options->scene);
+    if (options->json)
+      std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    else
+      printTable(options->scene, json);
+  });
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,44 @@
+#include "precompute/commands/room_command_options.h"
+
+#include "precompute/commands/option_checks.h"
+
+namespace fiatlux {
+
+namespace {
+
+constexpr double kMost = 1e6;  // m, GB: beyond any room, far from what a number can hold
+
+}  // namespace
+
+void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays) {
+  command.add_option("room", source, "The room (.glb, or .gltf with its files)")->required();
+  command.add_option("--patch", room.patch, "Edge of a patch, m (default: about 25 000 patches)")
+      ->check(numberFrom(1e-4, kMost));
+  command.add_option("--mount", room.mounts, "Node or surface where luminaires may hang (repeatable)")
+      ->allow_extra_args(false);
+  command.add_option("--site-spacing", room.siteSpacing, "Distance between sites, m")
+      ->check(numberFrom(1e-3, kMost));
+  command.add_option("--site-size", room.siteSize, "Side of a luminaire's square, m (default: the spacing)")
+      ->check(numberFrom(1e-3, kMost));
+  command.add_option("--measure", room.measures, "Node that is a measuring plane (repeatable)")
+      ->allow_extra_args(false);
+  command.add_option("--scale", room.scale, "Metres of one unit of the file")
+      ->check(numberFrom(1e-6, kMost))
+      ->capture_default_str();
+  command.add_option("--memory", room.memory, "GB that may be used")
+      ->check(numberFrom(0.01, kMost))
+      ->capture_default_str();
+  addRayOptions(command, rays);
+}
+
+void addRayOptions(CLI::App& command, RayOptions rays) {
+  command.add_option("--rays", rays.rays, "Rays from every patch; above 1024 shadow rays grow, too")
+      ->check(wholeFrom(1, 65536))
+      ->capture_default_str();
+  command.add_option("--seed", rays.seed, "Of the rays")->check(aSeed())->capture_default_str();
+  command.add_option("--threads", rays.threads, "0: all cores")
+      ->check(wholeFrom(0, 1024))
+      ->capture_default_str();
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,161 @@
+// fiatlux solve: the best layout that a search finds for a file of intentions.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "core/base/short_number.h"
+#include "core/bound/bound.h"
+#include "core/search/start_layout.h"
+#include "core/search/validate_intentions.h"
+#include "core/search/vns.h"
+#include "precompute/base/error.h"
+#include "precompute/commands/commands.h"
+#include "precompute/commands/option_checks.h"
+#include "precompute/files/files_on_disk.h"
+#include "precompute/files/intentions_json.h"
+#include "precompute/files/light_results.h"
+#include "precompute/files/scene_io.h"
+#include "precompute/files/solve_report.h"
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct SolveOptions {
+  std::string scene, intentions, output;
+  std::uint64_t seed = 1;
+  std::uint32_t runs = 1, evaluations = 25000;
+  bool bound = false, json = false;
+};
+
+struct Run {
+  Layout layout;
+  Evaluation evaluation;
+  std::uint64_t seed = 0, evaluations = 0;
+  double seconds = 0;
+};
+
+std::vector<Run> search(PreparedScene& prepared, const Intentions& intentions, const SolveOptions& options) {
+  constexpr std::uint32_t kSlice = 1u << 20;
+  std::vector<Run> runs;
+  for (std::uint32_t r = 0; r < options.runs; ++r) {
+    const auto begin = Clock::now();
+    Vns vns(prepared, intentions, options.seed + r);
+    for (std::uint32_t left = options.evaluations; left > 0; left -= std::min(left, kSlice))
+      vns.advance(std::min(left, kSlice));
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    runs.push_back({vns.incumbent(), vns.evaluation(), options.seed + r, vns.evaluations(), seconds});
+  }
+  return runs;
+}
+
+Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
+  const Shown shown = shownOf(prepared, intentions, run.layout);
+  return {{"seed", run.seed},
+          {"layout", layoutJson(run.layout)},
+          {"surfaces", surfacesJson(lightResults(prepared.scene(), run.layout))},
+          {"goal", goalJson(shown)},
+          {"violations", violationsJson(prepared.scene(), intentions, shown)},
+          {"evaluations", run.evaluations},
+          {"seconds", run.seconds}};
+}
+
+std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
+  const Goal& goal = intentions.goals[g];
+  std::string line =
+      std::string(goal.sense == Sense::kMinimize ? "least " : "most ") + statisticName(goal.statistic);
+  if (goal.statistic != Statistic::kPower) line += " of " + surfaceSetName(scene, goal.surfaces);
+  if (goal.statistic == Statistic::kContrast) line += " over " + surfaceSetName(scene, goal.over);
+  return line + ": " + shortNumber(shown.goals[g], kReportDigits) +
+         unitOf(goal.statistic, intentions.quantity);
+}
+
+void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
+  const Scene& scene = prepared.scene();
+  const Shown shown = shownOf(prepared, intentions, run.layout);
+  std::printf("seed %llu, %llu evaluations, %.2f ms\n", static_cast<unsigned long long>(run.seed),
+              static_cast<unsigned long long>(run.evaluations), 1e3 * run.seconds);
+  for (std::size_t g = 0; g < shown.goals.size(); ++g)
+    std::printf("  %s\n", goalLine(scene, intentions, shown, g).c_str());
+  for (std::size_t c = 0; c < shown.constraints.size(); ++c)
+    std::printf("  %s\n", constraintLine(scene, intentions, shown, c).c_str());
+  if (run.layout.dimming != 1)
+    std::printf("  dimmed to %s\n", shortNumber(run.layout.dimming, kReportDigits).c_str());
+  for (std::size_t i = 0; i < run.layout.sites.size(); ++i) {
+    const Vec3& at = scene.sites[run.layout.sites[i]].position;
+    std::printf("  L%zu on site %u at (%.3f, %.3f, %.3f) m, %s lm\n", i + 1, run.layout.sites[i], at.x, at.y,
+                at.z, shortNumber(run.layout.flux[i], kReportDigits).c_str());
+  }
+}
+
+/// What is proved about the best possible goal: its bound in the goal's unit, and how far the best run is
+/// from it at most.
+Json boundJson(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best) {
+  OptimumBound bound(prepared, intentions, best);
+  while (!bound.done()) bound.advance(1u << 12);
+  const std::optional<double> within = bound.within(best);
+  if (!within) return nullptr;
+  const Layout reference{spreadSites(prepared, intentions.luminaires), {}, 1};
+  const double factor =
+      intentions.goals.size() == 1 ? Objective(prepared, intentions, reference).goalFactor(0) : 1.0;
+  return {{"goal", bound.goal() / factor}, {"within", *within}};
+}
+
+void printBound(const Json& bound) {
+  if (bound.is_null())
+    std::printf("nothing is proved about the best possible for these intentions\n");
+  else
+    std::printf(
+        "proved: no layout reaches a goal beyond %s; the best found is within %.3g %% of the best possible\n",
+        shortNumber(bound["goal"].get<double>(), kReportDigits).c_str(), 100 * bound["within"].get<double>());
+}
+
+void solve(const SolveOptions& options) {
+  if (!options.output.empty()) checkWritable(options.output);
+  const Scene scene = orThrow(readSceneFile(options.scene));
+  const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
+  PreparedScene prepared(scene);
+  const std::vector<Run> runs = search(prepared, intentions, options);
+  const Run* best = &runs.front();
+  for (const Run& run : runs)
+    if (isBetter(run.evaluation, best->evaluation)) best = &run;
+  Json report = {{"runs", Json::array()}};
+  if (options.bound) report["bound"] = boundJson(prepared, intentions, best->evaluation);
+  if (options.json) {
+    for (const Run& run : runs) report["runs"].push_back(runJson(prepared, intentions, run));
+  } else {
+    for (const Run& run : runs) printRun(prepared, intentions, run);
+    if (options.bound) printBound(report["bound"]);
+  }
+  if (!options.output.empty()) writeFileAtomically(options.output, layoutJson(best->layout).dump(2) + "\n");
+  if (options.json) std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+}  // namespace
+
+void addSolveCommand(CLI::App& app) {
+  auto options = std::make_shared<SolveOptions>();
+  CLI::App* command =
+      app.add_subcommand("solve", "Place the luminaires so that the light does what the intentions say");
+  command->add_option("scene", options->scene, "scene file (.flux)")->required();
+  command->add_option("--intentions", options->intentions, "intentions.json")->required();
+  command->add_option("--seed", options->seed, "of the first run; the others count on")
+      ->check(aSeed())
+      ->capture_default_str();
+  command->add_option("--runs", options->runs, "independent searches")
+      ->check(wholeFrom(1, 100000))
+      ->capture_default_str();
+  command->add_option("--evaluations", options->evaluations, "trial layouts a run")
+      ->check(wholeFrom(1, 4000000000u))
+      ->capture_default_str();
+  command->add_flag("--bound", options->bound,
+                    "prove how far from the best possible it is at most (takes seconds)");
+  command->add_flag("--json", options->json, "one JSON document on standard output");
+  command->add_option("-o,--output", options->output, "write the best layout.json here");
+  command->callback([options] { solve(*options); });
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,46 @@
+// layout.json: luminaires on sites or anywhere, read strictly; one line says what is wrong.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/luminaire.h"
+#include "core/scene/scene.h"
+
+namespace fiatlux {
+
+/// One luminaire as it was written: a site, a position, or both.
+struct LayoutEntry {
+  double flux = 0;  // lm, before dimming
+  std::optional<std::uint32_t> site;
+  std::optional<Luminaire> free;  // has a position; flux as above
+  std::vector<std::string>
+      freeKeys;  // the keys that only a free luminaire has: normal, size, axis, distribution
+};
+
+struct LayoutFile {
+  double dimming = 1;
+  std::vector<LayoutEntry> luminaires;
+  std::vector<std::string> notes;  // unknown keys, one readable line each
+};
+
+Result<LayoutFile> parseLayout(const std::string& text);
+/// The same from a file of at most 16 MB; errors begin with the path.
+Result<LayoutFile> readLayoutFile(const std::string& path);
+
+/// On the sites of a scene: a site number as it is, a position on the nearest site. Notes say where a
+/// position is further than half a site away and which keys were ignored. An error where a site is not there.
+Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::vector<std::string>& notes);
+
+/// Luminaires anywhere, dimming included in their flux. A site number means a site of the room; a position
+/// beside it must agree, and keys of a free luminaire outrank it. An error where a site is not there.
+Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std::vector<Site>& sites);
+
+/// {"dimming", "luminaires": [{"site", "position", "flux"}]}: what readLayoutFile reads.
+nlohmann::ordered_json layoutJson(const Layout& layout, const Scene& scene);
+
+}  // namespace fiatlux

@@ -1,0 +1,267 @@
+// The stages of a room in order: weld, find surfaces, lay charts, cut patches, cluster, hang sites.
+#include "precompute/geometry/build_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <set>
+
+#include "core/base/short_number.h"
+#include "precompute/base/error.h"
+#include "precompute/base/names.h"
+#include "precompute/geometry/charts.h"
+#include "precompute/geometry/clusters.h"
+#include "precompute/geometry/cut_patches.h"
+#include "precompute/geometry/mounts.h"
+#include "precompute/geometry/outside.h"
+#include "precompute/geometry/surfaces.h"
+#include "precompute/gltf/reflectance.h"
+#include "precompute/room/bounds.h"
+#include "precompute/room/memory.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kMostClusters = 3000;
+
+/// The source's meshes by what they are to the light.
+struct Roles {
+  std::vector<std::uint32_t> reflectors, measures;
+};
+
+Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::vector<std::string>& warnings) {
+  for (const std::string& name : options.measures) {
+    const std::vector<std::string> names = askedNames(source);
+    if (std::find(names.begin(), names.end(), name) == names.end()) unknownName("--measure", name, names);
+  }
+  Roles roles;
+  std::set<std::string> transparent;
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    const auto named = [&](const std::string& name) {
+      return name == mesh.node || name == mesh.extras.surface;
+    };
+    if (mesh.extras.measure || std::any_of(options.measures.begin(), options.measures.end(), named)) {
+      roles.measures.push_back(m);
+    } else if (mesh.material >= 0 && source.materials[mesh.material].alpha == SourceMaterial::Alpha::kBlend) {
+      transparent.insert(source.materials[mesh.material].name);
+    } else {
+      roles.reflectors.push_back(m);
+    }
+  }
+  for (const std::string& name : transparent)
+    if (transparent.size() <= 8 || name == *transparent.begin())
+      warnings.push_back(
+          "material '" + name + "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
+          (transparent.size() <= 8 ? "" : "; so are " + std::to_string(transparent.size() - 1) + " more"));
+  return roles;
+}
+
+void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
+  const double width = boundsOf(mesh.positions).longestEdge();
+  if (width > 100)
+    warnings.push_back("the room is " + shortNumber(width) + " m wide: the file is probably in " +
+                       (width > 2000 ? "millimetres: pass --scale 0.001"
+                                     : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
+  if (width < 0.5)
+    warnings.push_back("the room is only " + shortNumber(width) +
+                       " m wide: pass --scale with the metres of one unit of the file");
+}
+
+std::vector<Face> frontFaces(const WeldedMesh& mesh) {
+  std::vector<Face> faces;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    faces.push_back({mesh.triangles[t].vertex, t, mesh.triangles[t].mesh, mesh.triangles[t].source, false});
+  return faces;
+}
+
+/// The room's surfaces without its outside, and where luminaires may hang.
+struct Inside {
+  SurfaceTree tree;
+  std::vector<Mount> mounts;
+  Outside outside;
+};
+
+/// Where light starts that a person has placed already.
+std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
+  std::vector<LightPlace> places;
+  for (const Luminaire& l : luminaires) {
+    const bool isotropic = l.distribution == Luminaire::Distribution::kIsotropic;
+    const Vec3 normal = isotropic ? Vec3{} : l.normal;
+    const Vec3 u = 0.4 * l.width * l.axis, v = 0.4 * l.height * cross(l.normal, l.axis);
+    for (const Vec3& from : {Vec3{}, u + v, u - v, v - u, -u - v})
+      places.push_back({l.position + from + kLuminaireClearance * normal, normal});
+  }
+  return places;
+}
+
+/// Finds surfaces and mounts; turns sheets that look outward; leaves out what no light can reach.
+Inside findInside(const SourceScene& source, const RoomOptions& options, WeldedMesh& mesh, UniqueNames& names,
+                  std::vector<std::string>& warnings) {
+  std::vector<Face> faces = frontFaces(mesh);
+  const std::vector<Face> backs = backFaces(source, mesh);
+  faces.insert(faces.end(), backs.begin(), backs.end());
+  UniqueNames firstNames;
+  Inside inside;
+  inside.tree = findSurfaces(source, mesh, faces, 0.01, firstNames);
+  Outlook outlook(mesh, makeCharts(mesh, inside.tree, mesh.diagonal / 40, 0));
+  if (turnOutwardSheets(mesh, faces, outlook)) {
+    names = {};
+    inside.tree = findSurfaces(source, mesh, faces, 0.01, names);
+  } else {
+    names = std::move(firstNames);
+  }
+  inside.mounts = findMounts(source, mesh, inside.tree, faces, outlook, options, warnings);
+  const Outlook::Unlit unlit =
+      outlook.unlit(facesWithSites(mesh, inside.mounts), placesOf(options.luminaires));
+  inside.outside = leaveOut(unlit.outside, inside.tree);
+  for (const std::string& note : {inside.outside.note, noteOfShutOff(unlit.shutOff, inside.tree)})
+    if (!note.empty()) warnings.push_back(note);
+  return inside;
+}
+
+/// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000
+/// patches), and where a mount's site spacing is known a whole fraction of it, so that squares of light end
+/// where patches do.
+double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+                        double area) {
+  double spacing = 0;
+  for (const SourceMesh& from : source.meshes)
+    if (from.extras.mount && from.extras.siteSpacing && spacing == 0) spacing = *from.extras.siteSpacing;
+  const auto snapped = [&](double patch) {
+    const double fraction = spacing > 0 ? spacing / std::max(1.0, std::round(spacing / patch)) : patch;
+    return std::abs(std::log(fraction / patch)) < 0.25 ? fraction : patch;
+  };
+  double patch = std::clamp(std::sqrt(area / 25000), 0.05, std::max(0.5, std::sqrt(area / 100000)));
+  // Thin and small things get more patches than their area says: coarsen until the number fits.
+  for (int i = 0; i < 3; ++i) {
+    const double count = foreseenPatches(makeCharts(mesh, tree, snapped(patch), 0));
+    if (count < 1.15 * 25000 || snapped(patch) >= 0.5) break;
+    patch = std::min(patch * std::sqrt(count / 25000), 0.5);
+  }
+  return snapped(patch);
+}
+
+void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
+  for (const std::string& name : tree.names) {
+    Surface surface;
+    surface.name = name;
+    surface.measuring = measuring;
+    room.surfaces.push_back(surface);
+  }
+  room.warnings.insert(room.warnings.end(), tree.warnings.begin(), tree.warnings.end());
+}
+
+/// Areas, reflectances and counts of the surfaces, from their patches.
+void sumSurfaces(Room& room) {
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
+    Surface& surface = room.surfaces[room.patches.surface[p]];
+    surface.area += room.patches.area[p];
+    surface.reflectance += room.patches.area[p] * room.patches.reflectance[p];
+    ++surface.patches;
+  }
+  for (Surface& surface : room.surfaces)
+    if (surface.area > 0) surface.reflectance /= surface.area;
+}
+
+void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts, const Outside& outside,
+                  Room& room) {
+  room.positions = mesh.positions;
+  for (const WeldedTriangle& t : mesh.triangles)
+    room.triangles.push_back(
+        {t.vertex,
+         kNone,
+         kNone,
+         {t.mesh, t.source},
+         {t.backMesh == kNone ? t.mesh : t.backMesh, t.backMesh == kNone ? t.source : t.backSource},
+         outside.nameOfTriangle[room.triangles.size()]});
+  room.leftOut = outside.names;
+  for (std::uint32_t d = 0; d < drafts.size(); ++d)
+    for (const Face& face : drafts[d].faces)
+      (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
+}
+
+void addMeasuringPlanes(const SourceScene& source, const Roles& roles, const RoomOptions& options,
+                        UniqueNames& names, Room& room) {
+  if (roles.measures.empty()) return;
+  const double patch = room.patchSize;
+  const WeldedMesh mesh = weld(source, roles.measures);
+  std::vector<Face> faces = frontFaces(mesh);
+  for (Face& face : faces) {
+    const Vec3 normal = normalized(areaVector(mesh.positions, face.vertex));
+    if (normal.y < -0.7) std::swap(face.vertex[1], face.vertex[2]);
+  }
+  const auto first = static_cast<std::uint32_t>(room.surfaces.size());
+  const SurfaceTree tree = findSurfaces(source, mesh, faces, 0, names);
+  addSurfaces(tree, true, room);
+  std::vector<ChartDraft> charts = makeCharts(mesh, tree, patch, first);
+  checkGrids(charts, options, patch, kMostClusters);
+  appendPatches(mesh, charts, patch, nullptr, room);
+}
+
+void checkOptions(const RoomOptions& options) {
+  const auto refuse = [](const char* what) {
+    throw CommandError(std::string(what) + " must be positive and finite");
+  };
+  if (!(options.patch >= 0 && options.patch < 1e6)) refuse("--patch");
+  if (options.cluster < 1 || options.cluster > 4096)
+    throw CommandError("--cluster must be between 1 and 4096");
+  if (!(options.siteSpacing >= 0 && options.siteSpacing < 1e6)) refuse("--site-spacing");
+  if (!(options.siteSize >= 0 && options.siteSize < 1e6)) refuse("--site-size");
+  if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
+}
+
+Room build(const SourceScene& source, const RoomOptions& options) {
+  checkOptions(options);
+  Room room;
+  room.sourceHash = source.hash;
+  room.warnings = source.warnings;
+  const Roles roles = assignRoles(source, options, room.warnings);
+  WeldedMesh mesh = weld(source, roles.reflectors);
+  if (mesh.triangles.empty())
+    throw CommandError(
+        roles.reflectors.empty()
+            ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
+            : "no surfaces: every triangle has zero area; check the scale of the nodes");
+  if (mesh.withoutArea > 0)
+    room.warnings.push_back("triangles without area are left out: " + std::to_string(mesh.withoutArea));
+  if (mesh.duplicates > 0)
+    room.warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
+  warnOfScale(mesh, room.warnings);
+
+  UniqueNames names;
+  const Inside inside = findInside(source, options, mesh, names, room.warnings);
+  const SurfaceTree& tree = inside.tree;
+  room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(tree));
+  std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
+  checkGrids(charts, options, room.patchSize, kMostClusters);
+
+  addSurfaces(tree, false, room);
+  const ReflectanceMap reflectance(source);
+  appendPatches(mesh, charts, room.patchSize, &reflectance, room);
+  room.patches.count = room.patches.rows();
+  addTriangles(mesh, charts, inside.outside, room);
+  const std::uint32_t edge = assignClusters(room, options.cluster, kMostClusters, options.paper);
+  if (edge != options.cluster)
+    room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
+                            " patches, so that there are at most 3000");
+  addMeasuringPlanes(source, roles, options, names, room);
+  sumSurfaces(room);
+  addSites(mesh, inside.mounts, options, room);
+  orThrow(checkMemory(countsOf(options, room), options.memory));
+  return room;
+}
+
+}  // namespace
+
+Result<Room> buildRoom(const SourceScene& source, const RoomOptions& options) {
+  try {
+    return build(source, options);
+  } catch (const CommandError& error) {
+    return Error{error.what()};
+  } catch (const std::bad_alloc&) {
+    return Error{"not enough memory for this room; pass a larger --patch"};
+  }
+}
+
+}  // namespace fiatlux

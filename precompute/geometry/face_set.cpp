@@ -1,0 +1,117 @@
+// Edges are sorted so that equal ones meet; open ones are cut first at the vertices that lie on them.
+#include "precompute/geometry/face_set.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "precompute/room/vertex_lattice.h"
+
+namespace fiatlux {
+namespace {
+
+bool edgeLess(const SubEdge& x, const SubEdge& y) {
+  return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+}
+
+SubEdge makeEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face) {
+  return {std::min(from, to), std::max(from, to), face, from < to};
+}
+
+/// Replaces open edges by their pieces between the open vertices that lie on them.
+void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
+  std::vector<SubEdge> closed, open;
+  for (std::size_t i = 0, j; i < edges.size(); i = j) {
+    for (j = i + 1; j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j) {
+    }
+    auto& target = j - i == 1 ? open : closed;
+    target.insert(target.end(), edges.begin() + i, edges.begin() + j);
+  }
+  if (open.size() < 4) return;
+  std::vector<std::uint32_t> vertices;
+  std::vector<double> lengths;
+  double total = 0;
+  for (const SubEdge& edge : open) {
+    vertices.push_back(edge.a), vertices.push_back(edge.b);
+    lengths.push_back(length(mesh.positions[edge.b] - mesh.positions[edge.a]));
+    total += lengths.back();
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
+  const double cell = std::max(
+      {lengths[lengths.size() / 2], total / (16.0 * static_cast<double>(open.size())), 4 * mesh.tolerance});
+  const VertexLattice lattice(mesh.positions, vertices, cell);
+
+  const std::size_t budget = 20'000'000 + 500 * open.size();
+  std::size_t work = 0;
+  std::vector<std::pair<double, std::uint32_t>> cuts;
+  const double margin = 2 * mesh.tolerance;
+  for (const SubEdge& edge : open) {
+    const Vec3 a = mesh.positions[edge.a], d = mesh.positions[edge.b] - a;
+    const double l = length(d);
+    cuts.clear();
+    if (work < budget)
+      work += lattice.alongSegment(a, a + d, margin, [&](std::uint32_t v) {
+        if (v == edge.a || v == edge.b) return;
+        const Vec3 p = mesh.positions[v] - a;
+        const double t = dot(p, d) / l;
+        if (t > 0 && t < l && length(p - (t / l) * d) < margin) cuts.emplace_back(t, v);
+      });
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    std::uint32_t from = edge.a;
+    for (const auto& cut : cuts) {
+      SubEdge piece = makeEdge(from, cut.second, edge.face);
+      piece.forward = piece.forward == edge.forward;
+      closed.push_back(piece);
+      from = cut.second;
+    }
+    SubEdge piece = makeEdge(from, edge.b, edge.face);
+    piece.forward = piece.forward == edge.forward;
+    closed.push_back(piece);
+  }
+  edges = std::move(closed);
+  std::sort(edges.begin(), edges.end(), edgeLess);
+}
+
+}  // namespace
+
+FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
+  FaceSet set;
+  set.faces = std::move(faces);
+  set.edges.reserve(3 * set.faces.size());
+  for (std::uint32_t f = 0; f < set.faces.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      set.edges.push_back(makeEdge(set.faces[f].vertex[i], set.faces[f].vertex[(i + 1) % 3], f));
+  std::sort(set.edges.begin(), set.edges.end(), edgeLess);
+  splitAtJunctions(mesh, set.edges);
+  set.faceEdgeOffset.assign(set.faces.size() + 1, 0);
+  for (const SubEdge& edge : set.edges) ++set.faceEdgeOffset[edge.face + 1];
+  for (std::size_t f = 0; f < set.faces.size(); ++f) set.faceEdgeOffset[f + 1] += set.faceEdgeOffset[f];
+  set.faceEdges.resize(set.edges.size());
+  std::vector<std::uint32_t> fill(set.faceEdgeOffset.begin(), set.faceEdgeOffset.end() - 1);
+  for (std::uint32_t e = 0; e < set.edges.size(); ++e) set.faceEdges[fill[set.edges[e].face]++] = e;
+
+  // Neighbours: all pairs on an edge; where very many faces meet, each with the next.
+  const auto eachPair = [&](auto visit) {
+    for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
+      for (j = i + 1;
+           j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b;
+           ++j) {
+      }
+      for (std::size_t k = i + 1; k < j; ++k)
+        for (std::size_t m = j - i < 16 ? i : k - 1; m < k; ++m)
+          visit(set.edges[k].face, set.edges[m].face), visit(set.edges[m].face, set.edges[k].face);
+    }
+  };
+  set.neighborOffset.assign(set.faces.size() + 1, 0);
+  eachPair([&](std::uint32_t from, std::uint32_t) { ++set.neighborOffset[from + 1]; });
+  for (std::size_t f = 0; f < set.faces.size(); ++f) set.neighborOffset[f + 1] += set.neighborOffset[f];
+  set.neighbors.resize(set.neighborOffset.back());
+  fill.assign(set.neighborOffset.begin(), set.neighborOffset.end() - 1);
+  eachPair([&](std::uint32_t from, std::uint32_t to) { set.neighbors[fill[from]++] = to; });
+  return set;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,22 @@
+// Connected planes among faces: what a person calls a wall, however it is triangulated.
+#pragma once
+
+#include <vector>
+
+#include "precompute/geometry/face_set.h"
+#include "precompute/geometry/outline.h"
+
+namespace fiatlux {
+
+struct Region {
+  std::vector<std::uint32_t> faces;  // indices into the set
+  Vec3 normal, centroid;             // unit; m
+  double area = 0;                   // m2
+  Outline outline;
+};
+
+/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent
+/// by up to 3 degrees and 1 % of its size, as hand-made walls are.
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
+
+}  // namespace fiatlux

@@ -1,0 +1,42 @@
+// Where luminaires may hang: the mounts of a room, marked, named or proposed, and the sites on them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "precompute/geometry/outlook.h"
+#include "precompute/geometry/room_options.h"
+#include "precompute/geometry/surfaces.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+struct Mount {
+  std::string name;
+  std::vector<Face> faces;
+  double spacing = 0;  // m, 0 = not said
+};
+
+/// The names of the file that a person may ask for: nodes, and surfaces that extras name.
+std::vector<std::string> askedNames(const SourceScene& source);
+
+/// Throws the CommandError of an option that names nothing.
+[[noreturn]] void unknownName(const char* option, const std::string& name,
+                              const std::vector<std::string>& names);
+
+/// Mounts marked in the file, then those of `options`; where sites are required and there is none, the
+/// ceiling is proposed, with a warning: the largest plane that faces down in the upper half, and others about
+/// as high; what looks into the void only where there is nothing else. Throws CommandError where a name is
+/// unknown or nothing can be proposed.
+std::vector<Mount> findMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+                              const std::vector<Face>& faces, const Outlook& outlook,
+                              const RoomOptions& options, std::vector<std::string>& warnings);
+
+/// The faces of all mounts on which sites will hang.
+std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts);
+
+/// Hangs the sites of all mounts. Throws CommandError where there are too many, or none though required.
+void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RoomOptions& options,
+              Room& room);
+
+}  // namespace fiatlux

@@ -1,0 +1,58 @@
+// What the sides of a room's triangles see of each other, and which of them no light can reach: the outsides
+// of a shell, the underside of what rests on a floor. Those look into the void and are no part of the room.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "precompute/geometry/charts.h"
+
+namespace fiatlux {
+
+/// Where light starts or may start: into the half space of `normal`, or all around where that is zero.
+struct LightPlace {
+  Vec3 position, normal;  // m; unit or zero
+};
+
+/// Rays from every side of a welded mesh that takes part in the light. Sides are looked at in pieces, planes
+/// or gently bent parts of one surface. Deterministic: the same mesh and pieces give the same answers.
+class Outlook {
+ public:
+  /// `mesh` must outlive it; `pieces` are charts of any grid. Too many pieces (beyond 65 536) are not
+  /// looked at: then nothing counts as lost or unlit.
+  Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces);
+  ~Outlook();
+
+  /// Share of the rays from this side's piece that met nothing, or a side that is no surface.
+  double lost(std::uint32_t triangle, bool back) const;
+
+  /// To be told when a triangle of the mesh has been turned over.
+  void turn(std::uint32_t triangle) { std::swap(pieceOfSide_[triangle][0], pieceOfSide_[triangle][1]); }
+
+  /// Sides that no light reaches from `mounts` and `places`: at most 0.5 % of their rays meet anything lit.
+  struct Unlit {
+    /// By triangle, front and back: with the dark sides it sees it loses half of its rays: it faces the void.
+    std::vector<std::array<bool, 2>> outside;
+    /// The others: shut off from the light, a sealed room or the inside of a wall.
+    std::vector<std::array<bool, 2>> shutOff;
+  };
+  /// None where there is no light at all.
+  Unlit unlit(const std::vector<Face>& mounts, const std::vector<LightPlace>& places);
+
+ private:
+  struct Piece;
+  struct Tracing;
+  void cast(std::uint32_t piece, std::uint32_t rays, std::uint64_t seed);
+  bool seesLight(std::uint32_t piece, const std::vector<LightPlace>& places, std::uint32_t rays) const;
+  void spread(std::vector<bool>& lit) const;
+  std::vector<bool> open(const std::vector<bool>& lit) const;
+
+  const WeldedMesh& mesh_;
+  std::vector<Piece> pieces_;
+  std::vector<std::array<std::uint32_t, 2>> pieceOfSide_;  // kNone: no surface
+  std::unique_ptr<Tracing> tracing_;                       // none: not looked at
+};
+
+}  // namespace fiatlux

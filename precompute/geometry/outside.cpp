@@ -1,0 +1,118 @@
+#include "precompute/geometry/outside.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/short_number.h"
+#include "precompute/base/error.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr double kVoid = 0.5;          // share of lost rays from which a side looks into the void
+constexpr std::size_t kMostNames = 4;  // in the note
+constexpr double kLittle = 1e-4;       // of the room's area: not worth a line
+
+/// "20 m2" and "'floor' 12 m2, 'wall' 8 m2": what there is of each name, most first.
+struct AreaList {
+  double total = 0;  // m2
+  std::string text;
+
+  explicit AreaList(const std::map<std::string, double>& areas) {
+    std::vector<std::pair<double, std::string>> order;
+    for (const auto& [name, area] : areas) order.emplace_back(-area, name), total += area;
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size() && i < kMostNames; ++i)
+      text += (i ? ", '" : "'") + order[i].second + "' " + shortNumber(-order[i].first) + " m2";
+    if (order.size() > kMostNames) text += " and " + std::to_string(order.size() - kMostNames) + " more";
+  }
+};
+
+/// Whether a region lies wholly on such sides.
+bool liesOn(const std::vector<std::array<bool, 2>>& sides, const SurfaceGroup& group, const Region& region) {
+  return std::all_of(region.faces.begin(), region.faces.end(), [&](std::uint32_t f) {
+    const Face& face = group.set.faces[f];
+    return sides[face.triangle][face.back];
+  });
+}
+
+}  // namespace
+
+bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook) {
+  bool turned = false;
+  for (std::size_t f = mesh.triangles.size(); f < faces.size(); ++f) {
+    Face& back = faces[f];
+    Face& front = faces[back.triangle];
+    if (mesh.triangles[back.triangle].backMesh != kNone) continue;  // two sheets, each with its own name
+    if (outlook.lost(back.triangle, false) < kVoid || outlook.lost(back.triangle, true) >= kVoid) continue;
+    std::swap(front.vertex, back.vertex);
+    mesh.triangles[back.triangle].vertex = front.vertex;
+    outlook.turn(back.triangle);
+    turned = true;
+  }
+  return turned;
+}
+
+Outside leaveOut(const std::vector<std::array<bool, 2>>& sides, SurfaceTree& tree) {
+  Outside outside;
+  outside.nameOfTriangle.assign(sides.size(), kNone);
+  const double total = areaOf(tree);
+  std::map<std::uint32_t, std::uint32_t> nameOfLeaf;
+  std::map<std::string, double> areas;
+  std::vector<bool> stays(tree.names.size(), false);
+  for (SurfaceGroup& group : tree.groups) {
+    std::vector<Region> regions;
+    std::vector<std::uint32_t> leaves;
+    for (std::size_t r = 0; r < group.regions.size(); ++r) {
+      const Region& region = group.regions[r];
+      const std::uint32_t leaf = group.leafOfRegion[r];
+      if (!liesOn(sides, group, region)) {
+        stays[leaf] = true;
+        regions.push_back(std::move(group.regions[r]));
+        leaves.push_back(leaf);
+        continue;
+      }
+      const auto [found, fresh] = nameOfLeaf.emplace(leaf, static_cast<std::uint32_t>(outside.names.size()));
+      if (fresh) outside.names.push_back(tree.names[leaf]);
+      areas[tree.names[leaf]] += region.area;
+      for (const std::uint32_t f : region.faces)
+        if (!group.set.faces[f].back) outside.nameOfTriangle[group.set.faces[f].triangle] = found->second;
+    }
+    group.regions = std::move(regions);
+    group.leafOfRegion = std::move(leaves);
+  }
+  if (outside.names.empty()) return outside;
+
+  std::vector<std::uint32_t> newLeaf(tree.names.size(), kNone);
+  std::vector<std::string> names;
+  for (std::uint32_t leaf = 0; leaf < newLeaf.size(); ++leaf) {
+    if (!stays[leaf]) continue;
+    newLeaf[leaf] = static_cast<std::uint32_t>(names.size());
+    names.push_back(std::move(tree.names[leaf]));
+  }
+  tree.names = std::move(names);
+  for (SurfaceGroup& group : tree.groups)
+    for (std::uint32_t& leaf : group.leafOfRegion) leaf = newLeaf[leaf];
+  const AreaList list(areas);
+  if (list.total > kLittle * total)
+    outside.note =
+        shortNumber(list.total) +
+        " m2 face the void or rest on something, no light comes there, and they are left out: " + list.text;
+  return outside;
+}
+
+std::string noteOfShutOff(const std::vector<std::array<bool, 2>>& sides, const SurfaceTree& tree) {
+  std::map<std::string, double> areas;
+  for (const SurfaceGroup& group : tree.groups)
+    for (std::size_t r = 0; r < group.regions.size(); ++r)
+      if (liesOn(sides, group, group.regions[r]))
+        areas[tree.names[group.leafOfRegion[r]]] += group.regions[r].area;
+  const AreaList list(areas);
+  if (!(list.total > kLittle * areaOf(tree))) return "";
+  return shortNumber(list.total) +
+         " m2 are shut off from all places for luminaires and stay dark (a sealed room, the inside of a "
+         "wall): " +
+         list.text;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,51 @@
+// What a person may say about how a glTF becomes a room; one to one with the options of `fiatlux precompute`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/scene/luminaire.h"
+#include "precompute/rays/effort.h"
+#include "precompute/room/memory.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+struct RoomOptions {
+  double patch = 0;                   // m, edge of a patch; 0: so that n is about 25 000
+  std::uint32_t cluster = 4;          // patches on a cluster's edge
+  std::vector<std::string> mounts;    // nodes or surfaces where luminaires may hang (besides extras.mount)
+  double siteSpacing = 0;             // m; 0: what the extras say, else a sensible default
+  double siteSize = 0;                // m, side of a site's square; 0: the spacing
+  std::vector<std::string> measures;  // names of measuring planes (besides extras.measure)
+  double scale = 1;                   // metres per unit of the file
+  double memory = 4;                  // GB, refused above
+  std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory
+  unsigned threads = 1;               // that will share the work: only to foresee the memory
+  bool paper = false;                 // clusters stay exactly cluster x cluster, however many there are
+  std::vector<Luminaire> luminaires;  // known beforehand: what they light stays, even if it faces the void
+  bool requireSites = true;           // false: a room without a place to hang luminaires is fine
+};
+
+/// What the options alone say of a run.
+inline RunCounts countsOf(const RoomOptions& options) {
+  RunCounts counts;
+  counts.rays = options.rays;
+  counts.paper = options.paper;
+  counts.threads = options.threads;
+  return counts;
+}
+
+/// And a room that is made, or being made.
+inline RunCounts countsOf(const RoomOptions& options, const Room& room) {
+  RunCounts counts = countsOf(options);
+  counts.patches = room.patches.count;
+  counts.clusters = room.patches.clusterCount;
+  counts.rows = room.patches.rows();
+  counts.sites = static_cast<double>(room.sites.size());
+  counts.surfaces = static_cast<double>(room.surfaces.size());
+  return counts;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,109 @@
+#include "precompute/gltf/container.h"
+
+#include <cstring>
+#include <string>
+
+#include "precompute/gltf/refusal.h"
+
+namespace fiatlux {
+namespace {
+
+using nlohmann::json;
+
+/// Counts depth and values while the text streams by, so that a hostile nesting never becomes a tree.
+struct DepthGuard : json::json_sax_t {
+  int depth = 0;
+  std::size_t values = 0;
+  std::string problem;
+
+  bool count() {
+    if (++values <= GltfBudget::kValues) return true;
+    problem = "the JSON holds more than 16 million values; merge or thin out the model before export";
+    return false;
+  }
+  bool enter() {
+    if (++depth > GltfBudget::kDepth) {
+      problem = "the JSON is nested more than 64 levels deep; no sound glTF is: export the file again";
+      return false;
+    }
+    return count();
+  }
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return enter(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return --depth, true; }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_array() override { return --depth, true; }
+  bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
+    problem = std::strstr(error.what(), "out_of_range") ? "a number of the JSON is out of range near byte "
+                                                        : "the JSON is broken near byte ";
+    problem += std::to_string(position) + "; export the file again";
+    return false;
+  }
+};
+
+std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+GltfContainer openGlb(const std::vector<std::uint8_t>& bytes) {
+  if (bytes.size() < 20) throw GltfError("the GLB is cut off; export it again");
+  if (word(bytes, 4) != 2)
+    throw GltfError("GLB version " + std::to_string(word(bytes, 4)) + " is not 2; export as glTF 2.0");
+  const std::size_t total = word(bytes, 8);
+  if (total > bytes.size() || total < 20)
+    throw GltfError("the GLB says it has " + std::to_string(total) + " bytes but the file has " +
+                    std::to_string(bytes.size()) + "; it is cut off or damaged, copy it again");
+  GltfContainer found;
+  for (std::size_t at = 12; at + 8 <= total;) {
+    const std::size_t size = word(bytes, at), type = word(bytes, at + 4);
+    if (size > total - at - 8)
+      throw GltfError("the GLB chunk at byte " + std::to_string(at) +
+                      " is longer than the file; it is damaged, export it again");
+    if (at == 12 && type != 0x4e4f534a) throw GltfError("the GLB does not start with JSON; export it again");
+    if (at == 12) {
+      found.text = reinterpret_cast<const char*>(bytes.data()) + 20;
+      found.textSize = size;
+    } else if (type == 0x004e4942 && found.binOffset == 0) {
+      found.binOffset = at + 8;
+      found.binSize = size;
+    }
+    at += 8 + size;
+  }
+  return found;
+}
+
+}  // namespace
+
+GltfContainer openContainer(const std::vector<std::uint8_t>& bytes) {
+  if (bytes.empty()) throw GltfError("the file is empty; export it again");
+  if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) return openGlb(bytes);
+  GltfContainer found{reinterpret_cast<const char*>(bytes.data()), bytes.size(), 0, 0};
+  if (bytes.size() >= 3 && std::memcmp(bytes.data(), "\xef\xbb\xbf", 3) == 0)
+    found.text += 3, found.textSize -= 3;
+  std::size_t first = 0;
+  while (first < found.textSize && std::strchr(" \t\r\n", found.text[first]) && found.text[first]) ++first;
+  if (first == found.textSize || found.text[first] != '{')
+    throw GltfError("this is neither a GLB nor glTF JSON in UTF-8; export the room as .glb or .gltf");
+  return found;
+}
+
+json parseGltfJson(const GltfContainer& container) {
+  const char* end = container.text + container.textSize;
+  while (end > container.text && (end[-1] == '\0' || end[-1] == ' ')) --end;  // padding of a GLB chunk
+
+  DepthGuard guard;
+  if (!json::sax_parse(container.text, end, &guard))
+    throw GltfError(guard.problem.empty() ? "the JSON is broken; export the file again" : guard.problem);
+
+  return json::parse(container.text, end);
+}
+
+}  // namespace fiatlux

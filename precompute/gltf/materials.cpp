@@ -1,0 +1,87 @@
+#include "precompute/gltf/materials.h"
+
+#include <algorithm>
+
+#include "precompute/base/names.h"
+#include "precompute/gltf/image_file.h"
+#include "precompute/gltf/refusal.h"
+
+namespace fiatlux {
+namespace {
+
+double numberOf(const tinygltf::Value& value, double fallback) {
+  return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
+}
+
+void readTextureTransform(const tinygltf::ExtensionMap& extensions, SourceMaterial& material) {
+  const auto found = extensions.find("KHR_texture_transform");
+  if (found == extensions.end() || !found->second.IsObject()) return;
+  const tinygltf::Value& value = found->second;
+  const auto pair = [&](const char* key, int at) {
+    if (!value.Has(key) || !value.Get(key).IsArray() || value.Get(key).ArrayLen() != 2) return;
+    for (int i = 0; i < 2; ++i)
+      material.uvTransform[at + i] = numberOf(value.Get(key).Get(i), material.uvTransform[at + i]);
+  };
+  pair("offset", 0), pair("scale", 2);
+  material.uvTransform[4] = numberOf(value.Get("rotation"), 0);
+  const double set = numberOf(value.Get("texCoord"), material.texCoord);
+  if (set >= 0 && set < 64) material.texCoord = static_cast<int>(set);
+}
+
+}  // namespace
+
+std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::string>& warnings) {
+  std::vector<SourceMaterial> materials;
+  for (const tinygltf::Material& from : model.materials) {
+    SourceMaterial to;
+    to.name = cleanName(from.name);
+    if (to.name.empty()) to.name = "material " + std::to_string(materials.size());
+    const auto& pbr = from.pbrMetallicRoughness;
+    bool odd = false;
+    for (std::size_t c = 0; c < pbr.baseColorFactor.size() && c < 4; ++c) {
+      to.baseColor[c] = std::clamp(pbr.baseColorFactor[c], 0.0, 1.0);
+      odd = odd || to.baseColor[c] != pbr.baseColorFactor[c];
+    }
+    if (odd)
+      warnings.push_back("material '" + to.name + "': its base colour lies outside 0..1 and is clamped");
+    to.roughness = pbr.roughnessFactor, to.metallic = pbr.metallicFactor;
+    to.doubleSided = from.doubleSided;
+    to.unlit = from.extensions.count("KHR_materials_unlit") != 0;
+    to.alpha = from.alphaMode == "BLEND"  ? SourceMaterial::Alpha::kBlend
+               : from.alphaMode == "MASK" ? SourceMaterial::Alpha::kMask
+                                          : SourceMaterial::Alpha::kOpaque;
+    if (const int texture = pbr.baseColorTexture.index; texture >= 0) {
+      to.image = model.textures[texture].source;
+      to.texCoord = pbr.baseColorTexture.texCoord;
+      readTextureTransform(pbr.baseColorTexture.extensions, to);
+      if (const int sampler = model.textures[texture].sampler; sampler >= 0)
+        to.wrapS = model.samplers[sampler].wrapS, to.wrapT = model.samplers[sampler].wrapT;
+    }
+    materials.push_back(to);
+  }
+  return materials;
+}
+
+std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::string>& warnings) {
+  std::vector<SourceImage> images(document.images.size());
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    images[i].encoded = std::move(document.images[i].bytes);
+    images[i].mimeType = document.images[i].mimeType;
+    if (images[i].encoded.empty()) continue;
+    std::string why;
+    if (!decodeImage(images[i], why)) {
+      warnings.push_back("image " + std::to_string(i) + " " + why +
+                         ": its colour is taken as white times the material's factor");
+      images[i] = {};
+      continue;
+    }
+    pixels += images[i].rgba.size() / 4;
+    if (pixels > std::size_t{256} << 20)
+      throw GltfError("its textures exceed 256 million pixels together; make them smaller");
+    images[i].mimeType = images[i].encoded[0] == 0x89 ? "image/png" : "image/jpeg";
+  }
+  return images;
+}
+
+}  // namespace fiatlux

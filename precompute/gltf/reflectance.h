@@ -1,0 +1,36 @@
+// How much light a point of the source reflects: luminance of its linear base colour. Metal, gloss and glow
+// are ignored.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "precompute/gltf/source_scene.h"
+
+namespace fiatlux {
+
+inline constexpr double kMostReflectance = 0.95;  // a closed room of 1 has no finite light
+
+/// Reads colours of a scene, which must outlive it.
+class ReflectanceMap {
+ public:
+  explicit ReflectanceMap(const SourceScene& source);
+
+  const SourceScene& source() const { return source_; }
+
+  /// True when `at` is the same everywhere on a mesh.
+  bool isConstant(std::uint32_t mesh) const;
+
+  /// Luminance 0..1 at a point of a triangle of a mesh, given by its barycentric weights; not yet clamped to
+  /// 0.95.
+  double at(std::uint32_t mesh, std::uint32_t triangle, const std::array<double, 3>& weights) const;
+
+  /// What a message calls the mesh's material.
+  std::string materialName(std::uint32_t mesh) const;
+
+ private:
+  const SourceScene& source_;
+  std::array<float, 256> linear_;  // sRGB byte -> linear
+};
+
+}  // namespace fiatlux

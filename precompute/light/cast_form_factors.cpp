@@ -1,0 +1,152 @@
+#include "precompute/light/cast_form_factors.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "precompute/base/parallel.h"
+#include "precompute/light/kernel_factors.h"
+#include "precompute/rays/hemisphere.h"
+#include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/ray_sequence.h"
+
+namespace fiatlux {
+
+namespace {
+
+/// The least share of what its rays met that a row's estimate must see to be believed.
+constexpr double kPlausible = 0.5;
+
+/// Casts `rays` rays of one patch; hits[i] is the patch that ray i met.
+void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
+              std::uint64_t seed, std::uint32_t rays, std::vector<std::uint32_t>& hits) {
+  hits.resize(rays);
+  const auto scramble = RaySequence::scramble(seed);
+  Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
+  for (std::uint32_t first = 0; first < rays; first += RayPacket::kSize) {
+    RayPacket packet;
+    const std::uint32_t last = std::min(first + RayPacket::kSize, rays);
+    for (std::uint32_t i = first; i < last; ++i) {
+      const auto sample = sequence.point(i, scramble);
+      const PatchPoint point = sampler.at(sample[2], sample[3]);
+      origin[i - first] = point.position + tracer.offset() * point.normal;
+      direction[i - first] = cosineDirection(Frame(point.normal), sample[0], sample[1]);
+      tracer.aim(packet, origin[i - first], direction[i - first], std::numeric_limits<float>::infinity());
+    }
+    HitPacket found;
+    tracer.intersect(packet, found);
+    for (std::uint32_t i = 0; i < packet.count; ++i) {
+      hits[first + i] = tracer.patchOf(origin[i], direction[i], found.triangle[i], found.distance[i]);
+    }
+  }
+}
+
+/// Turns the rays of row p and what is known of its surroundings into its U, near patches and slopes.
+/// `hits`: of all its rays, kNone where lost; kernels: nullptr where only rays count.
+void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kernels,
+               std::vector<std::uint32_t>& hits, KernelFactors::Row& row) {
+  const auto rays = static_cast<double>(hits.size());
+  std::erase(hits, kNone);
+  const auto met = static_cast<double>(hits.size());
+  const auto sumOf = [&](double rayHits) {
+    double sum = std::accumulate(row.u.begin(), row.u.end(), rayHits / rays);
+    for (const NearPatch& near : row.near) sum += near.factor;
+    return sum;
+  };
+
+  // Where shadow rays saw far less than the rays met (a patch wedged into a corner, a sliver), trust the rays
+  // alone.
+  const auto isClose = [&](std::uint32_t q) { return !kernels || kernels->tooClose(p, q); };
+  const auto away = std::partition(hits.begin(), hits.end(), isClose);
+  if (sumOf(static_cast<double>(away - hits.begin())) > kPlausible * met / rays) {
+    hits.erase(away, hits.end());
+  } else {
+    row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
+  }
+
+  // One factor for all makes the row sum to what was not lost.
+  const double sum = sumOf(static_cast<double>(hits.size()));
+  const auto scale = static_cast<float>(sum > 0 ? met / rays / sum : 0);
+  std::sort(hits.begin(), hits.end());
+  const auto oneRay = static_cast<float>(1 / rays);
+  for (std::size_t i = 0, j = 0; i < hits.size(); i = j) {
+    while (j < hits.size() && hits[j] == hits[i]) ++j;
+    row.near.push_back({hits[i], static_cast<float>(j - i) * oneRay});
+  }
+  std::sort(row.near.begin(), row.near.end(),
+            [](const NearPatch& a, const NearPatch& b) { return a.patch < b.patch; });
+  for (NearPatch& near : row.near) {
+    near.factor *= scale;
+  }
+  float* u = factors.u.data() + std::size_t{p} * factors.clusters;
+  for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = scale * row.u[c];
+  for (const NearPatch& near : row.near) u[factors.cluster[near.patch]] += near.factor;
+  factors.lost[p] = static_cast<float>(1 - met / rays);
+}
+
+/// Sizes everything but near patches and slopes, and fills in V.
+FormFactors emptyFactors(const Patches& patches) {
+  FormFactors factors;
+  factors.rows = patches.rows();
+  factors.count = patches.count;
+  factors.clusters = patches.clusterCount;
+  factors.cluster.assign(patches.cluster.begin(), patches.cluster.begin() + patches.count);
+  std::vector<double> clusterArea(patches.clusterCount, 0.0);
+  for (std::uint32_t q = 0; q < patches.count; ++q) clusterArea[patches.cluster[q]] += patches.area[q];
+  for (std::uint32_t q = 0; q < patches.count; ++q) {
+    factors.share.push_back(patches.area[q] / clusterArea[patches.cluster[q]]);
+  }
+  factors.u.resize(std::size_t{factors.rows} * factors.clusters);
+  factors.near.resize(factors.rows);
+  factors.slopes.resize(factors.rows);
+  factors.lost.resize(factors.rows);
+  return factors;
+}
+
+}  // namespace
+
+FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
+  const std::vector<std::uint32_t> effort =
+      options.plain ? std::vector<std::uint32_t>(room.patches.rows(), 1) : effortOfRows(room.patches);
+  FormFactors factors = emptyFactors(room.patches);
+  const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
+  const RaySequence sequence(most * options.rays);
+  const std::uint64_t seed = mixBits(options.seed);
+  std::optional<KernelFactors> kernels;
+  if (!options.plain) kernels.emplace(room, tracer, seed);
+  const std::uint32_t finer = std::clamp(options.rays / kUsualRays, 1u, kMostEffort);
+  constexpr std::uint32_t kRows = 32;  // a thread's portion
+  const auto castRows = [&](std::size_t portion) {
+    std::vector<std::uint32_t> hits;
+    KernelFactors::Row row;
+    const auto first = static_cast<std::uint32_t>(portion) * kRows;
+    for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
+      const PatchSampler sampler(room, p);
+      castRays(tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
+      if (kernels) {
+        kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
+      } else {
+        row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
+      }
+      finishRow(factors, p, kernels ? &*kernels : nullptr, hits, row);
+      factors.near[p] = row.near;
+      factors.slopes[p] = row.slopes;
+    }
+  };
+  parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
+  if (kernels) factors.slopeShare = kernels->slopeShare();
+  return factors;
+}
+
+std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors) {
+  std::vector<double> lost(surfaces, 0.0), area(surfaces, 0.0);
+  for (std::uint32_t p = 0; p < factors.rows; ++p) {
+    lost[patches.surface[p]] += patches.area[p] * factors.lost[p];
+    area[patches.surface[p]] += patches.area[p];
+  }
+  for (std::size_t s = 0; s < surfaces; ++s) lost[s] = area[s] > 0 ? lost[s] / area[s] : 0;
+  return lost;
+}
+
+}  // namespace fiatlux

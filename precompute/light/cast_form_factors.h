@@ -1,0 +1,32 @@
+// Form factors (core/form_factors.h). Cosine-distributed rays, stratified over the patch and over the
+// hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
+// kernel_factors.h says the rest.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/transport/form_factors.h"
+#include "precompute/rays/effort.h"
+#include "precompute/rays/ray_tracer.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+struct CastOptions {
+  // From every patch and receiver, times its effort (effort.h). More than usual mean more shadow rays, too.
+  std::uint32_t rays = kUsualRays;
+  bool plain = false;  // as in the paper: the same rays from every patch, and nothing but rays
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: all cores
+  std::function<void(double)> progress;
+};
+
+/// Every row sums to 1 - its lost share. Bit-identical for the same room and options, whatever the threads.
+FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options);
+
+/// Share of lost rays of each surface, by area: what left the room or met a back face.
+std::vector<double> lostShares(const Patches& patches, std::size_t surfaces, const FormFactors& factors);
+
+}  // namespace fiatlux

@@ -1,0 +1,35 @@
+// Direct light of luminaires, never from hemisphere rays: the source's own form factor (Lambert's polygon, or
+// inverse square for a point) times its visible part by stratified shadow rays, averaged over the receiving
+// patch.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/scene/luminaire.h"
+#include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/ray_tracer.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+struct DirectLightOptions {
+  // Parts of the source's edge that shadow rays probe, twice as many on small surfaces: and to look closer,
+  // where a shadow's edge is found, 2 and 4 times as many again.
+  std::uint32_t split = 2;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: all cores
+  std::function<void(double)> progress;
+};
+
+/// Illuminance (lx) of every row by each luminaire at its own flux: column-major rows() x luminaires.
+std::vector<float> directLight(const Room& room, const RayTracer& tracer,
+                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options);
+
+/// Illuminance (lx) at a point by one luminaire, `split` x `split` shadow rays on the source (one for a point
+/// source).
+double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const Luminaire& luminaire,
+                     std::uint32_t split, std::uint64_t seed);
+
+}  // namespace fiatlux

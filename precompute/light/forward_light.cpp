@@ -1,0 +1,145 @@
+#include "precompute/light/forward_light.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <numbers>
+
+#include "core/transport/low_rank_radiosity.h"
+#include "core/transport/site_responses.h"
+#include "precompute/light/cast_form_factors.h"
+#include "precompute/light/direct_light.h"
+#include "precompute/rays/hemisphere.h"
+#include "precompute/rays/ray_sequence.h"
+
+namespace fiatlux {
+
+namespace {
+
+/// Few luminaires deserve a finer look than hundreds of sites: within the same time.
+constexpr std::size_t kFewLuminaires = 16;
+
+/// Direct light of all luminaires together.
+std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
+                                    const std::vector<Luminaire>& luminaires, const ForwardOptions& options,
+                                    const std::function<void(double)>& progress) {
+  DirectLightOptions direct;
+  direct.seed = options.seed;
+  direct.threads = options.threads;
+  direct.progress = progress;
+  if (luminaires.size() <= kFewLuminaires) direct.split = 4;
+  const std::uint32_t rows = room.patches.rows();
+  const std::vector<float> columns = directLight(room, tracer, luminaires, direct);
+  std::vector<float> sum(rows, 0.0f);
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    double light = 0;
+    for (std::size_t j = 0; j < luminaires.size(); ++j) light += columns[j * rows + p];
+    sum[p] = static_cast<float>(light);
+  }
+  return sum;
+}
+
+/// Share of a luminaire's own rays that meet no front of a patch.
+double lostShare(const RayTracer& tracer, const Luminaire& luminaire, const RaySequence& sequence,
+                 std::uint64_t seed) {
+  const auto scramble = RaySequence::scramble(seed);
+  const Frame frame(luminaire.normal);
+  const Vec3 halfU = 0.5 * luminaire.width * luminaire.axis;
+  const Vec3 halfV = 0.5 * luminaire.height * cross(luminaire.normal, luminaire.axis);
+  const bool isPoint = !(luminaire.width > 0 && luminaire.height > 0);
+  const bool isotropic = isPoint && luminaire.distribution == Luminaire::Distribution::kIsotropic;
+  std::uint32_t lost = 0;
+  for (std::uint32_t i = 0; i < sequence.count(); ++i) {
+    const auto sample = sequence.point(i, scramble);
+    const Vec3 origin = luminaire.position + (2 * sample[2] - 1) * halfU + (2 * sample[3] - 1) * halfV +
+                        kLuminaireClearance * luminaire.normal;
+    Vec3 direction = cosineDirection(frame, sample[0], sample[1]);
+    if (isotropic) {
+      const double z = 1 - 2 * sample[0], r = std::sqrt(std::max(0.0, 1 - z * z));
+      const double angle = 2 * std::numbers::pi * sample[1];
+      direction = {r * std::cos(angle), r * std::sin(angle), z};
+    }
+    RayPacket packet;
+    tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
+    HitPacket hit;
+    tracer.intersect(packet, hit);
+    lost += tracer.patchOf(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
+  }
+  return static_cast<double>(lost) / sequence.count();
+}
+
+double emittedFlux(const Patches& patches, const std::vector<Luminaire>& luminaires,
+                   const std::vector<float>& emission) {
+  double flux = 0;
+  for (const Luminaire& luminaire : luminaires) flux += luminaire.flux;
+  for (std::size_t p = 0; p < emission.size(); ++p) flux += patches.area[p] * emission[p];
+  return flux;
+}
+
+/// Solves the radiosity system for one right-hand side and fills in what depends on it.
+Result<Done> solve(const Room& room, const RayTracer& tracer, const ForwardOptions& options,
+                   const std::vector<float>& emission,
+                   const std::function<std::function<void(double)>(const char*)>& stage,
+                   ForwardLight& light) {
+  const Patches& patches = room.patches;
+  const FormFactors factors = castFormFactors(
+      room, tracer, {options.rays, false, options.seed, options.threads, stage("form factors")});
+  stage("interreflection");
+  const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(factors, patches);
+  if (!lowRank) return lowRank.error();
+  ResponseBlock block;
+  block.width = 1;
+  block.direct = light.direct;
+  block.emission = emission;
+  solveResponses(factors, patches, *lowRank, options.steps, options.tolerance, block);
+  light.illuminance = std::move(block.irradiance);
+  light.radiosity = std::move(block.radiosity);
+  light.residual = block.residuals.back();
+  light.steps = static_cast<std::uint32_t>(block.residuals.size()) - 1;
+  light.lost = lostShares(patches, room.surfaces.size(), factors);
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    light.energy.absorbed += patches.area[p] * (1 - patches.reflectance[p]) * light.illuminance[p];
+    light.energy.lostReflected += patches.area[p] * factors.lost[p] * light.radiosity[p];
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<ForwardLight> computeForwardLight(const Room& room, const RayTracer& tracer,
+                                         const std::vector<Luminaire>& luminaires,
+                                         const ForwardOptions& options, const std::vector<float>& emission) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto stage = [&](const char* name) -> std::function<void(double)> {
+    if (!options.progress) return {};
+    options.progress(name, 0);
+    return [&options, name](double fraction) { options.progress(name, fraction); };
+  };
+  const Patches& patches = room.patches;
+  ForwardLight light;
+  light.direct = sumOfDirectLight(room, tracer, luminaires, options, stage("direct light"));
+  EnergyBalance& energy = light.energy;
+  energy.emitted = emittedFlux(patches, luminaires, emission);
+  const RaySequence sequence(4096);
+  for (std::size_t j = 0; j < luminaires.size(); ++j) {
+    energy.lostDirect +=
+        luminaires[j].flux * lostShare(tracer, luminaires[j], sequence, mixBits(options.seed) + j);
+  }
+
+  if (options.directOnly) {
+    light.illuminance = light.direct;
+    light.lost.assign(room.surfaces.size(), 0.0);
+    for (std::uint32_t p = 0; p < patches.count; ++p) {
+      light.radiosity.push_back(patches.reflectance[p] * light.direct[p]);
+      energy.absorbed += patches.area[p] * light.direct[p];
+    }
+  } else if (const Result<Done> solved = solve(room, tracer, options, emission, stage, light); !solved) {
+    return solved.error();
+  }
+  energy.imbalance = energy.emitted - energy.absorbed - energy.lostDirect - energy.lostReflected;
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  light.seconds = taken.count();
+  return light;
+}
+
+}  // namespace fiatlux

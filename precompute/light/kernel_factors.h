@@ -1,0 +1,81 @@
+// Form factors to all but the closest patches, by the kernel cos cos / (pi r^2) and shadow rays: patch by
+// patch nearby, further away by quarters of clusters. A cosine ray rarely meets a small bright spot, and one
+// hit too many is a bright patch; this estimate has no such noise.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/transport/form_factors.h"
+#include "precompute/light/cluster_parts.h"
+#include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/ray_sequence.h"
+#include "precompute/rays/ray_tracer.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+/// Thread-safe once built. Room and tracer must outlive it.
+class KernelFactors {
+ public:
+  KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed);
+
+  /// What one row gets from everything that is not too close.
+  struct Row {
+    std::vector<float> u;              // k: of distant clusters; 0 for those that are seen patch by patch
+    std::vector<ClusterSlope> slopes;  // of distant clusters, except far ones
+    std::vector<NearPatch> near;       // patches of the other clusters
+  };
+  /// effort: of effort.h, 1 to kMostEffort.
+  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
+
+  /// Whether patch q is too close to row p for this estimate: then only rays tell.
+  bool tooClose(std::uint32_t p, std::uint32_t q) const;
+
+  /// FormFactors::slopeShare, n x 2.
+  const std::vector<float>& slopeShare() const { return clusters_.slopeShare(); }
+
+ private:
+  static constexpr std::uint32_t kMostRays = 256;      // shadow rays to one part
+  static constexpr std::uint32_t kMostPatchRays = 16;  // and to one patch
+  static constexpr std::uint32_t kGauss = 4;           // points of a patch for the kernel
+
+  struct Candidate {            // a part or a patch that faces the row
+    std::uint32_t item;         // part, or firstPatch_ + patch
+    std::uint32_t cluster;      // of it
+    double kernel;              // form factor if nothing is between
+    std::uint32_t asked = 0;    // shadow rays
+    std::uint32_t visible = 0;  // of these arrived
+    double arrived = 0;         // sum of the form factors that these stand for
+  };
+
+  std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
+  void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
+                   std::size_t last, std::vector<Candidate>& candidates) const;
+  void write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const;
+  /// Shadow rays to a patch where a part of about four patches gets so many.
+  std::uint32_t raysTo(std::uint32_t item, std::uint32_t rays) const {
+    return item < firstPatch_ ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);
+  }
+
+  /// Distance of a row from a cluster, in edges of both.
+  double edgesTo(std::uint32_t p, std::uint32_t cluster) const;
+  double areaOf(std::uint32_t item) const {
+    return item < firstPatch_ ? clusters_.parts()[item].area : room_.patches.area[item - firstPatch_];
+  }
+  PatchPoint pointOn(std::uint32_t item, double u, double v) const;
+
+  const Room& room_;
+  const RayTracer& tracer_;
+  std::uint64_t seed_;
+  RaySequence sequence_;
+  ClusterParts clusters_;
+  std::uint32_t firstPatch_;                           // items: parts, from here on patches
+  std::vector<double> patchReach_;                     // rows, m: squareReach of patches
+  std::vector<PatchSampler> samplers_;                 // n
+  std::vector<std::array<PatchPoint, kGauss>> gauss_;  // n, points for the kernel
+};
+
+}  // namespace fiatlux

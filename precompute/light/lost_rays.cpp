@@ -1,0 +1,146 @@
+#include "precompute/light/lost_rays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "precompute/rays/hemisphere.h"
+#include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/ray_sequence.h"
+#include "precompute/room/bounds.h"
+
+namespace fiatlux {
+
+namespace {
+
+constexpr std::uint32_t kPatches = 4096, kRays = 16;  // the sample
+constexpr double kMuch = 0.005;                       // share of its rays
+constexpr std::size_t kMostNames = 8;
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
+  return text;
+}
+
+/// The sides of the room's bounding box, by which a ray may leave.
+constexpr std::array kWays = {"towards -x", "towards +x", "downward", "upward", "towards -z", "towards +z"};
+using Ways = std::array<double, kWays.size()>;
+
+struct Sample {
+  double rays = 0;
+  std::vector<double> cast;  // per surface: rays from it
+  std::vector<Ways> left;    // per surface: those that met nothing
+  struct Swallowed {
+    double rays = 0, near = 0;  // that a surface met with its back; of them, at once
+    void add(bool isNear) { rays += 1, near += isNear; }
+  };
+  std::map<std::string, Swallowed> swallowed;  // per name
+};
+
+/// What a triangle's front is called, whether it is a part of the room or left out.
+const std::string& frontName(const Room& room, std::uint32_t triangle) {
+  const RoomTriangle& t = room.triangles[triangle];
+  static const std::string kUnknown = "a triangle";
+  if (t.chart != kNone) return room.surfaces[room.charts[t.chart].surface].name;
+  return t.leftOut != kNone ? room.leftOut[t.leftOut] : kUnknown;
+}
+
+/// By which side a ray from within leaves: index into kWays.
+std::size_t wayOut(const Bounds& bounds, const Vec3& origin, const Vec3& direction) {
+  std::size_t way = 0;
+  double nearest = 1e300;
+  const auto look = [&](std::size_t axis, double from, double d, double least, double most) {
+    const double distance = d > 0 ? (most - from) / d : d < 0 ? (least - from) / d : 1e300;
+    if (distance < nearest) nearest = distance, way = 2 * axis + (d > 0);
+  };
+  look(0, origin.x, direction.x, bounds.low.x, bounds.high.x);
+  look(1, origin.y, direction.y, bounds.low.y, bounds.high.y);
+  look(2, origin.z, direction.z, bounds.low.z, bounds.high.z);
+  return way;
+}
+
+double sumOf(const Ways& ways) { return std::accumulate(ways.begin(), ways.end(), 0.0); }
+
+/// The ways that matter, most first: "upward (97 %)".
+std::string namesOf(const Ways& ways) {
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return ways[a] > ways[b]; });
+  std::string text;
+  for (const std::size_t way : order)
+    if (ways[way] >= 0.15 * sumOf(ways))
+      text += (text.empty() ? "" : ", ") + std::string(kWays[way]) + " (" +
+              std::to_string(std::lround(100 * ways[way] / sumOf(ways))) + " %)";
+  return text.empty() ? "in all directions" : text;
+}
+
+Sample sampleOf(const Room& room, const RayTracer& tracer) {
+  const std::size_t surfaces = room.surfaces.size();
+  Sample sample{0, std::vector<double>(surfaces), std::vector<Ways>(surfaces, Ways{}), {}};
+  const Bounds bounds = boundsOf(room.positions);
+  const double near = 0.01 * bounds.diagonal();
+  const RaySequence sequence(kRays);
+  const std::uint32_t step = std::max(1u, room.patches.count / kPatches);
+  for (std::uint32_t p = 0; p < room.patches.count; p += step) {
+    const PatchSampler sampler(room, p);
+    const auto scramble = RaySequence::scramble(mixBits(p));
+    for (std::uint32_t i = 0; i < kRays; ++i) {
+      const auto random = sequence.point(i, scramble);
+      const auto [position, normal, weight] = sampler.at(random[2], random[3]);
+      const Vec3 origin = position + tracer.offset() * normal;
+      const Vec3 direction = cosineDirection(Frame(normal), random[0], random[1]);
+      RayPacket packet;
+      tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
+      HitPacket hit;
+      tracer.intersect(packet, hit);
+      sample.rays += 1;
+      sample.cast[room.patches.surface[p]] += 1;
+      if (hit.triangle[0] == kNone)
+        sample.left[room.patches.surface[p]][wayOut(bounds, position, direction)] += 1;
+      else if (tracer.patchOf(origin, direction, hit.triangle[0], hit.distance[0]) == kNone)
+        sample.swallowed[frontName(room, hit.triangle[0])].add(hit.distance[0] < near);
+    }
+  }
+  return sample;
+}
+
+}  // namespace
+
+std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& tracer) {
+  const Sample sample = sampleOf(room, tracer);
+  std::vector<std::pair<double, std::string>> order;  // most first
+  for (const auto& [name, swallowed] : sample.swallowed) order.emplace_back(-swallowed.rays, name);
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), kMostNames));
+
+  std::vector<std::string> warnings;
+  for (const auto& [minus, name] : order) {
+    const Sample::Swallowed& swallowed = sample.swallowed.at(name);
+    if (swallowed.rays < kMuch * sample.rays) break;
+    const std::string what =
+        "'" + name + "' swallows " + percent(swallowed.rays / sample.rays) + " of the light by its back: ";
+    if (swallowed.near > 0.5 * swallowed.rays)
+      warnings.push_back(what +
+                         "it lies close over something and hides it; cut away what is hidden, or it "
+                         "counts as dark");
+    else
+      warnings.push_back(what + "turn its faces, or make its material double-sided");
+  }
+  // A surface that faces outward (of a house, of a flipped wall) has no part in the room.
+  Ways left{};
+  for (std::size_t s = 0; s < sample.left.size(); ++s)
+    for (std::size_t way = 0; way < left.size() && sumOf(sample.left[s]) < 0.9 * sample.cast[s]; ++way)
+      left[way] += sample.left[s][way];
+  if (sumOf(left) >= kMuch * sample.rays)
+    warnings.push_back("the room is open: " + percent(sumOf(left) / sample.rays) +
+                       " of its rays meet nothing, and that light is lost; they leave " + namesOf(left));
+  return warnings;
+}
+
+}  // namespace fiatlux

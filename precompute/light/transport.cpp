@@ -1,0 +1,155 @@
+#include "precompute/light/transport.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/transport/low_rank_radiosity.h"
+#include "core/transport/site_responses.h"
+#include "core/transport/surface_statistics.h"
+#include "precompute/base/parallel.h"
+#include "precompute/light/cast_form_factors.h"
+#include "precompute/light/direct_light.h"
+#include "precompute/light/paper_transport.h"
+
+namespace fiatlux {
+
+namespace {
+
+/// Times the stages and passes their progress on.
+class Stages {
+ public:
+  Stages(const TransportOptions& options, Transport& result) : options_(options), result_(result) {}
+  ~Stages() { finish(); }
+  std::function<void(double)> begin(const char* name) {
+    finish();
+    name_ = name;
+    start_ = std::chrono::steady_clock::now();
+    if (!options_.progress) return {};
+    options_.progress(name, 0);
+    return [this](double fraction) { options_.progress(name_, fraction); };
+  }
+  void finish() {
+    if (!name_) return;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    result_.seconds.emplace_back(name_, taken.count());
+    if (options_.progress) options_.progress(name_, 1);
+    name_ = nullptr;
+  }
+
+ private:
+  const TransportOptions& options_;
+  Transport& result_;
+  const char* name_ = nullptr;
+  std::chrono::steady_clock::time_point start_;
+};
+
+/// Squares of a block's residuals, so that all blocks can be summed in one order.
+struct BlockResidual {
+  std::vector<double> squares;  // refine + 1
+};
+
+/// Solves columns [first, first + kBlockWidth) of the sites and writes them into the responses.
+BlockResidual solveColumns(const Room& room, const LowRankRadiosity& lowRank, const TransportOptions& options,
+                           std::uint32_t first, Transport& result) {
+  const std::uint32_t rows = room.patches.rows(), sites = result.responses.sites;
+  const std::uint32_t used = std::min(kBlockWidth, sites - first);
+  ResponseBlock block;
+  block.width = used > 8 ? 16 : 8;
+  block.direct.assign(std::size_t{rows} * block.width, 0.0f);
+  for (std::uint32_t j = 0; j < used; ++j) {
+    const float* column = result.direct.data() + std::size_t{first + j} * rows;
+    for (std::uint32_t p = 0; p < rows; ++p) block.direct[std::size_t{p} * block.width + j] = column[p];
+  }
+  solveResponses(result.factors, room.patches, lowRank, options.refine, 0, block);
+  for (std::uint32_t j = 0; j < used; ++j) {
+    float* column = result.responses.illuminance.data() + std::size_t{first + j} * rows;
+    // note: refinement may leave a rounding error below zero where it is dark; light is never negative.
+    for (std::uint32_t p = 0; p < rows; ++p)
+      column[p] = std::max(0.0f, block.irradiance[std::size_t{p} * block.width + j]);
+  }
+  BlockResidual residual;
+  for (std::size_t step = 0; step * block.width < block.residuals.size(); ++step) {
+    double sum = 0;
+    for (std::uint32_t j = 0; j < used; ++j) sum += std::pow(block.residuals[step * block.width + j], 2);
+    residual.squares.push_back(sum);
+  }
+  return residual;
+}
+
+void solveSites(const Room& room, const LowRankRadiosity& lowRank, const TransportOptions& options,
+                Transport& result, const std::function<void(double)>& progress) {
+  const std::uint32_t sites = result.responses.sites;
+  std::vector<BlockResidual> residuals((sites + kBlockWidth - 1) / kBlockWidth);
+  const auto solve = [&](std::size_t block) {
+    residuals[block] =
+        solveColumns(room, lowRank, options, static_cast<std::uint32_t>(block) * kBlockWidth, result);
+  };
+  parallelFor(residuals.size(), options.threads, solve, progress);
+  result.residuals.assign(options.refine + 1, 0.0);
+  for (const BlockResidual& block : residuals) {
+    for (std::size_t step = 0; step < block.squares.size(); ++step)
+      result.residuals[step] += block.squares[step];
+  }
+  for (double& residual : result.residuals) residual = std::sqrt(residual / std::max(1u, sites));
+}
+
+void collectStatistics(const Room& room, unsigned threads, Transport& result) {
+  const std::size_t surfaces = room.surfaces.size();
+  result.illuminance.resize(surfaces);
+  result.exitance.resize(surfaces);
+  parallelFor(2 * surfaces, threads, [&](std::size_t i) {
+    const auto surface = static_cast<std::uint32_t>(i / 2);
+    if (i % 2 == 0) {
+      result.illuminance[surface] =
+          responseStatistics(room.patches, result.responses, Quantity::kIlluminance, surface);
+    } else {
+      result.exitance[surface] =
+          responseStatistics(room.patches, result.responses, Quantity::kExitance, surface);
+    }
+  });
+}
+
+}  // namespace
+
+Result<Transport> computeTransport(const Room& room, const TransportOptions& options) {
+  if (room.patches.count == 0) return Error{"the room has no surfaces"};
+  if (options.rays == 0) return Error{"--rays must be at least 1"};
+  Result<RayTracer> tracer = RayTracer::build(room);
+  if (!tracer) return tracer.error();
+
+  Transport result;
+  Stages stages(options, result);
+  result.factors = castFormFactors(
+      room, *tracer,
+      {options.rays, options.paper, options.seed, options.threads, stages.begin("form factors")});
+  result.lost = lostShares(room.patches, room.surfaces.size(), result.factors);
+
+  stages.begin("low-rank radiosity");
+  const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(result.factors, room.patches);
+  if (!lowRank) return lowRank.error();
+
+  result.responses.rows = room.patches.rows();
+  result.responses.sites = static_cast<std::uint32_t>(room.sites.size());
+  result.responses.illuminance.resize(std::size_t{result.responses.rows} * result.responses.sites);
+  if (options.paper) {
+    const auto progress = stages.begin("paper's responses");
+    result.paper =
+        paperTransport(room, *tracer, result.factors, *lowRank, options.threads, result.responses, progress);
+  } else {
+    std::vector<Luminaire> luminaires;
+    for (const Site& site : room.sites) luminaires.push_back(luminaireOf(site));
+    DirectLightOptions direct;
+    direct.seed = options.seed;
+    direct.threads = options.threads;
+    direct.progress = stages.begin("direct light");
+    result.direct = directLight(room, *tracer, luminaires, direct);
+    solveSites(room, *lowRank, options, result, stages.begin("interreflection"));
+  }
+  stages.begin("statistics");
+  collectStatistics(room, options.threads, result);
+  stages.finish();
+  return result;
+}
+
+}  // namespace fiatlux

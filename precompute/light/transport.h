@@ -1,0 +1,46 @@
+// How light travels in a room: the whole precomputation, from rays to mean rows and covariances.
+// Stages: form factors by rays, direct light from the sources, low-rank radiosity, refinement, statistics.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "core/transport/form_factors.h"
+#include "precompute/light/paper_transport.h"
+#include "precompute/rays/effort.h"
+#include "precompute/rays/ray_tracer.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+struct TransportOptions {
+  std::uint32_t rays = kUsualRays;  // from every patch and receiver
+  std::uint32_t refine = 2;         // refinement steps after the low-rank answer
+  bool paper = false;  // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: all cores; the result does not depend on it
+  std::function<void(const char* stage, double fraction)> progress;  // called often, on the calling thread
+};
+
+struct Transport {
+  FormFactors factors;
+  std::vector<float> direct;  // lx per lm, column-major rows x sites; empty in paper mode
+  Responses responses;        // lx per lm
+  std::vector<SurfaceStatistics> illuminance, exitance;  // per leaf surface, over the sites
+  std::vector<double> lost;                              // per surface, share of its rays
+  std::vector<double>
+      residuals;  // refine + 1: |e - (I - R F) b| / |e| over all sites before each step, after the last
+  std::vector<std::pair<std::string, double>> seconds;  // stage, wall clock
+  std::optional<PaperTransport> paper;
+};
+
+/// Errors: no patches, a singular system. The same room, rays, refine and seed give the same bits.
+Result<Transport> computeTransport(const Room& room, const TransportOptions& options);
+
+}  // namespace fiatlux

@@ -1,0 +1,183 @@
+// Encode, read back, compare: no scene file leaves unmeasured.
+#include "precompute/pipeline/scene_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/random.h"
+#include "core/scene/covariance_codec.h"
+#include "core/scene/scene_reader.h"
+#include "core/scene/scene_sections.h"
+#include "core/scene/section_codec.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kTrialLayouts = 1000, kTrialLuminaires = 6;
+
+double relative(double stored, double exact) {
+  return std::abs(stored - exact) / std::max(std::abs(exact), 1e-300);
+}
+
+void compare(const SurfaceStatistics& exact, const SurfaceStatistics& stored,
+             const std::vector<std::uint32_t>& sites, FileErrors& errors) {
+  const std::size_t m = exact.mean.size();
+  double mean[2] = {0, 0}, variance[2] = {0, 0}, squares = 0;
+  for (std::uint32_t i : sites) {
+    mean[0] += exact.mean[i], mean[1] += stored.mean[i];
+    squares += exact.mean[i] * exact.mean[i];
+    for (std::uint32_t j : sites)
+      variance[0] += exact.covariance[i * m + j], variance[1] += stored.covariance[i * m + j];
+  }
+  if (!(mean[0] > 0)) return;
+  errors.mean = std::max(errors.mean, relative(mean[1], mean[0]));
+  // note: a surface that is evenly lit to rounding (a single patch, say) has no sigma to be wrong about.
+  if (variance[0] < 1e-18 * squares) return;
+  errors.sigma =
+      std::max(errors.sigma, relative(std::sqrt(std::max(0.0, variance[1])), std::sqrt(variance[0])));
+}
+
+void measure(const Scene& exact, const Scene& stored, FileErrors& errors) {
+  Random random(2024);
+  const auto m = static_cast<std::uint32_t>(exact.sites.size());
+  std::vector<std::uint32_t> sites(std::min(kTrialLuminaires, m));
+  for (std::uint32_t trial = 0; trial < kTrialLayouts; ++trial) {
+    for (std::uint32_t& site : sites) site = random.below(m);
+    for (std::size_t s = 0; s < exact.surfaces.size(); ++s) {
+      compare(exact.illuminance[s], stored.illuminance[s], sites, errors);
+      if (!exact.surfaces[s].measuring) compare(exact.exitance[s], stored.exitance[s], sites, errors);
+    }
+  }
+}
+
+/// Y in blocks of columns, V as what is needed to rebuild it, and the k x k covariances of -Y.
+void addPaper(const Scene& scene, const PaperTransport& paper, std::vector<PlainSection>& sections) {
+  const std::uint32_t n = scene.patches.count, k = scene.patches.clusterCount;
+  const std::uint32_t perBlock =
+      std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kMaxInflatedBytes / 4 / n));
+  for (std::uint32_t first = 0, block = 0; first < k; first += perBlock, ++block) {
+    const std::uint32_t width = std::min(perBlock, k - first);
+    std::vector<float> columns;
+    columns.reserve(std::size_t{n} * width);
+    for (std::uint32_t p = 0; p < n; ++p) {
+      const float* row = &paper.y[std::size_t{p} * k + first];
+      columns.insert(columns.end(), row, row + width);
+    }
+    sections.push_back(plainSection(numberedName("Y", block), ElementType::kFloat32, Encoding::kFloatPlanes,
+                                    n, width, encodeFloatPlanes(columns)));
+  }
+  // V_qc = A_q / A_c for the cluster c of q (patchClusters).
+  std::vector<double> clusterArea(k);
+  for (std::uint32_t q = 0; q < n; ++q) clusterArea[scene.patches.cluster[q]] += scene.patches.area[q];
+  std::vector<float> v;
+  for (std::uint32_t q = 0; q < n; ++q)
+    v.push_back(static_cast<float>(scene.patches.area[q] / clusterArea[scene.patches.cluster[q]]));
+  sections.push_back(
+      plainSection("V", ElementType::kFloat32, Encoding::kFloatPlanes, n, 1, encodeFloatPlanes(v)));
+  for (std::uint32_t s = 0; s < paper.exitance.size(); ++s) {
+    const SurfaceStatistics& statistics = paper.exitance[s];
+    if (statistics.mean.empty()) continue;
+    const std::vector<float> mean(statistics.mean.begin(), statistics.mean.end());
+    sections.push_back(plainSection(numberedName("clusterMean", s), ElementType::kFloat32,
+                                    Encoding::kFloatPlanes, 1, k, encodeFloatPlanes(mean)));
+    sections.push_back(encodeCovariance(numberedName("clusterCovariance", s), statistics.covariance, k,
+                                        kCovarianceTolerance));
+  }
+}
+
+std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
+
+/// What a reader will make of the file, whose sections inflate to these.
+Result<Scene> readBack(std::span<const std::uint8_t> file, const std::vector<PlainSection>& sections) {
+  Result<SceneReader> reader = SceneReader::open(file);
+  if (!reader) return reader.error();
+  for (std::uint32_t i = 0; i < sections.size(); ++i) {
+    if (!reader->needed(i)) continue;
+    const Result<Done> provided = reader->provide(i, sections[i].bytes);
+    if (!provided) return provided.error();
+  }
+  return reader->finish();
+}
+
+}  // namespace
+
+std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate) {
+  // note: a very even section would look like a bomb to the reader.
+  const auto looksLikeBomb = [](const PlainSection& plain, const std::vector<std::uint8_t>& bytes) {
+    return plain.bytes.size() > kFreeInflatedBytes && plain.bytes.size() / kMaxInflationRatio > bytes.size();
+  };
+  std::vector<StoredSection> result;
+  for (const PlainSection& plain : sections) {
+    const bool differences = plain.section.encoding == Encoding::kResponses;
+    StoredSection stored{plain.section,
+                         deflate(plain.bytes, differences ? DeflateKind::kFiltered : DeflateKind::kUsual)};
+    if (looksLikeBomb(plain, stored.bytes)) stored.bytes = deflate(plain.bytes, DeflateKind::kHuffman);
+    stored.section.codec = Codec::kDeflate;
+    if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {
+      stored.section.codec = Codec::kStored;
+      stored.bytes = plain.bytes;
+    }
+    result.push_back(std::move(stored));
+  }
+  return result;
+}
+
+Scene sceneOf(const Room& room, Transport& transport, const std::string& identity) {
+  Scene scene;
+  scene.identity = identity;
+  scene.patches = room.patches;
+  scene.surfaces = room.surfaces;
+  scene.sites = room.sites;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) scene.surfaces[s].lost = transport.lost[s];
+  scene.responses = std::move(transport.responses);
+  // note: float sums of refinement steps may end a hair below zero where it is dark.
+  for (float& value : scene.responses.illuminance) value = std::max(0.0f, value);
+  scene.errorBound.assign(scene.surfaces.size(), 0);
+  scene.illuminance = std::move(transport.illuminance);
+  scene.exitance = std::move(transport.exitance);
+  return scene;
+}
+
+Result<std::vector<std::uint8_t>> buildSceneFile(const SceneFileParts& parts, FileErrors& errors) {
+  EncodingReport report;
+  Result<std::vector<PlainSection>> sections = encodeScene(parts.scene, &report);
+  if (!sections) return sections.error();
+  if (parts.paper) addPaper(parts.scene, *parts.paper, sections.value());
+  if (!parts.room.empty())
+    sections->push_back(plainSection("room", ElementType::kUint8, Encoding::kPlain,
+                                     static_cast<std::uint32_t>(parts.room.size()), 1, parts.room));
+  for (const PlainSection& section : sections.value())
+    if (section.bytes.size() > kMaxInflatedBytes)
+      return Error{"section " + section.section.name +
+                   " would be larger than 64 MB: use larger patches or smaller pictures"};
+  const SceneCounts counts = countsOf(parts.scene);
+  std::vector<StoredSection> stored = storeSections(*sections, parts.deflate);
+
+  // Read back what will be written, and measure it, before the provenance is added that tells so.
+  const Result<Scene> back = readBack(assembleSceneFile(parts.scene.identity, counts, stored), *sections);
+  if (!back) return Error{"the scene file just made cannot be read back (" + back.error().message + ")"};
+  measure(parts.scene, back.value(), errors);
+  std::sort(report.responseRms.begin(), report.responseRms.end());
+  if (!report.responseRms.empty()) {
+    errors.patchRmsMedian = report.responseRms[report.responseRms.size() / 2];
+    errors.patchRmsWorst = report.responseRms.back();
+  }
+  (*parts.provenance)["ranks"] = report.ranks;
+  (*parts.provenance)["errors"] = {{"mean", errors.mean},
+                                   {"sigma", errors.sigma},
+                                   {"patchRmsMedian", errors.patchRmsMedian},
+                                   {"patchRmsWorst", errors.patchRmsWorst}};
+  const std::vector<std::uint8_t> text =
+      bytesOf(parts.provenance->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  std::vector<PlainSection> last;
+  last.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
+                              static_cast<std::uint32_t>(text.size()), 1, text));
+  for (StoredSection& section : storeSections(last, parts.deflate)) stored.push_back(std::move(section));
+  std::vector<std::uint8_t> file = assembleSceneFile(parts.scene.identity, counts, stored);
+  const Result<SceneTable> table = readSceneTable(file);
+  if (!table) return Error{"the scene file just made cannot be read back (" + table.error().message + ")"};
+  return file;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,53 @@
+// Room and transport -> the bytes of a scene file, measured against what they were made from.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "core/scene/scene_file.h"
+#include "precompute/light/transport.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+/// Changes whenever the same room and options would give other light: part of a room's identity.
+inline constexpr int kMethodVersion = 4;
+
+/// Makes bytes smaller: a zlib stream (RFC 1950). The kind is a hint; `kHuffman` must shrink at most
+/// eightfold, or return nothing.
+enum class DeflateKind { kUsual, kFiltered, kHuffman };
+using Deflate = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>, DeflateKind)>;
+
+/// Sections deflated where that makes them smaller (and, beyond 1 MB, within the ratio that the reader
+/// allows).
+std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate);
+
+/// What a scene says, before any rounding. Takes the large arrays out of `transport`.
+Scene sceneOf(const Room& room, Transport& transport, const std::string& identity);
+
+/// How far a file's statistics are from the unrounded ones, relative, the worst over 1000 random layouts of
+/// six luminaires and all surfaces; and the RMS error of patch light as a share of the surface's mean.
+struct FileErrors {
+  double mean = 0, sigma = 0;
+  double patchRmsMedian = 0, patchRmsWorst = 0;  // over surfaces and sites
+};
+
+struct SceneFileParts {
+  Scene scene;
+  std::vector<std::uint8_t> room;         // .glb to display; empty: none
+  nlohmann::ordered_json* provenance;     // "ranks" and "errors" are added to it
+  const PaperTransport* paper = nullptr;  // the paper's matrices, to be written too
+  Deflate deflate;
+};
+
+/// Encodes, deflates, reads the result back and measures it. An error where the scene is too large for a
+/// file, or where what was read back is not what was written.
+Result<std::vector<std::uint8_t>> buildSceneFile(const SceneFileParts& parts, FileErrors& errors);
+
+}  // namespace fiatlux

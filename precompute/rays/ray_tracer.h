@@ -1,0 +1,55 @@
+// What a ray of a room meets first, and whether anything lies between two points. The only door to Embree.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/base/result.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+/// Eight rays side by side. Set each lane with RayTracer::aim before a call; lanes from `count` on are
+/// ignored.
+struct RayPacket {
+  static constexpr std::uint32_t kSize = 8;
+  std::uint32_t count = 0;
+  alignas(32) float originX[kSize], originY[kSize], originZ[kSize];
+  alignas(32) float directionX[kSize], directionY[kSize], directionZ[kSize];
+  alignas(32) float reach[kSize];  // how far a ray goes, in lengths of its direction
+};
+
+/// What the rays of a packet met first.
+struct HitPacket {
+  std::uint32_t triangle[RayPacket::kSize];  // of the room; kNone = nothing
+  float distance[RayPacket::kSize];          // in lengths of the direction
+};
+
+/// Thread-safe once built. The room must outlive it.
+class RayTracer {
+ public:
+  static Result<RayTracer> build(const Room& room);
+  RayTracer(RayTracer&&) noexcept;
+  RayTracer& operator=(RayTracer&&) noexcept;
+  ~RayTracer();
+
+  /// Adds a ray to the packet (count < kSize), world coordinates, metres. `reach` in lengths of `direction`.
+  void aim(RayPacket& rays, const Vec3& origin, const Vec3& direction, double reach) const;
+  void intersect(const RayPacket& rays, HitPacket& hits) const;
+  /// blocked[i]: a triangle's front or back crosses ray i. `coherent`: faster where the rays go nearly the
+  /// same way, slower where not.
+  void occluded(const RayPacket& rays, bool* blocked, bool coherent = false) const;
+  /// The patch that a ray met: kNone where it met nothing, a back that is no surface, or a hole of a chart.
+  std::uint32_t patchOf(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
+                        double distance) const;
+
+  /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
+  double offset() const;
+
+ private:
+  struct Parts;
+  explicit RayTracer(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,50 @@
+// A generated room with its tracer, and the few questions that the analytic cases ask of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "precompute/light/forward_light.h"
+#include "precompute/light/point_light.h"
+#include "precompute/validation/generated_scene.h"
+#include "precompute/validation/validation.h"
+
+namespace fiatlux {
+
+/// x, y and z up, as the analytic cases are written, into the room's y up.
+inline Vec3 zUp(double x, double y, double z) { return {x, z, -y}; }
+
+/// A rectangle given in z-up coordinates; its front is where u x v points.
+inline RectangleSurface zUpRectangle(const std::string& name, const Vec3& corner, const Vec3& u,
+                                     const Vec3& v, double reflectance) {
+  return {name, zUp(corner.x, corner.y, corner.z), zUp(u.x, u.y, u.z), zUp(v.x, v.y, v.z), reflectance, 1, 1,
+          false};
+}
+
+class ValidationScene {
+ public:
+  /// Reports to `validation` and is empty (false) where the room cannot be built.
+  ValidationScene(Validation& validation, const std::string& topic, const SourceScene& source, double patch);
+  explicit operator bool() const { return room_ && tracer_; }
+
+  const Room& room() const { return *room_; }
+  const RayTracer& tracer() const { return *tracer_; }
+  /// Whether the row belongs to surface `name` or to a surface below it.
+  bool belongs(std::uint32_t row, const std::string& name) const;
+  double area(const std::string& name) const;
+  /// Area-weighted mean over a surface, or over all patches for "".
+  double mean(const std::vector<float>& values, const std::string& name) const;
+  /// Forward light; emission is asked of each patch where given.
+  ForwardLight light(const std::vector<Luminaire>& luminaires, const std::vector<float>& emission = {}) const;
+  std::vector<PointReading> read(const std::vector<MeasuringPoint>& points,
+                                 const std::vector<Luminaire>& luminaires,
+                                 const std::vector<float>& radiosity) const;
+
+ private:
+  const ValidationOptions options_;
+  std::unique_ptr<Room> room_;
+  std::unique_ptr<RayTracer> tracer_;
+};
+
+}  // namespace fiatlux

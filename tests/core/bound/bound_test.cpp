@@ -1,0 +1,204 @@
+// The bound against brute force: never above the optimum of an exhaustive enumeration, and tight where theory
+// says so.
+#include "core/bound/bound.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/search/evaluator.h"
+#include "core/search/validate_intentions.h"
+#include "tests/core/corridor_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using fiatlux::testing::smallRoom;
+
+/// Whether three luminaires may hang there, luminaire 0 and so on first.
+bool isAllowed(const PreparedScene& prepared, const LuminaireRules& rules,
+               const std::array<std::uint32_t, 3>& sites) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i < rules.pinned.size() && sites[i] != rules.pinned[i]) return false;
+    if (std::count(rules.excluded.begin(), rules.excluded.end(), sites[i]) > 0) return false;
+    for (std::size_t k = 0; k < i; ++k)
+      if (sites[i] == sites[k] || prepared.distance(sites[i], sites[k]) < rules.minDistance) return false;
+  }
+  return true;
+}
+
+/// The best of all layouts of three luminaires under the rules.
+Evaluation exhaustiveOptimum(PreparedScene& prepared, const Intentions& intentions,
+                             const Layout* reference = nullptr) {
+  Evaluator evaluator(prepared, intentions, reference);
+  Evaluation best{1e9, 0, 1};
+  const std::uint32_t m = prepared.siteCount();
+  for (std::uint32_t a = 0; a < m; ++a)
+    for (std::uint32_t b = 0; b < m; ++b)
+      for (std::uint32_t c = 0; c < m; ++c) {
+        if (!isAllowed(prepared, intentions.luminaires, {a, b, c})) continue;
+        if (const Evaluation e = evaluator.evaluate({a, b, c}); isBetter(e, best)) best = e;
+      }
+  return best;
+}
+
+double boundOf(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best,
+               const Layout* reference = nullptr) {
+  OptimumBound bound(prepared, intentions, best, reference);
+  for (int slice = 0; slice < 100000 && !bound.done(); ++slice) bound.advance(777);
+  EXPECT_TRUE(bound.done());
+  return bound.goal();
+}
+
+Intentions three(std::vector<Goal> goals, std::vector<Constraint> constraints = {}) {
+  Intentions intentions;
+  intentions.luminaires.count = 3;
+  intentions.goals = std::move(goals);
+  intentions.constraints = std::move(constraints);
+  return intentions;
+}
+
+const Goal kEven{Statistic::kSigma, Sense::kMinimize, 1, {}, {}};
+const Goal kDarkWall{Statistic::kMean, Sense::kMinimize, 1, {2}, {}};
+const Goal kBrightWall{Statistic::kMean, Sense::kMaximize, 1, {2}, {}};
+
+TEST(Bound, IsNeverAboveTheExhaustiveOptimum) {
+  PreparedScene prepared(smallRoom());
+  std::vector<Intentions> problems = {
+      three({kEven}),
+      three({kEven}, {{Statistic::kMean, 45, kUnbounded, 1, {2}, {}}}),
+      three({{Statistic::kSigma, Sense::kMaximize, 1, {2}, {}}}),
+      three({kDarkWall}, {{Statistic::kChebyshev, 20, kUnbounded, 1.5, {2}, {}}}),
+      three({kBrightWall}, {{Statistic::kChebyshev, -kUnbounded, 120, 1, {3}, {}},
+                            {Statistic::kSigma, -kUnbounded, 60, 1, {0}, {}}}),
+      three({kEven, {Statistic::kMean, Sense::kMaximize, 0.3, {2}, {}}}),
+      three({kDarkWall}, {{Statistic::kMinimum, 15, kUnbounded, 1, {0}, {}},
+                          {Statistic::kContrast, 0.3, kUnbounded, 1, {2}, {0}}}),
+  };
+  Intentions power = three({{Statistic::kPower, Sense::kMinimize, 1, {}, {}}},
+                           {{Statistic::kChebyshev, 10, kUnbounded, 1, {0}, {}}});
+  power.luminaires.dimmingLow = 0.05;
+  problems.push_back(power);
+  Intentions unequal = three({kEven});
+  unequal.luminaires.flux = {500, 1000, 1700};
+  problems.push_back(unequal);
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    const Evaluation best = exhaustiveOptimum(prepared, problems[p]);
+    ASSERT_LT(best.violation, 1e-9) << "problem " << p << " is meant to be feasible";
+    const double bound = boundOf(prepared, problems[p], best);
+    EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal)) << "problem " << p;
+    EXPECT_GT(bound, best.goal - 1.5 * std::fabs(best.goal)) << "problem " << p << ": not even useful";
+  }
+}
+
+/// Rules that leave fewer layouts: by pins, by forbidden sites, by a distance, by all of them.
+std::vector<LuminaireRules> narrowRules() {
+  LuminaireRules plain;
+  plain.count = 3;
+  std::vector<LuminaireRules> all(8, plain);
+  all[0].pinned = {7};
+  all[1].pinned = {0, 19};
+  all[2].pinned = {3, 12, 16};  // nothing is left to choose
+  all[3].excluded = {0, 1, 2, 5, 6, 7, 10, 11, 15};
+  all[4].minDistance = 1.6;  // more than two sites apart
+  all[5].pinned = {9};
+  all[5].excluded = {0, 4, 8, 14, 18};
+  all[5].minDistance = 1.2;
+  all[6].flux = {400, 1000, 2500};  // the pinned one is the dimmest
+  all[6].pinned = {2};
+  all[6].excluded = {10, 11, 12};
+  all[7].flux = {2500, 1000, 400};  // the pinned ones are the brightest
+  all[7].pinned = {6, 17};
+  all[7].dimmingLow = 0.2;
+  return all;
+}
+
+TEST(Bound, HoldsUnderPinsForbiddenSitesAndDistances) {
+  PreparedScene prepared(smallRoom());
+  const std::vector<Intentions> problems = {
+      three({kEven}),
+      three({{Statistic::kSigma, Sense::kMinimize, 1, {2}, {}}}),
+      three({{Statistic::kSigma, Sense::kMaximize, 1, {2}, {}}}),
+      three({kDarkWall}, {{Statistic::kChebyshev, 5, kUnbounded, 0.5, {0}, {}}}),
+      three({kBrightWall}, {{Statistic::kSigma, -kUnbounded, 200, 1, {0}, {}}}),
+      three({kEven, {Statistic::kMean, Sense::kMaximize, 0.3, {2}, {}}}),
+      three({{Statistic::kPower, Sense::kMinimize, 1, {}, {}}},
+            {{Statistic::kMean, 5, kUnbounded, 1, {0}, {}}}),
+  };
+  std::size_t compared = 0;
+  for (const LuminaireRules& rules : narrowRules())
+    for (Intentions problem : problems) {
+      problem.luminaires = rules;
+      SCOPED_TRACE("comparison " + std::to_string(compared));
+      ASSERT_TRUE(checkIntentions(prepared.scene(), problem));
+      const Evaluation best = exhaustiveOptimum(prepared, problem);
+      ASSERT_LT(best.violation, 1e-9) << "it is meant to be feasible";
+      const double bound = boundOf(prepared, problem, best);
+      EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal));
+      EXPECT_GT(bound, best.goal - 1.5 * std::fabs(best.goal)) << "not even useful";
+      ++compared;
+    }
+  EXPECT_EQ(compared, 56u);
+}
+
+TEST(Bound, KnowsWhatPinsAndForbiddenSitesTakeAway) {
+  PreparedScene prepared(smallRoom());
+  // Nothing is free to move: the only layout is the bound.
+  Intentions pinned = three({kDarkWall});
+  pinned.luminaires.pinned = {3, 12, 16};
+  const Evaluation only = exhaustiveOptimum(prepared, pinned);
+  EXPECT_NEAR(boundOf(prepared, pinned, only), only.goal, 1e-6 * std::fabs(only.goal));
+  // A mean is bounded exactly, so the loss of the sites nearest to the wall must show.
+  const Layout reference{{0, 7, 14}, {}, 1};
+  Intentions narrow = three({kBrightWall});
+  const double free = exhaustiveOptimum(prepared, narrow, &reference).goal;
+  narrow.luminaires.excluded = {15, 16, 17, 18, 19};
+  const Evaluation best = exhaustiveOptimum(prepared, narrow, &reference);
+  EXPECT_GT(best.goal, 0.9 * free);
+  EXPECT_NEAR(boundOf(prepared, narrow, best, &reference), best.goal, 1e-6 * std::fabs(best.goal));
+}
+
+TEST(Bound, IsExactForMeans) {
+  PreparedScene prepared(smallRoom());
+  for (const Goal& goal : {kBrightWall, kDarkWall}) {
+    const Evaluation best = exhaustiveOptimum(prepared, three({goal}));
+    EXPECT_NEAR(boundOf(prepared, three({goal}), best), best.goal, 1e-6 * std::fabs(best.goal));
+  }
+}
+
+TEST(Bound, SaysHowFarALayoutMayBeFromTheBest) {
+  PreparedScene prepared(smallRoom());
+  const Evaluation best = exhaustiveOptimum(prepared, three({kEven}));
+  OptimumBound bound(prepared, three({kEven}), best);
+  while (!bound.done()) bound.advance(1000);
+  ASSERT_TRUE(bound.within(best));
+  EXPECT_NEAR(*bound.within(best), best.goal / bound.goal() - 1, 1e-9);
+  EXPECT_FALSE(bound.within({0.1, best.goal, 1}))
+      << "nothing may be said of a layout that breaks its constraints";
+}
+
+TEST(Bound, DeclinesWhatItCannotProve) {
+  PreparedScene prepared(smallRoom());
+  const Intentions contrast = three({{Statistic::kContrast, Sense::kMaximize, 1, {2}, {0}}});
+  OptimumBound bound(prepared, contrast, {});
+  EXPECT_FALSE(bound.supported());
+  EXPECT_TRUE(bound.done());
+  EXPECT_FALSE(bound.within({0, -1, 1}));
+}
+
+TEST(DiagonalShift, StaysPositiveAndHelpsADiagonalMatrix) {
+  // C = diag(1, 2, 3): everything may be moved out.
+  DiagonalShift shift(3, {1, 0, 0, 0, 2, 0, 0, 0, 3});
+  ASSERT_TRUE(shift.ok());
+  for (int step = 0; step < 200 && shift.step({1, 1, 1}); ++step) {
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LE(shift.diagonal()[i], i + 1.0);
+    EXPECT_GT(shift.diagonal()[i], (i + 1) * 0.99);
+  }
+}
+
+}  // namespace
+}  // namespace fiatlux

@@ -1,0 +1,115 @@
+// Fast paths against slow ones: quadratic forms against the explicit light of every patch, deltas against
+// full sums.
+#include "core/search/evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/search/start_layout.h"
+#include "core/search/validate_intentions.h"
+#include "tests/core/corridor_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using fiatlux::testing::longCorridor;
+using fiatlux::testing::smallRoom;
+
+Intentions meanAndSigma(std::uint32_t count) {
+  Intentions intentions;
+  intentions.luminaires.count = count;
+  intentions.luminaires.flux = {1000};
+  intentions.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {}, {}},
+                      {Statistic::kMean, Sense::kMaximize, 0.5, {2}, {}}};
+  intentions.constraints = {{Statistic::kMean, 20, 40, 1, {0, 3}, {}},
+                            {Statistic::kChebyshev, 5, 90, 1.5, {2}, {}}};
+  return intentions;
+}
+
+Layout layoutOf(const std::vector<std::uint32_t>& sites, double flux) {
+  return {sites, std::vector<double>(sites.size(), flux), 1};
+}
+
+TEST(Evaluator, QuadraticFormsEqualExplicitStatisticsOfThePatches) {
+  const Scene& scene = longCorridor();
+  PreparedScene prepared(scene);
+  Evaluator evaluator(prepared, meanAndSigma(6));
+  Random random(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto sites = randomSites(prepared, meanAndSigma(6).luminaires, random);
+    evaluator.load(sites);
+    const std::vector<float> light = illuminanceOf(scene, layoutOf(sites, 1000));
+    for (std::size_t s = 0; s < evaluator.objective().sets().size(); ++s) {
+      const ExplicitStatistics truth =
+          explicitStatistics(scene, light, evaluator.objective().sets()[s].surfaces);
+      EXPECT_NEAR(evaluator.moments()[s].mean, truth.mean, 1e-5 * truth.mean);
+      if (evaluator.objective().sets()[s].needsVariance) {
+        EXPECT_NEAR(std::sqrt(evaluator.moments()[s].variance), truth.sigma, 1e-4 * truth.sigma);
+      }
+    }
+  }
+}
+
+TEST(Evaluator, DeltaOfAMoveEqualsFullEvaluation) {
+  PreparedScene prepared(longCorridor());
+  Evaluator evaluator(prepared, meanAndSigma(6)), reference(prepared, meanAndSigma(6));
+  Random random(3);
+  auto sites = randomSites(prepared, meanAndSigma(6).luminaires, random);
+  evaluator.load(sites);
+  for (int step = 0; step < 300; ++step) {
+    const std::uint32_t i = random.below(6), to = random.below(prepared.siteCount());
+    if (std::find(sites.begin(), sites.end(), to) != sites.end()) continue;
+    Trial trial{{}, 0, {1e9, 0, 1}};
+    evaluator.tryMoves(i, &to, 1, trial);
+    ASSERT_EQ(trial.count, 1u);
+    sites[i] = to;
+    const Evaluation full = reference.evaluate(sites);
+    EXPECT_NEAR(trial.evaluation.goal, full.goal, 1e-9);
+    EXPECT_NEAR(trial.evaluation.violation, full.violation, 1e-9);
+    evaluator.apply(trial);
+    EXPECT_NEAR(evaluator.current().goal, full.goal, 1e-9);
+  }
+}
+
+TEST(Evaluator, DeltaOfTwoMovesEqualsFullEvaluationWithDifferentFluxes) {
+  Intentions intentions = meanAndSigma(4);
+  intentions.luminaires.flux = {500, 900, 1300, 2100};
+  PreparedScene prepared(longCorridor());
+  Evaluator evaluator(prepared, intentions), reference(prepared, intentions);
+  evaluator.load({10, 60, 120, 200});
+  Trial swapped{{}, 0, {1e9, 0, 1}}, moved = swapped;
+  evaluator.tryPair({0, 200}, {3, 10}, swapped);
+  evaluator.tryPair({1, 61}, {2, 133}, moved);
+  EXPECT_NEAR(swapped.evaluation.goal, reference.evaluate({200, 60, 120, 10}).goal, 1e-9);
+  EXPECT_NEAR(moved.evaluation.goal, reference.evaluate({10, 61, 133, 200}).goal, 1e-9);
+  evaluator.apply(swapped);
+  EXPECT_NEAR(evaluator.current().goal, reference.evaluate({200, 60, 120, 10}).goal, 1e-9);
+}
+
+TEST(Evaluator, TrueExtremesEqualThoseOfThePatchesLessTheMargin) {
+  Scene scene = smallRoom();
+  scene.errorBound.assign(4, 0.01f);
+  PreparedScene prepared(scene);
+  PatchExtremes extremes(scene, Quantity::kIlluminance, {2, 3});
+  const std::vector<std::uint32_t> sites = {3, 11, 17};
+  const std::vector<double> flux = {1000, 1000, 1000};
+  extremes.load(sites.data(), flux.data(), 3);
+  const FluxChange changes[2] = {{11, -1000}, {5, 1000}};
+  const Extremes moved = extremes.changed(changes, 2);
+  const std::vector<float> light = illuminanceOf(scene, layoutOf({3, 5, 17}, 1000));
+  double least = 1e9, largest = -1e9;
+  for (std::uint32_t s : {2u, 3u}) {
+    const ExplicitStatistics truth = explicitStatistics(scene, light, {s});
+    least = std::min(least, truth.minimum - 0.01 * truth.mean);
+    largest = std::max(largest, truth.maximum + 0.01 * truth.mean);
+  }
+  EXPECT_NEAR(moved.minimumLow, least, 1e-3);
+  EXPECT_NEAR(moved.maximumHigh, largest, 1e-3);
+  EXPECT_GE(extremes.hoped(changes, 2).minimumLow, moved.minimumLow - 1e-9);
+  EXPECT_LE(extremes.hoped(changes, 2).maximumHigh, moved.maximumHigh + 1e-9);
+}
+
+}  // namespace
+}  // namespace fiatlux

@@ -1,0 +1,38 @@
+#include "precompute/base/names.h"
+
+#include <gtest/gtest.h>
+
+namespace fiatlux {
+namespace {
+
+TEST(Names, HiddenCharactersGoAndSlashesTurn) {
+  EXPECT_EQ(cleanName("  a\tb\n c\u202Ed/e\u200B "), "ab cd-e");
+  EXPECT_EQ(cleanText("a/b"), "a/b");
+  EXPECT_EQ(cleanName("Wände – größer"), "Wände – größer");
+  EXPECT_EQ(cleanName("\xff\xc3(\x80"), "(");
+  EXPECT_EQ(cleanName(""), "");
+}
+
+TEST(Names, LongNamesAreCutAtWholeCharacters) {
+  std::string umlauts;
+  for (int i = 0; i < 500; ++i) umlauts += "ä";
+  const std::string cut = cleanName(umlauts);
+  EXPECT_EQ(cut, umlauts.substr(0, 240) + "…");
+}
+
+TEST(Names, AreUniqueAndNeverAll) {
+  UniqueNames names;
+  EXPECT_EQ(names.take("desk"), "desk");
+  EXPECT_EQ(names.take("desk"), "desk 2");
+  EXPECT_EQ(names.take("desk 2"), "desk 2 2");
+  EXPECT_EQ(names.take("desk"), "desk 3");
+  EXPECT_EQ(names.take("all"), "all 2");
+}
+
+TEST(Names, TheClosestComeFirst) {
+  EXPECT_EQ(closestNames("cieling", {"floor", "ceiling", "wall", "Ceiling 2"}),
+            "'ceiling', 'Ceiling 2', 'floor'");
+}
+
+}  // namespace
+}  // namespace fiatlux

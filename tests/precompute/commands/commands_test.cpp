@@ -1,0 +1,251 @@
+// The command as a person meets it: results that are right, and failures of one clear line with status 2.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "precompute/files/scene_io.h"
+#include "tests/precompute/commands/command_run.h"
+
+namespace fiatlux {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A box room and its scene file, made once.
+class Commands : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    writeBoxRoom(*folder_, "box");
+    made_ = runFiatlux(*folder_, "precompute box.gltf -o box.flux --patch 0.25 --rays 512");
+    writeTextFile(*folder_ / "layout.json",
+                  R"({"luminaires": [{"site": 4, "flux": 1000}, {"site": 7, "flux": 500}]})");
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  /// One clear line at the end of standard error, status 2, and no new file.
+  static std::string failure(const std::string& arguments) {
+    const std::size_t files = folder_->files();
+    const CommandRun run = runFiatlux(*folder_, arguments);
+    EXPECT_EQ(run.status, 2) << arguments << "\n" << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 4) << run.err;
+    EXPECT_EQ(folder_->files(), files) << arguments;
+    return run.err;
+  }
+
+  static TemporaryFolder* folder_;
+  static CommandRun made_;
+};
+TemporaryFolder* Commands::folder_ = nullptr;
+CommandRun Commands::made_;
+
+TEST_F(Commands, PrecomputeMakesASceneFile) {
+  EXPECT_EQ(made_.status, 0) << made_.err;
+  EXPECT_THAT(made_.out, HasSubstr("1056 patches"));
+}
+
+TEST_F(Commands, InfoTellsWhatIsInIt) {
+  const CommandRun run = runFiatlux(*folder_, "info box.flux --json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json info = json::parse(run.out);
+  EXPECT_EQ(info["patches"], 1056);
+  EXPECT_EQ(info["sites"], 12);
+  EXPECT_EQ(info["receivers"], 0);
+  EXPECT_EQ(info["identity"].get<std::string>().size(), 16u);
+  ASSERT_EQ(info["surfaces"].size(), 6u);
+  ASSERT_TRUE(info["fewPatches"].is_array());
+  for (const json& surface : info["surfaces"]) {
+    const bool told = std::count(info["fewPatches"].begin(), info["fewPatches"].end(), surface["name"]) == 1;
+    EXPECT_EQ(told, surface["patches"].get<int>() < 100) << surface;
+  }
+  EXPECT_EQ(info["surfaces"][0]["name"], "floor");
+  EXPECT_NEAR(info["surfaces"][0]["area"].get<double>(), 12, 1e-9);
+  EXPECT_NEAR(info["surfaces"][0]["reflectance"].get<double>(), 0.5, 1e-6);
+  EXPECT_NEAR(info["surfaces"][0]["lost"].get<double>(), 0, 1e-3);
+  EXPECT_LT(info["errors"]["sigma"].get<double>(), 1e-4);
+  EXPECT_LT(info["errors"]["mean"].get<double>(), 1e-4);
+  EXPECT_LT(info["errors"]["patchRmsMedian"].get<double>(), 0.005);
+  EXPECT_TRUE(info["seconds"].contains("form factors"));
+  double bytes = 0;
+  for (const json& section : info["sections"]) bytes += section["bytes"].get<double>();
+  EXPECT_GT(bytes, 1000);
+  EXPECT_THAT(runFiatlux(*folder_, "info box.flux").out, HasSubstr("1056 patches"));
+}
+
+TEST_F(Commands, EvaluateKeepsTheEnergyBalance) {
+  const CommandRun run =
+      runFiatlux(*folder_, "evaluate box.flux --layout layout.json --json --patches patches.csv");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(run.out);
+  // A closed room of one reflectance: sum of A (1 - rho) E = flux.
+  double absorbed = 0;
+  for (const json& s : result["surfaces"])
+    absorbed += s["area"].get<double>() * (1 - s["reflectance"].get<double>()) * s["mean"].get<double>();
+  EXPECT_NEAR(absorbed, 1500, 0.005 * 1500);
+  EXPECT_NEAR(result["all"]["mean"].get<double>(), 1500 / (0.5 * 66), 0.005 * 1500 / 33);
+  EXPECT_EQ(result["power"], 1500);
+  const json& floor = result["surfaces"][0];
+  EXPECT_NEAR(floor["exitance"]["mean"].get<double>(), 0.5 * floor["mean"].get<double>(), 1e-3);
+  EXPECT_LE(floor["min"], floor["mean"]);
+  EXPECT_GE(floor["max"], floor["mean"]);
+  EXPECT_EQ(result["layout"]["luminaires"][0]["site"], 4);
+  // The patches say the same.
+  const std::string csv = textOfFile(*folder_ / "patches.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1057);
+}
+
+TEST_F(Commands, TheSameOptionsGiveTheSameIdentityAndOthersAnother) {
+  const auto identity = [](const char* options) {
+    runFiatlux(*folder_, std::string("precompute box.gltf -o other.flux --patch 0.5 --rays 64 ") + options);
+    const json info = json::parse(runFiatlux(*folder_, "info other.flux --json").out);
+    return info["identity"].get<std::string>();
+  };
+  const std::string one = identity("--threads 1");
+  EXPECT_EQ(identity("--threads 2 --memory 3"), one);
+  EXPECT_NE(identity("--seed 2"), one);
+  EXPECT_NE(identity("--refine 1"), one);
+  EXPECT_NE(identity("--paper"), one);
+}
+
+TEST_F(Commands, PaperCarriesItsMatrices) {
+  ASSERT_EQ(runFiatlux(*folder_, "precompute box.gltf -o paper.flux --patch 0.25 --rays 64 --paper").status,
+            0);
+  const json info = json::parse(runFiatlux(*folder_, "info paper.flux --json").out);
+  std::vector<std::string> names;
+  for (const json& section : info["sections"]) names.push_back(section["name"]);
+  for (const char* name : {"Y", "V", "clusterMean", "clusterCovariance.5"})
+    EXPECT_THAT(names, testing::Contains(std::string(name)));
+  EXPECT_EQ(runFiatlux(*folder_, "evaluate paper.flux --layout layout.json").status, 0);
+}
+
+TEST_F(Commands, ProvenanceNeverReplacesWhatWasReadOffTheFile) {
+  const std::string text = textOfFile(*folder_ / "box.flux");
+  const std::vector<std::uint8_t> file(text.begin(), text.end());
+  const SceneTable table = readSceneTable(file).value();
+  const std::string lie = R"({"patches": "many", "sections": 3, "identity": [], "program": "another"})";
+  std::vector<PlainSection> provenance;
+  provenance.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
+                                    static_cast<std::uint32_t>(lie.size()), 1, {lie.begin(), lie.end()}));
+  std::vector<StoredSection> sections = storeSections(provenance, zlibDeflate);
+  for (const SceneSection& section : table.sections) {
+    const std::span<const std::uint8_t> bytes = storedBytes(file, section);
+    if (section.name != "provenance") sections.push_back({section, {bytes.begin(), bytes.end()}});
+  }
+  const std::vector<std::uint8_t> lying = assembleSceneFile(table.identity, table.counts, sections);
+  writeTextFile(*folder_ / "lying.flux", {lying.begin(), lying.end()});
+
+  const json info = json::parse(runFiatlux(*folder_, "info lying.flux --json").out);
+  EXPECT_EQ(info["patches"], table.counts.patches);
+  EXPECT_EQ(info["sections"].size(), table.sections.size());
+  EXPECT_EQ(info["identity"], table.identity);
+  EXPECT_EQ(info["program"], "another");
+  EXPECT_EQ(info["seconds"], json::object());
+  EXPECT_EQ(runFiatlux(*folder_, "info lying.flux").status, 0);
+}
+
+TEST_F(Commands, BadRoomsAreRefused) {
+  writeTextFile(*folder_ / "text.glb", "this is no room\n");
+  EXPECT_THAT(failure("precompute text.glb -o new.flux"), HasSubstr("text.glb"));
+  std::string glb = "glTF";
+  glb += std::string("\x02\0\0\0\xff\xff\0\0", 8) + "{\"asset\"";
+  writeTextFile(*folder_ / "cut.glb", glb);
+  EXPECT_THAT(failure("precompute cut.glb -o new.flux"), HasSubstr("cut.glb"));
+  std::filesystem::copy_file(*folder_ / "box.gltf", *folder_ / "alone.gltf");
+  std::string alone = textOfFile(*folder_ / "alone.gltf");
+  alone.replace(alone.find("box.bin"), 7, "gone.bin");
+  writeTextFile(*folder_ / "alone.gltf", alone);
+  EXPECT_THAT(failure("precompute alone.gltf -o new.flux"), HasSubstr("gone.bin"));
+  writeTextFile(*folder_ / "empty.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
+  EXPECT_THAT(failure("precompute empty.gltf -o new.flux"), HasSubstr("empty.gltf"));
+  EXPECT_THAT(failure("precompute gone.glb -o new.flux"), HasSubstr("gone.glb"));
+  EXPECT_THAT(failure("precompute box.gltf -o ./box.gltf"), HasSubstr("the room itself"));
+  EXPECT_EQ(textOfFile(*folder_ / "box.gltf").front(), '{');  // still there
+  EXPECT_THAT(failure("precompute box.gltf -o new.flux --mount shelf"), HasSubstr("shelf"));
+  EXPECT_THAT(failure("precompute box.gltf -o new.flux --site-spacing 9"), HasSubstr("site"));
+  EXPECT_THAT(failure("precompute box.gltf -o new.flux --patch 0.01 --memory 0.1"), HasSubstr("GB"));
+}
+
+TEST_F(Commands, BadUsageIsStatusTwo) {
+  EXPECT_THAT(failure("precompute box.gltf --rays many"), HasSubstr("rays"));
+  EXPECT_THAT(failure("precompute box.gltf --patch -1"), HasSubstr("patch"));
+  EXPECT_THAT(failure("evaluate box.flux"), HasSubstr("layout"));
+  failure("");
+  failure("paint box.flux");
+}
+
+TEST_F(Commands, DamagedSceneFilesAreRefused) {
+  const std::string file = textOfFile(*folder_ / "box.flux");
+  ASSERT_GT(file.size(), 1000u);
+  writeTextFile(*folder_ / "bad.flux", file.substr(0, file.size() / 2));
+  EXPECT_THAT(failure("info bad.flux"), HasSubstr("bad.flux: the file has"));
+  std::string flipped = file;
+  flipped[file.size() / 2] ^= 4;
+  writeTextFile(*folder_ / "bad.flux", flipped);
+  EXPECT_THAT(failure("info bad.flux"), HasSubstr("checksum differs"));
+  EXPECT_THAT(failure("evaluate bad.flux --layout layout.json"), HasSubstr("checksum differs"));
+  std::string future = file;
+  future[8] = 9;
+  writeTextFile(*folder_ / "bad.flux", future);
+  EXPECT_THAT(failure("info bad.flux"), HasSubstr("version 9"));
+  writeTextFile(*folder_ / "bad.flux", "<!doctype html>");
+  EXPECT_THAT(failure("info bad.flux"), HasSubstr("not a Fiat Lux scene file"));
+  EXPECT_THAT(failure("info gone.flux"), HasSubstr("no such file"));
+}
+
+TEST_F(Commands, BadLayoutsAreRefused) {
+  const auto refused = [&](const char* layout) {
+    writeTextFile(*folder_ / "bad.json", layout);
+    return failure("evaluate box.flux --layout bad.json --json");
+  };
+  writeTextFile(*folder_ / "bad.json", "");
+  EXPECT_THAT(refused("{"), HasSubstr("bad.json: not valid JSON"));
+  EXPECT_THAT(refused(R"({"luminaires": [{"site": 12, "flux": 1}]})"), HasSubstr("sites 0 to 11"));
+  EXPECT_THAT(refused(R"({"luminaires": [{"site": 1}]})"), HasSubstr("flux"));
+  EXPECT_THAT(failure("evaluate box.flux --layout gone.json"), HasSubstr("gone.json"));
+}
+
+TEST_F(Commands, NotesKeepStatusZero) {
+  writeTextFile(
+      *folder_ / "free.json",
+      R"({"luminaires": [{"position": [2, 1, 1.5], "normal": [0, -1, 0], "flux": 9, "name": "x"}]})");
+  const CommandRun run = runFiatlux(*folder_, "evaluate box.flux --layout free.json --json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(json::accept(run.out));
+  EXPECT_THAT(run.err, HasSubstr("nearest site"));
+  EXPECT_THAT(run.err, HasSubstr("ignored here, on a site: normal"));
+  EXPECT_THAT(run.err, HasSubstr("unknown key \"name\""));
+}
+
+TEST_F(Commands, AFullDiskLeavesNothing) {
+  EXPECT_THAT(failure("precompute box.gltf -o /dev/full --patch 0.5 --rays 16"), HasSubstr("full"));
+  EXPECT_THAT(failure("precompute box.gltf -o nowhere/new.flux"), HasSubstr("no such folder"));
+  // A limit on the size of files breaks off the writing in the middle, as a disk that fills up does.
+  const std::string before = textOfFile(*folder_ / "box.flux");
+  const std::size_t files = folder_->files();
+  const CommandRun run = runShell(
+      *folder_,
+      "trap '' XFSZ; ulimit -f 8; \"$FIATLUX\" precompute box.gltf -o box.flux --patch 0.25 --rays 16 2>&1");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(folder_->files(), files);
+  EXPECT_EQ(textOfFile(*folder_ / "box.flux"), before);
+}
+
+TEST_F(Commands, InterruptLeavesNothing) {
+  const std::size_t files = folder_->files();
+  const CommandRun run = runShell(*folder_,
+                                  "timeout --preserve-status -s INT 1 \"$FIATLUX\" precompute box.gltf -o "
+                                  "late.flux --patch 0.05 --rays 8192");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("stopped; nothing was written"));
+  EXPECT_EQ(folder_->files(), files);
+}
+
+}  // namespace
+}  // namespace fiatlux

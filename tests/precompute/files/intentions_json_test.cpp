@@ -1,0 +1,105 @@
+// intentions.json: what it may say, and that everything else is refused in one line.
+#include "precompute/files/intentions_json.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/corridor_scene.h"
+
+namespace fiatlux {
+namespace {
+
+/// The small room with a tree of names: "room/floor", "room/ceiling", "yellow wall", "plane" (a measuring
+/// plane).
+Scene namedRoom() {
+  Scene scene = fiatlux::testing::smallRoom();
+  scene.surfaces[0].name = "room/floor";
+  scene.surfaces[1].name = "room/ceiling";
+  scene.surfaces[3].name = "plane";
+  scene.surfaces[3].measuring = true;
+  return scene;
+}
+
+void expectRefusal(const std::string& text, const std::string& part) {
+  const Result<Intentions> result = parseIntentions(namedRoom(), text);
+  ASSERT_FALSE(result) << text.substr(0, 200);
+  EXPECT_NE(result.error().message.find(part), std::string::npos) << result.error().message;
+  EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
+}
+
+TEST(IntentionsJson, ReadsEverything) {
+  const Result<Intentions> result = parseIntentions(namedRoom(), R"({
+    "luminaires": {"count": 3, "flux": [100, 200, 300], "dimming": [0.1, 1], "pinned": [2], "excluded": [5, 6], "minDistance": 0.5},
+    "goals": [{"surface": "yellow wall", "statistic": "sigma", "sense": "min", "weight": 2},
+              {"surface": "room", "over": "plane", "statistic": "contrast", "sense": "max"}],
+    "constraints": [{"surface": ["yellow wall", "room/floor"], "statistic": "chebyshev", "alpha": 2, "min": 3},
+                    {"statistic": "power", "max": 500}, {"surface": "all", "statistic": "minimum", "min": 1}],
+    "quantity": "illuminance"})");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->luminaires.count, 3u);
+  EXPECT_EQ(result->luminaires.flux, (std::vector<double>{100, 200, 300}));
+  EXPECT_EQ(result->luminaires.dimmingLow, 0.1);
+  EXPECT_EQ(result->luminaires.pinned, (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(result->goals[0].surfaces, (SurfaceSet{2}));
+  EXPECT_EQ(result->goals[0].weight, 2);
+  EXPECT_EQ(result->goals[1].surfaces, (SurfaceSet{0, 1}));
+  EXPECT_EQ(result->goals[1].over, (SurfaceSet{3}));
+  EXPECT_EQ(result->constraints[0].surfaces, (SurfaceSet{0, 2}));
+  EXPECT_EQ(result->constraints[0].alpha, 2);
+  EXPECT_EQ(result->constraints[0].upper, kUnbounded);
+  EXPECT_EQ(result->constraints[1].upper, 500);
+  EXPECT_EQ(result->constraints[2].surfaces, SurfaceSet{});
+}
+
+TEST(IntentionsJson, WithoutDimmingItIsOne) {
+  const Result<Intentions> result =
+      parseIntentions(namedRoom(), R"({"luminaires": {"count": 1, "flux": 5}})");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->luminaires.dimmingLow, 1);
+  EXPECT_EQ(result->luminaires.dimmingHigh, 1);
+}
+
+TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
+  expectRefusal("{", "line 1");
+  expectRefusal("[]", "expected an object");
+  expectRefusal(R"({"goal": []})",
+                "unknown key \"goal\"; known are luminaires, goals, constraints, quantity");
+  expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
+  expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
+  expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");
+  expectRefusal(R"({"luminaires": {"dimming": [1]}})", "[low, high]");
+  expectRefusal(R"({"goals": {}})", "goals: expected a list");
+  expectRefusal(R"({"goals": [{"surface": "all", "statistic": "sigma"}]})", "goal 1: no \"sense\"");
+  expectRefusal(R"({"goals": [{"surface": "all", "statistic": "minimum", "sense": "max"}]})",
+                "goal 1.statistic");
+  expectRefusal(R"({"constraints": [{"statistic": "mean", "min": 3}]})", "constraint 1: no \"surface\"");
+  expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "mean"}]})", "no bound");
+  expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "mean", "min": 3, "alpha": 1}]})",
+                "alpha");
+  expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "contrast", "min": 3}]})", "over");
+  expectRefusal(R"({"quantity": "lux"})", "known are illuminance, exitance");
+  expectRefusal(R"({"constraints": [{"surface": [], "statistic": "mean", "min": 3}]})", "empty list");
+  expectRefusal(R"({"luminaires": {"flux": 1e999}})", "out of range");
+}
+
+TEST(IntentionsJson, NamesTheClosestSurfaces) {
+  expectRefusal(R"({"goals": [{"surface": "yelow wall", "statistic": "sigma", "sense": "min"}]})",
+                "\"yellow wall\"");
+  expectRefusal(R"({"goals": [{"surface": "room/flor", "statistic": "sigma", "sense": "min"}]})",
+                "\"room/floor\"");
+}
+
+TEST(IntentionsJson, SurvivesHostileText) {
+  expectRefusal(std::string(100000, '['), "nested deeper than 64");
+  expectRefusal(std::string(2 << 20, ' '), "longer than 1 MB");
+  expectRefusal("\xff\xfe{\x00}", "not valid JSON");
+  expectRefusal("", "not valid JSON");
+}
+
+TEST(IntentionsJson, StrangersTextStaysOnOneLine) {
+  expectRefusal(R"({"a\nb\u001b[31m": 1})", "unknown key \"a?b?[31m\"");
+  expectRefusal(R"({"quantity": "lux\r\n"})", "unknown \"lux??\"");
+  expectRefusal(R"({"goals": [{"surface": "x\ny", "statistic": "sigma", "sense": "min"}]})", "x?y");
+}
+
+}  // namespace
+}  // namespace fiatlux

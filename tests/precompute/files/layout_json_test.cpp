@@ -1,0 +1,119 @@
+// layout.json in both forms, and what is refused.
+#include "precompute/files/layout_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/core/synthetic_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+std::string errorOf(const std::string& text) {
+  const Result<LayoutFile> file = parseLayout(text);
+  return file ? "no error" : file.error().message;
+}
+
+TEST(LayoutJson, SitesAndPositionsBecomeSites) {
+  const Scene scene = syntheticScene(40, 5);  // sites 2 m apart along x, 3 m up, z = 1
+  const LayoutFile file = parseLayout(R"({"dimming": 0.5, "luminaires": [
+      {"site": 3, "flux": 3000}, {"position": [2.8, 3, 1.1], "flux": 1000}]})")
+                              .value();
+  std::vector<std::string> notes;
+  const Layout layout = layoutOnSites(file, scene, notes).value();
+  EXPECT_EQ(layout.dimming, 0.5);
+  EXPECT_THAT(layout.sites, ElementsAre(3u, 1u));
+  EXPECT_THAT(layout.flux, ElementsAre(3000.0, 1000.0));
+  EXPECT_THAT(notes, SizeIs(0));
+}
+
+TEST(LayoutJson, NotesTellWhatWasIgnored) {
+  const Scene scene = syntheticScene(40, 5);
+  const LayoutFile file = parseLayout(R"({"luminaires": [
+      {"position": [2.4, 3, 1], "flux": 1, "size": [1, 1], "colour": "red"}, {"site": 1, "flux": 1}]})")
+                              .value();
+  EXPECT_THAT(file.notes, ElementsAre(HasSubstr("colour")));
+  std::vector<std::string> notes;
+  ASSERT_TRUE(layoutOnSites(file, scene, notes));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("m away"), HasSubstr("size"), HasSubstr("holds another")));
+}
+
+TEST(LayoutJson, WhatIsWrittenIsReadBack) {
+  const Scene scene = syntheticScene(40, 5);
+  const Layout layout{{4, 0}, {800, 1200}, 0.7};
+  std::vector<std::string> notes;
+  const LayoutFile file = parseLayout(layoutJson(layout, scene).dump()).value();
+  const Layout back = layoutOnSites(file, scene, notes).value();
+  EXPECT_EQ(back.sites, layout.sites);
+  EXPECT_EQ(back.flux, layout.flux);
+  EXPECT_EQ(back.dimming, layout.dimming);
+  EXPECT_THAT(notes, SizeIs(0));
+}
+
+TEST(LayoutJson, FreeLuminaires) {
+  const LayoutFile file = parseLayout(R"({"dimming": 0.5, "luminaires": [
+      {"position": [1, 2, 3], "normal": [0, -2, 0], "size": [0.5, 0.25], "flux": 1000},
+      {"position": [0, 0, 0], "distribution": "isotropic", "flux": 10},
+      {"position": [0, 0, 0], "normal": [1, 0, 0], "axis": [1, 1, 0], "size": [1, 2], "flux": 10}]})")
+                              .value();
+  const std::vector<Luminaire> luminaires = freeLuminaires(file, {}).value();
+  ASSERT_THAT(luminaires, SizeIs(3));
+  EXPECT_EQ(luminaires[0].flux, 500);
+  EXPECT_EQ(luminaires[0].normal.y, -1);
+  EXPECT_EQ(luminaires[0].axis.x, 1);
+  EXPECT_EQ(luminaires[0].height, 0.25);
+  EXPECT_EQ(luminaires[1].distribution, Luminaire::Distribution::kIsotropic);
+  EXPECT_EQ(luminaires[1].width, 0);
+  EXPECT_NEAR(luminaires[2].axis.y, 1, 1e-12);
+}
+
+TEST(LayoutJson, LuminairesOnTheSitesOfARoom) {
+  const std::vector<Site> sites = {{{1, 3, 1}, {0, -1, 0}, {1, 0, 0}, 0.5},
+                                   {{2, 3, 1}, {0, -1, 0}, {1, 0, 0}, 0.5}};
+  const auto read = [&](const std::string& luminaire, const std::vector<Site>& on) {
+    return freeLuminaires(parseLayout(R"({"dimming": 0.5, "luminaires": [)" + luminaire + "]}").value(), on);
+  };
+  const Luminaire hung = read(R"({"site": 1, "flux": 100})", sites).value()[0];
+  EXPECT_EQ(hung.position.x, 2);
+  EXPECT_EQ(hung.width, 0.5);
+  EXPECT_EQ(hung.flux, 50);
+  // What `evaluate` writes: the same square, not a point at its place.
+  EXPECT_EQ(read(R"({"site": 1, "position": [2, 3, 1], "flux": 100})", sites).value()[0].width, 0.5);
+  EXPECT_EQ(read(R"({"site": 1, "position": [2, 3, 1], "size": [2, 1], "flux": 1})", sites).value()[0].width,
+            2);
+  EXPECT_THAT(read(R"({"site": 1, "position": [1, 3, 1], "flux": 1})", sites).error().message,
+              HasSubstr("luminaires[0]: site 1 of this room is not at"));
+  EXPECT_THAT(read(R"({"site": 2, "flux": 1})", sites).error().message, HasSubstr("sites 0 to 1"));
+  EXPECT_THAT(read(R"({"site": 2, "flux": 1})", {}).error().message, HasSubstr("--mount"));
+  EXPECT_THAT(read(R"({"site": 0, "size": [1, 1], "flux": 1})", sites).value()[0].width, 0.5);
+}
+
+TEST(LayoutJson, BadTextIsRefusedWithItsPlace) {
+  EXPECT_THAT(errorOf(""), HasSubstr("not valid JSON"));
+  EXPECT_THAT(errorOf("[]"), HasSubstr("expected an object"));
+  EXPECT_THAT(errorOf("{}"), HasSubstr("\"luminaires\" is missing"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [3]})"), HasSubstr("luminaires[0]"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"flux": 1}]})"), HasSubstr("neither"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"site": 1.5, "flux": 1}]})"), HasSubstr("whole number"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"site": -1, "flux": 1}]})"), HasSubstr("out of range"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"site": 1, "flux": -5}]})"), HasSubstr("out of range"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"site": 1, "flux": "5"}]})"), HasSubstr("expected a number"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"position": [1, 2], "flux": 1}]})"), HasSubstr("three numbers"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"position": [1, 2, 1e999], "flux": 1}]})"),
+              HasSubstr("not valid JSON"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"position": [1, 2, 3], "normal": [0, 0, 0], "flux": 1}]})"),
+              HasSubstr("zero"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"position": [1, 2, 3], "size": [0, 1], "flux": 1}]})"),
+              HasSubstr("size"));
+  EXPECT_THAT(errorOf(R"({"dimming": -1, "luminaires": []})"), HasSubstr("dimming"));
+  EXPECT_THAT(errorOf(std::string(30000, '[')), HasSubstr("deep"));
+}
+
+}  // namespace
+}  // namespace fiatlux
