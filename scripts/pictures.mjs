@@ -7,7 +7,7 @@ import { chromium } from 'playwright-core';
 import { preview, transformWithOxc } from 'vite';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..');
-const catalog = path.join(root, 'web/app/catalog.ts');
+const catalog = path.join(root, 'web/app/rooms/catalog.ts');
 const { code } = await transformWithOxc(readFileSync(catalog, 'utf8'), catalog);
 const { experiments, rooms } = await import(`data:text/javascript,${encodeURIComponent(code)}`);
 

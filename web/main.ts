@@ -12,8 +12,8 @@ import './styles/tables.css';
 import './styles/overlays.css';
 import './styles/dialogs.css';
 import './viewer/viewer.css';
-import { expectScene, likelyRoom, sceneAddress } from './app/first-scene.ts';
-import { startWorkerEarly } from './solver/solver-worker.ts';
+import { expectScene, likelyRoom, sceneAddress } from './app/opening/first-scene.ts';
+import { startWorkerEarly } from './solver/start-worker.ts';
 
 const room = likelyRoom(location.hash);
 const ahead = startWorkerEarly(room && sceneAddress(room));

@@ -1,6 +1,6 @@
 /** The one registry of actions: menus, the palette (Ctrl+K), keys and help (?) are all made from it. */
 import type { ViewName } from '../viewer/types.ts';
-import { experiments, rooms } from './catalog.ts';
+import { experiments, rooms } from './rooms/catalog.ts';
 import type { App } from './app.ts';
 
 export interface Action {

@@ -3,18 +3,18 @@ import { effect } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { keepRange } from '../document/intentions.ts';
-import type { Card, Layout, Quantity, Verb } from '../document/types.ts';
+import type { Card, Display, Layout, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
-import type { CreateViewer, Display, Viewer, ViewerEvents } from '../viewer/types.ts';
+import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { createActions, type Action } from './actions.ts';
-import { rooms } from './catalog.ts';
+import { rooms } from './rooms/catalog.ts';
 import { createHand, type Hand } from './hand.ts';
-import { createLeaving, keepSaved, type Leaving } from './leaving.ts';
-import { createOpening, type Opening } from './opening.ts';
-import { fitLegend } from './legend-range.ts';
+import { createLeaving, keepSaved, type Leaving } from './keeping.ts';
+import { createOpening, type Opening } from './opening/opening.ts';
+import { fitLegend } from './state/legend-range.ts';
 import { createSolving, type Solving } from './solving.ts';
-import { leavesOf } from './statistics.ts';
-import type { Store } from './store.ts';
+import { leavesOf } from './state/statistics.ts';
+import type { Store } from './state/store.ts';
 
 export interface App {
   readonly store: Store;

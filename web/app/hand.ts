@@ -1,9 +1,9 @@
 /** Luminaires under the hand: dragging one pins it where it is dropped and the others compensate while it moves. */
 import { siteCount } from '../document/sites.ts';
 import type { Layout } from '../document/types.ts';
-import { nextFreeSite, takenSites } from '../viewer/site-snapping.ts';
+import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
-import type { Store } from './store.ts';
+import type { Store } from './state/store.ts';
 
 export interface Hand {
   /** Moves luminaire i to a site and pins it there. `dragging`: more of the same movement may follow. */

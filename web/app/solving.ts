@@ -2,15 +2,15 @@
  * Between the store, the worker and the view: each edit asks the solver at once, each answer lights the room at once.
  * The numbers of the panel follow once a frame; the picture never waits for them.
  */
-import type { Layout } from '../document/types.ts';
-import type { FromWorker, Intentions, SceneInfo, Shown } from '../solver/protocol.ts';
+import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
+import type { FromWorker, Shown } from '../solver/protocol.ts';
 import { createSolverClient, type SolverClient, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
-import { coreOrder, fromCore, toCore, type Order } from './luminaire-order.ts';
-import { sentence } from './format.ts';
-import { createFrameBatch } from './frame-batch.ts';
-import { fitLegend } from './legend-range.ts';
-import type { Message, Progress, Store } from './store.ts';
+import { coreOrder, fromCore, toCore, type Order } from './state/luminaire-order.ts';
+import { sentence } from './words/format.ts';
+import { createFrameBatch } from './state/frame-batch.ts';
+import { fitLegend } from './state/legend-range.ts';
+import type { Message, Progress, Store } from './state/store.ts';
 
 export interface Solving {
   /** Resolves when the scene is open; rejects with one readable line. */

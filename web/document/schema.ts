@@ -3,8 +3,7 @@
  * length, so that what passes is a document the app can hold; names are cleaned of characters that could mislead.
  */
 import * as v from 'valibot';
-import type { Display } from '../viewer/types.ts';
-import type { Camera, FiatLuxDocument } from './types.ts';
+import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export const mostLuminaires = 500;
 const mostCards = 60;

@@ -1,12 +1,12 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { forgetLink } from '../app/address.ts';
+import { forgetLink } from '../app/opening/address.ts';
 import { AppContext, createApp, type App, type Parts } from '../app/app.ts';
 import { listenToKeys } from '../app/keyboard.ts';
-import type { Store } from '../app/store.ts';
+import type { Store } from '../app/state/store.ts';
 import { takeFromReload } from '../document/reload.ts';
-import { Dialogs } from './dialogs.tsx';
+import { Dialogs } from './dialogs/dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';

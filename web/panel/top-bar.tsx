@@ -3,7 +3,7 @@ import { ChevronDown, Command, Ellipsis, Redo2, Share2, Undo2 } from 'lucide-pre
 import { useApp } from '../app/app.ts';
 import type { Action } from '../app/actions.ts';
 import { keyText } from '../app/keyboard.ts';
-import { Menu } from './menu.tsx';
+import { Menu } from './controls/menu.tsx';
 
 export function useAction(id: string): Action {
   const action = useApp().actions.find((each) => each.id === id);

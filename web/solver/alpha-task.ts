@@ -1,7 +1,7 @@
 /** The alpha-search (paper, section 4): tells each iteration when it ends, the verdict when all have. */
 import { shownOf } from './core-intentions.ts';
 import type { AlphaProgress, Session } from './core.ts';
-import type { SceneInfo } from './protocol.ts';
+import type { SceneInfo } from '../document/types.ts';
 import { pace, type Clock } from './search-job.ts';
 import { noTransfer, Slicer, type Answer, type Task } from './task.ts';
 

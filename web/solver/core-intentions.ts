@@ -1,7 +1,7 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
-import type { Layout } from '../document/types.ts';
+import type { Intentions, Layout } from '../document/types.ts';
 import { quantityCodes, senseCodes, statisticCodes, type CoreIntentions, type CoreShown } from './core.ts';
-import type { IntentionResult, Intentions, Shown } from './protocol.ts';
+import type { IntentionResult, Shown } from './protocol.ts';
 import { resolveSurfaces, type NamedSurface } from './resolve-surfaces.ts';
 
 /** Throws one readable line where a name is not in the room. */

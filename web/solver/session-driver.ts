@@ -3,12 +3,13 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
+import type { Intentions, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import type { Session } from './core.ts';
 import { openScene } from './open-scene.ts';
-import type { FromWorker, Intentions, SceneInfo, ToWorker } from './protocol.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './search-job.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';

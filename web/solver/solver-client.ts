@@ -2,8 +2,8 @@
  * The page's end of the solver: numbers the requests, drops answers that are no longer asked for (latest wins), and
  * starts a new worker with the same room and wish when the old one dies.
  */
-import type { Layout } from '../document/types.ts';
-import type { FromWorker, Intentions, ToWorker } from './protocol.ts';
+import type { Intentions, Layout } from '../document/types.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
 
 /** The part of a Worker that the client uses. */
 export interface WorkerLike {

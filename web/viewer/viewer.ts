@@ -1,24 +1,23 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { DoubleSide, FrontSide, Mesh } from 'three';
-import type { Camera, Layout } from '../document/types.ts';
-import type { SceneInfo } from '../solver/protocol.ts';
-import { CameraRig } from './camera-rig.ts';
-import { CutAway } from './cut-away.ts';
-import { Emphasis } from './emphasis.ts';
-import { FrameLoop } from './frame-loop.ts';
-import { withLegend } from './legend-picture.ts';
-import { LuminaireHand } from './luminaire-hand.ts';
-import { LuminaireObjects } from './luminaire-objects.ts';
-import { LuminaireTags } from './luminaire-tags.ts';
-import { Picking } from './picking.ts';
-import { freeGpu } from './free-gpu.ts';
-import { RoomLight } from './room-light.ts';
-import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room-mesh.ts';
-import { SiteMarks } from './site-marks.ts';
-import { Stage } from './stage.ts';
-import { SurfaceOutlines } from './surface-outline.ts';
-import type { CreateViewer, Display, Viewer, ViewerEvents, ViewName } from './types.ts';
-import { ViewInput } from './view-input.ts';
+import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
+import { CameraRig } from './eye/camera-rig.ts';
+import { CutAway } from './room/cut-away.ts';
+import { Emphasis } from './hand/emphasis.ts';
+import { FrameLoop } from './stage/frame-loop.ts';
+import { withLegend } from './light/legend-picture.ts';
+import { LuminaireHand } from './hand/luminaire-hand.ts';
+import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
+import { LuminaireTags } from './luminaires/luminaire-tags.ts';
+import { Picking } from './hand/picking.ts';
+import { freeGpu } from './stage/free-gpu.ts';
+import { RoomLight } from './light/room-light.ts';
+import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
+import { SiteMarks } from './luminaires/site-marks.ts';
+import { Stage } from './stage/stage.ts';
+import { SurfaceOutlines } from './room/surface-outline.ts';
+import type { CreateViewer, Viewer, ViewerEvents, ViewName } from './types.ts';
+import { ViewInput } from './hand/view-input.ts';
 import { warmUp } from './warm-up.ts';
 
 class RoomViewer implements Viewer {

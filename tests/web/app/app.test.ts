@@ -2,9 +2,9 @@
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import { createApp, type App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
-import { createStore } from '../../../web/app/store.ts';
+import { createStore } from '../../../web/app/state/store.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
-import { matching } from '../../../web/panel/palette.tsx';
+import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver } from '../fake-solver.ts';
 import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { documentFrom, rooms } from '../../../web/app/catalog.ts';
+import { documentFrom, rooms } from '../../../web/app/rooms/catalog.ts';
 import { gltfLights, rotationFromMinusZ } from '../../../web/document/gltf-lights.ts';
 import { luminairesCsv } from '../../../web/document/luminaires-csv.ts';
 import { readProject, writeProject, type Project } from '../../../web/document/project-file.ts';

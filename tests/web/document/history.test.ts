@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { documentFrom, rooms } from '../../../web/app/catalog.ts';
+import { documentFrom, rooms } from '../../../web/app/rooms/catalog.ts';
 import { edit, redo, seal, startHistory, undo } from '../../../web/document/history.ts';
 import type { Layout } from '../../../web/document/types.ts';
 

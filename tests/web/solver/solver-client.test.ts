@@ -1,6 +1,7 @@
 /** Latest wins on the page's side, and a new worker where the old one dies. */
+import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
-import type { FromWorker, SceneInfo, ToWorker } from '../../../web/solver/protocol.ts';
+import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { createSolverClient, type SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
 import { asked } from './fake-session.ts';
 
