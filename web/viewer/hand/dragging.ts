@@ -27,89 +27,89 @@ export interface DragHost {
 export class Dragging {
   /** The luminaire under the hand. */
   luminaire: number | null = null;
-  private host: DragHost;
-  private element: HTMLElement | null = null;
-  private pointer = -1;
-  private press = { x: 0, y: 0 };
-  private offset = { x: 0, y: 0 }; // from the pointer to the luminaire when it was pressed
-  private moving = false;
-  private start = -1; // site before the drag
-  private site = -1;
+  #host: DragHost;
+  #element: HTMLElement | null = null;
+  #pointer = -1;
+  #press = { x: 0, y: 0 };
+  #offset = { x: 0, y: 0 }; // from the pointer to the luminaire when it was pressed
+  #moving = false;
+  #start = -1; // site before the drag
+  #site = -1;
 
   constructor(host: DragHost) {
-    this.host = host;
+    this.#host = host;
   }
 
   /** Takes a luminaire into the hand; `element` gets the pointer's events until it is released. */
   grab(luminaire: number, element: HTMLElement, event: PointerEvent): void {
     if (this.luminaire !== null || event.button !== 0) return;
-    const place = this.host.place(luminaire);
+    const place = this.#host.place(luminaire);
     this.luminaire = luminaire;
-    this.element = element;
-    this.pointer = event.pointerId;
-    this.press = { x: event.clientX, y: event.clientY };
-    this.offset = { x: place.x - event.clientX, y: place.y - event.clientY };
-    this.moving = false;
-    this.start = this.site = this.host.siteOf(luminaire);
+    this.#element = element;
+    this.#pointer = event.pointerId;
+    this.#press = { x: event.clientX, y: event.clientY };
+    this.#offset = { x: place.x - event.clientX, y: place.y - event.clientY };
+    this.#moving = false;
+    this.#start = this.#site = this.#host.siteOf(luminaire);
     element.setPointerCapture(event.pointerId);
-    element.addEventListener('pointermove', this.move);
-    element.addEventListener('pointerup', this.release);
+    element.addEventListener('pointermove', this.#move);
+    element.addEventListener('pointerup', this.#release);
     element.addEventListener('pointercancel', this.cancel);
-    addEventListener('keydown', this.key, true);
+    addEventListener('keydown', this.#key, true);
   }
 
   /** Puts the luminaire back to where it was. */
   cancel = (): void => {
     if (this.luminaire === null) return;
-    const { luminaire, start, site, moving } = this;
-    this.letGo();
-    if (site !== start) this.host.moved(luminaire, start);
-    this.host.ended(luminaire, moving ? start : null);
+    const [luminaire, start, site] = [this.luminaire, this.#start, this.#site];
+    this.#letGo();
+    if (site !== start) this.#host.moved(luminaire, start);
+    this.#host.ended(luminaire, this.#moving ? start : null);
   };
 
-  private move = (event: PointerEvent): void => {
-    const sites = this.host.sites();
-    if (event.pointerId !== this.pointer || this.luminaire === null || !sites) return;
-    if (!this.moving) {
-      if (Math.hypot(event.clientX - this.press.x, event.clientY - this.press.y) < slack) return;
-      this.moving = true;
-      this.host.started(this.luminaire);
+  #move = (event: PointerEvent): void => {
+    const sites = this.#host.sites();
+    if (event.pointerId !== this.#pointer || this.luminaire === null || !sites) return;
+    if (!this.#moving) {
+      if (Math.hypot(event.clientX - this.#press.x, event.clientY - this.#press.y) < slack) return;
+      this.#moving = true;
+      this.#host.started(this.luminaire);
     }
-    const ray = this.host.ray(event.clientX + this.offset.x, event.clientY + this.offset.y);
-    const orthographic = 'isOrthographicCamera' in this.host.camera();
+    const ray = this.#host.ray(event.clientX + this.#offset.x, event.clientY + this.#offset.y);
+    const orthographic = 'isOrthographicCamera' in this.#host.camera();
     const site = nearestFreeSite(
       sites.position,
-      this.host.taken(this.luminaire),
+      this.#host.taken(this.luminaire),
       ray.origin.toArray(),
       ray.direction.toArray(),
       orthographic,
     );
-    if (site === null || site === this.site) return;
-    this.site = site;
-    this.host.moved(this.luminaire, site);
+    if (site === null || site === this.#site) return;
+    this.#site = site;
+    this.#host.moved(this.luminaire, site);
   };
 
-  private release = (event: PointerEvent): void => {
-    if (event.pointerId !== this.pointer || this.luminaire === null) return;
-    const { luminaire, site, moving } = this;
-    this.letGo();
-    this.host.ended(luminaire, moving ? site : null);
+  #release = (event: PointerEvent): void => {
+    if (event.pointerId !== this.#pointer || this.luminaire === null) return;
+    const { luminaire } = this;
+    this.#letGo();
+    this.#host.ended(luminaire, this.#moving ? this.#site : null);
   };
 
-  private key = (event: KeyboardEvent): void => {
+  #key = (event: KeyboardEvent): void => {
     if (event.key !== 'Escape') return;
     event.stopPropagation();
     this.cancel();
   };
 
-  private letGo(): void {
-    const element = this.element!;
-    if (element.hasPointerCapture(this.pointer)) element.releasePointerCapture(this.pointer);
-    element.removeEventListener('pointermove', this.move);
-    element.removeEventListener('pointerup', this.release);
+  #letGo(): void {
+    const element = this.#element!;
+    if (element.hasPointerCapture(this.#pointer)) element.releasePointerCapture(this.#pointer);
+    element.removeEventListener('pointermove', this.#move);
+    element.removeEventListener('pointerup', this.#release);
     element.removeEventListener('pointercancel', this.cancel);
-    removeEventListener('keydown', this.key, true);
+    removeEventListener('keydown', this.#key, true);
     this.luminaire = null;
-    this.element = null;
+    this.#element = null;
   }
 }

@@ -20,25 +20,25 @@ export class Emphasis {
   pinned: readonly number[] = []; // luminaires
   overSurface: number | null = null;
   overLuminaire: number | null = null;
-  private room: readonly LitMesh[] = [];
-  private begun = 0;
-  private loop: FrameLoop;
-  private outlines: SurfaceOutlines;
-  private luminaires: LuminaireObjects;
-  private tags: LuminaireTags;
+  #room: readonly LitMesh[] = [];
+  #begun = 0;
+  #loop: FrameLoop;
+  #outlines: SurfaceOutlines;
+  #luminaires: LuminaireObjects;
+  #tags: LuminaireTags;
 
   constructor(loop: FrameLoop, outlines: SurfaceOutlines, luminaires: LuminaireObjects, tags: LuminaireTags) {
-    this.loop = loop;
-    this.outlines = outlines;
-    this.luminaires = luminaires;
-    this.tags = tags;
+    this.#loop = loop;
+    this.#outlines = outlines;
+    this.#luminaires = luminaires;
+    this.#tags = tags;
   }
 
   setRoom(room: readonly LitMesh[]): void {
-    this.room = room;
+    this.#room = room;
     this.surface = this.luminaire = this.overSurface = this.overLuminaire = null;
     this.pinned = [];
-    this.outlines.setRoom(room);
+    this.#outlines.setRoom(room);
   }
 
   select(surface: number | null, luminaire: number | null): void {
@@ -46,12 +46,12 @@ export class Emphasis {
     this.surface = surface;
     this.luminaire = luminaire;
     if (changed) {
-      this.outlines.show('selected', surface);
-      this.begun = 0;
-      this.loop.cancel(this.fade);
-      if (surface !== null && !reducedMotion()) this.loop.animate(this.fade);
-      if (surface === this.overSurface) this.outlines.show('hovered', null);
-      this.tint(0);
+      this.#outlines.show('selected', surface);
+      this.#begun = 0;
+      this.#loop.cancel(this.#fade);
+      if (surface !== null && !reducedMotion()) this.#loop.animate(this.#fade);
+      if (surface === this.overSurface) this.#outlines.show('hovered', null);
+      this.#tint(0);
     }
     this.refresh();
   }
@@ -61,8 +61,8 @@ export class Emphasis {
     if (surface === this.overSurface && luminaire === this.overLuminaire) return false;
     if (surface !== this.overSurface) {
       this.overSurface = surface;
-      this.outlines.show('hovered', surface === this.surface ? null : surface);
-      this.tint(0);
+      this.#outlines.show('hovered', surface === this.surface ? null : surface);
+      this.#tint(0);
     }
     this.overLuminaire = luminaire;
     this.refresh();
@@ -71,29 +71,29 @@ export class Emphasis {
 
   /** Rims and tags of the luminaires; to be called when their number or pins change. */
   refresh(): void {
-    this.luminaires.objects.forEach((_, i) => {
-      const rim = this.rimOf(i);
-      this.luminaires.mark(i, rim);
+    this.#luminaires.objects.forEach((_, i) => {
+      const rim = this.#rimOf(i);
+      this.#luminaires.mark(i, rim);
     });
-    this.tags.setState({ pinned: this.pinned, selected: this.luminaire, hovered: this.overLuminaire });
-    this.loop.invalidate();
+    this.#tags.setState({ pinned: this.pinned, selected: this.luminaire, hovered: this.overLuminaire });
+    this.#loop.invalidate();
   }
 
-  private rimOf(luminaire: number): Color | null {
+  #rimOf(luminaire: number): Color | null {
     if (luminaire === this.luminaire) return accent;
     if (luminaire === this.overLuminaire) return hoverRim;
     return this.pinned.includes(luminaire) ? pinnedRim : null;
   }
 
-  private fade = (now: number): boolean => {
-    this.begun ||= now;
-    const t = Math.min(1, (now - this.begun) / pulse);
-    this.tint(pulseTint * Math.pow(1 - t, 2));
+  #fade = (now: number): boolean => {
+    this.#begun ||= now;
+    const t = Math.min(1, (now - this.#begun) / pulse);
+    this.#tint(pulseTint * Math.pow(1 - t, 2));
     return t < 1;
   };
 
-  private tint(selected: number): void {
-    for (const { mesh, surface } of this.room) {
+  #tint(selected: number): void {
+    for (const { mesh, surface } of this.#room) {
       const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
       mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : hovered;
     }

@@ -33,86 +33,86 @@ const arrows: Record<string, readonly [number, number]> = {
 };
 
 export class PointerInput {
-  private canvas: HTMLCanvasElement;
-  private handlers: InputHandlers;
-  private down: { x: number; y: number; time: number; id: number } | null = null;
-  private at: { x: number; y: number } | null = null;
-  private frame = 0;
-  private abort = new AbortController();
+  #canvas: HTMLCanvasElement;
+  #handlers: InputHandlers;
+  #down: { x: number; y: number; time: number; id: number } | null = null;
+  #at: { x: number; y: number } | null = null;
+  #frame = 0;
+  #abort = new AbortController();
 
   constructor(canvas: HTMLCanvasElement, handlers: InputHandlers) {
-    this.canvas = canvas;
-    this.handlers = handlers;
-    const options = { signal: this.abort.signal };
-    canvas.addEventListener('pointerdown', this.pressed, { ...options, capture: true });
-    canvas.addEventListener('pointermove', this.moved, options);
-    canvas.addEventListener('pointerup', this.released, options);
-    canvas.addEventListener('pointerleave', this.left, options);
-    canvas.addEventListener('pointercancel', this.left, options);
+    this.#canvas = canvas;
+    this.#handlers = handlers;
+    const options = { signal: this.#abort.signal };
+    canvas.addEventListener('pointerdown', this.#pressed, { ...options, capture: true });
+    canvas.addEventListener('pointermove', this.#moved, options);
+    canvas.addEventListener('pointerup', this.#released, options);
+    canvas.addEventListener('pointerleave', this.#left, options);
+    canvas.addEventListener('pointercancel', this.#left, options);
     canvas.addEventListener('dblclick', (e) => handlers.doubleClick(e.clientX, e.clientY), options);
-    canvas.addEventListener('keydown', this.key, options);
+    canvas.addEventListener('keydown', this.#key, options);
   }
 
   dispose(): void {
-    this.abort.abort();
-    cancelAnimationFrame(this.frame);
+    this.#abort.abort();
+    cancelAnimationFrame(this.#frame);
   }
 
-  private pressed = (event: PointerEvent): void => {
-    if (event.button === 0 && this.handlers.press(event)) {
-      this.down = null;
+  #pressed = (event: PointerEvent): void => {
+    if (event.button === 0 && this.#handlers.press(event)) {
+      this.#down = null;
       event.stopImmediatePropagation();
       return;
     }
     // A second finger makes it a gesture, not a click.
-    this.down = this.down || event.button !== 0 ? null : pressOf(event);
+    this.#down = this.#down || event.button !== 0 ? null : pressOf(event);
   };
 
-  private moved = (event: PointerEvent): void => {
+  #moved = (event: PointerEvent): void => {
     if (event.pointerType === 'touch') return;
-    this.at = event.buttons === 0 ? { x: event.clientX, y: event.clientY } : null;
-    this.ask();
+    this.#at = event.buttons === 0 ? { x: event.clientX, y: event.clientY } : null;
+    this.#ask();
   };
 
-  private left = (): void => {
-    this.down = null;
-    this.at = null;
-    this.ask();
+  #left = (): void => {
+    this.#down = null;
+    this.#at = null;
+    this.#ask();
   };
 
-  private ask(): void {
-    if (this.frame !== 0) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      this.handlers.hover(this.at);
+  #ask(): void {
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#handlers.hover(this.#at);
     });
   }
 
-  private released = (event: PointerEvent): void => {
-    const down = this.down;
-    this.down = null;
+  #released = (event: PointerEvent): void => {
+    const down = this.#down;
+    this.#down = null;
     if (!down || down.id !== event.pointerId || event.timeStamp - down.time > clickTime) return;
     if (Math.hypot(event.clientX - down.x, event.clientY - down.y) > slack) return;
-    this.handlers.click(event.clientX, event.clientY);
+    this.#handlers.click(event.clientX, event.clientY);
   };
 
-  private key = (event: KeyboardEvent): void => {
+  #key = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey) return;
-    if (this.command(event)) event.preventDefault();
+    if (this.#command(event)) event.preventDefault();
   };
 
-  private command(event: KeyboardEvent): boolean {
+  #command(event: KeyboardEvent): boolean {
     const arrow = arrows[event.key];
     const view = viewKeys[Number.parseInt(event.key, 10) - 1];
     const key = event.key.toLowerCase();
-    if (arrow) this.handlers.arrow(arrow[0], arrow[1], event);
+    if (arrow) this.#handlers.arrow(arrow[0], arrow[1], event);
     else if (event.altKey) return false;
-    else if (view && event.key.length === 1) this.handlers.view(view);
-    else if (key === 'f') this.handlers.fit();
-    else if (key === 'h') this.handlers.home();
-    else if (key === '+' || key === '=') this.handlers.zoom(0.8);
-    else if (key === '-') this.handlers.zoom(1.25);
-    else if (key === 'escape') this.handlers.escape();
+    else if (view && event.key.length === 1) this.#handlers.view(view);
+    else if (key === 'f') this.#handlers.fit();
+    else if (key === 'h') this.#handlers.home();
+    else if (key === '+' || key === '=') this.#handlers.zoom(0.8);
+    else if (key === '-') this.#handlers.zoom(1.25);
+    else if (key === 'escape') this.#handlers.escape();
     else return false;
     return true;
   }

@@ -28,66 +28,66 @@ export interface InputParts {
 }
 
 export class ViewInput {
-  private parts: InputParts;
-  private pointer: PointerInput;
-  private probing = false; // the app was told of a surface under the pointer
+  #parts: InputParts;
+  #pointer: PointerInput;
+  #probing = false; // the app was told of a surface under the pointer
 
   constructor(parts: InputParts) {
-    this.parts = parts;
-    this.pointer = this.createPointer();
+    this.#parts = parts;
+    this.#pointer = this.#createPointer();
   }
 
   grabTag(luminaire: number, event: PointerEvent): void {
-    this.parts.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
-    this.parts.canvas.focus(quietly);
+    this.#parts.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
+    this.#parts.canvas.focus(quietly);
   }
 
   /** The wheel over a tag zooms like the wheel beside it. */
   forwardWheel(event: WheelEvent): void {
     event.preventDefault();
-    this.parts.canvas.dispatchEvent(new WheelEvent(event.type, event));
+    this.#parts.canvas.dispatchEvent(new WheelEvent(event.type, event));
   }
 
   dispose(): void {
-    this.pointer.dispose();
+    this.#pointer.dispose();
   }
 
-  private pick(x: number, y: number): Hit | null {
-    const { picking, rig, luminaires, light, solid } = this.parts;
+  #pick(x: number, y: number): Hit | null {
+    const { picking, rig, luminaires, light, solid } = this.#parts;
     const room = solid();
     if (room.length === 0) return null;
     return picking.pick(x, y, rig.active, room, luminaires.objects, light.light, light.reflectance);
   }
 
-  private hover(at: { x: number; y: number } | null): void {
-    const { canvas, emphasis, events, hand } = this.parts;
+  #hover(at: { x: number; y: number } | null): void {
+    const { canvas, emphasis, events, hand } = this.#parts;
     if (hand.busy) return;
-    const hit = at ? this.pick(at.x, at.y) : null;
+    const hit = at ? this.#pick(at.x, at.y) : null;
     emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
     canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
     const surface = hit?.surface ?? null;
     if (!at || !hit || surface === null) {
-      if (this.probing) events.hovered(null, null);
-      this.probing = false;
+      if (this.#probing) events.hovered(null, null);
+      this.#probing = false;
       return;
     }
-    this.probing = true;
+    this.#probing = true;
     const frame = canvas.getBoundingClientRect();
     const [x, y] = [at.x - frame.left, at.y - frame.top];
     events.hovered(surface, { x, y, lux: hit.lux, exitance: hit.exitance, point: hit.point.toArray() });
   }
 
-  private createPointer(): PointerInput {
-    const { canvas, emphasis, events, hand, rig } = this.parts;
+  #createPointer(): PointerInput {
+    const { canvas, emphasis, events, hand, rig } = this.#parts;
     return new PointerInput(canvas, {
-      hover: (at) => this.hover(at),
-      click: (x, y) => events.surfacePicked(this.pick(x, y)?.surface ?? null),
+      hover: (at) => this.#hover(at),
+      click: (x, y) => events.surfacePicked(this.#pick(x, y)?.surface ?? null),
       doubleClick: (x, y) => {
-        const hit = this.pick(x, y);
+        const hit = this.#pick(x, y);
         if (hit?.surface != null) rig.pivot(hit.point);
       },
       press: (event) => {
-        const luminaire = this.pick(event.clientX, event.clientY)?.luminaire ?? null;
+        const luminaire = this.#pick(event.clientX, event.clientY)?.luminaire ?? null;
         if (luminaire === null) return false;
         hand.grab(luminaire, canvas, event);
         return true;
@@ -95,7 +95,7 @@ export class ViewInput {
       view: (name) => rig.view(name),
       fit: () => rig.fit(),
       home: () => rig.home(),
-      arrow: (right, up, event) => this.arrow(right, up, event),
+      arrow: (right, up, event) => this.#arrow(right, up, event),
       zoom: (factor) => rig.zoom(factor),
       escape: () => {
         if (emphasis.luminaire !== null) events.luminairePicked(null);
@@ -105,8 +105,8 @@ export class ViewInput {
   }
 
   /** Arrow keys walk the selected luminaire from site to site; without one they turn the room, with Shift they pan. */
-  private arrow(right: number, up: number, event: KeyboardEvent): void {
-    const { emphasis, hand, rig } = this.parts;
+  #arrow(right: number, up: number, event: KeyboardEvent): void {
+    const { emphasis, hand, rig } = this.#parts;
     const { luminaire } = emphasis;
     if (event.shiftKey) rig.pan(panStep * right, panStep * up);
     else if (luminaire !== null && !event.altKey) hand.nudge(luminaire, right, up);

@@ -12,70 +12,70 @@ const settling = 160; // ms in which the exposure makes 63 % of its way
 
 export class RoomLight {
   readonly uniforms = sharedUniforms();
-  private loop: FrameLoop;
-  private texture: LightTexture | null = null;
-  private reflectances: LightTexture | null = null;
-  private tables = new Map<ColorMap, DataTexture>();
-  private scene: SceneInfo | null = null;
-  private level = 0; // lx that the eye is adapted to
-  private wanted = 0;
-  private ev = 0;
-  private last = 0;
-  private adapting = false;
+  #loop: FrameLoop;
+  #texture: LightTexture | null = null;
+  #reflectances: LightTexture | null = null;
+  #tables = new Map<ColorMap, DataTexture>();
+  #scene: SceneInfo | null = null;
+  #level = 0; // lx that the eye is adapted to
+  #wanted = 0;
+  #ev = 0;
+  #last = 0;
+  #adapting = false;
 
   constructor(loop: FrameLoop) {
-    this.loop = loop;
+    this.#loop = loop;
   }
 
   /** The light last set, lx a patch; null before a room is open. */
   get light(): Float32Array | null {
-    return this.texture?.light ?? null;
+    return this.#texture?.light ?? null;
   }
 
   /** Reflectance a patch; null before a room is open. */
   get reflectance(): Float32Array | null {
-    return this.scene?.patchReflectance ?? null;
+    return this.#scene?.patchReflectance ?? null;
   }
 
   setScene(scene: SceneInfo | null): void {
-    this.texture?.dispose();
-    this.reflectances?.dispose();
-    this.scene = scene;
+    this.#texture?.dispose();
+    this.#reflectances?.dispose();
+    this.#scene = scene;
     const made = () => (scene ? new LightTexture(scene.patches + scene.receivers) : null);
-    [this.texture, this.reflectances] = [made(), made()];
-    if (scene) this.reflectances?.set(scene.patchReflectance);
-    this.uniforms.lightTexture.value = this.texture?.texture ?? null;
-    this.uniforms.reflectanceTexture.value = this.reflectances?.texture ?? null;
-    this.level = 0;
+    [this.#texture, this.#reflectances] = [made(), made()];
+    if (scene) this.#reflectances?.set(scene.patchReflectance);
+    this.uniforms.lightTexture.value = this.#texture?.texture ?? null;
+    this.uniforms.reflectanceTexture.value = this.#reflectances?.texture ?? null;
+    this.#level = 0;
   }
 
   set(illuminance: Float32Array): void {
-    if (!this.scene || !this.texture) return;
-    this.texture.set(illuminance);
-    this.wanted = adaptationLevel(this.texture.light, this.scene.patchArea, this.scene.patches);
-    if (this.level === 0 || reducedMotion()) this.level = this.wanted;
-    else if (!this.adapting && Math.abs(Math.log(this.wanted / this.level)) > 0.003) {
-      this.adapting = true;
-      this.last = 0;
-      this.loop.animate(this.adapt);
+    if (!this.#scene || !this.#texture) return;
+    this.#texture.set(illuminance);
+    this.#wanted = adaptationLevel(this.#texture.light, this.#scene.patchArea, this.#scene.patches);
+    if (this.#level === 0 || reducedMotion()) this.#level = this.#wanted;
+    else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > 0.003) {
+      this.#adapting = true;
+      this.#last = 0;
+      this.#loop.animate(this.#adapt);
     }
-    this.expose();
-    this.loop.invalidate();
+    this.#expose();
+    this.#loop.invalidate();
   }
 
   setDisplay(display: Display): void {
     const uniforms = this.uniforms;
     const [low, high] = legendEnds(display);
-    this.ev = display.exposure;
+    this.#ev = display.exposure;
     uniforms.falseColor.value = display.mode === 'falseColor';
-    uniforms.colorTable.value = this.table(display.colorMap);
+    uniforms.colorTable.value = this.#table(display.colorMap);
     uniforms.logarithmic.value = display.logarithmic;
     if (display.logarithmic) uniforms.legend.value.set(Math.log(low), Math.log(high));
     else uniforms.legend.value.set(low, high);
     uniforms.steps.value = display.steps;
     uniforms.isolux.value = display.isolux;
     uniforms.exitance.value = display.quantity === 'exitance';
-    this.expose();
+    this.#expose();
   }
 
   setAccent(color: Color): void {
@@ -84,41 +84,41 @@ export class RoomLight {
 
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
   release(): void {
-    this.texture?.texture.dispose();
-    this.reflectances?.texture.dispose();
-    for (const table of this.tables.values()) table.dispose();
+    this.#texture?.texture.dispose();
+    this.#reflectances?.texture.dispose();
+    for (const table of this.#tables.values()) table.dispose();
   }
 
   dispose(): void {
     this.setScene(null);
-    for (const table of this.tables.values()) table.dispose();
-    this.tables.clear();
+    for (const table of this.#tables.values()) table.dispose();
+    this.#tables.clear();
   }
 
-  private adapt = (now: number): boolean => {
-    const passed = this.last === 0 ? 16 : now - this.last;
-    this.last = now;
-    const way = Math.log(Math.max(this.wanted, 0.05) / Math.max(this.level, 0.05));
-    this.level = Math.max(this.level, 0.05) * Math.exp(way * (1 - Math.exp(-passed / settling)));
-    this.adapting = Math.abs(way) > 0.002;
-    if (!this.adapting) this.level = this.wanted;
-    this.expose();
-    return this.adapting;
+  #adapt = (now: number): boolean => {
+    const passed = this.#last === 0 ? 16 : now - this.#last;
+    this.#last = now;
+    const way = Math.log(Math.max(this.#wanted, 0.05) / Math.max(this.#level, 0.05));
+    this.#level = Math.max(this.#level, 0.05) * Math.exp(way * (1 - Math.exp(-passed / settling)));
+    this.#adapting = Math.abs(way) > 0.002;
+    if (!this.#adapting) this.#level = this.#wanted;
+    this.#expose();
+    return this.#adapting;
   };
 
-  private expose(): void {
-    this.uniforms.exposure.value = automaticExposure(this.level, this.ev);
+  #expose(): void {
+    this.uniforms.exposure.value = automaticExposure(this.#level, this.#ev);
   }
 
-  private table(map: ColorMap): DataTexture {
-    let table = this.tables.get(map);
+  #table(map: ColorMap): DataTexture {
+    let table = this.#tables.get(map);
     if (!table) {
       table = new DataTexture(colorTable(map), tableSize, 1, RGBAFormat, UnsignedByteType);
       table.colorSpace = SRGBColorSpace;
       table.minFilter = LinearFilter;
       table.magFilter = LinearFilter;
       table.needsUpdate = true;
-      this.tables.set(map, table);
+      this.#tables.set(map, table);
     }
     return table;
   }

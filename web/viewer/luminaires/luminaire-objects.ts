@@ -41,33 +41,33 @@ export const sitePosition = (sites: SceneInfo['sites'], site: number, lift = gap
 export class LuminaireObjects {
   readonly root = new Group();
   objects: LuminaireObject[] = [];
-  private sites: SceneInfo['sites'] | null = null;
-  private loop: FrameLoop;
-  private walks: Walk[] = [];
-  private plane = new PlaneGeometry(1, 1);
+  #sites: SceneInfo['sites'] | null = null;
+  #loop: FrameLoop;
+  #walks: Walk[] = [];
+  #plane = new PlaneGeometry(1, 1);
 
   constructor(loop: FrameLoop) {
-    this.loop = loop;
+    this.#loop = loop;
   }
 
   /** A new room: no luminaires yet. */
   setSites(sites: SceneInfo['sites'] | null): void {
-    this.clear();
-    this.sites = sites;
+    this.#clear();
+    this.#sites = sites;
   }
 
   setLayout(layout: Layout): void {
-    const sites = this.sites;
+    const sites = this.#sites;
     if (!sites) return;
     const count = sites.position.length / 3;
     const strongest = Math.max(1e-9, ...layout.flux);
-    while (this.objects.length > layout.sites.length) this.remove(this.objects.pop()!);
+    while (this.objects.length > layout.sites.length) this.#remove(this.objects.pop()!);
     layout.sites.forEach((site, i) => {
       if (!(site >= 0 && site < count)) return;
       const known = this.objects[i];
-      const object = known ?? this.add();
-      if (!known) this.place(object, site);
-      else if (object.site !== site) this.walkTo(object, site);
+      const object = known ?? this.#add();
+      if (!known) this.#place(object, site);
+      else if (object.site !== site) this.#walkTo(object, site);
       const output = Math.sqrt((layout.flux[i]! / strongest) * Math.min(1, layout.dimming));
       for (const part of [object.panel, object.halo]) part.material.uniforms['output_']!.value = output;
     });
@@ -82,15 +82,15 @@ export class LuminaireObjects {
   }
 
   dispose(): void {
-    this.clear();
-    this.plane.dispose();
+    this.#clear();
+    this.#plane.dispose();
   }
 
-  private add(): LuminaireObject {
+  #add(): LuminaireObject {
     const object: LuminaireObject = {
       group: new Group(),
-      panel: new Mesh(this.plane, createPanelMaterial()),
-      halo: new Mesh(this.plane, createHaloMaterial()),
+      panel: new Mesh(this.#plane, createPanelMaterial()),
+      halo: new Mesh(this.#plane, createHaloMaterial()),
       site: -1,
     };
     object.halo.renderOrder = 4;
@@ -102,8 +102,8 @@ export class LuminaireObjects {
     return object;
   }
 
-  private place(object: LuminaireObject, site: number): void {
-    const sites = this.sites!;
+  #place(object: LuminaireObject, site: number): void {
+    const sites = this.#sites!;
     const size = sites.size[site]!;
     object.site = site;
     object.group.position.copy(sitePosition(sites, site));
@@ -112,37 +112,37 @@ export class LuminaireObjects {
     object.halo.scale.setScalar(3.4 * size);
   }
 
-  private walkTo(object: LuminaireObject, site: number): void {
-    this.walks = this.walks.filter((other) => other.object !== object);
+  #walkTo(object: LuminaireObject, site: number): void {
+    this.#walks = this.#walks.filter((other) => other.object !== object);
     const from = object.group.position.clone();
-    this.place(object, site);
-    if (reducedMotion()) return this.loop.invalidate();
+    this.#place(object, site);
+    if (reducedMotion()) return this.#loop.invalidate();
     const to = object.group.position.clone();
     object.group.position.copy(from);
-    if (this.walks.length === 0) this.loop.animate(this.step);
-    this.walks.push({ object, from, to, begun: 0 });
+    if (this.#walks.length === 0) this.#loop.animate(this.#step);
+    this.#walks.push({ object, from, to, begun: 0 });
   }
 
-  private step = (now: number): boolean => {
-    this.walks = this.walks.filter((step) => {
+  #step = (now: number): boolean => {
+    this.#walks = this.#walks.filter((step) => {
       step.begun ||= now;
       const t = (now - step.begun) / walk;
       step.object.group.position.lerpVectors(step.from, step.to, easeOut(t));
       return t < 1;
     });
-    return this.walks.length > 0;
+    return this.#walks.length > 0;
   };
 
-  private remove(object: LuminaireObject): void {
-    this.walks = this.walks.filter((other) => other.object !== object);
+  #remove(object: LuminaireObject): void {
+    this.#walks = this.#walks.filter((other) => other.object !== object);
     this.root.remove(object.group);
     object.panel.material.dispose();
     object.halo.material.dispose();
   }
 
-  private clear(): void {
-    for (const object of this.objects) this.remove(object);
+  #clear(): void {
+    for (const object of this.objects) this.#remove(object);
     this.objects = [];
-    this.walks = [];
+    this.#walks = [];
   }
 }

@@ -24,16 +24,16 @@ function crossGeometry(): BufferGeometry {
 
 class Marks {
   mesh: InstancedMesh | null = null;
-  private root: Group;
-  private geometry: BufferGeometry;
-  private material: MeshBasicMaterial;
-  private size: number; // share of the site's side
+  #root: Group;
+  #geometry: BufferGeometry;
+  #material: MeshBasicMaterial;
+  #size: number; // share of the site's side
 
   constructor(root: Group, geometry: BufferGeometry, color: string, size: number) {
-    this.root = root;
-    this.geometry = geometry;
-    this.size = size;
-    this.material = new MeshBasicMaterial({
+    this.#root = root;
+    this.#geometry = geometry;
+    this.#size = size;
+    this.#material = new MeshBasicMaterial({
       color: new Color(color),
       side: DoubleSide,
       toneMapped: false,
@@ -46,51 +46,51 @@ class Marks {
   show(sites: SceneInfo['sites'], shown: readonly number[]): void {
     this.hide();
     if (shown.length === 0) return;
-    this.mesh = new InstancedMesh(this.geometry, this.material, shown.length);
+    this.mesh = new InstancedMesh(this.#geometry, this.#material, shown.length);
     this.mesh.renderOrder = 5;
     const matrix = new Matrix4();
     shown.forEach((site, i) => {
-      const scale = new Vector3().setScalar(this.size * sites.size[site]!);
+      const scale = new Vector3().setScalar(this.#size * sites.size[site]!);
       matrix.compose(sitePosition(sites, site, 0.02), siteRotation(sites, site), scale);
       this.mesh!.setMatrixAt(i, matrix);
     });
-    this.root.add(this.mesh);
+    this.#root.add(this.mesh);
   }
 
   hide(): void {
     if (!this.mesh) return;
-    this.root.remove(this.mesh);
+    this.#root.remove(this.mesh);
     this.mesh.dispose();
     this.mesh = null;
   }
 
   dispose(): void {
     this.hide();
-    this.geometry.dispose();
-    this.material.dispose();
+    this.#geometry.dispose();
+    this.#material.dispose();
   }
 }
 
 export class SiteMarks {
   readonly root = new Group();
-  private candidates = new Marks(this.root, new CircleGeometry(0.5, 20), '#6fb1ff', 0.16);
-  private crosses = new Marks(this.root, crossGeometry(), '#e5605c', 0.3);
+  #candidates = new Marks(this.root, new CircleGeometry(0.5, 20), '#6fb1ff', 0.16);
+  #crosses = new Marks(this.root, crossGeometry(), '#e5605c', 0.3);
 
   showCandidates(sites: SceneInfo['sites'], free: readonly number[]): void {
-    this.candidates.show(sites, free);
+    this.#candidates.show(sites, free);
   }
 
   hideCandidates(): void {
-    this.candidates.hide();
+    this.#candidates.hide();
   }
 
   setExcluded(sites: SceneInfo['sites'] | null, excluded: readonly number[]): void {
-    if (sites) this.crosses.show(sites, excluded);
-    else this.crosses.hide();
+    if (sites) this.#crosses.show(sites, excluded);
+    else this.#crosses.hide();
   }
 
   dispose(): void {
-    this.candidates.dispose();
-    this.crosses.dispose();
+    this.#candidates.dispose();
+    this.#crosses.dispose();
   }
 }

@@ -74,18 +74,18 @@ export function splitBySide(
 }
 
 export class CutAway {
-  private room: Box | null = null;
-  private hung: { readonly object: Object3D; readonly side: Side; readonly leavesPlan: boolean }[] = [];
+  #room: Box | null = null;
+  #hung: { readonly object: Object3D; readonly side: Side; readonly leavesPlan: boolean }[] = [];
 
   /** Finds what hangs on the walls among the objects; `room`: the box of what carries the walls. */
   setRoom(room: Box | null, objects: readonly Object3D[]): void {
-    this.room = room;
-    this.hung = [];
+    this.#room = room;
+    this.#hung = [];
     for (const object of room ? objects : []) {
       const bounds = new Box3().setFromObject(object);
       const thing = { min: bounds.min.toArray(), max: bounds.max.toArray() };
       const side = hangingSide(room!, thing);
-      if (side) this.hung.push({ object, side, leavesPlan: leavesPlan(room!, thing, side) });
+      if (side) this.#hung.push({ object, side, leavesPlan: leavesPlan(room!, thing, side) });
     }
   }
 
@@ -93,7 +93,7 @@ export class CutAway {
   update(camera: Camera, on: boolean): void {
     const plan = (camera as OrthographicCamera).isOrthographicCamera === true;
     const eye = camera.position.toArray();
-    for (const { object, side, leavesPlan: leaves } of this.hung)
-      object.visible = !(on && (plan ? leaves : isOutside(this.room!, side, eye)));
+    for (const { object, side, leavesPlan: leaves } of this.#hung)
+      object.visible = !(on && (plan ? leaves : isOutside(this.#room!, side, eye)));
   }
 }

@@ -32,78 +32,79 @@ function edgesOf(meshes: readonly LitMesh[]): Float32Array {
 
 export class SurfaceOutlines {
   readonly root = new Group();
-  private room: readonly LitMesh[] = [];
-  private edges = new Map<number, Float32Array>();
-  private selected = this.material('#4f9dff', 2.5, 1);
-  private through = this.material('#4f9dff', 1.5, 0.35); // where the surface is hidden
-  private hovered = this.material('#ffffff', 1.25, 0.6);
-  private thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
-  private shown = new Map<'selected' | 'hovered', LineSegments2[]>();
-  private drawing: LineSegments[] = [];
+  #room: readonly LitMesh[] = [];
+  #edges = new Map<number, Float32Array>();
+  #selected = this.#material('#4f9dff', 2.5, 1);
+  #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
+  #hovered = this.#material('#ffffff', 1.25, 0.6);
+  #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
+  #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
+  #drawing: LineSegments[] = [];
 
   constructor() {
-    this.through.depthTest = false;
+    this.#through.depthTest = false;
   }
 
   setRoom(room: readonly LitMesh[]): void {
     this.show('selected', null);
     this.show('hovered', null);
-    for (const lines of this.drawing) {
+    for (const lines of this.#drawing) {
       lines.removeFromParent();
       lines.geometry.dispose();
     }
-    this.drawing = [];
-    this.room = room;
-    this.edges.clear();
+    this.#drawing = [];
+    this.#room = room;
+    this.#edges.clear();
   }
 
   show(which: 'selected' | 'hovered', surface: number | null): void {
-    for (const object of this.shown.get(which) ?? []) {
+    for (const object of this.#shown.get(which) ?? []) {
       this.root.remove(object);
       object.geometry.dispose();
     }
-    this.shown.delete(which);
-    const ends = surface === null ? null : this.edgesOfSurface(surface);
+    this.#shown.delete(which);
+    const ends = surface === null ? null : this.#edgesOfSurface(surface);
     if (!ends || ends.length === 0) return;
     const geometry = new LineSegmentsGeometry().setPositions(ends);
-    const materials = which === 'selected' ? [this.through, this.selected] : [this.hovered];
+    const materials = which === 'selected' ? [this.#through, this.#selected] : [this.#hovered];
     const objects = materials.map((material) => {
       const lines = new LineSegments2(geometry, material);
       lines.renderOrder = 6;
       this.root.add(lines);
       return lines;
     });
-    this.shown.set(which, objects);
+    this.#shown.set(which, objects);
   }
 
   /** Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it. */
   showAll(visible: boolean): void {
-    if (visible && this.drawing.length === 0) {
-      for (const { mesh, measuring } of this.room) {
+    if (visible && this.#drawing.length === 0) {
+      for (const { mesh, measuring } of this.#room) {
         if (measuring) continue;
         const ends = edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position'));
         const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
-        const lines = new LineSegments(geometry, this.thin);
+        const lines = new LineSegments(geometry, this.#thin);
         lines.renderOrder = 1;
         mesh.add(lines);
-        this.drawing.push(lines);
+        this.#drawing.push(lines);
       }
     }
-    for (const lines of this.drawing) lines.visible = visible;
+    for (const lines of this.#drawing) lines.visible = visible;
   }
 
   dispose(): void {
     this.setRoom([]);
-    for (const material of [this.selected, this.through, this.hovered, this.thin]) material.dispose();
+    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin]) material.dispose();
   }
 
-  private edgesOfSurface(surface: number): Float32Array {
-    let ends = this.edges.get(surface);
-    if (!ends) this.edges.set(surface, (ends = edgesOf(this.room.filter((lit) => lit.surface === surface))));
+  #edgesOfSurface(surface: number): Float32Array {
+    let ends = this.#edges.get(surface);
+    if (!ends)
+      this.#edges.set(surface, (ends = edgesOf(this.#room.filter((lit) => lit.surface === surface))));
     return ends;
   }
 
-  private material(color: string, linewidth: number, opacity: number): LineMaterial {
+  #material(color: string, linewidth: number, opacity: number): LineMaterial {
     const material = new LineMaterial({ color, linewidth, transparent: true, opacity });
     material.toneMapped = false;
     material.depthWrite = false;

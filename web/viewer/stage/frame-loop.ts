@@ -7,53 +7,53 @@
 export type Animation = (now: number) => boolean;
 
 export class FrameLoop {
-  private request = 0;
-  private animations = new Set<Animation>();
-  private running = true;
-  private draw: (now: number) => void;
+  #request = 0;
+  #animations = new Set<Animation>();
+  #running = true;
+  #draw: (now: number) => void;
 
   constructor(draw: (now: number) => void) {
-    this.draw = draw;
+    this.#draw = draw;
   }
 
   invalidate(): void {
-    if (this.request === 0 && this.running) this.request = requestAnimationFrame(this.step);
+    if (this.#request === 0 && this.#running) this.#request = requestAnimationFrame(this.#step);
   }
 
   /** Draws at once what the next frame would: a canvas that was just resized is empty and must not be shown so. */
   flush(): void {
-    if (!this.running) return;
-    cancelAnimationFrame(this.request);
-    this.step(performance.now());
+    if (!this.#running) return;
+    cancelAnimationFrame(this.#request);
+    this.#step(performance.now());
   }
 
   animate(animation: Animation): void {
-    this.animations.add(animation);
+    this.#animations.add(animation);
     this.invalidate();
   }
 
   /** Stops an animation where it is. */
   cancel(animation: Animation): void {
-    this.animations.delete(animation);
+    this.#animations.delete(animation);
   }
 
   /** Nothing is drawn while suspended (the context is lost); what changed is drawn on resumption. */
   suspend(): void {
-    this.running = false;
-    cancelAnimationFrame(this.request);
-    this.request = 0;
+    this.#running = false;
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
   }
 
   resume(): void {
-    this.running = true;
+    this.#running = true;
     this.invalidate();
   }
 
-  private step = (now: number): void => {
-    this.request = 0;
-    for (const animation of this.animations) if (!animation(now)) this.animations.delete(animation);
-    this.draw(now);
-    if (this.animations.size > 0) this.invalidate();
+  #step = (now: number): void => {
+    this.#request = 0;
+    for (const animation of this.#animations) if (!animation(now)) this.#animations.delete(animation);
+    this.#draw(now);
+    if (this.#animations.size > 0) this.invalidate();
   };
 }
 

@@ -37,15 +37,15 @@ export class Stage {
   readonly daylight = new Group();
   width = 1; // CSS px
   height = 1;
-  private canvas: HTMLCanvasElement;
-  private host: StageHost;
-  private background = createBackground();
-  private observer: ResizeObserver;
-  private scheme = matchMedia('(prefers-color-scheme: dark)');
+  #canvas: HTMLCanvasElement;
+  #host: StageHost;
+  #background = createBackground();
+  #observer: ResizeObserver;
+  #scheme = matchMedia('(prefers-color-scheme: dark)');
 
   constructor(canvas: HTMLCanvasElement, host: StageHost) {
-    this.canvas = canvas;
-    this.host = host;
+    this.#canvas = canvas;
+    this.#host = host;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(new Color(0x000000), 1);
     this.renderer.toneMapping = AgXToneMapping;
@@ -53,14 +53,14 @@ export class Stage {
     this.anisotropy = Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
     this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
     this.daylight.visible = false;
-    this.scene.add(this.background.mesh, this.daylight);
-    canvas.addEventListener('webglcontextlost', this.lost);
-    canvas.addEventListener('webglcontextrestored', this.restored);
-    this.scheme.addEventListener('change', this.rescheme);
-    this.background.setDark(this.scheme.matches);
-    this.observer = new ResizeObserver(this.resize);
-    this.observer.observe(canvas);
-    this.resize();
+    this.scene.add(this.#background.mesh, this.daylight);
+    canvas.addEventListener('webglcontextlost', this.#lost);
+    canvas.addEventListener('webglcontextrestored', this.#restored);
+    this.#scheme.addEventListener('change', this.#rescheme);
+    this.#background.setDark(this.#scheme.matches);
+    this.#observer = new ResizeObserver(this.#resize);
+    this.#observer.observe(canvas);
+    this.#resize();
   }
 
   /** Pixels of the picture a CSS pixel. */
@@ -77,42 +77,42 @@ export class Stage {
     return new Promise((resolve, reject) => {
       const done = (blob: Blob | null) =>
         blob ? resolve(blob) : reject(new Error('The picture could not be saved: the canvas is empty.'));
-      this.canvas.toBlob(done, 'image/png');
+      this.#canvas.toBlob(done, 'image/png');
     });
   }
 
   dispose(): void {
-    this.observer.disconnect();
-    this.scheme.removeEventListener('change', this.rescheme);
-    this.canvas.removeEventListener('webglcontextlost', this.lost);
-    this.canvas.removeEventListener('webglcontextrestored', this.restored);
-    this.background.dispose();
+    this.#observer.disconnect();
+    this.#scheme.removeEventListener('change', this.#rescheme);
+    this.#canvas.removeEventListener('webglcontextlost', this.#lost);
+    this.#canvas.removeEventListener('webglcontextrestored', this.#restored);
+    this.#background.dispose();
     this.renderer.dispose();
   }
 
-  private resize = (): void => {
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+  #resize = (): void => {
+    const [width, height] = [this.#canvas.clientWidth, this.#canvas.clientHeight];
     if (width === 0 || height === 0) return;
     const ratio = Math.min(maxPixelRatio, devicePixelRatio);
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    const style = getComputedStyle(this.canvas);
+    const style = getComputedStyle(this.#canvas);
     const strip = (name: string) =>
       Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
-    this.host.resized(width, height, ratio, { top: strip('--view-top'), bottom: strip('--view-bottom') });
+    this.#host.resized(width, height, ratio, { top: strip('--view-top'), bottom: strip('--view-bottom') });
   };
 
-  private rescheme = (): void => {
-    this.background.setDark(this.scheme.matches);
-    this.host.schemeChanged();
+  #rescheme = (): void => {
+    this.#background.setDark(this.#scheme.matches);
+    this.#host.schemeChanged();
   };
 
-  private lost = (event: Event): void => {
+  #lost = (event: Event): void => {
     event.preventDefault(); // asks the browser for a restoration
-    this.host.contextLost(true);
+    this.#host.contextLost(true);
   };
 
-  private restored = (): void => this.host.contextLost(false);
+  #restored = (): void => this.#host.contextLost(false);
 }
