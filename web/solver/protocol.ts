@@ -130,4 +130,9 @@ export type FromWorker =
       readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative
     }
   /** One readable line: what, where, the cure. The last good layout stays. */
-  | { readonly type: 'failed'; readonly revision: number; readonly message: string };
+  | {
+      readonly type: 'failed';
+      readonly revision: number;
+      readonly message: string;
+      readonly fatal: boolean; // no worker is left that could answer anything
+    };

@@ -200,7 +200,7 @@ export class SessionDriver {
     // note: a trap leaves the module's memory in an unknown state; the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) throw error;
     const message = error instanceof Error ? error.message : String(error);
-    this.#post({ type: 'failed', revision, message }, []);
+    this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
 }
 

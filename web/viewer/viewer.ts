@@ -21,7 +21,6 @@ import { ViewInput } from './hand/view-input.ts';
 import { warmUp } from './warm-up.ts';
 
 class RoomViewer implements Viewer {
-  #canvas: HTMLCanvasElement;
   #events: ViewerEvents;
   #loop = new FrameLoop(() => this.#draw());
   #stage: Stage;
@@ -46,7 +45,6 @@ class RoomViewer implements Viewer {
   #disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
-    this.#canvas = canvas;
     this.#events = events;
     this.#rig = new CameraRig(canvas, this.#loop, (camera) => events.cameraMoved(camera));
     this.#stage = new Stage(canvas, {

@@ -1,8 +1,9 @@
 // The app with a pretended worker and view: what is asked, what is shown, and in which order.
 import { beforeEach, describe, expect, test } from '@jest/globals';
-import { createApp, type App } from '../../../web/app/app.ts';
+import { actions } from '../../../web/app/actions.ts';
+import { App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
-import { createStore } from '../../../web/app/state/store.ts';
+import { Store } from '../../../web/app/state/store.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver } from '../fake-solver.ts';
@@ -34,7 +35,7 @@ beforeEach(async () => {
   frames = [];
   globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
   const fake = fakeViewer();
-  app = createApp(createStore(), {
+  app = new App(new Store(), {
     canvas: null as unknown as HTMLCanvasElement,
     labels: null as unknown as HTMLElement,
     createViewer: fake.create,
@@ -42,6 +43,11 @@ beforeEach(async () => {
   });
   viewer = fake.viewer();
   await openRoom();
+});
+
+test('a room that is opened is asked about once, from nowhere', () => {
+  const asked = solver.asked.filter(({ type }) => type === 'solve' || type === 'show');
+  expect(asked).toMatchObject([{ type: 'solve', start: null }]);
 });
 
 describe('an edit', () => {
@@ -92,10 +98,9 @@ describe('an edit', () => {
   test('undo shows the very layout that was there', () => {
     const before = app.store.shown.value!.layout;
     app.store.edit('count', (draft) => void (draft.luminaires.count = 3));
-    app.solving.solve();
     settle();
     expect(app.store.shown.value?.layout.sites).toHaveLength(3);
-    app.travel(app.store.undo(), 'Undone');
+    app.undo();
     expect(solver.last('show')?.layout).toEqual(before);
   });
 
@@ -117,7 +122,7 @@ describe('a luminaire under the hand', () => {
     settle();
     expect(viewer.layout?.sites[2]).toBe(14); // the page keeps L3
     expect(viewer.pinned).toEqual([14]);
-    app.travel(app.store.undo(), 'Undone');
+    app.undo();
     expect(app.store.document.value.luminaires.pinned).toEqual([]);
   });
 
@@ -140,7 +145,7 @@ describe('links', () => {
   test('show exactly the layout, nothing is searched', async () => {
     globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
     const wish = app.store.shown.value!.layout;
-    const hash = app.leaving.link().slice('https://example.test/sub/'.length);
+    const hash = app.keeping.link().slice('https://example.test/sub/'.length);
     await app.opening.link(hash); // about a file that is not part of the site: it waits for that file
     expect(app.store.messages.value.at(-1)?.text).toMatch(/room\.flux/);
     const solves = solver.asked.filter((message) => message.type === 'solve').length;
@@ -161,11 +166,11 @@ describe('links', () => {
 describe('when things go wrong', () => {
   test('a failure keeps the layout and offers to resume; one click resumes', async () => {
     const shown = app.store.shown.value;
-    solver.say({ type: 'failed', revision: 99, message: 'the solver stopped (x)' });
+    solver.say({ type: 'failed', revision: 99, message: 'out of memory', fatal: true });
     app.solving.solve();
     const { revision } = solver.last('solve')!;
     const dead = solver;
-    solver.say({ type: 'failed', revision, message: 'the solver stopped (x)' });
+    solver.say({ type: 'failed', revision, message: 'out of memory', fatal: true });
     expect(app.store.shown.value).toBe(shown);
     const message = app.store.messages.value.at(-1)!;
     expect(message.action?.label).toBe('Resume');
@@ -189,7 +194,8 @@ describe('when things go wrong', () => {
     const opening = app.opening.file(file('bad.flux'));
     await turn();
     const request = solver.last('open')!;
-    solver.say({ type: 'failed', revision: request.revision, message: 'section "sites": checksum differs' });
+    const message = 'section "sites": checksum differs';
+    solver.say({ type: 'failed', revision: request.revision, message, fatal: false });
     await opening;
     expect(app.store.scene.value).toBe(scene);
     expect(app.store.messages.value.at(-1)?.text).toMatch(/checksum/);
@@ -230,21 +236,21 @@ test('a check is of the layout shown, and no longer stands when another one is s
   solver.say({ type: 'checked', revision, largestDifference: 1e-5, surface: 'floor', margins: [] });
   expect(app.store.check.value).toMatchObject({ largestDifference: 1e-5, surface: 'floor' });
   expect(app.store.check.value?.layout).toBe(app.store.shown.value?.layout);
-  app.solving.solveAfresh();
+  app.reseed();
   settle();
   expect(app.store.check.value?.layout).not.toBe(app.store.shown.value?.layout);
 });
 
 describe('the registry of actions', () => {
   test('no two actions share a key or an id', () => {
-    const keys = app.actions.flatMap((action) => action.keys ?? []);
+    const keys = actions.flatMap((action) => action.keys ?? []);
     expect(new Set(keys).size).toBe(keys.length);
-    expect(new Set(app.actions.map((action) => action.id)).size).toBe(app.actions.length);
+    expect(new Set(actions.map((action) => action.id)).size).toBe(actions.length);
   });
 
   test('is found by words', () => {
-    expect(matching(app.actions, 'plan view')[0]?.id).toBe('view-plan');
-    expect(matching(app.actions, 'zzz')).toEqual([]);
+    expect(matching(actions, 'plan view')[0]?.id).toBe('view-plan');
+    expect(matching(actions, 'zzz')).toEqual([]);
   });
 
   test('keys read as written', () => {

@@ -156,7 +156,9 @@ describe('solve', () => {
     expect(answer.postedAt).toBe(clock.now);
     expect(transferred).toEqual([answer.shown.illuminance.buffer]);
   });
+});
 
+describe('the pace of a search', () => {
   test('on a slow scene the first answer does not wait for all its evaluations', async () => {
     session = new FakeSession(clock, 20);
     driver = new SessionDriver(session, (message) => answers.push(message), clock.read);
@@ -174,7 +176,6 @@ describe('solve', () => {
     driver.step();
     expect(session.calls).toContain('start 3 from 1 0');
   });
-
   test('the latest wins: of a burst only the last is begun, and nothing old is answered', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -214,7 +215,7 @@ describe('solve', () => {
   });
 });
 
-describe('the other requests', () => {
+describe('show and check', () => {
   test('show answers once and ends the search', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -237,7 +238,9 @@ describe('the other requests', () => {
       intentions: asked,
       layout: { sites: [9], flux: [5], dimming: 1 },
     });
-    expect(answers).toEqual([{ type: 'failed', revision: 2, message: 'layout: there is no site 9' }]);
+    expect(answers).toEqual([
+      { type: 'failed', revision: 2, message: 'layout: there is no site 9', fatal: false },
+    ]);
   });
 
   test('check leaves the search for the same intentions running', async () => {
@@ -275,7 +278,9 @@ describe('the other requests', () => {
       },
     ]);
   });
+});
 
+describe('alpha, bound and stop', () => {
   test('alpha tells every iteration once, then the verdict with its layout', async () => {
     await opened();
     await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });

@@ -2,7 +2,7 @@
 import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
-import { createSolverClient, type SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
+import { SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
 import { asked } from './fake-session.ts';
 
 class FakeWorker implements WorkerLike {
@@ -43,12 +43,12 @@ const bounded = (revision: number): FromWorker => ({
   gap: 0,
   done: true,
 });
-const failed = (revision: number): FromWorker => ({ type: 'failed', revision, message: 'no' });
+const failed = (revision: number): FromWorker => ({ type: 'failed', revision, message: 'no', fatal: false });
 
 beforeEach(() => {
   workers = [];
   received = [];
-  client = createSolverClient(
+  client = new SolverClient(
     () => {
       workers.push(new FakeWorker());
       return worker();
@@ -124,7 +124,9 @@ describe('a worker that dies', () => {
   test('again and again without an answer is said, not retried for ever', () => {
     for (let i = 0; i < 3; ++i) worker().die('no memory');
     expect(workers).toHaveLength(3);
-    expect(received).toMatchObject([{ type: 'failed', message: expect.stringContaining('reload the page') }]);
+    expect(received).toMatchObject([
+      { type: 'failed', fatal: true, message: expect.stringContaining('reload the page') },
+    ]);
   });
 
   test('is told in its own words, without those of the browser', () => {

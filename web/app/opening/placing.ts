@@ -3,11 +3,11 @@ import { batch } from '@preact/signals';
 import type { Link } from '../../document/share-link.ts';
 import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
-import { rooms } from '../rooms/catalog.ts';
-import { rememberRoom } from './first-scene.ts';
-import { sentence } from '../words/format.ts';
+import { isRoom } from '../rooms/catalog.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import { firstDisplay, type Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
+import { rememberRoom } from './first-scene.ts';
 
 /** What is on the screen: its file, and what the solver made of it. */
 interface Placed {
@@ -21,69 +21,79 @@ export interface Placement {
   readonly view?: Pick<Link, 'camera' | 'display'>;
 }
 
-export interface Placing {
+export class Placing {
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #viewer: Viewer;
+  #turn = 0; // the latest wish to open something wins
+  #placed: Placed | null = null;
+
+  constructor(store: Store, solving: Solving, viewer: Viewer) {
+    this.#store = store;
+    this.#solving = solving;
+    this.#viewer = viewer;
+  }
+
   /** Runs one opening; errors become one message, and what was on the screen stays. Resolves to its success. */
-  attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean>;
-  /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
-  place(
-    bytes: ArrayBuffer,
-    title: string,
-    isCurrent: () => boolean,
-    make: (scene: SceneInfo) => Placement,
-  ): Promise<void>;
-  /** Shows the room that was open before a preview, as it was; false where there was none. */
-  restore(): Promise<boolean>;
-}
-
-export const isRoom = (id: string): boolean => rooms.some((room) => room.room === id);
-
-export function createPlacing(store: Store, solving: Solving, viewer: Viewer): Placing {
-  let turn = 0; // the latest wish to open something wins
-  let placed: Placed | null = null;
-
-  async function attempt(
-    what: string,
-    action: (isCurrent: () => boolean) => Promise<void>,
-  ): Promise<boolean> {
-    const mine = ++turn;
-    store.loading.value = what;
+  async attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean> {
+    const turn = ++this.#turn;
+    const isCurrent = () => turn === this.#turn;
+    this.#store.loading.value = what;
     try {
-      await action(() => mine === turn);
+      await action(isCurrent);
       return true;
     } catch (error) {
-      if (mine === turn && !(error instanceof Superseded))
-        store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      if (isCurrent() && !(error instanceof Superseded))
+        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
       return false;
     } finally {
-      if (mine === turn) store.loading.value = null;
+      if (isCurrent()) this.#store.loading.value = null;
     }
   }
 
-  async function place(
+  /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
+  async place(
     bytes: ArrayBuffer,
     title: string,
     isCurrent: () => boolean,
     make: (scene: SceneInfo) => Placement,
   ): Promise<void> {
     if (!isCurrent()) return;
-    const layout = solving.layout();
+    const layout = this.#solving.layout();
     performance.mark('scene fetched');
-    const { scene, room } = await solving.open(bytes);
+    const { scene, room } = await this.#solving.open(bytes);
     performance.mark('scene opened');
     if (!isCurrent()) return;
-    let made: Placement;
+    let placement: Placement;
     try {
-      made = make(scene);
-      await viewer.open(room, scene);
+      placement = make(scene);
+      await this.#viewer.open(room, scene);
     } catch (error) {
       // The solver has the new scene by now, the screen still the old one.
-      if (isCurrent()) await takeBack(layout);
+      if (isCurrent()) await this.#takeBack(layout);
       throw error;
     }
     if (!isCurrent()) return;
     performance.mark('room displayed');
-    const { document, view } = made;
-    placed = { bytes, room, scene };
+    this.#placed = { bytes, room, scene };
+    this.#show(scene, title, placement);
+  }
+
+  /** Shows the room that was open before a preview, as it was; false where there was none. */
+  async restore(): Promise<boolean> {
+    const back = this.#placed;
+    if (!back) return false;
+    return this.attempt('Going back', async (isCurrent) => {
+      await this.#viewer.open(back.room, back.scene);
+      if (!isCurrent()) return;
+      this.#store.preview.value = null;
+      this.#solving.relight();
+    });
+  }
+
+  /** The app's whole state in one step; the new document then asks the solver by itself. */
+  #show(scene: SceneInfo, title: string, { document, view }: Placement): void {
+    const store = this.#store;
     if (isRoom(document.room)) rememberRoom(document.room);
     batch(() => {
       store.scene.value = scene;
@@ -97,33 +107,14 @@ export function createPlacing(store: Store, solving: Solving, viewer: Viewer): P
       store.legendLocked.value = Boolean(view?.display);
       store.display.value = { ...display, quantity: document.quantity };
     });
-    if (view?.camera) viewer.setCamera(view.camera);
-    else viewer.home();
-    if (document.layout) solving.show(document.layout);
-    else solving.solveAfresh();
+    if (view?.camera) this.#viewer.setCamera(view.camera);
+    else this.#viewer.home();
   }
 
   /** Gives the solver the scene and the layout back that are on the screen. */
-  async function takeBack(layout: Layout | null): Promise<void> {
-    if (!placed) return;
-    await solving.open(placed.bytes);
-    if (layout) solving.show(layout);
+  async #takeBack(layout: Layout | null): Promise<void> {
+    if (!this.#placed) return;
+    await this.#solving.open(this.#placed.bytes);
+    if (layout) this.#solving.show(layout);
   }
-
-  async function restore(): Promise<boolean> {
-    const back = placed;
-    if (!back) return false;
-    return attempt('Going back', async (isCurrent) => {
-      await viewer.open(back.room, back.scene);
-      if (!isCurrent()) return;
-      store.preview.value = null;
-      solving.relight();
-    });
-  }
-
-  return {
-    attempt,
-    place,
-    restore,
-  };
 }

@@ -219,6 +219,8 @@ export function entryOf(id: string): GalleryEntry | undefined {
   return [...rooms, ...experiments].find((entry) => entry.id === id);
 }
 
+export const isRoom = (id: string): boolean => rooms.some((room) => room.room === id);
+
 /** What is asked at first of a room that nobody has described (a file of one's own). */
 export function askedOfUnknown(
   surfaces: readonly { name: string; measuring: boolean }[],

@@ -2,10 +2,10 @@
  * The state of the app as signals. What is asked (the document and its history) and what is shown (the solver's latest
  * answer) are apart; nothing here touches worker, canvas or DOM.
  */
-import { batch, computed, signal, type ReadonlySignal, type Signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
-import { edit, redo, seal, startHistory, undo, type History } from '../../document/history.ts';
-import { intentionsOf, type TracedIntentions } from '../../document/intentions.ts';
+import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
+import { intentionsOf } from '../../document/intentions.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { Link } from '../../document/share-link.ts';
 import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
@@ -52,45 +52,14 @@ export type Saving =
   | { readonly state: 'saved'; readonly at: number }
   | { readonly state: 'refused'; readonly why: string };
 
-export interface Store {
-  readonly history: Signal<History>;
-  readonly document: ReadonlySignal<FiatLuxDocument>;
-  readonly traced: ReadonlySignal<TracedIntentions>;
-  readonly scene: Signal<SceneInfo | null>;
-  readonly roomTitle: Signal<string>;
-  readonly shown: Signal<Shown | null>; // at most once a frame
-  readonly progress: Signal<Progress>;
-  readonly bound: Signal<{ readonly gap: number; readonly done: boolean } | null>;
-  readonly check: Signal<LayoutCheck | null>; // of the layout shown, or of an older one
-  readonly alphaRun: Signal<AlphaRun | null>;
-  readonly surface: Signal<number | null>; // selected leaf
-  readonly luminaire: Signal<number | null>; // selected, 0 = L1
-  readonly card: Signal<string | null>; // opened card
-  readonly hover: Signal<Hover | null>;
-  readonly display: Signal<Display>;
-  readonly legendLocked: Signal<boolean>;
-  readonly camera: Signal<Camera | null>;
-  readonly messages: Signal<readonly Message[]>;
-  readonly announcement: Signal<string>;
-  readonly dialog: Signal<Dialog>;
-  readonly tab: Signal<Tab>;
-  readonly loading: Signal<string | null>;
-  readonly preview: Signal<string | null>; // name of a .glb that is shown without light
-  readonly pendingLink: Signal<Link | null>; // waits for the file it is about
-  readonly saving: Signal<Saving>;
-  readonly efficacy: Signal<number>; // lm/W
-
-  /** One edit of the document; edits of the same gesture are one step of undo. Returns whether anything changed. */
-  edit(label: string, recipe: (draft: Draft<FiatLuxDocument>) => void, gesture?: string | null): boolean;
-  endGesture(): void;
-  /** Both return the layout to show, null for "search", or undefined where there is nothing to undo. */
-  undo(): { label: string; layout: Layout | null } | undefined;
-  redo(): { label: string; layout: Layout | null } | undefined;
-  /** A new document: nothing to undo before it. */
-  reset(document: FiatLuxDocument): void;
-  say(kind: Message['kind'], text: string, action?: Message['action']): number;
-  dismiss(id: number): void;
-}
+/** How the solver answers a change of the document. */
+export type Answering =
+  /** By a search: from the layout shown, from another one, or (null) from nowhere. */
+  | { readonly by: 'search'; readonly from?: Layout | null }
+  /** By the light of exactly this layout. */
+  | { readonly by: 'layout'; readonly layout: Layout }
+  /** Not at all: the light that is there answers it. */
+  | { readonly by: 'nothing' };
 
 export const firstDisplay: Display = {
   mode: 'realistic',
@@ -105,69 +74,108 @@ export const firstDisplay: Display = {
   measuringPlanes: false,
 };
 
-export function createStore(): Store {
+export class Store {
+  readonly history = signal<History>(startHistory(firstDocument()));
+  readonly document = computed(() => this.history.value.document);
+  readonly traced = computed(() => intentionsOf(this.document.value)); // anew with every change of the document
+  readonly scene = signal<SceneInfo | null>(null);
+  readonly roomTitle = signal(firstEntry().title);
+  readonly shown = signal<Shown | null>(null); // at most once a frame
+  readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
+  readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
+  readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
+  readonly alphaRun = signal<AlphaRun | null>(null);
+  readonly surface = signal<number | null>(null); // selected leaf
+  readonly luminaire = signal<number | null>(null); // selected, 0 = L1
+  readonly card = signal<string | null>(null); // opened card
+  readonly hover = signal<Hover | null>(null);
+  readonly display = signal<Display>(firstDisplay);
+  readonly legendLocked = signal(false);
+  readonly camera = signal<Camera | null>(null);
+  readonly messages = signal<readonly Message[]>([]);
+  readonly announcement = signal('');
+  readonly dialog = signal<Dialog>(null);
+  readonly tab = signal<Tab>('intentions');
+  readonly loading = signal<string | null>(null);
+  readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
+  readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
+  readonly saving = signal<Saving>({ state: 'unsaved' });
+  readonly efficacy = signal(120); // lm/W
+  #answering: Answering = { by: 'nothing' };
+  #nextMessage = 1;
+
+  /** How the latest change of the document is to be answered. */
+  get answering(): Answering {
+    return this.#answering;
+  }
+
+  /** One edit of the document; edits of the same gesture are one step of undo. Returns whether anything changed. */
+  edit(
+    label: string,
+    recipe: (draft: Draft<FiatLuxDocument>) => void,
+    gesture: string | null = null,
+    answering: Answering = { by: 'search' },
+  ): boolean {
+    const shown = this.shown.peek()?.layout ?? null;
+    const next = edit(this.history.peek(), label, recipe, shown, gesture);
+    if (next === this.history.peek()) return false;
+    this.#change(next, answering);
+    return true;
+  }
+
+  endGesture(): void {
+    this.history.value = seal(this.history.peek());
+  }
+
+  /** Both bring back the light of the step, too, and return what it was called; undefined where there is none. */
+  undo(): string | undefined {
+    return this.#travel(undo(this.history.peek(), this.shown.peek()?.layout ?? null));
+  }
+
+  redo(): string | undefined {
+    return this.#travel(redo(this.history.peek()));
+  }
+
+  /** A new document: nothing to undo before it. */
+  reset(document: FiatLuxDocument): void {
+    const { layout } = document;
+    batch(() => {
+      this.#change(startHistory(document), layout ? { by: 'layout', layout } : { by: 'search', from: null });
+      this.shown.value = null;
+    });
+  }
+
+  say(kind: Message['kind'], text: string, action?: Message['action']): number {
+    const id = this.#nextMessage++;
+    const others = this.messages.peek().filter((message) => message.text !== text);
+    this.messages.value = [...others, { id, kind, text, ...(action && { action }) }].slice(-4);
+    return id;
+  }
+
+  dismiss(id: number): void {
+    this.messages.value = this.messages.peek().filter((message) => message.id !== id);
+  }
+
+  #travel(step: Travel | null): string | undefined {
+    if (!step) return undefined;
+    const { history, label, layout } = step;
+    this.#change(history, layout ? { by: 'layout', layout } : { by: 'search' });
+    return label;
+  }
+
+  #change(history: History, answering: Answering): void {
+    this.#answering = answering;
+    this.history.value = history;
+  }
+}
+
+function firstEntry() {
   const first = rooms.find((room) => room.id === firstRoom) ?? rooms[0];
   if (!first) throw new Error('the catalogue is empty');
-  const history = signal(startHistory(documentFrom(first.asked, '', first.room)));
-  const document = computed(() => history.value.document);
-  const shown = signal<Shown | null>(null);
-  const messages = signal<readonly Message[]>([]);
-  let nextMessage = 1;
+  return first;
+}
 
-  const travel = (step: ReturnType<typeof redo>) => {
-    if (!step) return undefined;
-    history.value = step.history;
-    return { label: step.label, layout: step.layout };
-  };
-
-  return {
-    history,
-    document,
-    traced: computed(() => intentionsOf(document.value)),
-    scene: signal(null),
-    roomTitle: signal(first.title),
-    shown,
-    progress: signal({ state: 'idle', evaluations: 0, milliseconds: 0 }),
-    bound: signal(null),
-    check: signal(null),
-    alphaRun: signal(null),
-    surface: signal(null),
-    luminaire: signal(null),
-    card: signal(null),
-    hover: signal(null),
-    display: signal(firstDisplay),
-    legendLocked: signal(false),
-    camera: signal(null),
-    messages,
-    announcement: signal(''),
-    dialog: signal(null),
-    tab: signal('intentions'),
-    loading: signal(null),
-    preview: signal(null),
-    pendingLink: signal(null),
-    saving: signal({ state: 'unsaved' }),
-    efficacy: signal(120),
-
-    edit(label, recipe, gesture = null) {
-      const next = edit(history.peek(), label, recipe, shown.peek()?.layout ?? null, gesture);
-      if (next === history.peek()) return false;
-      history.value = next;
-      return true;
-    },
-    endGesture: () => void (history.value = seal(history.peek())),
-    undo: () => travel(undo(history.peek(), shown.peek()?.layout ?? null)),
-    redo: () => travel(redo(history.peek())),
-    reset: (next) =>
-      batch(() => {
-        history.value = startHistory(next);
-        shown.value = null;
-      }),
-    say(kind, text, action) {
-      const id = nextMessage++;
-      const others = messages.peek().filter((message) => message.text !== text);
-      messages.value = [...others, { id, kind, text, ...(action && { action }) }].slice(-4);
-      return id;
-    },
-    dismiss: (id) => void (messages.value = messages.peek().filter((message) => message.id !== id)),
-  };
+function firstDocument(): FiatLuxDocument {
+  const { asked, room } = firstEntry();
+  return documentFrom(asked, '', room);
 }

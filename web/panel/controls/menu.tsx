@@ -1,7 +1,8 @@
 /** A button with a menu of actions (ARIA menu button pattern: arrows move, Escape closes). */
 import type { LucideIcon } from 'lucide-preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { Action } from '../../app/actions.ts';
+import { isEnabled, type Action } from '../../app/actions.ts';
+import { useApp } from '../../app/app.ts';
 import { keyText } from '../../app/keyboard.ts';
 
 export function Menu({
@@ -13,6 +14,7 @@ export function Menu({
   icon: LucideIcon;
   items: readonly Action[];
 }) {
+  const app = useApp();
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
@@ -49,10 +51,10 @@ export function Menu({
             <button
               key={action.id}
               role="menuitem"
-              disabled={!(action.enabled?.() ?? true)}
+              disabled={!isEnabled(action, app)}
               onClick={() => {
                 setOpen(false);
-                action.run();
+                action.run(app);
               }}
             >
               <span>{action.title}</span>

@@ -33,7 +33,7 @@ export function GalleryDialog({ close }: { close: () => void }) {
             class="room-card own"
             onClick={() => {
               close();
-              app.pickFile();
+              app.opening.pick();
             }}
           >
             <span class="thumbnail empty">

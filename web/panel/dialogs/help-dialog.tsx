@@ -1,6 +1,5 @@
 /** Keys, made from the registry of actions, and what the pointer does in the view. */
-import { useApp } from '../../app/app.ts';
-import type { Action } from '../../app/actions.ts';
+import { actions, type Action } from '../../app/actions.ts';
 import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
 
@@ -15,7 +14,6 @@ const pointer: readonly [string, string][] = [
 ];
 
 export function HelpDialog({ close }: { close: () => void }) {
-  const { actions } = useApp();
   const groups = new Map<Action['group'], Action[]>();
   for (const action of actions)
     if (action.keys) groups.set(action.group, [...(groups.get(action.group) ?? []), action]);

@@ -1,32 +1,32 @@
 /** Every action by name (ARIA combobox with a list): type, arrows, Enter. */
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import type { Action } from '../../app/actions.ts';
+import { actions, isEnabled, type Action } from '../../app/actions.ts';
 import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
 
 /** Actions whose title holds every word that is typed, in the registry's order. */
-export function matching(actions: readonly Action[], query: string): Action[] {
+export function matching(all: readonly Action[], query: string): Action[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-  return actions.filter((action) => {
+  return all.filter((action) => {
     const text = `${action.title} ${action.group}`.toLowerCase();
     return action.id !== 'palette' && words.every((word) => text.includes(word));
   });
 }
 
 export function Palette({ close }: { close: () => void }) {
-  const { actions } = useApp();
+  const app = useApp();
   const [query, setQuery] = useState('');
   const [at, setAt] = useState(0);
   const list = useRef<HTMLUListElement>(null);
-  const found = matching(actions, query).filter((action) => action.enabled?.() ?? true);
+  const found = matching(actions, query).filter((action) => isEnabled(action, app));
   const active = found[Math.min(at, found.length - 1)];
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
   }, [active]);
   const run = (action: Action | undefined) => {
     close();
-    action?.run();
+    action?.run(app);
   };
   const move = (event: KeyboardEvent) => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];

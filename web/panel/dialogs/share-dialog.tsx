@@ -2,20 +2,23 @@
 import { Copy } from 'lucide-preact';
 import { useMemo, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { rooms } from '../../app/rooms/catalog.ts';
+import { exportFormats } from '../../app/exports/formats.ts';
+import { saveAs } from '../../app/exports/save-as.ts';
+import { isRoom } from '../../app/rooms/catalog.ts';
 import { Dialog } from './dialog.tsx';
 
 export function ShareDialog({ close }: { close: () => void }) {
-  const { store, leaving } = useApp();
+  const app = useApp();
+  const { store, keeping } = app;
   const field = useRef<HTMLInputElement>(null);
   const [link, fault] = useMemo(() => {
     try {
-      return [leaving.link(), null];
+      return [keeping.link(), null];
     } catch (error) {
       return [null, error instanceof Error ? error.message : String(error)];
     }
   }, []);
-  const isOwn = !rooms.some((room) => room.room === store.document.value.room);
+  const isOwn = !isRoom(store.document.value.room);
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(link ?? '');
@@ -58,18 +61,11 @@ export function ShareDialog({ close }: { close: () => void }) {
         <p class="fault">{fault}</p>
       )}
       <div class="row">
-        <button class="button" onClick={() => void leaving.saveProject()}>
-          Save a project file
-        </button>
-        <button class="button" onClick={() => void leaving.savePng()}>
-          Picture
-        </button>
-        <button class="button" onClick={() => void leaving.saveCsv()}>
-          CSV
-        </button>
-        <button class="button" onClick={() => void leaving.saveGltf()}>
-          glTF lights
-        </button>
+        {exportFormats.map((format) => (
+          <button key={format.id} class="button" onClick={() => void saveAs(format, app)}>
+            {format.button}
+          </button>
+        ))}
       </div>
     </Dialog>
   );

@@ -18,7 +18,7 @@ function apart(reached: number, asked: number): string {
 
 export function InfeasibleHelp() {
   const app = useApp();
-  const { store, solving } = app;
+  const { store } = app;
   const shown = store.shown.value;
   const { state } = store.progress.value;
   if (!shown || shown.violation === 0 || state === 'improving' || state === 'idle') return null;
@@ -30,16 +30,14 @@ export function InfeasibleHelp() {
 
   const ease = (some: readonly BindingBound[]) => {
     const cards = easedCards(document.cards, some);
-    if (store.edit('Ease a bound', (draft) => void (draft.cards = structuredClone(cards) as never)))
-      solving.solve();
+    store.edit('Ease a bound', (draft) => void (draft.cards = structuredClone(cards) as never));
   };
   const byPatches = ({ card }: BindingBound) =>
     app.changeCard(card.id, 'Guarantee by the patches', (each) =>
       each.guarantee ? { ...each, guarantee: { ...each.guarantee, by: 'patches' } } : each,
     );
   const raise = () => {
-    if (flux !== null && store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux)))
-      solving.solve();
+    if (flux !== null) store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux));
   };
   return (
     <section class="infeasible" aria-label="What cannot be met">

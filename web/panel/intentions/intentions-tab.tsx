@@ -13,7 +13,7 @@ const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title 
 
 export function IntentionsTab() {
   const app = useApp();
-  const { store, solving } = app;
+  const { store } = app;
   const { cards, quantity, saving } = store.document.value;
   const selected = store.scene.value?.surfaces[store.surface.value ?? -1]?.name;
   return (
@@ -70,9 +70,7 @@ export function IntentionsTab() {
       <Check
         label="With as little power as possible"
         checked={saving}
-        set={(on) => {
-          if (store.edit('Save power', (draft) => void (draft.saving = on))) solving.solve();
-        }}
+        set={(on) => store.edit('Save power', (draft) => void (draft.saving = on))}
       />
     </>
   );

@@ -22,12 +22,10 @@ export function LuminairesTab() {
 
 /** Edits of the rules; a whole drag is one step. */
 function useRules() {
-  const { store, solving } = useApp();
+  const { store } = useApp();
   return {
-    set: (label: string, change: Partial<Luminaires>, gesture = label) => {
-      const did = store.edit(label, (draft) => void Object.assign(draft.luminaires, change), gesture);
-      if (did) solving.solve();
-    },
+    set: (label: string, change: Partial<Luminaires>, gesture = label) =>
+      store.edit(label, (draft) => void Object.assign(draft.luminaires, change), gesture),
     end: () => store.endGesture(),
   };
 }

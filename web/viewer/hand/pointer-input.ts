@@ -33,7 +33,6 @@ const arrows: Record<string, readonly [number, number]> = {
 };
 
 export class PointerInput {
-  #canvas: HTMLCanvasElement;
   #handlers: InputHandlers;
   #down: { x: number; y: number; time: number; id: number } | null = null;
   #at: { x: number; y: number } | null = null;
@@ -41,7 +40,6 @@ export class PointerInput {
   #abort = new AbortController();
 
   constructor(canvas: HTMLCanvasElement, handlers: InputHandlers) {
-    this.#canvas = canvas;
     this.#handlers = handlers;
     const options = { signal: this.#abort.signal };
     canvas.addEventListener('pointerdown', this.#pressed, { ...options, capture: true });

@@ -1,13 +1,13 @@
 // What "Check this layout" and "About this room" say.
 import { describe, expect, test } from '@jest/globals';
-import { createStore } from '../../../../web/app/state/store.ts';
+import { Store } from '../../../../web/app/state/store.ts';
 import { checkText, marginText } from '../../../../web/app/words/layout-check.ts';
 import { patchSize, readProvenance, roomFacts, roomWarnings } from '../../../../web/app/words/provenance.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
 import { fakeScene } from '../../fake-solver.ts';
 
 describe('the check', () => {
-  const first = createStore().document.value;
+  const first = new Store().document.value;
   const card = {
     id: 'a',
     surfaces: ['floor'],
