@@ -36,24 +36,16 @@ export function Histogram({ card }: CardProps) {
     .filter((value) => value <= farthest * most);
   const { scale, hold, release } = useScale(Math.max(most, ...bounds.map((value) => value * 1.1)));
   if (!sample) return null;
-  const shares = histogram(sample, scale, bins);
-  const peak = Math.max(...shares, 1e-9);
   const x = (value: number) => Math.min(1, Math.max(0, value / scale)) * width;
   const alpha = card.guarantee?.by === 'chebyshev' ? card.guarantee.alpha : 1;
   const unit = unitOf(store.document.value.quantity);
-  const drag = {
+  const drag: Drag = {
     begin: hold,
     end: () => {
       release();
       bound.end();
     },
-    valueAt: (clientX: number) => {
-      const box = svg.current?.getBoundingClientRect();
-      if (!box) return 0;
-      const value = (Math.min(1, Math.max(0, (clientX - box.left) / box.width)) * scale) as number;
-      const step = niceStep(scale);
-      return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
-    },
+    valueAt: (clientX) => valueAt(svg.current, clientX, scale),
   };
   return (
     <figure class="histogram">
@@ -70,21 +62,7 @@ export function Histogram({ card }: CardProps) {
           y="8"
           height={base - 8}
         />
-        {shares.map((share, bin) => {
-          const tall = (share / peak) * (base - 14);
-          return (
-            share > 0 && (
-              <rect
-                key={bin}
-                class="bar"
-                x={(bin / bins) * width + 0.5}
-                width={width / bins - 1}
-                y={base - Math.max(1, tall)}
-                height={Math.max(1, tall)}
-              />
-            )
-          );
-        })}
+        <Bars sample={sample} scale={scale} />
         <line class="axis" x1="0" x2={width} y1={base} y2={base} />
         <line class="mean-line" x1={x(sample.mean)} x2={x(sample.mean)} y1="6" y2={base} />
         {x(sample.mean) > 40 && (
@@ -119,7 +97,47 @@ export function Histogram({ card }: CardProps) {
   );
 }
 
+/** The value at a point of the page, on a round step of the scale and above 0. */
+function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): number {
+  const box = svg?.getBoundingClientRect();
+  if (!box) return 0;
+  const value = Math.min(1, Math.max(0, (clientX - box.left) / box.width)) * scale;
+  const step = niceStep(scale);
+  return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
+}
+
+/** The share of the area in each interval; the largest fills the height. */
+function Bars({ sample, scale }: { sample: AreaSample; scale: number }) {
+  const shares = histogram(sample, scale, bins);
+  const peak = Math.max(...shares, 1e-9);
+  return (
+    <>
+      {shares.map((share, bin) => {
+        const tall = Math.max(1, (share / peak) * (base - 14));
+        return (
+          share > 0 && (
+            <rect
+              key={bin}
+              class="bar"
+              x={(bin / bins) * width + 0.5}
+              width={width / bins - 1}
+              y={base - tall}
+              height={tall}
+            />
+          )
+        );
+      })}
+    </>
+  );
+}
+
 const anchorOf = (x: number) => (x < 40 ? 'start' : x > width - 40 ? 'end' : 'middle');
+
+interface Drag {
+  readonly begin: () => void;
+  readonly end: () => void;
+  readonly valueAt: (clientX: number) => number;
+}
 
 interface HandleProps {
   readonly value: number;
@@ -129,7 +147,7 @@ interface HandleProps {
   readonly mark: string;
   readonly label: string;
   readonly text: string;
-  readonly drag: { begin: () => void; end: () => void; valueAt: (clientX: number) => number };
+  readonly drag: Drag;
   readonly set: (value: number) => void;
 }
 
