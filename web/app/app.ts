@@ -3,7 +3,7 @@ import { effect } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { keepRange } from '../document/intentions.ts';
-import { leavesOf } from './state/statistics.ts';
+import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';

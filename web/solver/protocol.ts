@@ -69,12 +69,18 @@ export type ToWorker =
       readonly seed: number;
     }
   /** A provable bound on the goal -> 'bounded', possibly several times, tighter each time. */
-  | { readonly type: 'bound'; readonly revision: number; readonly intentions: Intentions }
+  | {
+      readonly type: 'bound';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly search: number | null; // revision of the 'solve' for these very intentions; null = there was none
+    }
   /** Recomputes every surface of a layout from the patches -> 'checked'. */
   | {
       readonly type: 'check';
       readonly revision: number;
       readonly intentions: Intentions;
+      readonly search: number | null; // as for 'bound'
       readonly layout: Layout;
     }
   /** Stops whatever runs; the incumbent stays shown. */

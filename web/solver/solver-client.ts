@@ -49,6 +49,7 @@ export class SolverClient {
   #opening: OpenFile | null = null; // asked for, not answered
   #opened: OpenFile | null = null; // what the page shows
   #wish: Wish | null = null; // what a new worker has to do again
+  #searched: Extract<ToWorker, { readonly type: 'solve' }> | null = null; // the latest wish, where it is a search
 
   /** `receive` gets current answers only. Of a restart it sees nothing but fresh answers, or a fatal 'failed'. */
   constructor(createWorker: () => WorkerLike, receive: (message: FromWorker) => void) {
@@ -60,7 +61,7 @@ export class SolverClient {
   /** Opens a .flux file. The bytes are copied: the client keeps them for a restart. */
   open(bytes: ArrayBuffer): number {
     const revision = (this.#latest.open = ++this.#revision);
-    this.#wish = null;
+    this.#wish = this.#searched = null;
     this.#opening = { bytes, revision };
     if (this.#worker.adopt?.(bytes, revision)) return revision;
     const copy = bytes.slice(0);
@@ -82,11 +83,13 @@ export class SolverClient {
   }
 
   bound(intentions: Intentions): number {
-    return this.#ask({ type: 'bound', revision: ++this.#revision, intentions });
+    const search = this.#searchFor(intentions);
+    return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search });
   }
 
   check(intentions: Intentions, layout: Layout): number {
-    return this.#ask({ type: 'check', revision: ++this.#revision, intentions, layout });
+    const search = this.#searchFor(intentions);
+    return this.#ask({ type: 'check', revision: ++this.#revision, intentions, layout, search });
   }
 
   stop(): void {
@@ -101,9 +104,17 @@ export class SolverClient {
   #ask(wish: Wish): number {
     const lane = laneOf[wish.type];
     this.#latest[lane] = wish.revision;
-    if (lane === 'layout') this.#wish = wish;
+    if (lane === 'layout') {
+      this.#wish = wish;
+      this.#searched = wish.type === 'solve' ? wish : null;
+    }
     this.#worker.postMessage(wish, []);
     return wish.revision;
+  }
+
+  /** The revision of the search for these very intentions: an unchanged document gives the same object again. */
+  #searchFor(intentions: Intentions): number | null {
+    return this.#searched?.intentions === intentions ? this.#searched.revision : null;
   }
 
   #start(): WorkerLike {

@@ -15,13 +15,13 @@ import {
 import { coreOrder, fromCore, toCore } from '../../../web/app/state/luminaire-order.ts';
 import {
   histogram,
-  leavesOf,
   patchesOf,
   promises,
   sampleOf,
   shareBelow,
   unionOf,
 } from '../../../web/app/state/statistics.ts';
+import { leavesOf } from '../../../web/document/surface-names.ts';
 import { documentFrom } from '../../../web/app/rooms/catalog.ts';
 import { intentionsOf } from '../../../web/document/intentions.ts';
 import type { Card, Verb } from '../../../web/document/types.ts';

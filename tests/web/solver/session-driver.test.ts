@@ -1,7 +1,7 @@
 /** Messages in, answers out: the protocol, latest wins, pace. */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
-import { pace } from '../../../web/solver/search-job.ts';
+import { pace } from '../../../web/solver/pacing.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeClock, FakeSession } from './fake-session.ts';
 
@@ -248,10 +248,16 @@ describe('show and check', () => {
     await driver.receive(solve(2));
     driver.step();
     const layout = { sites: [1], flux: [5], dimming: 1 };
-    await driver.receive({ type: 'check', revision: 3, intentions: asked, layout });
+    await driver.receive({ type: 'check', revision: 3, intentions: asked, search: 2, layout });
     expect(driver.busy).toBe(true);
     expect(answers.at(-1)).toMatchObject({ type: 'checked', revision: 3 });
-    await driver.receive({ type: 'check', revision: 4, intentions: { ...asked, goals: [] }, layout });
+    await driver.receive({
+      type: 'check',
+      revision: 4,
+      intentions: { ...asked, goals: [] },
+      search: null,
+      layout,
+    });
     expect(driver.busy).toBe(false);
   });
 
@@ -261,6 +267,7 @@ describe('show and check', () => {
       type: 'check',
       revision: 2,
       intentions: asked,
+      search: null,
       layout: { sites: [1], flux: [5], dimming: 1 },
     });
     expect(answers).toEqual([
@@ -307,7 +314,7 @@ describe('alpha, bound and stop', () => {
   test('bound waits for the search, uses it, and tells smaller and smaller gaps', async () => {
     await opened();
     await driver.receive(solve(2));
-    await driver.receive({ type: 'bound', revision: 3, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 3, intentions: asked, search: 2 });
     settle();
     expect(session.calls.filter((call) => call.startsWith('start') || call === 'bound')).toEqual([
       'start 3',
@@ -323,7 +330,7 @@ describe('alpha, bound and stop', () => {
 
   test('bound without a search of the same intentions makes one', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
     settle();
     expect(session.calls).toContain('start 1');
     expect(answers.at(-1)).toMatchObject({ type: 'bounded', revision: 2, done: true });
@@ -331,7 +338,7 @@ describe('alpha, bound and stop', () => {
 
   test('a new wish ends the bound', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
     driver.step();
     await driver.receive(solve(3));
     answers.length = 0;

@@ -95,6 +95,32 @@ describe('latest wins', () => {
   });
 });
 
+describe('the search that a bound or a check is about', () => {
+  const last = () => worker().sent.at(-1);
+
+  test('is the latest one for the very same intentions', () => {
+    const solve = client.solve(asked, null, 1, 0);
+    client.bound(asked);
+    expect(last()).toMatchObject({ type: 'bound', search: solve });
+    client.stop();
+    client.check(asked, layout);
+    expect(last()).toMatchObject({ type: 'check', search: solve });
+    client.check({ ...asked, goals: [] }, layout);
+    expect(last()).toMatchObject({ type: 'check', search: null });
+  });
+
+  test.each([
+    ['a layout that is only shown', () => client.show(asked, layout)],
+    ['an alpha-search', () => client.alpha(asked, 1)],
+    ['another file', () => client.open(file())],
+  ])('is gone after %s', (_, request) => {
+    client.solve(asked, null, 1, 0);
+    request();
+    client.bound(asked);
+    expect(last()).toMatchObject({ type: 'bound', search: null });
+  });
+});
+
 describe('a worker that dies', () => {
   test('is replaced; file and wish are sent again, and the page sees no second "opened"', () => {
     const revision = client.open(file());

@@ -3,7 +3,7 @@
  * the area. Everything is weighted by area; mu and sigma are population statistics.
  */
 import type { SurfaceResult } from '../../solver/protocol.ts';
-import type { Quantity, SceneInfo, SurfaceNames } from '../../document/types.ts';
+import type { Quantity, SceneInfo } from '../../document/types.ts';
 
 export interface AreaSample {
   readonly values: Float32Array; // in the quantity asked for
@@ -13,17 +13,6 @@ export interface AreaSample {
   readonly sigma: number;
   readonly least: number;
   readonly most: number;
-}
-
-/** Leaf indices of names: a leaf, an inner node of the tree ("desk" is "desk/top", ...), or 'all' (no measuring planes). */
-export function leavesOf(names: SurfaceNames, surfaces: SceneInfo['surfaces']): number[] {
-  return surfaces.flatMap((surface, index) =>
-    names.some((name) =>
-      name === 'all' ? !surface.measuring : surface.name === name || surface.name.startsWith(`${name}/`),
-    )
-      ? [index]
-      : [],
-  );
 }
 
 /** The patches of some leaves. */

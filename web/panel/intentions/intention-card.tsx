@@ -3,7 +3,7 @@ import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
-import { leavesOf } from '../../app/state/statistics.ts';
+import { leavesOf } from '../../document/surface-names.ts';
 import { keepRange, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
 import { CardGuarantee } from './card-guarantee.tsx';

@@ -1,7 +1,8 @@
 /** What a set of surfaces reaches now: one row of the solver where it is one leaf (or all), else read off the patches. */
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { leavesOf, patchesOf, sampleOf, type AreaSample } from '../../app/state/statistics.ts';
+import { patchesOf, sampleOf, type AreaSample } from '../../app/state/statistics.ts';
+import { leavesOf } from '../../document/surface-names.ts';
 import type { SurfaceNames } from '../../document/types.ts';
 
 export interface Reached {

@@ -1,12 +1,12 @@
-/** Names of leaves, of inner nodes, and 'all'. */
+/** Names of leaves, of inner nodes, and 'all': the core's rule is precompute's, with the same one form of 'all'. */
 import { expect, test } from '@jest/globals';
-import { resolveSurfaces } from '../../../web/solver/resolve-surfaces.ts';
+import { leavesOf, surfaceSetOf } from '../../../web/document/surface-names.ts';
 
 const leaves = ['room/floor', 'room/ceiling', 'desk', 'desk 2/top', 'desk 2/legs', 'plane'].map((name) => ({
   name,
   measuring: name === 'plane',
 }));
-const resolve = (...names: string[]) => [...resolveSurfaces(names, leaves)];
+const resolve = (...names: string[]) => [...surfaceSetOf(names, leaves)];
 
 test('a leaf, an inner node, and their union without repeats', () => {
   expect(resolve('desk')).toEqual([2]);
@@ -14,10 +14,17 @@ test('a leaf, an inner node, and their union without repeats', () => {
   expect(resolve('desk 2', 'room/floor', 'room')).toEqual([0, 1, 3, 4]);
 });
 
-test('all is the empty set of the core; beside another name it is spelled out', () => {
+test('all is the empty set of the core, however it is spelled', () => {
   expect(resolve('all')).toEqual([]);
+  expect(resolve('room', 'desk', 'desk 2')).toEqual([]);
+  expect(resolve()).toEqual([]);
   expect(resolve('all', 'plane')).toEqual([0, 1, 2, 3, 4, 5]);
-  expect(resolve('all', 'desk')).toEqual([0, 1, 2, 3, 4]);
+  expect(resolve('all', 'desk')).toEqual([]);
+});
+
+test('the page gets every leaf, and none for a name that is not there', () => {
+  expect(leavesOf(['all'], leaves)).toEqual([0, 1, 2, 3, 4]);
+  expect(leavesOf(['desk 2', 'plane', 'wall'], leaves)).toEqual([3, 4, 5]);
 });
 
 test('an unknown name is refused with the names that there are', () => {
