@@ -139,8 +139,9 @@ async function sampleRooms() {
       .sort()
       .map((name) => readFileSync(path.join(root, folder, name)));
   const { catalog } = await import('../rooms/catalog.mjs');
-  const glbs = catalog.map((room) => path.join(scenes, `${room.id}.glb`));
-  once('rooms', hashOf(...sources('rooms')), glbs, () => {
+  const made = [...catalog.map((room) => `${room.id}.glb`), 'catalog.json'];
+  const files = made.map((name) => path.join(scenes, name));
+  once('rooms', hashOf(...sources('rooms')), files, () => {
     say('Making the sample rooms');
     run('node', ['rooms/make.mjs']);
   });

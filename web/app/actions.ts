@@ -4,7 +4,6 @@ import type { ViewName } from '../viewer/types.ts';
 import type { App } from './app.ts';
 import { exportFormats } from './exports/formats.ts';
 import { saveAs } from './exports/save-as.ts';
-import { experiments, rooms } from './rooms/catalog.ts';
 import type { Dialog } from './state/store.ts';
 
 export interface Action {
@@ -190,13 +189,6 @@ const help: readonly Action[] = [
   { id: 'help', title: 'Keys and help', group: 'Help', keys: ['?'], run: show('help') },
 ];
 
-const places: readonly Action[] = [...rooms, ...experiments].map((entry) => ({
-  id: `open-${entry.id}`,
-  title: `Open: ${entry.title}`,
-  group: 'Rooms',
-  run: ({ opening }) => void opening.entry(entry.id),
-}));
-
 export const actions: readonly Action[] = [
   ...editing,
   ...intentions,
@@ -204,5 +196,14 @@ export const actions: readonly Action[] = [
   ...view,
   ...file,
   ...help,
-  ...places,
 ];
+
+/** The rooms of the site as actions. */
+export function placesOf({ rooms }: App): Action[] {
+  return rooms.entries.value.map((entry) => ({
+    id: `open-${entry.id}`,
+    title: `Open: ${entry.title}`,
+    group: 'Rooms',
+    run: ({ opening }) => void opening.entry(entry.id),
+  }));
+}

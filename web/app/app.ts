@@ -10,7 +10,7 @@ import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
 import { Opening } from './opening/opening.ts';
-import { isRoom } from './rooms/catalog.ts';
+import { Rooms } from './rooms/rooms.ts';
 import { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
@@ -24,6 +24,7 @@ export interface Parts {
 
 export class App {
   readonly store: Store;
+  readonly rooms = new Rooms();
   readonly viewer: Viewer;
   readonly solving: Solving;
   readonly hand: Hand;
@@ -35,10 +36,10 @@ export class App {
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
-    this.opening = new Opening(store, this.solving, this.viewer);
+    this.opening = new Opening(store, this.rooms, this.solving, this.viewer);
     this.keeping = new Keeping(store, this.solving, this.viewer);
     this.#tellViewer();
-    this.keeping.keepSaved(isRoom);
+    this.keeping.keepSaved((room) => this.rooms.has(room));
   }
 
   /** Adds a card for the selected surface (or `names`) and opens it. */

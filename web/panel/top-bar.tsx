@@ -41,7 +41,7 @@ export function TopBar() {
         <span class="brand-name">Fiat Lux</span>
       </span>
       <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
-        <h1>{store.roomTitle.value}</h1>
+        <h1>{store.roomTitle.value || 'Rooms'}</h1>
         <ChevronDown size={15} aria-hidden />
       </button>
       <span class="spacer" />

@@ -1,18 +1,23 @@
 // The app with a pretended worker and view: what is asked, what is shown, and in which order.
-import { beforeEach, describe, expect, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
 import { actions } from '../../../web/app/actions.ts';
 import { App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
 import { Store } from '../../../web/app/state/store.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
+import type { ToWorker } from '../../../web/solver/protocol.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver } from '../fake-solver.ts';
+import { fakeHost, type FakeHost } from '../fake-host.ts';
 import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
 
 let frames: (() => void)[] = [];
+let host: FakeHost;
 let solver: FakeSolver;
 let viewer: FakeViewer;
 let app: App;
+
+type Solve = Extract<ToWorker, { readonly type: 'solve' }>;
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 const frame = () => frames.splice(0).forEach((action) => action());
@@ -33,6 +38,7 @@ async function openRoom(): Promise<void> {
 
 beforeEach(async () => {
   frames = [];
+  host = fakeHost();
   globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
   const fake = fakeViewer();
   app = new App(new Store(), {
@@ -160,6 +166,86 @@ describe('links', () => {
     expect(await app.opening.link('#f1.AAAA.00000000')).toBe(false);
     expect(app.store.document.value).toBe(before);
     expect(app.store.messages.value.at(-1)).toMatchObject({ kind: 'error' });
+  });
+});
+
+/** Opens a room of the site: its file comes, the solver answers. */
+async function opened(opening: Promise<unknown>): Promise<void> {
+  for (let i = 0; i < 20; i++) {
+    await turn();
+    solver.flush();
+  }
+  await opening;
+  settle();
+}
+
+describe('rooms of the site', () => {
+  beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
+  afterEach(() => void jest.useRealTimers());
+
+  test('open with what the list asks of them', async () => {
+    app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null));
+    expect(host.asked).toEqual(['catalog.json', 'office.flux']);
+    expect(app.store.roomTitle.value).toBe('Open office');
+    expect(app.store.document.value).toMatchObject({ room: 'office', luminaires: { count: 15 } });
+    expect(solver.last('solve')?.intentions.goals[0]).toMatchObject({ surfaces: ['working plane'] });
+  });
+
+  test('an experiment finds out first what its bounds are shares of', async () => {
+    const bound = { min: { illuminate: 0.5 } };
+    const cards = [{ verb: 'vary', surfaces: ['wall'], mean: bound }];
+    const experiment = { id: 'half', title: 'Half', file: 'box.flux', opening: { cards } };
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }], experiments: [experiment] };
+    await app.rooms.load();
+    await opened(app.opening.entry('half'));
+    const [first, probe, last] = solver.asked.filter(({ type }) => type === 'solve').slice(-3) as Solve[];
+    expect(first?.intentions.constraints).toEqual([]);
+    expect(probe?.intentions.goals).toMatchObject([{ statistic: 'mean', sense: 'max', surfaces: ['wall'] }]);
+    expect(last?.start).toBeNull();
+    const best = app.store.shown.value!.surfaces.find(({ name }) => name === 'wall')!.mean; // of the same layout
+    expect(last?.intentions.constraints).toMatchObject([
+      { statistic: 'mean', min: Number((best / 2).toPrecision(3)) },
+    ]);
+  });
+
+  test('one that is being computed says so, and what is shown stays', async () => {
+    host = fakeHost({ box: { state: 'computing', progress: 0.4 } });
+    const { document } = app.store;
+    const before = document.value;
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    expect(app.store.messages.value.at(-1)?.text).toBe('“Box” is not ready yet: being computed, 40 %.');
+    expect(document.value).toBe(before);
+    expect(host.asked).not.toContain('box.flux');
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
+    await jest.advanceTimersByTimeAsync(3300); // the list is looked at again
+    await opened(app.opening.entry('box'));
+    expect(document.value.room).toBe('box');
+  });
+
+  test("a room of the site's owner opens by a link, too", async () => {
+    host.catalog = { rooms: [{ id: 'attic', title: 'Attic', file: 'My_attic.v2.flux' }] };
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    await app.rooms.load();
+    await opened(app.opening.entry('attic'));
+    const hash = app.keeping.link().split('/').at(-1)!;
+    await opened(app.opening.link(hash));
+    expect(app.store.roomTitle.value).toBe('Attic');
+    expect(app.store.document.value.room).toBe('My_attic.v2');
+    expect(host.asked.filter((name) => name === 'My_attic.v2.flux')).toHaveLength(2);
+  });
+
+  test('without their list one sentence offers to try again', async () => {
+    host.catalog = 'offline';
+    app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null));
+    const message = app.store.messages.value.at(-1)!;
+    expect(message.text).toBe('The list of rooms could not be loaded: no connection.');
+    host = fakeHost();
+    message.action?.run();
+    await opened(Promise.resolve());
+    expect(app.store.roomTitle.value).toBe('Open office');
   });
 });
 

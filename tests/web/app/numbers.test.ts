@@ -22,7 +22,7 @@ import {
   unionOf,
 } from '../../../web/app/state/statistics.ts';
 import { leavesOf } from '../../../web/document/surface-names.ts';
-import { documentFrom } from '../../../web/app/rooms/catalog.ts';
+import { documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import { intentionsOf } from '../../../web/document/intentions.ts';
 import type { Card, Verb } from '../../../web/document/types.ts';
 import { readNumber } from '../../../web/panel/controls/number-field.tsx';

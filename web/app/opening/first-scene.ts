@@ -4,7 +4,10 @@
  */
 import { sceneBytes } from '../../solver/scene-bytes.ts';
 
-export const firstRoom = 'office';
+export const firstRoom = 'office'; // of the sample rooms; on a site without it the first of its list is opened
+
+/** Names that a scene file of a site may have. */
+export const sceneFile = /^[A-Za-z0-9][\w.-]{0,79}\.flux$/;
 
 const key = 'fiatlux.room';
 
@@ -26,7 +29,7 @@ export function likelyRoom(hash: string): string | null {
   if (hash.length > 1) return null;
   try {
     const last = localStorage.getItem(key) ?? firstRoom;
-    return /^[a-z0-9-]{1,40}$/.test(last) ? last : firstRoom;
+    return sceneFile.test(`${last}.flux`) ? last : firstRoom;
   } catch {
     return firstRoom; // no storage
   }

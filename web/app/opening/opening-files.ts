@@ -4,7 +4,7 @@ import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
-import { askedOfUnknown, documentFrom } from '../rooms/catalog.ts';
+import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Placement, Placing } from './placing.ts';
 

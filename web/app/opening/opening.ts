@@ -6,24 +6,35 @@ import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
-import { documentFrom, entryOf, isRoom, rooms, type GalleryEntry } from '../rooms/catalog.ts';
+import type { GalleryEntry } from '../rooms/catalog-file.ts';
+import {
+  askedOfUnknown,
+  documentFrom,
+  hasShares,
+  withoutShares,
+  withSharesFound,
+  type Asked,
+} from '../rooms/opening-wish.ts';
+import { progressText, type Rooms } from '../rooms/rooms.ts';
 import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { forgetLink } from './address.ts';
-import { firstRoom, requestScene } from './first-scene.ts';
+import { requestScene } from './first-scene.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
 
 export class Opening {
   readonly #store: Store;
   readonly #solving: Solving;
+  readonly #rooms: Rooms;
   readonly #placing: Placing;
   readonly #files: FileOpening;
 
-  constructor(store: Store, solving: Solving, viewer: Viewer) {
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
     this.#store = store;
     this.#solving = solving;
-    this.#placing = new Placing(store, solving, viewer);
+    this.#rooms = rooms;
+    this.#placing = new Placing(store, rooms, solving, viewer);
     this.#files = new FileOpening(store, viewer, this.#placing, (project) => this.#openProject(project));
   }
 
@@ -31,10 +42,10 @@ export class Opening {
   async start(hash: string, lastWork: () => Promise<Project | null>): Promise<void> {
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
-    const { loading, scene, preview } = this.#store;
-    if ([loading, scene, preview].some((each) => each.peek() !== null)) return; // a person was faster
-    if (last && isRoom(last.document.room) && (await this.#openProject(last))) return;
-    await this.#openEntry(firstRoom);
+    if (this.#isTaken()) return;
+    if (!(await this.#hasRooms(() => void this.start(hash, async () => last))) || this.#isTaken()) return;
+    if (last && this.#rooms.has(last.document.room) && (await this.#openProject(last))) return;
+    await this.#openFirst();
   }
 
   /** A room or an experiment of the gallery. */
@@ -72,15 +83,38 @@ export class Opening {
   /** Leaves the preview of a .glb: the room that was open is shown again as it was. */
   async endPreview(): Promise<void> {
     const isBack = await this.#placing.restore();
-    if (!isBack && this.#store.scene.peek() === null) await this.#openEntry(firstRoom);
+    if (!isBack && this.#store.scene.peek() === null) await this.#openFirst();
+  }
+
+  /** Whether something is on the screen, or on its way there: a person was faster than what the page wanted to show. */
+  #isTaken(): boolean {
+    const { loading, scene, preview } = this.#store;
+    return [loading, scene, preview].some((each) => each.peek() !== null);
+  }
+
+  /** Waits for the list of rooms; where there is none to be had, one sentence offers to try again. */
+  async #hasRooms(again: () => void): Promise<boolean> {
+    if (this.#rooms.isThere) return true;
+    let isThere = false;
+    await this.#placing.attempt('Looking for the rooms', async () => {
+      isThere = await this.#rooms.load();
+    });
+    const fault = this.#rooms.fault.peek();
+    if (!isThere && fault) this.#store.say('error', fault, { label: 'Try again', run: again });
+    return isThere;
+  }
+
+  async #openFirst(): Promise<void> {
+    const first = this.#rooms.first();
+    if (first) await this.#openEntry(first.id);
   }
 
   #openEntry(id: string): Promise<boolean> {
     return this.#placing.attempt('Opening the room', async (isCurrent) => {
-      const entry = entryOf(id);
+      const entry = this.#rooms.entryOf(id);
       if (!entry) throw new Error(`there is no room "${cleanName(id)}"`);
       await this.#place(entry.room, entry.title, isCurrent, (scene) => ({
-        document: documentFrom(entry.asked, scene.identity, entry.room),
+        document: documentFrom(askedOf(entry, scene), scene.identity, entry.room),
       }));
       const scene = this.#store.scene.peek();
       if (!isCurrent() || !scene) return;
@@ -90,29 +124,31 @@ export class Opening {
   }
 
   /** An experiment's bounds are shares of what can be had in this room: find that out first. */
-  async #settleBounds(entry: GalleryEntry, scene: SceneInfo): Promise<void> {
-    if (!entry.relative) return;
-    const cards = await entry.relative(async (verb, surfaces) => {
+  async #settleBounds({ opening, room }: GalleryEntry, scene: SceneInfo): Promise<void> {
+    if (!opening || !hasShares(opening)) return;
+    const asked = await withSharesFound(opening, async (verb, surfaces) => {
       const wish = [{ id: 'best', surfaces, verb, weight: 1 }];
-      const probe = documentFrom({ ...entry.asked, cards: wish }, scene.identity, entry.room);
+      const probe = documentFrom({ ...opening, cards: wish }, scene.identity, room);
       const { goals } = await this.#solving.probe(intentionsOf(probe).intentions);
       return goals[0]?.value ?? 0;
     });
-    this.#store.reset(documentFrom({ ...entry.asked, cards }, scene.identity, entry.room));
-    this.#store.card.value = cards[0]?.id ?? null;
+    this.#store.reset(documentFrom(asked, scene.identity, room));
+    this.#store.card.value = asked.cards[0]?.id ?? null;
   }
 
   /** Shows a link; where the room is another version of the one it names, only when `exact` is not insisted on. */
   async #openLink(link: Link, exact: boolean): Promise<boolean> {
-    if (!isRoom(link.room)) {
-      this.#store.pendingLink.value = link;
+    const hasRooms = await this.#hasRooms(() => void this.#openLink(link, exact));
+    if (!this.#rooms.has(link.room)) this.#store.pendingLink.value = link;
+    if (!hasRooms) return false;
+    if (!this.#rooms.has(link.room)) {
       this.#store.say(
         'warning',
         `This link is about “${link.room}”, a file that is not part of this site. Open that .flux file here and the layout appears.`,
       );
       return false;
     }
-    const title = titleOf(link.room);
+    const title = this.#rooms.titleOf(link.room);
     return this.#placing.attempt('Opening the link', (isCurrent) =>
       this.#place(link.room, title, isCurrent, (scene) => {
         const same = scene.identity === link.scene;
@@ -130,7 +166,7 @@ export class Opening {
   #offerOther(link: Link): void {
     this.#store.say(
       'warning',
-      `This link was made for another version of “${titleOf(link.room)}”. In the present one the light will differ.`,
+      `This link was made for another version of “${this.#rooms.titleOf(link.room)}”. In the present one the light will differ.`,
       { label: 'Show it anyway', run: () => void this.#openLink(link, false) },
     );
   }
@@ -138,11 +174,11 @@ export class Opening {
   #openProject(project: Project): Promise<boolean> {
     return this.#placing.attempt('Opening the project', async (isCurrent) => {
       const { document } = project;
-      if (!isRoom(document.room))
+      if (!this.#rooms.has(document.room))
         throw new Error(
           `this project is about “${document.room}”, which is not part of this site; open its .flux file first`,
         );
-      await this.#place(document.room, titleOf(document.room), isCurrent, (scene) => {
+      await this.#place(document.room, this.#rooms.titleOf(document.room), isCurrent, (scene) => {
         if (scene.identity !== document.scene)
           throw new Error('the room has changed since this project was saved; its places no longer fit');
         return { document, view: project };
@@ -158,10 +194,14 @@ export class Opening {
     isCurrent: () => boolean,
     make: (scene: SceneInfo) => Placement,
   ): Promise<void> {
+    const entry = this.#rooms.roomOf(room);
+    const waiting = entry && progressText(entry);
+    if (waiting) throw new Error(`“${title}” is not ready yet: ${waiting}`);
     await this.#placing.place(await requestScene(room), title, isCurrent, make);
   }
 }
 
-function titleOf(room: string): string {
-  return rooms.find((entry) => entry.room === room)?.title ?? room;
+/** What an entry asks at first, as far as that is known before anything is searched. */
+function askedOf({ opening }: GalleryEntry, { surfaces, sites }: SceneInfo): Asked {
+  return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length);
 }

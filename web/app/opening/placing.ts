@@ -3,7 +3,7 @@ import { batch } from '@preact/signals';
 import type { Link } from '../../document/share-link.ts';
 import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
-import { isRoom } from '../rooms/catalog.ts';
+import type { Rooms } from '../rooms/rooms.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import { firstDisplay, type Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
@@ -23,13 +23,15 @@ export interface Placement {
 
 export class Placing {
   readonly #store: Store;
+  readonly #rooms: Rooms;
   readonly #solving: Solving;
   readonly #viewer: Viewer;
   #turn = 0; // the latest wish to open something wins
   #placed: Placed | null = null;
 
-  constructor(store: Store, solving: Solving, viewer: Viewer) {
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
     this.#store = store;
+    this.#rooms = rooms;
     this.#solving = solving;
     this.#viewer = viewer;
   }
@@ -94,7 +96,7 @@ export class Placing {
   /** The app's whole state in one step; the new document then asks the solver by itself. */
   #show(scene: SceneInfo, title: string, { document, view }: Placement): void {
     const store = this.#store;
-    if (isRoom(document.room)) rememberRoom(document.room);
+    if (this.#rooms.has(document.room)) rememberRoom(document.room);
     batch(() => {
       store.scene.value = scene;
       store.roomTitle.value = title;

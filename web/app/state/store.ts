@@ -10,8 +10,7 @@ import type { LayoutCheck } from '../words/layout-check.ts';
 import type { Link } from '../../document/share-link.ts';
 import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { AlphaStep, Shown } from '../../solver/protocol.ts';
-import { documentFrom, rooms } from '../rooms/catalog.ts';
-import { firstRoom } from '../opening/first-scene.ts';
+import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
   readonly id: number;
@@ -74,12 +73,24 @@ export const firstDisplay: Display = {
   measuringPlanes: false,
 };
 
+/** Before there is a room: nothing is asked. */
+const blank: FiatLuxDocument = {
+  scene: '',
+  room: '',
+  cards: [],
+  saving: false,
+  luminaires: usualLuminaires,
+  quantity: 'illuminance',
+  seed: 1,
+  layout: null,
+};
+
 export class Store {
-  readonly history = signal<History>(startHistory(firstDocument()));
+  readonly history = signal<History>(startHistory(blank));
   readonly document = computed(() => this.history.value.document);
   readonly traced = computed(() => intentionsOf(this.document.value)); // anew with every change of the document
   readonly scene = signal<SceneInfo | null>(null);
-  readonly roomTitle = signal(firstEntry().title);
+  readonly roomTitle = signal('');
   readonly shown = signal<Shown | null>(null); // at most once a frame
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
@@ -167,15 +178,4 @@ export class Store {
     this.#answering = answering;
     this.history.value = history;
   }
-}
-
-function firstEntry() {
-  const first = rooms.find((room) => room.id === firstRoom) ?? rooms[0];
-  if (!first) throw new Error('the catalogue is empty');
-  return first;
-}
-
-function firstDocument(): FiatLuxDocument {
-  const { asked, room } = firstEntry();
-  return documentFrom(asked, '', room);
 }

@@ -2,7 +2,8 @@
 import { FolderOpen, Lightbulb } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { experiments, rooms, type GalleryEntry } from '../../app/rooms/catalog.ts';
+import type { GalleryEntry } from '../../app/rooms/catalog-file.ts';
+import { progressText } from '../../app/rooms/rooms.ts';
 import { Dialog } from './dialog.tsx';
 import { RoomPicture } from '../room-picture.tsx';
 
@@ -12,20 +13,18 @@ export function GalleryDialog({ close }: { close: () => void }) {
     close();
     void app.opening.entry(id);
   };
+  const { rooms, experiments } = app.rooms.catalog.value;
   return (
     <Dialog title="Rooms" class="wide" close={close}>
+      <Fault />
       <ul class="room-grid">
         {rooms.map((entry) => (
           <li key={entry.id}>
-            <button
-              class="room-card"
-              autoFocus={entry.room === app.store.document.value.room}
-              onClick={() => open(entry.id)}
-            >
-              <Thumbnail entry={entry} />
-              <strong>{entry.title}</strong>
-              <span>{entry.description}</span>
-            </button>
+            <RoomCard
+              entry={entry}
+              isOpen={entry.room === app.store.document.value.room}
+              open={() => open(entry.id)}
+            />
           </li>
         ))}
         <li>
@@ -44,19 +43,48 @@ export function GalleryDialog({ close }: { close: () => void }) {
           </button>
         </li>
       </ul>
-      <h3>Experiments of the paper, on the E corridor</h3>
+      {experiments.length > 0 && <h3>Experiments of the paper, on the E corridor</h3>}
       <ul class="room-grid small">
         {experiments.map((entry) => (
           <li key={entry.id}>
-            <button class="room-card" onClick={() => open(entry.id)}>
-              <Thumbnail entry={entry} />
-              <strong>{entry.title}</strong>
-              <span>{entry.description}</span>
-            </button>
+            <RoomCard entry={entry} isOpen={false} open={() => open(entry.id)} />
           </li>
         ))}
       </ul>
     </Dialog>
+  );
+}
+
+interface RoomCardProps {
+  readonly entry: GalleryEntry;
+  readonly isOpen: boolean;
+  readonly open: () => void;
+}
+
+/** One that is not ready says how far it is, here and when it is opened. */
+function RoomCard({ entry, isOpen, open }: RoomCardProps) {
+  const waiting = progressText(entry);
+  return (
+    <button class={waiting ? 'room-card waiting' : 'room-card'} autoFocus={isOpen} onClick={open}>
+      <Thumbnail entry={entry} />
+      <strong>{entry.title}</strong>
+      <span>{waiting ?? entry.description}</span>
+    </button>
+  );
+}
+
+/** Why there are no rooms to choose from, and another try. */
+function Fault() {
+  const { rooms } = useApp();
+  const fault = rooms.fault.value;
+  if (!fault) return null;
+  return (
+    <p class="row fault" role="alert">
+      <span class="grow">{fault}</span>
+      <button class="button small" onClick={() => void rooms.load()}>
+        Try again
+      </button>
+    </p>
   );
 }
 

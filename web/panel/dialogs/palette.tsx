@@ -1,7 +1,7 @@
 /** Every action by name (ARIA combobox with a list): type, arrows, Enter. */
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { actions, isEnabled, type Action } from '../../app/actions.ts';
+import { actions, isEnabled, placesOf, type Action } from '../../app/actions.ts';
 import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
 
@@ -19,7 +19,7 @@ export function Palette({ close }: { close: () => void }) {
   const [query, setQuery] = useState('');
   const [at, setAt] = useState(0);
   const list = useRef<HTMLUListElement>(null);
-  const found = matching(actions, query).filter((action) => isEnabled(action, app));
+  const found = matching([...actions, ...placesOf(app)], query).filter((action) => isEnabled(action, app));
   const active = found[Math.min(at, found.length - 1)];
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });

@@ -4,7 +4,6 @@ import { useMemo, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { exportFormats } from '../../app/exports/formats.ts';
 import { saveAs } from '../../app/exports/save-as.ts';
-import { isRoom } from '../../app/rooms/catalog.ts';
 import { Dialog } from './dialog.tsx';
 
 export function ShareDialog({ close }: { close: () => void }) {
@@ -18,7 +17,7 @@ export function ShareDialog({ close }: { close: () => void }) {
       return [null, error instanceof Error ? error.message : String(error)];
     }
   }, []);
-  const isOwn = !isRoom(store.document.value.room);
+  const isOwn = !app.rooms.has(store.document.value.room);
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(link ?? '');

@@ -48,7 +48,7 @@ export function IntentionsTab() {
           opposite directions: only the difference of their weights counts.
         </p>
       ))}
-      {cards.length === 0 && (
+      {cards.length === 0 && store.scene.value && (
         <p class="empty">
           Nothing is asked yet. Pick a surface in the room and say what the light should do there.
         </p>
