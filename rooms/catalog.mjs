@@ -1,36 +1,142 @@
-// The sample rooms: what the gallery says about them and how fine the precompute cuts them.
+// The one list of rooms: what the gallery says about them, how fine the precompute cuts them, and what is asked of them
+// at first. rooms/make.mjs writes it as scenes/catalog.json, which the page reads.
 // precompute: command-line options for `fiatlux precompute`.
+// opening: cards as in a project file, the luminaires, and what differs from { saving: false, quantity: 'illuminance',
+//   seed: 1 }. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
+//   { illuminate: 0.5 } is half of the largest mean there is.
+
+const pictures = Array.from({ length: 12 }, (_, i) => `picture ${i + 1}`);
 
 export const catalog = [
   {
-    id: 'e-corridor',
-    title: 'E corridor',
-    description: 'A corridor with three arms and one yellow wall to light evenly.',
-    precompute: ['--patch', '0.1875', '--cluster', '4'],
-  },
-  {
     id: 'office',
     title: 'Open office',
-    description: 'Twelve desks under a tiled ceiling, with a working plane at 0.75 m.',
+    description: 'Twelve desks under a tiled ceiling; a working plane at 0.75 m, lit evenly.',
     // note: after two steps the means of cabinets far from the only lamp are still 0.6 % off
     precompute: ['--patch', '0.2', '--cluster', '4', '--refine', '3'],
+    opening: {
+      cards: [
+        { verb: 'homogenize', surfaces: ['working plane'], mean: { min: 500, max: 650 } },
+        { verb: 'keep', surfaces: ['whiteboard'], mean: { min: 200, max: 500 } },
+      ],
+      luminaires: { count: 15, flux: 4000, minDistance: 1.8 },
+    },
+  },
+  {
+    id: 'e-corridor',
+    title: 'E corridor',
+    description: 'The room of the paper: a corridor with three arms and one yellow wall.',
+    precompute: ['--patch', '0.1875', '--cluster', '4'],
+    opening: {
+      cards: [{ verb: 'homogenize', surfaces: ['yellow wall'], mean: { min: 30, max: 35 } }],
+      luminaires: { count: 6, flux: 3000 },
+    },
   },
   {
     id: 'classroom',
     title: 'Classroom',
     description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
     precompute: ['--patch', '0.16', '--cluster', '4'],
+    opening: {
+      cards: [
+        { verb: 'homogenize', surfaces: ['working plane'], mean: { min: 500, max: 650 } },
+        { verb: 'keep', surfaces: ['whiteboard'], mean: { min: 300 } },
+      ],
+      luminaires: { count: 12, flux: 3500, minDistance: 1.5 },
+    },
   },
   {
     id: 'gallery',
     title: 'Gallery',
     description: 'Pictures on the walls, a free-standing wall and sculptures on plinths.',
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.5'],
+    opening: {
+      cards: [
+        { verb: 'homogenize', surfaces: pictures, mean: { min: 150, max: 200 } },
+        { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
+      ],
+      luminaires: { count: 14, flux: 2200 },
+    },
   },
   {
     id: 'box',
     title: 'Box',
     description: 'Two blocks between a red and a green wall, for a first look.',
     precompute: ['--patch', '0.1', '--cluster', '4'],
+    opening: {
+      cards: [{ verb: 'homogenize', surfaces: ['floor'], mean: { min: 200, max: 350 } }],
+      luminaires: { count: 4, flux: 5000 },
+    },
   },
+];
+
+const all = ['all'];
+const wall = ['yellow wall'];
+// The paper's bounds on the yellow wall as shares of the mean that its "illuminate" reaches (0.420).
+const paperRange = { min: { illuminate: 0.3 / 0.42 }, max: { illuminate: 0.35 / 0.42 } };
+// The paper's floor (0.1 / 0.42) cannot be met on this wall, where light falls off faster than on the paper's; this can.
+const guarded = (alpha) => ({ by: 'chebyshev', alpha, min: { illuminate: 0.05 } });
+
+const experiment = (id, title, description, card) => ({
+  id,
+  room: 'e-corridor',
+  title,
+  description,
+  opening: { cards: [card], luminaires: { count: 6, flux: 3000 }, quantity: 'exitance' },
+});
+
+/** The experiments of the paper (section 5) on its E corridor. */
+export const experiments = [
+  experiment('5.1-even', '5.1 Most even', 'Least spread over the whole room, six luminaires.', {
+    verb: 'homogenize',
+    surfaces: all,
+  }),
+  // Least spread of the whole room above a step of the ladder between the least and the largest there is.
+  ...[0.25, 0.5, 0.75].map((step) =>
+    experiment(
+      `5.1-ladder-${100 * step}`,
+      `5.1 Spread at least ${100 * step} %`,
+      'A step between the most even and the most varied light.',
+      { verb: 'homogenize', surfaces: all, spread: { min: { homogenize: 1 - step, vary: step } } },
+    ),
+  ),
+  experiment('5.1-varied', '5.1 Most varied', 'Largest spread over the whole room: they huddle together.', {
+    verb: 'vary',
+    surfaces: all,
+  }),
+  experiment(
+    '5.2-illuminate',
+    '5.2 Illuminate',
+    'As much light on the yellow wall as six luminaires can give.',
+    { verb: 'illuminate', surfaces: wall },
+  ),
+  experiment('5.2-overshadow', '5.2 Overshadow', 'As little light on the yellow wall as can be.', {
+    verb: 'overshadow',
+    surfaces: wall,
+  }),
+  experiment(
+    '5.2-homogenize',
+    '5.2 Homogenize',
+    'Least spread on the yellow wall, its mean held in a range.',
+    { verb: 'homogenize', surfaces: wall, mean: paperRange },
+  ),
+  experiment('5.2-vary', '5.2 Vary', 'Largest spread on the yellow wall, its mean held in the same range.', {
+    verb: 'vary',
+    surfaces: wall,
+    mean: paperRange,
+  }),
+  ...[0.5, 0.75, 1].map((alpha) =>
+    experiment(
+      `5.3-alpha-${alpha}`,
+      `5.3 Guarantee, α = ${alpha}`,
+      `Least light on the yellow wall with μ − ${alpha === 1 ? '' : alpha}σ above a bound.`,
+      { verb: 'overshadow', surfaces: wall, guarantee: guarded(alpha) },
+    ),
+  ),
+  experiment(
+    '5.4-find-alpha',
+    '5.4 Find alpha',
+    'The smallest alpha that keeps every patch of the wall above the bound: press “Find alpha”.',
+    { verb: 'overshadow', surfaces: wall, guarantee: guarded(1) },
+  ),
 ];

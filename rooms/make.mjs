@@ -1,9 +1,10 @@
-// Writes the sample rooms as binary glTF: node rooms/make.mjs [--folder FOLDER] [id ...]
+// Writes the sample rooms as binary glTF and the list of them: node rooms/make.mjs [--folder FOLDER] [id ...]
 // Without ids all of them, without a folder into public/scenes.
 import { mkdir, rename, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { writeCatalog } from './catalog-file.mjs';
 import { catalog } from './catalog.mjs';
 import { makeRoom } from './index.mjs';
 
@@ -28,6 +29,7 @@ function wishes() {
 
 const { folder, ids } = wishes();
 await mkdir(folder, { recursive: true });
+await writeCatalog(folder);
 for (const id of ids) {
   const bytes = await makeRoom(id).bytes();
   const file = path.join(folder, `${id}.glb`);

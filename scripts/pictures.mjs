@@ -1,15 +1,13 @@
 // The pictures of the documentation and of the gallery, taken from the built site in Debian's Chromium:
 // docs/screenshot.jpg (the first screen), public/thumbnails/{light,dark}/<id>.jpg, docs/experiments/<id>.jpg.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { preview, transformWithOxc } from 'vite';
+import { preview } from 'vite';
+import { catalog, experiments } from '../rooms/catalog.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..');
-const catalog = path.join(root, 'web/app/catalog.ts');
-const { code } = await transformWithOxc(readFileSync(catalog, 'utf8'), catalog);
-const { experiments, rooms } = await import(`data:text/javascript,${encodeURIComponent(code)}`);
 
 const patience = 120_000; // ms, for rooms to load and searches to settle on a busy machine
 
@@ -116,7 +114,7 @@ try {
       await jpeg(page, `public/thumbnails/${colorScheme}/${id}.jpg`, width, height, largest);
     }
   };
-  for (const { id, title } of rooms.filter((entry) => wanted(entry.id))) {
+  for (const { id, title } of catalog.filter((entry) => wanted(entry.id))) {
     await openEntry(page, title);
     await inBothSchemes(id, 480, 300, 30_000);
   }

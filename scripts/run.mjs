@@ -1,5 +1,5 @@
-// The one script behind `npm start`, `npm test`, `npm run build`, `npm run bench`, `npm run pictures`, `npm run fuzz` and
-// `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
+// The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run pictures`,
+// `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -134,8 +134,9 @@ async function sampleRooms() {
     .sort()
     .map((name) => readFileSync(path.join(root, 'rooms', name)));
   const { catalog } = await import('../rooms/catalog.mjs');
-  const glbs = catalog.map((room) => path.join(scenes, `${room.id}.glb`));
-  once('rooms', hashOf(...generators), glbs, () => {
+  const made = [...catalog.map((room) => `${room.id}.glb`), 'catalog.json'];
+  const files = made.map((name) => path.join(scenes, name));
+  once('rooms', hashOf(...generators), files, () => {
     say('Making the sample rooms');
     run('node', ['rooms/make.mjs']);
   });
@@ -196,7 +197,7 @@ const commands = {
     cmake('native');
     cmake('wasm');
     const totals = { passed: 0, failed: 0 };
-    for (const suite of ['native', 'wasm', 'jest', 'browser']) {
+    for (const suite of ['lint', 'native', 'wasm', 'jest', 'browser']) {
       const { passed, failed } = testSuites[suite]();
       totals.passed += passed;
       totals.failed += failed;
@@ -204,6 +205,11 @@ const commands = {
     }
     process.stdout.write(`${totals.passed} passed, ${totals.failed} failed\n`);
     if (totals.failed > 0 || totals.passed === 0) process.exit(1);
+  },
+
+  lint() {
+    npmPackages();
+    if (testSuites.lint().failed > 0) process.exit(1);
   },
 
   async bench() {
@@ -245,6 +251,19 @@ const commands = {
 
 /** Each suite shows its own output and returns what it counted. */
 const testSuites = {
+  /** One test a tool: it has nothing to say, or it shows what. */
+  lint() {
+    say('oxlint, tsc, prettier');
+    const tools = [
+      ['oxlint', '--deny-warnings', 'web', 'rooms', 'scripts', 'tests'],
+      ['tsc', '--noEmit'],
+      ['prettier', '--check', '--log-level', 'warn', '.'],
+    ];
+    const clean = (tool) => spawnSync('npx', tool, { cwd: root, stdio: 'inherit' }).status === 0;
+    const passed = tools.filter(clean).length;
+    return { passed, failed: tools.length - passed };
+  },
+
   native: () => ctest('build/native'),
   wasm: () => ctest('build/wasm'),
 

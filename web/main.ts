@@ -1,6 +1,6 @@
 /**
- * The first script, as small as can be: starts the solver and has it fetch and open the scene, while the app itself is on
- * its way and then busy with starting.
+ * The first script, as small as can be: starts the solver, has it fetch and open the scene, and asks for the list of
+ * rooms, while the app itself is on its way and then busy with starting.
  */
 import './styles/base.css';
 import './styles/controls.css';
@@ -12,10 +12,12 @@ import './styles/tables.css';
 import './styles/overlays.css';
 import './styles/dialogs.css';
 import './viewer/viewer.css';
-import { expectScene, likelyRoom, sceneAddress } from './app/first-scene.ts';
-import { startWorkerEarly } from './solver/solver-worker.ts';
+import { expectScene, likelyRoom, sceneAddress } from './app/opening/first-scene.ts';
+import { expectCatalog } from './app/rooms/catalog-request.ts';
+import { startWorkerEarly } from './solver/start-worker.ts';
 
 const room = likelyRoom(location.hash);
 const ahead = startWorkerEarly(room && sceneAddress(room));
 if (room && ahead) expectScene(room, ahead);
+expectCatalog();
 void import('./start.tsx');

@@ -1,10 +1,10 @@
 /** The page: the tree of components, nothing else. */
 import { render } from 'preact';
-import { createStore } from './app/store.ts';
+import { Store } from './app/state/store.ts';
 import { Shell } from './panel/shell.tsx';
-import { createSolverWorker } from './solver/solver-worker.ts';
+import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
 
 const root = document.getElementById('app');
 if (root)
-  render(<Shell store={createStore()} createViewer={createViewer} createWorker={createSolverWorker} />, root);
+  render(<Shell store={new Store()} createViewer={createViewer} createWorker={createSolverWorker} />, root);

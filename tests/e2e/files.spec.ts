@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { mapColor } from '../../web/viewer/color-maps.ts';
+import { mapColor } from '../../web/viewer/light/color-maps.ts';
 import { difference, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
 
 const scenes = path.join(import.meta.dirname, '../../public/scenes');

@@ -151,6 +151,41 @@ test('without a connection what is shown stays and works; another click opens th
   await settled(page);
 });
 
+test('without the list of rooms another try is offered; a room that is being computed says so', async ({
+  page,
+  watched,
+}) => {
+  let list: object | null = null;
+  await page.route('**/scenes/catalog.json', (route) =>
+    list ? route.fulfill({ json: list }) : route.fulfill({ status: 404 }),
+  );
+  await page.goto('./');
+  const alert = page.getByRole('alert').filter({ hasText: /list of rooms could not be loaded/ });
+  await expect(alert).toBeVisible();
+  expect(watched.faults.splice(0).join()).toContain('404');
+
+  const room = (id: string, more: object = {}) => ({ id, title: id, file: `${id}.flux`, ...more });
+  list = { rooms: [room('office', { state: 'computing', progress: 0.4 }), room('box')] };
+  await alert.getByRole('button', { name: 'Try again' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('box'); // the first one that is ready
+  await settled(page);
+  const choose = async () => {
+    await page.keyboard.press('g');
+    return page.getByRole('dialog', { name: 'Rooms' }).getByRole('button', { name: /^office/ });
+  };
+  await expect(await choose()).toContainText('being computed, 40 %');
+  await (await choose()).click();
+  await expect(
+    page.getByRole('alert').filter({ hasText: /not ready yet: being computed, 40 %/ }),
+  ).toBeVisible();
+
+  list = { rooms: [room('office'), room('box')] };
+  await expect(await choose()).not.toContainText('being computed');
+  await (await choose()).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('office');
+  await settled(page);
+});
+
 test('a full disk is told once, and the work goes on', async ({ page }) => {
   await page.addInitScript(() => {
     const full = () => {

@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { NodeIO } from '@gltf-transform/core';
 import { PNG } from 'pngjs';
+import { catalogFile } from '../../rooms/catalog-file.mjs';
 import { catalog } from '../../rooms/catalog.mjs';
 import { cellCounts } from '../../rooms/e-corridor.mjs';
 import { dot, subtract } from '../../rooms/shape.mjs';
@@ -71,7 +72,7 @@ function siteCount(mount) {
 }
 
 test('the catalogue names every room once, with words for people and options for the command', () => {
-  expect(ids).toEqual(['e-corridor', 'office', 'classroom', 'gallery', 'box']);
+  expect(ids).toEqual(['office', 'e-corridor', 'classroom', 'gallery', 'box']);
   for (const { title, description, precompute } of catalog) {
     expect(title).toMatch(/^[A-Z]/);
     expect(description).toMatch(/\.$/);
@@ -81,6 +82,13 @@ test('the catalogue names every room once, with words for people and options for
       expect(Number(precompute[i + 1])).toBeGreaterThan(0);
     }
   }
+});
+
+test('the list that the page reads is written beside the rooms', () => {
+  const list = JSON.parse(readFileSync(path.join(folders[0], 'catalog.json'), 'utf8'));
+  expect(list).toEqual(JSON.parse(JSON.stringify(catalogFile())));
+  expect(list.rooms.map(({ file }) => file)).toEqual(ids.map((id) => `${id}.flux`));
+  expect(readdirSync(folders[0]).filter((name) => name.endsWith('.tmp'))).toEqual([]);
 });
 
 describe.each(ids)('%s', (id) => {

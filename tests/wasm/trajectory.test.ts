@@ -3,7 +3,7 @@ import path from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import type { Session } from '../../web/solver/core.ts';
-import type { Intentions } from '../../web/solver/protocol.ts';
+import type { Intentions } from '../../web/document/types.ts';
 import { bytesOf, loadBuiltCore, openFile, root, runTool, syntheticFile } from './solver-module.ts';
 
 const core = await loadBuiltCore();

@@ -1,7 +1,7 @@
 // A worker that answers the protocol without a core: a square room of one floor and one wall, light that falls off
 // with distance, layouts that are the first free sites. Answers come when `flush` is called, so that tests decide when.
-import type { Intentions, FromWorker, SceneInfo, Shown, ToWorker } from '../../web/solver/protocol.ts';
-import type { Layout } from '../../web/document/types.ts';
+import type { FromWorker, Shown, ToWorker } from '../../web/solver/protocol.ts';
+import type { Intentions, Layout, SceneInfo } from '../../web/document/types.ts';
 import type { WorkerLike } from '../../web/solver/solver-client.ts';
 
 const side = 4; // sites and patches along an edge, 1 m apart

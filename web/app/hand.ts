@@ -1,31 +1,29 @@
 /** Luminaires under the hand: dragging one pins it where it is dropped and the others compensate while it moves. */
 import { siteCount } from '../document/sites.ts';
 import type { Layout } from '../document/types.ts';
-import { nextFreeSite, takenSites } from '../viewer/site-snapping.ts';
+import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
-import type { Store } from './store.ts';
+import type { Store } from './state/store.ts';
 
-export interface Hand {
+const tag = (luminaire: number) => `L${luminaire + 1}`;
+
+export class Hand {
+  readonly #store: Store;
+  readonly #solving: Solving;
+
+  constructor(store: Store, solving: Solving) {
+    this.#store = store;
+    this.#solving = solving;
+  }
+
   /** Moves luminaire i to a site and pins it there. `dragging`: more of the same movement may follow. */
-  moveTo(luminaire: number, site: number, dragging: boolean): void;
-  /** One step along the mount, for the keyboard; `direction` in the room's axes. */
-  step(luminaire: number, direction: readonly [number, number, number]): void;
-  togglePin(luminaire: number): void;
-  unpinAll(): void;
-  exclude(site: number): void;
-  includeAll(): void;
-}
-
-export function createHand(store: Store, solving: Solving): Hand {
-  const layoutNow = (): Layout | null => solving.layout() ?? store.shown.peek()?.layout ?? null;
-  const tag = (luminaire: number) => `L${luminaire + 1}`;
-
-  function moveTo(luminaire: number, site: number, dragging: boolean): void {
-    const layout = layoutNow();
+  moveTo(luminaire: number, site: number, dragging: boolean): void {
+    const layout = this.#layout();
     const from = layout?.sites[luminaire];
     if (!layout || from === undefined || layout.sites.some((other, i) => other === site && i !== luminaire))
       return;
-    const changed = store.edit(
+    const sites = layout.sites.map((other, i) => (i === luminaire ? site : other));
+    this.#store.edit(
       `Move ${tag(luminaire)}`,
       (draft) => {
         const { pinned, excluded } = draft.luminaires;
@@ -35,59 +33,61 @@ export function createHand(store: Store, solving: Solving): Hand {
         draft.luminaires.excluded = excluded.filter((other) => other !== site);
       },
       `move-${luminaire}`,
+      { by: 'search', from: { ...layout, sites } },
     );
-    if (changed || from !== site) {
-      const sites = layout.sites.map((other, i) => (i === luminaire ? site : other));
-      solving.solveFrom({ ...layout, sites });
-    }
-    if (!dragging) {
-      store.endGesture();
-      store.announcement.value = `${tag(luminaire)} is pinned; the others compensate.`;
-    }
+    if (dragging) return;
+    this.#store.endGesture();
+    this.#store.announcement.value = `${tag(luminaire)} is pinned; the others compensate.`;
   }
 
-  return {
-    moveTo,
-    step(luminaire, direction) {
-      const scene = store.scene.peek();
-      const layout = layoutNow();
-      const from = layout?.sites[luminaire];
-      if (!scene || !layout || from === undefined) return;
-      const taken = takenSites(layout.sites, luminaire, store.document.peek().luminaires.excluded);
-      const site = nextFreeSite(scene.sites.position, taken, from, direction);
-      if (site !== null) moveTo(luminaire, site, false);
-      else store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
-    },
-    togglePin(luminaire) {
-      const site = layoutNow()?.sites[luminaire];
-      if (site === undefined) return;
-      const isPinned = store.document.peek().luminaires.pinned.includes(site);
-      store.edit(isPinned ? `Unpin ${tag(luminaire)}` : `Pin ${tag(luminaire)}`, (draft) => {
-        const { luminaires } = draft;
-        luminaires.pinned = isPinned
-          ? luminaires.pinned.filter((other) => other !== site)
-          : [...luminaires.pinned, site];
-      });
-      solving.solve();
-    },
-    unpinAll() {
-      if (store.edit('Unpin all', (draft) => void (draft.luminaires.pinned = []))) solving.solve();
-    },
-    exclude(site) {
-      const scene = store.scene.peek();
-      const { count, excluded } = store.document.peek().luminaires;
-      if (!scene || excluded.length + count >= siteCount(scene.sites)) {
-        store.say('warning', 'No more places can be left free: the luminaires need the rest.');
-        return;
-      }
-      const changed = store.edit('Keep a place free', ({ luminaires }) => {
-        luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
-        if (!luminaires.excluded.includes(site)) luminaires.excluded.push(site);
-      });
-      if (changed) solving.solve();
-    },
-    includeAll() {
-      if (store.edit('Allow every place', (draft) => void (draft.luminaires.excluded = []))) solving.solve();
-    },
-  };
+  /** One step along the mount, for the keyboard; `direction` in the room's axes. */
+  step(luminaire: number, direction: readonly [number, number, number]): void {
+    const scene = this.#store.scene.peek();
+    const layout = this.#layout();
+    const from = layout?.sites[luminaire];
+    if (!scene || !layout || from === undefined) return;
+    const { excluded } = this.#store.document.peek().luminaires;
+    const taken = takenSites(layout.sites, luminaire, excluded);
+    const site = nextFreeSite(scene.sites.position, taken, from, direction);
+    if (site !== null) this.moveTo(luminaire, site, false);
+    else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
+  }
+
+  togglePin(luminaire: number): void {
+    const site = this.#layout()?.sites[luminaire];
+    if (site === undefined) return;
+    const isPinned = this.#store.document.peek().luminaires.pinned.includes(site);
+    this.#store.edit(isPinned ? `Unpin ${tag(luminaire)}` : `Pin ${tag(luminaire)}`, (draft) => {
+      const { luminaires } = draft;
+      luminaires.pinned = isPinned
+        ? luminaires.pinned.filter((other) => other !== site)
+        : [...luminaires.pinned, site];
+    });
+  }
+
+  unpinAll(): void {
+    this.#store.edit('Unpin all', (draft) => void (draft.luminaires.pinned = []));
+  }
+
+  /** Keeps a site free of luminaires. */
+  exclude(site: number): void {
+    const scene = this.#store.scene.peek();
+    const { count, excluded } = this.#store.document.peek().luminaires;
+    if (!scene || excluded.length + count >= siteCount(scene.sites)) {
+      this.#store.say('warning', 'No more places can be left free: the luminaires need the rest.');
+      return;
+    }
+    this.#store.edit('Keep a place free', ({ luminaires }) => {
+      luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
+      if (!luminaires.excluded.includes(site)) luminaires.excluded.push(site);
+    });
+  }
+
+  includeAll(): void {
+    this.#store.edit('Allow every place', (draft) => void (draft.luminaires.excluded = []));
+  }
+
+  #layout(): Layout | null {
+    return this.#solving.layout() ?? this.#store.shown.peek()?.layout ?? null;
+  }
 }

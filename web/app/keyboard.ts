@@ -1,5 +1,6 @@
 /** Keys of the registry, wherever the focus is, except where a person is typing. */
-import type { Action } from './actions.ts';
+import { isEnabled, type Action } from './actions.ts';
+import type { App } from './app.ts';
 
 /** "Mod+Shift+Z" of an event; letters by what is on the key, so that other keyboard layouts work. */
 export function keyOf(
@@ -29,7 +30,7 @@ const isControl = (target: EventTarget | null, key: string) =>
     target.closest('button, a, summary, [role="option"], [role="tab"], input') !== null) ||
     (/^[0-9]$/.test(key) && target instanceof HTMLInputElement));
 
-export function listenToKeys(actions: readonly Action[], isBlocked: () => boolean): () => void {
+export function listenToKeys(app: App, actions: readonly Action[], isBlocked: () => boolean): () => void {
   const byKey = new Map(
     actions.flatMap((action) => (action.keys ?? []).map((key) => [key, action] as const)),
   );
@@ -42,7 +43,7 @@ export function listenToKeys(actions: readonly Action[], isBlocked: () => boolea
     // note: while typing, Ctrl+Z undoes the typing.
     if (isTyping(event.target) && /^Mod\+(Shift\+)?[ZY]$/.test(key)) return;
     event.preventDefault();
-    if (action.enabled?.() ?? true) action.run();
+    if (isEnabled(action, app)) action.run(app);
   };
   window.addEventListener('keydown', listen);
   return () => window.removeEventListener('keydown', listen);

@@ -1,282 +1,288 @@
 /**
- * Between the store, the worker and the view: each edit asks the solver at once, each answer lights the room at once.
- * The numbers of the panel follow once a frame; the picture never waits for them.
+ * Between the store and the worker: each wish asks the solver at once, each answer goes to what is shown. The numbers of
+ * the panel follow once a frame; the picture never waits for them.
  */
-import type { Layout } from '../document/types.ts';
-import type { FromWorker, Intentions, SceneInfo, Shown } from '../solver/protocol.ts';
-import { createSolverClient, type SolverClient, type WorkerLike } from '../solver/solver-client.ts';
+import { effect, untracked } from '@preact/signals';
+import type { Draft } from 'immer';
+import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
+import type { FromWorker, Shown } from '../solver/protocol.ts';
+import { SolverClient, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
-import { coreOrder, fromCore, toCore, type Order } from './luminaire-order.ts';
-import { sentence } from './format.ts';
-import { createFrameBatch } from './frame-batch.ts';
-import { fitLegend } from './legend-range.ts';
-import type { Message, Progress, Store } from './store.ts';
-
-export interface Solving {
-  /** Resolves when the scene is open; rejects with one readable line. */
-  open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }>;
-  /** Searches for what the document asks, from the layout shown. `event`: the input that asked. */
-  solve(event?: Event): void;
-  /** The same from this layout (a luminaire under the hand). */
-  solveFrom(layout: Layout): void;
-  /** Searches anew, from nowhere. */
-  solveAfresh(): void;
-  /** Shows exactly this layout. */
-  show(layout: Layout): void;
-  /** After an undo or redo: shows the step's layout, or searches where it has none. */
-  travel(step: { readonly layout: Layout | null } | undefined): void;
-  findAlpha(card: string, intentions: Intentions): void;
-  /** Recomputes the layout shown from the patches; the answer is store.check. */
-  check(): void;
-  /** Runs other intentions to their end and returns the light they reach; the document's stay. */
-  probe(intentions: Intentions): Promise<Shown>;
-  /** The layout shown now (or just put there by hand), in the page's order. */
-  layout(): Layout | null;
-  /** Hands the light that is there to the view again. */
-  relight(): void;
-  resume(): void;
-  stop(): void;
-}
+import { Showing } from './showing.ts';
+import type { Message, Store } from './state/store.ts';
+import { sentence } from './words/format.ts';
 
 /** Something newer was asked for: nothing that a person has to be told. */
 export class Superseded extends Error {}
+
+export interface OpenedScene {
+  readonly scene: SceneInfo;
+  readonly room: ArrayBuffer; // the display mesh, .glb
+}
 
 interface Waiting<T> {
   readonly resolve: (value: T) => void;
   readonly reject: (error: Error) => void;
 }
 
-export function createSolving(store: Store, viewer: Viewer, createWorker: () => WorkerLike): Solving {
-  let client: SolverClient = createSolverClient(createWorker, receive);
-  let opening: Waiting<{ scene: SceneInfo; room: ArrayBuffer }> | null = null;
-  let arrived: ArrayBuffer | null = null; // the display mesh of the scene that is being opened
-  let probing: Waiting<Shown> | null = null;
-  let file: ArrayBuffer | null = null;
-  let live: Shown | null = null; // the newest answer, in the page's order
-  let current: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
-  let order: Order = [];
-  let checking: Layout | null = null; // was asked to be checked
-  let refusal: number | null = null; // the message about a wish that the solver refused
-  const later = createFrameBatch();
+type Answer<Type extends FromWorker['type']> = Extract<FromWorker, { readonly type: Type }>;
 
-  function receive(message: FromWorker): void {
+/** When the input came that is being answered, ms since 1970. */
+function askedAt(): number {
+  const { event } = globalThis;
+  return performance.timeOrigin + (event && event.timeStamp > 0 ? event.timeStamp : performance.now());
+}
+
+const idle = { state: 'idle', evaluations: 0, milliseconds: 0 } as const;
+
+export class Solving {
+  readonly #store: Store;
+  readonly #viewer: Viewer;
+  readonly #createWorker: () => WorkerLike;
+  readonly #showing: Showing;
+  #client: SolverClient;
+  #opening: Waiting<OpenedScene> | null = null;
+  #arrived: ArrayBuffer | null = null; // the display mesh of the scene that is being opened
+  #probing: Waiting<Shown> | null = null;
+  #file: ArrayBuffer | null = null;
+  #checking: Layout | null = null; // was asked to be checked
+  #refusal: number | null = null; // the message about a wish that the solver refused
+
+  constructor(store: Store, viewer: Viewer, createWorker: () => WorkerLike) {
+    this.#store = store;
+    this.#viewer = viewer;
+    this.#createWorker = createWorker;
+    this.#showing = new Showing(store, viewer);
+    this.#client = this.#newClient();
+    // The one place where an edit, an undo or another document becomes a question to the solver.
+    effect(() => {
+      void store.traced.value;
+      untracked(() => this.#answerDocument());
+    });
+  }
+
+  /** Resolves when the scene is open; rejects with one readable line. */
+  async open(bytes: ArrayBuffer): Promise<OpenedScene> {
+    const opened = await this.#open(bytes);
+    this.#showing.clear();
+    return opened;
+  }
+
+  /** Searches for what the document asks: from the layout shown, from another one, or (null) from nowhere. */
+  solve(start: Layout | null = this.#showing.held): void {
+    if (!this.#store.scene.peek()) return;
+    const intentions = this.#begin();
+    if (!start) this.#showing.release();
+    const from = start && this.#showing.hold(start);
+    this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt());
+    const { evaluations, milliseconds } = this.#store.progress.peek();
+    this.#store.progress.value = { state: 'improving', evaluations, milliseconds };
+  }
+
+  /** Shows exactly this layout. */
+  show(layout: Layout): void {
+    const intentions = this.#begin();
+    this.#client.show(intentions, this.#showing.hold(layout));
+  }
+
+  findAlpha(card: string, intentions: Intentions): void {
+    this.#begin();
+    this.#store.alphaRun.value = { card, steps: [], done: null };
+    this.#client.alpha(intentions, this.#store.document.peek().seed);
+  }
+
+  /** Recomputes the layout shown from the patches; the answer is store.check. */
+  check(): void {
+    const layout = this.#store.shown.peek()?.layout;
+    if (!layout) return;
+    this.#checking = layout;
+    this.#client.check(this.#store.traced.peek().intentions, this.#showing.inCoreOrder(layout));
+  }
+
+  /** Runs other intentions to their end and returns the light they reach; the document's stay. */
+  probe(intentions: Intentions): Promise<Shown> {
+    this.#begin();
+    return new Promise((resolve, reject) => {
+      this.#probing = { resolve, reject };
+      this.#client.solve(intentions, null, 1, performance.timeOrigin + performance.now());
+    });
+  }
+
+  /** The layout shown now (or just put there by hand), in the page's order. */
+  layout(): Layout | null {
+    return this.#showing.layout;
+  }
+
+  /** Hands the light that is there to the view again. */
+  relight(): void {
+    this.#showing.relight();
+  }
+
+  /** A fresh worker with the same room; the last good layout stays and the search goes on from it. */
+  async resume(): Promise<void> {
+    if (!this.#file) return;
+    this.#client.dispose();
+    this.#client = this.#newClient();
+    try {
+      await this.#open(this.#file);
+      this.solve();
+    } catch (error) {
+      if (error instanceof Superseded) return;
+      this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+    }
+  }
+
+  stop(): void {
+    this.#client.stop();
+  }
+
+  #newClient(): SolverClient {
+    return new SolverClient(this.#createWorker, (message) => this.#receive(message));
+  }
+
+  async #open(bytes: ArrayBuffer): Promise<OpenedScene> {
+    this.#opening?.reject(new Superseded());
+    this.#probing?.reject(new Superseded());
+    this.#probing = this.#arrived = null;
+    const opened = await new Promise<OpenedScene>((resolve, reject) => {
+      this.#opening = { resolve, reject };
+      this.#client.open(bytes);
+    });
+    this.#file = bytes;
+    return opened;
+  }
+
+  /** Answers the document as it is now, in the way that its latest change asks for. */
+  #answerDocument(): void {
+    const { scene, document, display, answering } = this.#store;
+    if (!scene.peek()) return;
+    const { quantity } = document.peek();
+    if (display.peek().quantity !== quantity) display.value = { ...display.peek(), quantity };
+    if (answering.by === 'layout') this.show(answering.layout);
+    else if (answering.by === 'search') this.solve(answering.from);
+  }
+
+  /** What the document asks, for a request that ends what was asked before. */
+  #begin(): Intentions {
+    this.#probing?.reject(new Superseded());
+    this.#probing = null;
+    if (this.#store.bound.peek()) this.#store.bound.value = null;
+    return this.#store.traced.peek().intentions;
+  }
+
+  #receive(message: FromWorker): void {
     switch (message.type) {
       case 'ready':
         return;
       case 'room':
-        arrived = message.room;
-        viewer.prepare(arrived);
-        return;
+        this.#arrived = message.room;
+        return this.#viewer.prepare(message.room);
       case 'opened':
-        if (arrived) opening?.resolve({ scene: message.scene, room: arrived });
-        opening = arrived = null;
-        return;
+        return this.#opened(message);
       case 'improved':
       case 'settled':
-        return answered(message);
-      case 'alphaStep': {
-        const run = store.alphaRun.peek();
-        if (run) store.alphaRun.value = { ...run, steps: [...run.steps, message.step] };
-        return;
-      }
-      case 'alphaDone': {
-        const run = store.alphaRun.peek();
-        const { alpha, verdict, feasibleBound, shown } = message;
-        if (!run) return;
-        store.alphaRun.value = { ...run, done: { alpha, verdict, feasibleBound } };
-        store.announcement.value = verdict;
-        if (alpha !== null && shown) alphaFound(run.card, alpha, shown);
-        else solve();
-        return;
-      }
+        return this.#answered(message);
+      case 'alphaStep':
+        return this.#alphaStepped(message);
+      case 'alphaDone':
+        return this.#alphaDone(message);
       case 'bounded':
-        store.bound.value = { gap: message.gap, done: message.done };
+        this.#store.bound.value = { gap: message.gap, done: message.done };
         return;
-      case 'checked': {
-        const { largestDifference, surface, margins } = message;
-        if (checking) store.check.value = { layout: checking, largestDifference, surface, margins };
-        return;
-      }
+      case 'checked':
+        return this.#checked(message);
       case 'failed':
-        return failed(message.message);
+        return this.#failed(message);
       default:
         message satisfies never;
     }
   }
 
-  function answered(message: Extract<FromWorker, { type: 'improved' | 'settled' }>): void {
-    if (probing) {
-      if (message.type === 'improved') return;
-      probing.resolve(message.shown);
-      probing = null;
+  #opened({ scene }: Answer<'opened'>): void {
+    if (this.#arrived) this.#opening?.resolve({ scene, room: this.#arrived });
+    this.#opening = this.#arrived = null;
+  }
+
+  #answered({ type, shown, evaluations, milliseconds }: Answer<'improved' | 'settled'>): void {
+    if (this.#probing) {
+      if (type === 'improved') return;
+      this.#probing.resolve(shown);
+      this.#probing = null;
       return;
     }
-    forgetRefusal();
-    const isShown = message.evaluations === 0;
-    const state = isShown ? 'shown' : message.type === 'settled' ? 'settled' : 'improving';
-    const { evaluations, milliseconds } = message;
-    present(message.shown, { state, evaluations, milliseconds });
-  }
-
-  function relight(): void {
-    if (!live || store.preview.peek() !== null) return;
-    viewer.setLight(live.illuminance);
-    performance.mark('light set');
-    viewer.setLayout(live.layout, store.document.peek().luminaires.pinned);
-  }
-
-  function present(answer: Shown, progress: Progress): void {
-    const shown = { ...answer, layout: fromCore(answer.layout, order) };
-    const { state } = progress;
-    live = shown;
-    current = shown.layout;
-    relight();
-    later(() => {
-      store.shown.value = shown;
-      store.progress.value = progress;
-      if (store.display.peek().mode === 'falseColor' && !store.legendLocked.peek()) fitLegend(store, shown);
-      if (state === 'settled') settled(shown);
+    this.#forgetRefusal();
+    const state = evaluations === 0 ? 'shown' : type === 'settled' ? 'settled' : 'improving';
+    this.#showing.present(shown, { state, evaluations, milliseconds }, (seen) => {
+      if (state === 'settled') this.#settled(seen);
     });
+  }
+
+  #settled(shown: Shown): void {
+    const unmet = shown.constraints.filter((constraint) => !constraint.met).length;
+    const met = unmet === 0 ? 'every intention is met' : `${unmet} bounds cannot be met`;
+    this.#store.announcement.value = `Settled: ${shown.layout.sites.length} luminaires, ${met}.`;
+    const { intentions } = this.#store.traced.peek();
+    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(intentions);
+  }
+
+  #alphaStepped({ step }: Answer<'alphaStep'>): void {
+    const run = this.#store.alphaRun.peek();
+    if (run) this.#store.alphaRun.value = { ...run, steps: [...run.steps, step] };
+  }
+
+  #alphaDone({ alpha, verdict, feasibleBound, shown }: Answer<'alphaDone'>): void {
+    const run = this.#store.alphaRun.peek();
+    if (!run) return;
+    this.#store.alphaRun.value = { ...run, done: { alpha, verdict, feasibleBound } };
+    this.#store.announcement.value = verdict;
+    if (alpha !== null && shown) this.#alphaFound(run.card, alpha, shown);
+    else this.solve();
   }
 
   /** The card takes the alpha that was found, and its layout is shown: nothing is searched again. */
-  function alphaFound(card: string, alpha: number, shown: Shown): void {
-    store.edit('Find alpha', (draft) => {
+  #alphaFound(card: string, alpha: number, shown: Shown): void {
+    const set = (draft: Draft<FiatLuxDocument>) => {
       const guarantee = draft.cards.find((each) => each.id === card)?.guarantee;
       if (guarantee) Object.assign(guarantee, { alpha, by: 'chebyshev' });
-    });
-    const { evaluations, milliseconds } = store.progress.peek();
-    present(shown, { state: 'settled', evaluations, milliseconds });
-  }
-
-  function settled(shown: Shown): void {
-    const unmet = shown.constraints.filter((constraint) => !constraint.met).length;
-    const met = unmet === 0 ? 'every intention is met' : `${unmet} bounds cannot be met`;
-    store.announcement.value = `Settled: ${shown.layout.sites.length} luminaires, ${met}.`;
-    const { intentions } = store.traced.peek();
-    if (intentions.goals.length > 0 && unmet === 0) client.bound(intentions);
-  }
-
-  function failed(message: string): void {
-    const wasOpening = opening !== null;
-    if (opening) opening.reject(new Error(message));
-    else if (probing) probing.reject(new Error(message));
-    else {
-      const isDead = /solver stopped/.test(message); // the client has given up on its workers
-      forgetRefusal();
-      refusal = store.say('error', sentence(message), isDead ? { label: 'Resume', run: resume } : wayBack());
-    }
-    opening = probing = arrived = null;
-    // A file that cannot be opened takes nothing from what is shown, except a search that was running.
-    const isOver = wasOpening && store.progress.peek().state !== 'improving';
-    if (!isOver) store.progress.value = { state: 'idle', evaluations: 0, milliseconds: 0 };
-    if (store.alphaRun.peek()?.done === null) store.alphaRun.value = null;
-  }
-
-  /** A refused wish is told once: the next refusal replaces the message, an answer takes it away. */
-  function forgetRefusal(): void {
-    if (refusal !== null) store.dismiss(refusal);
-    refusal = null;
-  }
-
-  /** One click back to what could be solved, where an edit asked for what cannot. */
-  function wayBack(): Message['action'] {
-    const wasAsked = store.progress.peek().state === 'improving' && store.history.peek().past.length > 0;
-    return wasAsked ? { label: 'Undo', run: () => travel(store.undo()) } : undefined;
-  }
-
-  function travel(step: { readonly layout: Layout | null } | undefined): void {
-    if (!step) return;
-    store.display.value = { ...store.display.peek(), quantity: store.document.peek().quantity };
-    if (step.layout) show(step.layout);
-    else solve();
-  }
-
-  function show(layout: Layout): void {
-    const intentions = begin();
-    current = layout;
-    order = coreOrder(layout, intentions.luminaires.pinned);
-    client.show(intentions, toCore(layout, order));
-  }
-
-  /** A fresh worker with the same room; the last good layout stays and the search goes on from it. */
-  function resume(): void {
-    const bytes = file;
-    if (!bytes) return;
-    client.dispose();
-    client = createSolverClient(createWorker, receive);
-    open(bytes).then(
-      () => solve(),
-      (error: Error) => store.say('error', sentence(error.message)),
+    };
+    this.#store.edit('Find alpha', set, null, { by: 'nothing' });
+    const { evaluations, milliseconds } = this.#store.progress.peek();
+    this.#showing.present(shown, { state: 'settled', evaluations, milliseconds }, (seen) =>
+      this.#settled(seen),
     );
   }
 
-  function open(bytes: ArrayBuffer): Promise<{ scene: SceneInfo; room: ArrayBuffer }> {
-    opening?.reject(new Superseded());
-    probing?.reject(new Superseded());
-    probing = arrived = null;
-    return new Promise<{ scene: SceneInfo; room: ArrayBuffer }>((resolve, reject) => {
-      opening = { resolve, reject };
-      client.open(bytes);
-    }).then((opened) => {
-      file = bytes;
-      return opened;
-    });
+  #checked({ largestDifference, surface, margins }: Answer<'checked'>): void {
+    if (this.#checking)
+      this.#store.check.value = { layout: this.#checking, largestDifference, surface, margins };
   }
 
-  function begin(): Intentions {
-    probing?.reject(new Superseded());
-    probing = null;
-    if (store.bound.peek()) store.bound.value = null;
-    return store.traced.peek().intentions;
+  #failed({ message, fatal }: Answer<'failed'>): void {
+    const wasOpening = this.#opening !== null;
+    if (this.#opening) this.#opening.reject(new Error(message));
+    else if (this.#probing) this.#probing.reject(new Error(message));
+    else {
+      const resume = { label: 'Resume', run: () => void this.resume() };
+      this.#forgetRefusal();
+      this.#refusal = this.#store.say('error', sentence(message), fatal ? resume : this.#wayBack());
+    }
+    this.#opening = this.#probing = this.#arrived = null;
+    // A file that cannot be opened takes nothing from what is shown, except a search that was running.
+    const isOver = wasOpening && this.#store.progress.peek().state !== 'improving';
+    if (!isOver) this.#store.progress.value = idle;
+    if (this.#store.alphaRun.peek()?.done === null) this.#store.alphaRun.value = null;
   }
 
-  function solve(event: Event | undefined = globalThis.event, start: Layout | null = current): void {
-    if (!store.scene.peek()) return;
-    const intentions = begin();
-    const at = event && event.timeStamp > 0 ? event.timeStamp : performance.now();
-    current = start;
-    order = start ? coreOrder(start, intentions.luminaires.pinned) : [];
-    const seed = store.document.peek().seed;
-    client.solve(intentions, start && toCore(start, order), seed, performance.timeOrigin + at);
-    const { evaluations, milliseconds } = store.progress.peek();
-    store.progress.value = { state: 'improving', evaluations, milliseconds };
+  /** A refused wish is told once: the next refusal replaces the message, an answer takes it away. */
+  #forgetRefusal(): void {
+    if (this.#refusal !== null) this.#store.dismiss(this.#refusal);
+    this.#refusal = null;
   }
 
-  return {
-    open: (bytes) =>
-      open(bytes).then((opened) => {
-        live = current = null;
-        order = [];
-        return opened;
-      }),
-    solve: (event) => solve(event),
-    solveFrom: (layout) => solve(undefined, layout),
-    solveAfresh: () => solve(undefined, null),
-    show,
-    travel,
-    findAlpha(card, intentions) {
-      begin();
-      store.alphaRun.value = { card, steps: [], done: null };
-      client.alpha(intentions, store.document.peek().seed);
-    },
-    check() {
-      const layout = store.shown.peek()?.layout;
-      if (!layout) return;
-      checking = layout;
-      const { intentions } = store.traced.peek();
-      client.check(intentions, toCore(layout, coreOrder(layout, intentions.luminaires.pinned)));
-    },
-    probe(intentions) {
-      begin();
-      return new Promise<Shown>((resolve, reject) => {
-        probing = { resolve, reject };
-        client.solve(intentions, null, 1, performance.timeOrigin + performance.now());
-      });
-    },
-    layout: () => current ?? live?.layout ?? null,
-    relight,
-    resume,
-    stop: () => client.stop(),
-  };
+  /** One click back to what could be solved, where an edit asked for what cannot. */
+  #wayBack(): Message['action'] {
+    const { progress, history } = this.#store;
+    const wasAsked = progress.peek().state === 'improving' && history.peek().past.length > 0;
+    return wasAsked ? { label: 'Undo', run: () => void this.#store.undo() } : undefined;
+  }
 }

@@ -2,9 +2,8 @@
  * The luminaires as glTF 2.0 with KHR_lights_punctual, each a downward spot of 180 degrees at its site.
  * A punctual light is given in candela: a Lambertian source of flux Phi has Phi / pi on its axis.
  */
-import type { SceneInfo } from '../solver/protocol.ts';
 import { positionOf } from './sites.ts';
-import type { Layout } from './types.ts';
+import type { Layout, SceneInfo } from './types.ts';
 
 /** The unit quaternion (x, y, z, w) that turns -z, where a glTF light points, to `direction`. */
 export function rotationFromMinusZ(direction: readonly number[]): [number, number, number, number] {

@@ -2,8 +2,7 @@
  * From cards to what the core is asked: a verb is a goal, everything else on a card is a constraint. Each constraint
  * remembers the card and the bound it came from, so that a bound that cannot be met can be named and eased.
  */
-import type { Intentions } from '../solver/protocol.ts';
-import type { Card, Constraint, FiatLuxDocument, Goal, Verb } from './types.ts';
+import type { Card, Constraint, FiatLuxDocument, Goal, Intentions, Verb } from './types.ts';
 
 export type BoundField =
   | 'mean.min'

@@ -1,7 +1,6 @@
 /** The luminaires as CSV (RFC 4180): id, x, y, z, flux, watts. Metres, lumens after dimming, watts by the stated efficacy. */
-import type { SceneInfo } from '../solver/protocol.ts';
 import { positionOf } from './sites.ts';
-import type { Layout } from './types.ts';
+import type { Layout, SceneInfo } from './types.ts';
 
 export function luminairesCsv(layout: Layout, sites: SceneInfo['sites'], efficacy: number): string {
   const rows = layout.sites.map((site, index) => {

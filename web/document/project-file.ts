@@ -1,8 +1,7 @@
 /** A project file: the document with its layout, camera and display, as JSON that a person can read. */
 import * as v from 'valibot';
-import type { Display } from '../viewer/types.ts';
 import { cameraSchema, displaySchema, documentSchema, firstFault } from './schema.ts';
-import type { Camera, FiatLuxDocument } from './types.ts';
+import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export interface Project {
   readonly document: FiatLuxDocument;

@@ -3,17 +3,16 @@
  * length, so that what passes is a document the app can hold; names are cleaned of characters that could mislead.
  */
 import * as v from 'valibot';
-import type { Display } from '../viewer/types.ts';
-import type { Camera, FiatLuxDocument } from './types.ts';
+import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export const mostLuminaires = 500;
-const mostCards = 60;
+export const mostCards = 60;
 const mostSites = 100_000;
 
-const number = (low: number, high: number) =>
+export const number = (low: number, high: number) =>
   v.pipe(v.number(), v.finite(), v.minValue(low), v.maxValue(high));
 const whole = (low: number, high: number) => v.pipe(number(low, high), v.integer());
-const lux = number(0, 1e7);
+export const lux = number(0, 1e7);
 const ratio = number(0, 1e4);
 
 /** Control, format (bidi overrides too), surrogate and private characters go; what is left is cut. */
@@ -21,25 +20,30 @@ export function cleanName(text: string): string {
   return text.replace(/\p{C}/gu, '').slice(0, 200);
 }
 
-const name = v.pipe(v.string(), v.maxLength(2000), v.transform(cleanName), v.minLength(1));
-const names = v.pipe(v.array(name), v.minLength(1), v.maxLength(200));
-const range = v.object({ min: v.exactOptional(lux), max: v.exactOptional(lux) });
+export const nameSchema = v.pipe(v.string(), v.maxLength(2000), v.transform(cleanName), v.minLength(1));
+const names = v.pipe(v.array(nameSchema), v.minLength(1), v.maxLength(200));
 const site = whole(0, mostSites - 1);
 const sites = v.pipe(v.array(site), v.maxLength(mostSites));
 
-export const cardSchema = v.object({
-  id: v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/)),
-  surfaces: names,
-  verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
-  weight: number(0, 1000),
-  mean: v.exactOptional(range),
-  spread: v.exactOptional(range),
-  guarantee: v.exactOptional(
-    v.object({ by: v.picklist(['chebyshev', 'patches']), alpha: number(0, 100), ...range.entries }),
-  ),
-  uniformity: v.exactOptional(number(0, 1)),
-  contrast: v.exactOptional(v.object({ over: names, min: ratio })),
-});
+/** A card whose bounds on light are what `bound` lets pass. */
+export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
+  const range = v.object({ min: v.exactOptional(bound), max: v.exactOptional(bound) });
+  return v.object({
+    id: v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/)),
+    surfaces: names,
+    verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
+    weight: number(0, 1000),
+    mean: v.exactOptional(range),
+    spread: v.exactOptional(range),
+    guarantee: v.exactOptional(
+      v.object({ by: v.picklist(['chebyshev', 'patches']), alpha: number(0, 100), ...range.entries }),
+    ),
+    uniformity: v.exactOptional(number(0, 1)),
+    contrast: v.exactOptional(v.object({ over: names, min: ratio })),
+  });
+}
+
+export const cardSchema = cardOf(lux);
 
 const dimming = v.pipe(
   v.tuple([number(0, 1), number(0, 1)]),
@@ -65,7 +69,7 @@ export const layoutSchema = v.pipe(
 );
 
 export const identitySchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{0,16}$/));
-export const roomSchema = name;
+export const roomSchema = nameSchema;
 export const seedSchema = whole(0, 0xffffffff);
 export const quantitySchema = v.picklist(['illuminance', 'exitance']);
 export const cardsSchema = v.pipe(v.array(cardSchema), v.maxLength(mostCards));

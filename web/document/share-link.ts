@@ -5,7 +5,6 @@
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import * as v from 'valibot';
-import type { Display } from '../viewer/types.ts';
 import { crc32, fromBase64Url, toBase64Url } from './base64url.ts';
 import {
   cameraSchema,
@@ -20,7 +19,7 @@ import {
   roomSchema,
   seedSchema,
 } from './schema.ts';
-import type { Camera, Card, Luminaires, Quantity } from './types.ts';
+import type { Camera, Card, Display, Luminaires, Quantity } from './types.ts';
 
 export const linkVersion = 1;
 export const longestLink = 1800; // characters that are made

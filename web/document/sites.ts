@@ -1,7 +1,6 @@
 /** Between sites of a scene and positions in the room: links and exports speak in positions, the core in sites. */
-import type { SceneInfo } from '../solver/protocol.ts';
 import type { Link } from './share-link.ts';
-import type { FiatLuxDocument, Layout, Luminaires } from './types.ts';
+import type { FiatLuxDocument, Layout, Luminaires, SceneInfo } from './types.ts';
 
 type Sites = SceneInfo['sites'];
 

@@ -1,6 +1,7 @@
 /**
- * What was asked: the one immutable document of the app. Undo, autosave, project files and share links all carry
- * this; what is shown (the light of a layout) lives apart, in `Shown` of the solver's answers.
+ * The words that every floor of the page shares. What was asked: the one immutable document, which undo, autosave,
+ * project files and share links all carry, and the intentions made of it; what it was asked of (the room) and how it
+ * is looked at (camera, display). What is shown (the light of a layout) lives apart, in `Shown` of the solver's answers.
  * Words and units are those of the core (core/search/intentions.h) and of intentions.json.
  */
 
@@ -91,4 +92,59 @@ export interface FiatLuxDocument {
   readonly seed: number;
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
+}
+
+/** What the solver is asked for: cards turned into goals and constraints, surfaces still by their names. */
+export interface Intentions {
+  readonly luminaires: Luminaires;
+  readonly goals: readonly Goal[];
+  readonly constraints: readonly Constraint[];
+  readonly quantity: Quantity;
+}
+
+/**
+ * What a scene file tells of its room. Indices of `surfaces` are leaf surfaces; receivers are measuring planes.
+ * Lengths: rows = patches + receivers.
+ */
+export interface SceneInfo {
+  readonly identity: string;
+  readonly patches: number;
+  readonly receivers: number;
+  readonly clusters: number;
+  readonly surfaces: readonly {
+    readonly name: string;
+    readonly area: number; // m2
+    readonly patches: number;
+    readonly reflectance: number;
+    readonly measuring: boolean;
+    readonly lost: number; // share 0..1
+  }[];
+  /** m x 3 position (m), m x 3 normal, m x 3 axis (unit), m sizes (m). */
+  readonly sites: {
+    readonly position: Float32Array;
+    readonly normal: Float32Array;
+    readonly axis: Float32Array;
+    readonly size: Float32Array;
+  };
+  readonly surfaceOfPatch: Uint32Array; // rows
+  readonly patchArea: Float32Array; // rows, m2
+  readonly patchCenter: Float32Array; // 3 rows, m
+  readonly patchReflectance: Float32Array; // rows: exitance = this x illuminance; 0 on measuring planes
+  readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
+}
+
+export type ColorMap = 'viridis' | 'cividis' | 'inferno' | 'turbo';
+
+/** How the light is drawn. */
+export interface Display {
+  readonly mode: 'realistic' | 'falseColor';
+  readonly exposure: number; // EV, realistic mode; 0 = automatic
+  readonly colorMap: ColorMap;
+  readonly steps: number; // 0 = continuous
+  readonly logarithmic: boolean;
+  readonly range: readonly [number, number]; // lx, ends of the legend
+  readonly isolux: boolean;
+  readonly quantity: Quantity;
+  readonly cutAway: boolean; // do not draw walls between the eye and the room
+  readonly measuringPlanes: boolean; // draw them
 }

@@ -1,9 +1,9 @@
 /** The scale of the false colours; its ends can be typed and locked. */
 import { Lock, LockOpen } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { niceStep, unitOf } from '../app/format.ts';
-import { legendStops, legendTicks } from '../viewer/false-color.ts';
-import { NumberField } from './number-field.tsx';
+import { niceStep, unitOf } from '../app/words/format.ts';
+import { legendStops, legendTicks } from '../viewer/light/false-color.ts';
+import { NumberField } from './controls/number-field.tsx';
 
 const width = 240;
 

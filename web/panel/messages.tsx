@@ -1,7 +1,7 @@
 /** Messages that stay until they are read, and the live region that speaks for the picture. */
 import { Info, TriangleAlert, X } from 'lucide-preact';
 import { useEffect } from 'preact/hooks';
-import type { Message, Store } from '../app/store.ts';
+import type { Message, Store } from '../app/state/store.ts';
 
 export function Messages({ store }: { store: Store }) {
   return (

@@ -2,10 +2,10 @@
 import { ChevronDown, ChevronUp } from 'lucide-preact';
 import { useRef } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import type { Tab } from '../app/store.ts';
-import { IntentionsTab } from './intentions-tab.tsx';
-import { LuminairesTab } from './luminaires-tab.tsx';
-import { ResultsTab } from './results-tab.tsx';
+import type { Tab } from '../app/state/store.ts';
+import { IntentionsTab } from './intentions/intentions-tab.tsx';
+import { LuminairesTab } from './luminaires/luminaires-tab.tsx';
+import { ResultsTab } from './results/results-tab.tsx';
 import { StatusLine } from './status-line.tsx';
 import { useSheet } from './use-sheet.ts';
 

@@ -1,8 +1,8 @@
 /** What can be done with what is selected: a verb for a surface, pin or move for a luminaire. */
 import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { compact, unitOf } from '../app/format.ts';
-import { verbs } from './verbs.ts';
+import { compact, unitOf } from '../app/words/format.ts';
+import { verbs } from './intentions/verbs.ts';
 
 export function SelectionBar() {
   const { store } = useApp();

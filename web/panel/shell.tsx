@@ -1,12 +1,13 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { forgetLink } from '../app/address.ts';
-import { AppContext, createApp, type App, type Parts } from '../app/app.ts';
+import { forgetLink } from '../app/opening/address.ts';
+import { AppContext, App, type Parts } from '../app/app.ts';
+import { actions } from '../app/actions.ts';
 import { listenToKeys } from '../app/keyboard.ts';
-import type { Store } from '../app/store.ts';
+import type { Store } from '../app/state/store.ts';
 import { takeFromReload } from '../document/reload.ts';
-import { Dialogs } from './dialogs.tsx';
+import { Dialogs } from './dialogs/dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';
@@ -26,7 +27,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     if (!canvas.current || !labels.current) return;
     const parts = { canvas: canvas.current, labels: labels.current, createViewer, createWorker };
     try {
-      setApp(createApp(store, parts));
+      setApp(new App(store, parts));
     } catch {
       store.say(
         'error',
@@ -46,7 +47,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     const forget = effect(() => {
       if (store.history.value.past.length > 0) forgetLink();
     });
-    const deaf = listenToKeys(app.actions, () => store.dialog.peek() !== null);
+    const deaf = listenToKeys(app, actions, () => store.dialog.peek() !== null);
     return () => {
       window.removeEventListener('hashchange', listen);
       deaf();

@@ -2,8 +2,8 @@
 import type { RefObject } from 'preact';
 import { useContext, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
-import { likelyRoom } from '../app/first-scene.ts';
-import { compact, unitOf } from '../app/format.ts';
+import { likelyRoom } from '../app/opening/first-scene.ts';
+import { compact, unitOf } from '../app/words/format.ts';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
 import { RoomPicture } from './room-picture.tsx';

@@ -1,7 +1,7 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, duration, percentAtMost } from '../app/format.ts';
+import { count, duration, percentAtMost } from '../app/words/format.ts';
 
 const words = {
   idle: 'Not solved',

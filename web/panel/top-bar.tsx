@@ -1,26 +1,27 @@
 /** The slim bar: which room, undo and redo, files, all actions, share. */
 import { ChevronDown, Command, Ellipsis, Redo2, Share2, Undo2 } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import type { Action } from '../app/actions.ts';
+import { actions, isEnabled, type Action } from '../app/actions.ts';
 import { keyText } from '../app/keyboard.ts';
-import { Menu } from './menu.tsx';
+import { Menu } from './controls/menu.tsx';
 
-export function useAction(id: string): Action {
-  const action = useApp().actions.find((each) => each.id === id);
+function actionOf(id: string): Action {
+  const action = actions.find((each) => each.id === id);
   if (!action) throw new Error(`there is no action "${id}"`);
   return action;
 }
 
 function ActionButton({ id, icon: Icon, ...props }: { id: string; icon: typeof Undo2; class?: string }) {
-  const action = useAction(id);
+  const app = useApp();
+  const action = actionOf(id);
   const keys = action.keys?.[0];
   return (
     <button
       class={`icon-button ${props.class ?? ''}`}
-      disabled={!(action.enabled?.() ?? true)}
+      disabled={!isEnabled(action, app)}
       aria-label={action.title}
       title={keys ? `${action.title} (${keyText(keys)})` : action.title}
-      onClick={action.run}
+      onClick={() => action.run(app)}
     >
       <Icon size={17} aria-hidden />
     </button>
@@ -28,7 +29,7 @@ function ActionButton({ id, icon: Icon, ...props }: { id: string; icon: typeof U
 }
 
 export function TopBar() {
-  const { store, actions } = useApp();
+  const { store } = useApp();
   const files = actions.filter((action) => action.group === 'File' && action.id !== 'share');
   return (
     <header class="top-bar">
@@ -40,7 +41,7 @@ export function TopBar() {
         <span class="brand-name">Fiat Lux</span>
       </span>
       <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
-        <h1>{store.roomTitle.value}</h1>
+        <h1>{store.roomTitle.value || 'Rooms'}</h1>
         <ChevronDown size={15} aria-hidden />
       </button>
       <span class="spacer" />

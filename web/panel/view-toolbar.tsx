@@ -1,10 +1,11 @@
 /** How the room is looked at: realistic or false colour, what belongs to each, and where from. */
+import type { ColorMap, Display } from '../document/types.ts';
 import { Box, House, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import type { ColorMap, Display, ViewName } from '../viewer/types.ts';
-import { useDismiss } from './menu.tsx';
-import { Slider } from './slider.tsx';
+import type { ViewName } from '../viewer/types.ts';
+import { useDismiss } from './controls/menu.tsx';
+import { Slider } from './controls/slider.tsx';
 
 const views: readonly [ViewName, string][] = [
   ['plan', 'Plan'],

@@ -1,9 +1,9 @@
 /** The alpha-search (paper, section 4): tells each iteration when it ends, the verdict when all have. */
 import { shownOf } from './core-intentions.ts';
 import type { AlphaProgress, Session } from './core.ts';
-import type { SceneInfo } from './protocol.ts';
-import { pace, type Clock } from './search-job.ts';
-import { noTransfer, Slicer, type Answer, type Task } from './task.ts';
+import type { SceneInfo } from '../document/types.ts';
+import { pace, Slicer, type Clock } from './pacing.ts';
+import { noTransfer, type Answer, type Task } from './task.ts';
 
 export class AlphaTask implements Task {
   readonly #session: Session;
@@ -16,7 +16,7 @@ export class AlphaTask implements Task {
   /** The session's alpha-search has just been started. */
   constructor(session: Session, clock: Clock, revision: number, leaves: SceneInfo['surfaces']) {
     this.#session = session;
-    this.#slicer = new Slicer(clock, pace.sliceMilliseconds, pace.probe);
+    this.#slicer = new Slicer(clock, pace.probe);
     this.#leaves = leaves;
     this.revision = revision;
   }

@@ -1,9 +1,10 @@
 /** A provable bound on the goal of the search before it: tells each time the gap has become clearly smaller. */
 import type { Session } from './core.ts';
-import { pace, type Clock } from './search-job.ts';
-import { noTransfer, Slicer, type Answer, type Task } from './task.ts';
+import { Slicer, type Clock } from './pacing.ts';
+import { noTransfer, type Answer, type Task } from './task.ts';
 
 const clearly = 0.005; // of the goal
+const first = 20; // steps of the first slice
 
 export class BoundTask implements Task {
   readonly #session: Session;
@@ -15,7 +16,7 @@ export class BoundTask implements Task {
   /** The session's bound has just been started. */
   constructor(session: Session, clock: Clock, revision: number) {
     this.#session = session;
-    this.#slicer = new Slicer(clock, pace.sliceMilliseconds, 20);
+    this.#slicer = new Slicer(clock, first);
     this.revision = revision;
   }
 

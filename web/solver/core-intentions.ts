@@ -1,14 +1,14 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
-import type { Layout } from '../document/types.ts';
+import type { Intentions, Layout } from '../document/types.ts';
 import { quantityCodes, senseCodes, statisticCodes, type CoreIntentions, type CoreShown } from './core.ts';
-import type { IntentionResult, Intentions, Shown } from './protocol.ts';
-import { resolveSurfaces, type NamedSurface } from './resolve-surfaces.ts';
+import type { IntentionResult, Shown } from './protocol.ts';
+import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
 /** Throws one readable line where a name is not in the room. */
 export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
   const surfaces = (of: { readonly surfaces: readonly string[]; readonly over?: readonly string[] }) => ({
-    surfaces: resolveSurfaces(of.surfaces, leaves),
-    over: resolveSurfaces(of.over ?? [], leaves),
+    surfaces: surfaceSetOf(of.surfaces, leaves),
+    over: surfaceSetOf(of.over ?? [], leaves),
   });
   const { luminaires } = asked;
   return {

@@ -3,6 +3,7 @@
  * Typed arrays are copied in and come back as fresh copies; nothing here is a view of the module's memory.
  * Errors are one readable line, '' where all is well. tests/wasm checks every declared method against the built module.
  */
+import type { SceneInfo } from '../document/types.ts';
 
 /** A line of the scene file's table that somebody has to inflate. */
 export interface Section {
@@ -15,28 +16,12 @@ export interface Section {
   readonly needed: boolean; // by finish(); the others may be verified
 }
 
-/** What is in the scene that is open. Lengths: rows = patches + receivers, m = sites. */
-export interface CoreInfo {
-  readonly identity: string;
-  readonly patches: number;
-  readonly receivers: number;
-  readonly clusters: number;
-  readonly surfaces: readonly {
-    readonly name: string;
-    readonly area: number; // m2
-    readonly patches: number;
-    readonly reflectance: number;
-    readonly measuring: boolean;
-    readonly lost: number; // share 0..1
-  }[];
+/** What is in the scene that is open; m = sites. */
+export interface CoreInfo extends Omit<SceneInfo, 'sites' | 'provenance'> {
   readonly sitePosition: Float32Array; // 3m, m
   readonly siteNormal: Float32Array; // 3m
   readonly siteAxis: Float32Array; // 3m
   readonly siteSize: Float32Array; // m, m
-  readonly surfaceOfPatch: Uint32Array; // rows
-  readonly patchArea: Float32Array; // rows, m2
-  readonly patchCenter: Float32Array; // 3 rows, m
-  readonly patchReflectance: Float32Array; // rows: exitance = this x illuminance; 0 on measuring planes
 }
 
 export interface CoreLayout {

@@ -1,7 +1,7 @@
 /** Opens a scene file in a session: the table, every section inflated and checked, the scene. */
 import type { Section, Session } from './core.ts';
 import { sectionBytes } from './inflate-sections.ts';
-import type { SceneInfo } from './protocol.ts';
+import type { SceneInfo } from '../document/types.ts';
 
 const ahead = 4; // sections that are inflated at a time: enough to be busy, few enough for a small memory
 

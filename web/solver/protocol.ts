@@ -2,28 +2,8 @@
  * The worker protocol: two discriminated unions. The page asks, the worker answers; every request that may be
  * superseded carries a `revision`, and only the latest revision's answers are shown (latest wins).
  */
-import type { CoreAlphaStep, CoreInfo } from './core.ts';
-import type { Constraint, Goal, Layout, Luminaires, Quantity } from '../document/types.ts';
-
-/** What the core is asked for: goals and constraints with names resolved to leaf surface indices by the worker. */
-export interface Intentions {
-  readonly luminaires: Luminaires;
-  readonly goals: readonly Goal[];
-  readonly constraints: readonly Constraint[];
-  readonly quantity: Quantity;
-}
-
-/** What a scene file tells of its room. Indices of `surfaces` are leaf surfaces; receivers are measuring planes. */
-export interface SceneInfo extends Omit<CoreInfo, 'sitePosition' | 'siteNormal' | 'siteAxis' | 'siteSize'> {
-  /** m x 3 position (m), m x 3 normal, m x 3 axis (unit), m sizes (m). */
-  readonly sites: {
-    readonly position: Float32Array;
-    readonly normal: Float32Array;
-    readonly axis: Float32Array;
-    readonly size: Float32Array;
-  };
-  readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
-}
+import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
+import type { CoreAlphaStep } from './core.ts';
 
 export interface SurfaceResult {
   readonly name: string;
@@ -89,12 +69,18 @@ export type ToWorker =
       readonly seed: number;
     }
   /** A provable bound on the goal -> 'bounded', possibly several times, tighter each time. */
-  | { readonly type: 'bound'; readonly revision: number; readonly intentions: Intentions }
+  | {
+      readonly type: 'bound';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly search: number | null; // revision of the 'solve' for these very intentions; null = there was none
+    }
   /** Recomputes every surface of a layout from the patches -> 'checked'. */
   | {
       readonly type: 'check';
       readonly revision: number;
       readonly intentions: Intentions;
+      readonly search: number | null; // as for 'bound'
       readonly layout: Layout;
     }
   /** Stops whatever runs; the incumbent stays shown. */
@@ -150,4 +136,9 @@ export type FromWorker =
       readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative
     }
   /** One readable line: what, where, the cure. The last good layout stays. */
-  | { readonly type: 'failed'; readonly revision: number; readonly message: string };
+  | {
+      readonly type: 'failed';
+      readonly revision: number;
+      readonly message: string;
+      readonly fatal: boolean; // no worker is left that could answer anything
+    };

@@ -1,31 +1,17 @@
 /**
- * One search in slices short enough that a new slider value never waits. The first answer comes after some
- * milliseconds, then every better one of the same frame, then one a frame at most; the search settles when it has
- * tried long in vain.
+ * One search in slices. The first answer comes after some milliseconds, then every better one of the same frame, then
+ * one a frame at most; the search settles when it has tried long in vain.
  */
 import type { Progress, Session } from './core.ts';
-
-/** Milliseconds on any steady clock. */
-export type Clock = () => number;
-
-export const pace = {
-  firstEvaluations: 30_000, // before the first answer, unless they take longer than
-  firstMilliseconds: 4,
-  probe: 1_000, // evaluations of a slice whose speed is not known yet
-  sliceMilliseconds: 3,
-  answerGap: 16, // ms between answers, but for the first so many, in which each slice may answer
-  fruitlessEvaluations: 2_000_000, // without improvement: settled
-  fruitlessMilliseconds: 2_000,
-} as const;
+import { pace, Slicer, type Clock } from './pacing.ts';
 
 export type Report = 'nothing' | 'improved' | 'settled';
 
 export class SearchJob {
   readonly #session: Session;
   readonly #clock: Clock;
+  readonly #slicer: Slicer;
   readonly #begun: number;
-  #spent = 0; // ms inside the search
-  #perEvaluation = 0; // ms, of the latest slice
   #answeredAt = -Infinity;
   #answeredFoundAt = -1; // foundAt of the layout that was answered last
   #improvedAt: number;
@@ -35,6 +21,7 @@ export class SearchJob {
   constructor(session: Session, clock: Clock) {
     this.#session = session;
     this.#clock = clock;
+    this.#slicer = new Slicer(clock, pace.probe);
     this.#begun = this.#improvedAt = clock();
   }
 
@@ -44,13 +31,13 @@ export class SearchJob {
 
   /** Time spent searching, ms. */
   get milliseconds(): number {
-    return this.#spent;
+    return this.#slicer.milliseconds;
   }
 
   /** One slice; says what is to be told. The caller tells it at once: the next step takes it as told. */
   step(): Report {
     if (this.#answeredFoundAt < 0) return this.#first();
-    this.#advance(this.#sliceOf(pace.sliceMilliseconds));
+    this.#advance();
     const now = this.#clock();
     const { evaluations, foundAt } = this.#progress;
     const idle = evaluations - foundAt >= pace.fruitlessEvaluations;
@@ -62,11 +49,8 @@ export class SearchJob {
   }
 
   #first(): Report {
-    do {
-      const left = pace.firstEvaluations - this.#progress.evaluations;
-      const slice = this.#perEvaluation > 0 ? this.#sliceOf(pace.firstMilliseconds / 2) : pace.probe;
-      this.#advance(Math.min(left, slice));
-    } while (
+    do this.#advance(pace.firstMilliseconds / 2, pace.firstEvaluations - this.#progress.evaluations);
+    while (
       this.#progress.evaluations < pace.firstEvaluations &&
       this.#clock() - this.#begun < pace.firstMilliseconds
     );
@@ -79,18 +63,9 @@ export class SearchJob {
     return 'improved';
   }
 
-  #advance(evaluations: number): void {
-    const before = this.#progress;
-    const start = this.#clock();
-    this.#progress = this.#session.advance(evaluations);
-    const now = this.#clock();
-    this.#spent += now - start;
-    // note: browsers step their clock by up to 0.1 ms.
-    this.#perEvaluation = Math.max(now - start, 0.05) / evaluations;
-    if (this.#progress.foundAt !== before.foundAt) this.#improvedAt = now;
-  }
-
-  #sliceOf(milliseconds: number): number {
-    return Math.round(Math.min(200_000, Math.max(100, milliseconds / this.#perEvaluation)));
+  #advance(milliseconds?: number, left?: number): void {
+    const { foundAt } = this.#progress;
+    this.#progress = this.#slicer.run((amount) => this.#session.advance(amount), milliseconds, left);
+    if (this.#progress.foundAt !== foundAt) this.#improvedAt = this.#clock();
   }
 }

@@ -1,8 +1,10 @@
 /** A search whose answers carry everything that is shown. */
+import type { SceneInfo } from '../document/types.ts';
 import { shownOf } from './core-intentions.ts';
 import type { Session } from './core.ts';
-import type { SceneInfo, ToWorker } from './protocol.ts';
-import { SearchJob, type Clock } from './search-job.ts';
+import type { ToWorker } from './protocol.ts';
+import type { Clock } from './pacing.ts';
+import { SearchJob } from './search-job.ts';
 import type { Answer, Task } from './task.ts';
 
 export class SearchTask implements Task {

@@ -3,13 +3,14 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
+import type { Intentions, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import type { Session } from './core.ts';
 import { openScene } from './open-scene.ts';
-import type { FromWorker, Intentions, SceneInfo, ToWorker } from './protocol.ts';
-import { pace, type Clock } from './search-job.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
+import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
 
@@ -27,7 +28,7 @@ export class SessionDriver {
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
-  #searched = ''; // the intentions of the session's search, as JSON; '' = it has none
+  #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
   constructor(session: Session, post: Post, clock: Clock) {
@@ -90,7 +91,7 @@ export class SessionDriver {
       const scene = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent, takeRoom);
       if (!scene) return;
       this.#scene = scene;
-      this.#searched = '';
+      this.#searched = null;
       this.#post({ type: 'opened', revision, scene }, []);
     } catch (error) {
       if (isCurrent()) this.#fail(message.revision, error);
@@ -108,7 +109,7 @@ export class SessionDriver {
         ? this.#session.startFrom(request.seed, ...coreLayout(request.start))
         : this.#session.start(request.seed),
     );
-    this.#searched = JSON.stringify(request.intentions);
+    this.#searched = request.revision;
     this.#task = new SearchTask(this.#session, this.#clock, request, this.#leaves());
   }
 
@@ -122,7 +123,7 @@ export class SessionDriver {
   /** Bounds the search that has been made for these intentions, or a short one made now. */
   #beginBound(request: Request<'bound'>): void {
     this.#drop();
-    if (this.#searched !== JSON.stringify(request.intentions)) {
+    if (!this.#isSearched(request)) {
       this.#ask(request.intentions);
       check(this.#session.start(1));
       this.#session.advance(pace.firstEvaluations);
@@ -147,9 +148,10 @@ export class SessionDriver {
     this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
   }
 
-  #check({ revision, intentions, layout }: Request<'check'>): void {
+  #check(request: Request<'check'>): void {
+    const { revision, intentions, layout } = request;
     // The search that answers these very intentions may go on: a check only reads.
-    if (this.#searched !== JSON.stringify(intentions)) {
+    if (!this.#isSearched(request)) {
       this.#drop();
       this.#ask(intentions);
     }
@@ -173,8 +175,13 @@ export class SessionDriver {
   }
 
   #ask(intentions: Intentions): void {
-    this.#searched = '';
+    this.#searched = null;
     check(this.#session.setIntentions(coreIntentions(intentions, this.#leaves())));
+  }
+
+  /** Whether the session's search is for the very intentions of this request. */
+  #isSearched({ search }: Request<'bound' | 'check'>): boolean {
+    return search !== null && search === this.#searched;
   }
 
   #leaves(): SceneInfo['surfaces'] {
@@ -199,7 +206,7 @@ export class SessionDriver {
     // note: a trap leaves the module's memory in an unknown state; the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) throw error;
     const message = error instanceof Error ? error.message : String(error);
-    this.#post({ type: 'failed', revision, message }, []);
+    this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
 }
 

@@ -2,8 +2,8 @@
  * The page's end of the solver: numbers the requests, drops answers that are no longer asked for (latest wins), and
  * starts a new worker with the same room and wish when the old one dies.
  */
-import type { Layout } from '../document/types.ts';
-import type { FromWorker, Intentions, ToWorker } from './protocol.ts';
+import type { Intentions, Layout } from '../document/types.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
 
 /** The part of a Worker that the client uses. */
 export interface WorkerLike {
@@ -14,19 +14,6 @@ export interface WorkerLike {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
-}
-
-export interface SolverClient {
-  /** Opens a .flux file. The bytes are copied: the client keeps them for a restart. */
-  open(bytes: ArrayBuffer): number;
-  /** `askedAt`: performance.timeOrigin + event.timeStamp of the input that asked. Each returns its revision. */
-  solve(intentions: Intentions, start: Layout | null, seed: number, askedAt: number): number;
-  show(intentions: Intentions, layout: Layout): number;
-  alpha(intentions: Intentions, seed: number): number;
-  bound(intentions: Intentions): number;
-  check(intentions: Intentions, layout: Layout): number;
-  stop(): void;
-  dispose(): void;
 }
 
 interface OpenFile {
@@ -49,94 +36,141 @@ const laneOf = {
   check: 'check',
 } as const satisfies Record<Exclude<ToWorker['type'], 'stop'>, Lane>;
 
-/** `receive` gets current answers only. Of a restart it sees nothing but fresh answers, or 'failed' when it is hopeless. */
-export function createSolverClient(
-  createWorker: () => WorkerLike,
-  receive: (message: FromWorker) => void,
-): SolverClient {
-  let worker = start();
-  let revision = 0;
-  let deaths = 0;
-  let opening: OpenFile | null = null; // asked for, not answered
-  let opened: OpenFile | null = null; // what the page shows
-  let wish: Exclude<ToWorker, { readonly type: 'open' }> | null = null; // what a new worker has to do again
-  const latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, check: 0 };
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' }>;
 
-  function start(): WorkerLike {
-    const fresh = createWorker();
-    fresh.onmessage = ({ data }) => take(data);
-    fresh.onerror = (event) => {
-      event.preventDefault?.();
-      restart(event.message);
-    };
-    fresh.onmessageerror = () => restart('an answer could not be read');
-    return fresh;
+/** Each request returns its revision. */
+export class SolverClient {
+  readonly #createWorker: () => WorkerLike;
+  readonly #receive: (message: FromWorker) => void;
+  readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, check: 0 };
+  #worker: WorkerLike;
+  #revision = 0;
+  #deaths = 0;
+  #opening: OpenFile | null = null; // asked for, not answered
+  #opened: OpenFile | null = null; // what the page shows
+  #wish: Wish | null = null; // what a new worker has to do again
+  #searched: Extract<ToWorker, { readonly type: 'solve' }> | null = null; // the latest wish, where it is a search
+
+  /** `receive` gets current answers only. Of a restart it sees nothing but fresh answers, or a fatal 'failed'. */
+  constructor(createWorker: () => WorkerLike, receive: (message: FromWorker) => void) {
+    this.#createWorker = createWorker;
+    this.#receive = receive;
+    this.#worker = this.#start();
   }
 
-  function restart(reason: string): void {
-    worker.terminate();
-    if (++deaths >= hopeless) {
+  /** Opens a .flux file. The bytes are copied: the client keeps them for a restart. */
+  open(bytes: ArrayBuffer): number {
+    const revision = (this.#latest.open = ++this.#revision);
+    this.#wish = this.#searched = null;
+    this.#opening = { bytes, revision };
+    if (this.#worker.adopt?.(bytes, revision)) return revision;
+    const copy = bytes.slice(0);
+    this.#worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
+    return revision;
+  }
+
+  /** `askedAt`: performance.timeOrigin + event.timeStamp of the input that asked. */
+  solve(intentions: Intentions, start: Layout | null, seed: number, askedAt: number): number {
+    return this.#ask({ type: 'solve', revision: ++this.#revision, intentions, start, seed, askedAt });
+  }
+
+  show(intentions: Intentions, layout: Layout): number {
+    return this.#ask({ type: 'show', revision: ++this.#revision, intentions, layout });
+  }
+
+  alpha(intentions: Intentions, seed: number): number {
+    return this.#ask({ type: 'alpha', revision: ++this.#revision, intentions, seed });
+  }
+
+  bound(intentions: Intentions): number {
+    const search = this.#searchFor(intentions);
+    return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search });
+  }
+
+  check(intentions: Intentions, layout: Layout): number {
+    const search = this.#searchFor(intentions);
+    return this.#ask({ type: 'check', revision: ++this.#revision, intentions, layout, search });
+  }
+
+  stop(): void {
+    this.#wish = null;
+    this.#worker.postMessage({ type: 'stop' }, []);
+  }
+
+  dispose(): void {
+    this.#worker.terminate();
+  }
+
+  #ask(wish: Wish): number {
+    const lane = laneOf[wish.type];
+    this.#latest[lane] = wish.revision;
+    if (lane === 'layout') {
+      this.#wish = wish;
+      this.#searched = wish.type === 'solve' ? wish : null;
+    }
+    this.#worker.postMessage(wish, []);
+    return wish.revision;
+  }
+
+  /** The revision of the search for these very intentions: an unchanged document gives the same object again. */
+  #searchFor(intentions: Intentions): number | null {
+    return this.#searched?.intentions === intentions ? this.#searched.revision : null;
+  }
+
+  #start(): WorkerLike {
+    const worker = this.#createWorker();
+    worker.onmessage = ({ data }) => this.#take(data);
+    worker.onerror = (event) => {
+      event.preventDefault?.();
+      this.#restart(event.message);
+    };
+    worker.onmessageerror = () => this.#restart('an answer could not be read');
+    return worker;
+  }
+
+  #restart(reason: string): void {
+    this.#worker.terminate();
+    if (++this.#deaths >= hopeless) {
       const why = reason.replace(/^(Uncaught )?(\w*Error: )?/, '');
       const message = `the solver stopped (${why}); reload the page to go on`;
-      receive({ type: 'failed', revision, message });
+      this.#receive({ type: 'failed', revision: this.#revision, message, fatal: true });
       return;
     }
-    worker = start();
-    const file = opening ?? opened;
-    if (file) worker.postMessage({ type: 'open', revision: file.revision, bytes: file.bytes.slice(0) }, []);
-    if (wish) worker.postMessage(wish, []);
+    this.#worker = this.#start();
+    const file = this.#opening ?? this.#opened;
+    if (file) {
+      const { revision, bytes } = file;
+      this.#worker.postMessage({ type: 'open', revision, bytes: bytes.slice(0) }, []);
+    }
+    if (this.#wish) this.#worker.postMessage(this.#wish, []);
   }
 
-  function take(message: FromWorker): void {
-    if (message.type !== 'ready' && message.type !== 'room') deaths = 0;
-    if (message.type === 'room') {
-      if (message.revision !== opening?.revision) return;
-    } else if (message.type === 'opened') {
-      if (message.revision !== opening?.revision) return; // an older file, or the same again after a restart
-      opened = opening;
-      opening = null;
-    } else if (message.type === 'failed' && message.revision === opening?.revision) {
-      opening = null;
-    } else if (message.type !== 'ready' && !isCurrent(message.revision)) return;
-    receive(message);
+  #take(message: FromWorker): void {
+    if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
+    if (this.#isCurrent(message)) this.#receive(message);
   }
 
-  function isCurrent(answered: number): boolean {
-    if (answered < latest.open) return false;
-    return (
-      answered === latest.layout ||
-      ((answered === latest.bound || answered === latest.check) && answered > latest.layout)
-    );
+  /** Whether somebody still waits for this answer; one about the file that is being opened is taken note of. */
+  #isCurrent(message: FromWorker): boolean {
+    if (message.type === 'ready') return true;
+    const isOfOpening = message.revision === this.#opening?.revision;
+    if (message.type === 'room') return isOfOpening;
+    if (message.type === 'opened') {
+      if (!isOfOpening) return false; // an older file, or the same again after a restart
+      this.#opened = this.#opening;
+      this.#opening = null;
+      return true;
+    }
+    if (message.type === 'failed' && isOfOpening) {
+      this.#opening = null;
+      return true;
+    }
+    return this.#isLatest(message.revision);
   }
 
-  function ask(message: Exclude<ToWorker, { readonly type: 'stop' | 'open' }>): number {
-    latest[laneOf[message.type]] = message.revision;
-    if (laneOf[message.type] === 'layout') wish = message;
-    worker.postMessage(message, []);
-    return message.revision;
+  #isLatest(answered: number): boolean {
+    const { open, layout, bound, check } = this.#latest;
+    if (answered < open) return false;
+    return answered === layout || ((answered === bound || answered === check) && answered > layout);
   }
-
-  return {
-    open(bytes) {
-      latest.open = ++revision;
-      wish = null;
-      opening = { bytes, revision };
-      const mine = revision;
-      if (worker.adopt?.(bytes, mine)) return mine;
-      const copy = bytes.slice(0);
-      worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
-      return revision;
-    },
-    solve: (intentions, start, seed, askedAt) =>
-      ask({ type: 'solve', revision: ++revision, intentions, start, seed, askedAt }),
-    show: (intentions, layout) => ask({ type: 'show', revision: ++revision, intentions, layout }),
-    alpha: (intentions, seed) => ask({ type: 'alpha', revision: ++revision, intentions, seed }),
-    bound: (intentions) => ask({ type: 'bound', revision: ++revision, intentions }),
-    check: (intentions, layout) => ask({ type: 'check', revision: ++revision, intentions, layout }),
-    stop() {
-      wish = null;
-      worker.postMessage({ type: 'stop' }, []);
-    },
-    dispose: () => worker.terminate(),
-  };
 }

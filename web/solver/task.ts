@@ -16,25 +16,3 @@ export interface Task {
 }
 
 export const noTransfer = (message: FromWorker): Answer => ({ message, transfer: [] });
-
-/** Calls with amounts of work that take about `milliseconds` each. */
-export class Slicer {
-  #amount: number;
-  constructor(
-    readonly clock: () => number,
-    readonly milliseconds: number,
-    first: number,
-  ) {
-    this.#amount = first;
-  }
-
-  run<T>(work: (amount: number) => T): T {
-    const begin = this.clock();
-    const result = work(this.#amount);
-    // note: browsers step their clock by up to 0.1 ms.
-    const spent = Math.max(this.clock() - begin, 0.05);
-    const next = (this.#amount * this.milliseconds) / spent;
-    this.#amount = Math.round(Math.min(200_000, 4 * this.#amount, Math.max(10, next)));
-    return result;
-  }
-}

@@ -1,21 +1,5 @@
 /** What the app asks of the view; implemented by `createViewer` (viewer/viewer.ts). The viewer draws only on change. */
-import type { Camera, Layout } from '../document/types.ts';
-import type { SceneInfo } from '../solver/protocol.ts';
-
-export type ColorMap = 'viridis' | 'cividis' | 'inferno' | 'turbo';
-
-export interface Display {
-  readonly mode: 'realistic' | 'falseColor';
-  readonly exposure: number; // EV, realistic mode; 0 = automatic
-  readonly colorMap: ColorMap;
-  readonly steps: number; // 0 = continuous
-  readonly logarithmic: boolean;
-  readonly range: readonly [number, number]; // lx, ends of the legend
-  readonly isolux: boolean;
-  readonly quantity: 'illuminance' | 'exitance';
-  readonly cutAway: boolean; // do not draw walls between the eye and the room
-  readonly measuringPlanes: boolean; // draw them
-}
+import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
 

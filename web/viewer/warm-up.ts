@@ -12,8 +12,8 @@ import {
   type Material,
   type WebGLRenderer,
 } from 'three';
-import { createLightMaterial, type SharedUniforms } from './light-material.ts';
-import { createHaloMaterial, createPanelMaterial } from './luminaire-materials.ts';
+import { createLightMaterial, type SharedUniforms } from './light/light-material.ts';
+import { createHaloMaterial, createPanelMaterial } from './luminaires/luminaire-materials.ts';
 
 /** As most meshes of a room are: opaque, with and without a texture. */
 function roomMaterials(shared: SharedUniforms): Material[] {

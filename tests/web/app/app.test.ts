@@ -1,17 +1,23 @@
 // The app with a pretended worker and view: what is asked, what is shown, and in which order.
-import { beforeEach, describe, expect, test } from '@jest/globals';
-import { createApp, type App } from '../../../web/app/app.ts';
+import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { actions } from '../../../web/app/actions.ts';
+import { App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
-import { createStore } from '../../../web/app/store.ts';
+import { Store } from '../../../web/app/state/store.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
-import { matching } from '../../../web/panel/palette.tsx';
+import type { ToWorker } from '../../../web/solver/protocol.ts';
+import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver } from '../fake-solver.ts';
+import { fakeHost, type FakeHost } from '../fake-host.ts';
 import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
 
 let frames: (() => void)[] = [];
+let host: FakeHost;
 let solver: FakeSolver;
 let viewer: FakeViewer;
 let app: App;
+
+type Solve = Extract<ToWorker, { readonly type: 'solve' }>;
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 const frame = () => frames.splice(0).forEach((action) => action());
@@ -32,9 +38,10 @@ async function openRoom(): Promise<void> {
 
 beforeEach(async () => {
   frames = [];
+  host = fakeHost();
   globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
   const fake = fakeViewer();
-  app = createApp(createStore(), {
+  app = new App(new Store(), {
     canvas: null as unknown as HTMLCanvasElement,
     labels: null as unknown as HTMLElement,
     createViewer: fake.create,
@@ -42,6 +49,11 @@ beforeEach(async () => {
   });
   viewer = fake.viewer();
   await openRoom();
+});
+
+test('a room that is opened is asked about once, from nowhere', () => {
+  const asked = solver.asked.filter(({ type }) => type === 'solve' || type === 'show');
+  expect(asked).toMatchObject([{ type: 'solve', start: null }]);
 });
 
 describe('an edit', () => {
@@ -92,10 +104,9 @@ describe('an edit', () => {
   test('undo shows the very layout that was there', () => {
     const before = app.store.shown.value!.layout;
     app.store.edit('count', (draft) => void (draft.luminaires.count = 3));
-    app.solving.solve();
     settle();
     expect(app.store.shown.value?.layout.sites).toHaveLength(3);
-    app.travel(app.store.undo(), 'Undone');
+    app.undo();
     expect(solver.last('show')?.layout).toEqual(before);
   });
 
@@ -117,7 +128,7 @@ describe('a luminaire under the hand', () => {
     settle();
     expect(viewer.layout?.sites[2]).toBe(14); // the page keeps L3
     expect(viewer.pinned).toEqual([14]);
-    app.travel(app.store.undo(), 'Undone');
+    app.undo();
     expect(app.store.document.value.luminaires.pinned).toEqual([]);
   });
 
@@ -140,7 +151,7 @@ describe('links', () => {
   test('show exactly the layout, nothing is searched', async () => {
     globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
     const wish = app.store.shown.value!.layout;
-    const hash = app.leaving.link().slice('https://example.test/sub/'.length);
+    const hash = app.keeping.link().slice('https://example.test/sub/'.length);
     await app.opening.link(hash); // about a file that is not part of the site: it waits for that file
     expect(app.store.messages.value.at(-1)?.text).toMatch(/room\.flux/);
     const solves = solver.asked.filter((message) => message.type === 'solve').length;
@@ -158,14 +169,94 @@ describe('links', () => {
   });
 });
 
+/** Opens a room of the site: its file comes, the solver answers. */
+async function opened(opening: Promise<unknown>): Promise<void> {
+  for (let i = 0; i < 20; i++) {
+    await turn();
+    solver.flush();
+  }
+  await opening;
+  settle();
+}
+
+describe('rooms of the site', () => {
+  beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
+  afterEach(() => void jest.useRealTimers());
+
+  test('open with what the list asks of them', async () => {
+    app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null));
+    expect(host.asked).toEqual(['catalog.json', 'office.flux']);
+    expect(app.store.roomTitle.value).toBe('Open office');
+    expect(app.store.document.value).toMatchObject({ room: 'office', luminaires: { count: 15 } });
+    expect(solver.last('solve')?.intentions.goals[0]).toMatchObject({ surfaces: ['working plane'] });
+  });
+
+  test('an experiment finds out first what its bounds are shares of', async () => {
+    const bound = { min: { illuminate: 0.5 } };
+    const cards = [{ verb: 'vary', surfaces: ['wall'], mean: bound }];
+    const experiment = { id: 'half', title: 'Half', file: 'box.flux', opening: { cards } };
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }], experiments: [experiment] };
+    await app.rooms.load();
+    await opened(app.opening.entry('half'));
+    const [first, probe, last] = solver.asked.filter(({ type }) => type === 'solve').slice(-3) as Solve[];
+    expect(first?.intentions.constraints).toEqual([]);
+    expect(probe?.intentions.goals).toMatchObject([{ statistic: 'mean', sense: 'max', surfaces: ['wall'] }]);
+    expect(last?.start).toBeNull();
+    const best = app.store.shown.value!.surfaces.find(({ name }) => name === 'wall')!.mean; // of the same layout
+    expect(last?.intentions.constraints).toMatchObject([
+      { statistic: 'mean', min: Number((best / 2).toPrecision(3)) },
+    ]);
+  });
+
+  test('one that is being computed says so, and what is shown stays', async () => {
+    host = fakeHost({ box: { state: 'computing', progress: 0.4 } });
+    const { document } = app.store;
+    const before = document.value;
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    expect(app.store.messages.value.at(-1)?.text).toBe('“Box” is not ready yet: being computed, 40 %.');
+    expect(document.value).toBe(before);
+    expect(host.asked).not.toContain('box.flux');
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
+    await jest.advanceTimersByTimeAsync(3300); // the list is looked at again
+    await opened(app.opening.entry('box'));
+    expect(document.value.room).toBe('box');
+  });
+
+  test("a room of the site's owner opens by a link, too", async () => {
+    host.catalog = { rooms: [{ id: 'attic', title: 'Attic', file: 'My_attic.v2.flux' }] };
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    await app.rooms.load();
+    await opened(app.opening.entry('attic'));
+    const hash = app.keeping.link().split('/').at(-1)!;
+    await opened(app.opening.link(hash));
+    expect(app.store.roomTitle.value).toBe('Attic');
+    expect(app.store.document.value.room).toBe('My_attic.v2');
+    expect(host.asked.filter((name) => name === 'My_attic.v2.flux')).toHaveLength(2);
+  });
+
+  test('without their list one sentence offers to try again', async () => {
+    host.catalog = 'offline';
+    app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null));
+    const message = app.store.messages.value.at(-1)!;
+    expect(message.text).toBe('The list of rooms could not be loaded: no connection.');
+    host = fakeHost();
+    message.action?.run();
+    await opened(Promise.resolve());
+    expect(app.store.roomTitle.value).toBe('Open office');
+  });
+});
+
 describe('when things go wrong', () => {
   test('a failure keeps the layout and offers to resume; one click resumes', async () => {
     const shown = app.store.shown.value;
-    solver.say({ type: 'failed', revision: 99, message: 'the solver stopped (x)' });
+    solver.say({ type: 'failed', revision: 99, message: 'out of memory', fatal: true });
     app.solving.solve();
     const { revision } = solver.last('solve')!;
     const dead = solver;
-    solver.say({ type: 'failed', revision, message: 'the solver stopped (x)' });
+    solver.say({ type: 'failed', revision, message: 'out of memory', fatal: true });
     expect(app.store.shown.value).toBe(shown);
     const message = app.store.messages.value.at(-1)!;
     expect(message.action?.label).toBe('Resume');
@@ -189,7 +280,8 @@ describe('when things go wrong', () => {
     const opening = app.opening.file(file('bad.flux'));
     await turn();
     const request = solver.last('open')!;
-    solver.say({ type: 'failed', revision: request.revision, message: 'section "sites": checksum differs' });
+    const message = 'section "sites": checksum differs';
+    solver.say({ type: 'failed', revision: request.revision, message, fatal: false });
     await opening;
     expect(app.store.scene.value).toBe(scene);
     expect(app.store.messages.value.at(-1)?.text).toMatch(/checksum/);
@@ -230,21 +322,21 @@ test('a check is of the layout shown, and no longer stands when another one is s
   solver.say({ type: 'checked', revision, largestDifference: 1e-5, surface: 'floor', margins: [] });
   expect(app.store.check.value).toMatchObject({ largestDifference: 1e-5, surface: 'floor' });
   expect(app.store.check.value?.layout).toBe(app.store.shown.value?.layout);
-  app.solving.solveAfresh();
+  app.reseed();
   settle();
   expect(app.store.check.value?.layout).not.toBe(app.store.shown.value?.layout);
 });
 
 describe('the registry of actions', () => {
   test('no two actions share a key or an id', () => {
-    const keys = app.actions.flatMap((action) => action.keys ?? []);
+    const keys = actions.flatMap((action) => action.keys ?? []);
     expect(new Set(keys).size).toBe(keys.length);
-    expect(new Set(app.actions.map((action) => action.id)).size).toBe(app.actions.length);
+    expect(new Set(actions.map((action) => action.id)).size).toBe(actions.length);
   });
 
   test('is found by words', () => {
-    expect(matching(app.actions, 'plan view')[0]?.id).toBe('view-plan');
-    expect(matching(app.actions, 'zzz')).toEqual([]);
+    expect(matching(actions, 'plan view')[0]?.id).toBe('view-plan');
+    expect(matching(actions, 'zzz')).toEqual([]);
   });
 
   test('keys read as written', () => {

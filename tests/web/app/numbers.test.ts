@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { folded } from '../../../web/app/families.ts';
-import { bindingBounds, easedCards, fluxThatWouldDo, opposedCards } from '../../../web/app/explain.ts';
+import { folded } from '../../../web/app/rooms/families.ts';
+import { bindingBounds, easedCards, fluxThatWouldDo, opposedCards } from '../../../web/app/words/explain.ts';
 import {
   compact,
   duration,
@@ -11,23 +11,23 @@ import {
   percentAtMost,
   spanText,
   tabular,
-} from '../../../web/app/format.ts';
-import { coreOrder, fromCore, toCore } from '../../../web/app/luminaire-order.ts';
+} from '../../../web/app/words/format.ts';
+import { coreOrder, fromCore, toCore } from '../../../web/app/state/luminaire-order.ts';
 import {
   histogram,
-  leavesOf,
   patchesOf,
   promises,
   sampleOf,
   shareBelow,
   unionOf,
-} from '../../../web/app/statistics.ts';
-import { documentFrom } from '../../../web/app/catalog.ts';
+} from '../../../web/app/state/statistics.ts';
+import { leavesOf } from '../../../web/document/surface-names.ts';
+import { documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import { intentionsOf } from '../../../web/document/intentions.ts';
 import type { Card, Verb } from '../../../web/document/types.ts';
-import { readNumber } from '../../../web/panel/number-field.tsx';
-import { stepped } from '../../../web/panel/slider.tsx';
-import { innerNodes } from '../../../web/panel/surface-picker.tsx';
+import { readNumber } from '../../../web/panel/controls/number-field.tsx';
+import { stepped } from '../../../web/panel/controls/slider.tsx';
+import { innerNodes } from '../../../web/panel/intentions/surface-picker.tsx';
 import { precomputeLine } from '../../../web/panel/preview-note.tsx';
 import { fakeScene } from '../fake-solver.ts';
 

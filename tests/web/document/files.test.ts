@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { documentFrom, rooms } from '../../../web/app/catalog.ts';
+import { sampleDocument } from '../sample-rooms.ts';
 import { gltfLights, rotationFromMinusZ } from '../../../web/document/gltf-lights.ts';
 import { luminairesCsv } from '../../../web/document/luminaires-csv.ts';
 import { readProject, writeProject, type Project } from '../../../web/document/project-file.ts';
@@ -54,7 +54,7 @@ describe('glTF lights', () => {
 });
 
 describe('a project file', () => {
-  const document = { ...documentFrom(rooms[0]!.asked, scene.identity, 'box'), layout };
+  const document = { ...sampleDocument(scene.identity, 'box'), layout };
   const project: Project = { document, camera: null, display: null };
 
   test('comes back as it went', () => {
@@ -87,7 +87,7 @@ describe('a project file', () => {
 });
 
 describe('positions and sites', () => {
-  const asked = documentFrom(rooms[0]!.asked, scene.identity, 'box');
+  const asked = sampleDocument(scene.identity, 'box');
   const document = { ...asked, luminaires: { ...asked.luminaires, count: 2, pinned: [5], excluded: [7] } };
   const link = linkOf(document, layout, scene.sites, { camera: null, display: null });
 

@@ -1,9 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
-import { documentFrom, rooms } from '../../../web/app/catalog.ts';
+import { sampleDocument } from '../sample-rooms.ts';
 import { edit, redo, seal, startHistory, undo } from '../../../web/document/history.ts';
 import type { Layout } from '../../../web/document/types.ts';
 
-const first = documentFrom(rooms[0]!.asked, 'abc', 'box');
+const first = sampleDocument('abc', 'box');
 const layout = (site: number): Layout => ({ sites: [site], flux: [1], dimming: 1 });
 const flux = (value: number) => (draft: { luminaires: { flux: number } }) =>
   void (draft.luminaires.flux = value);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { documentFrom } from '../../../web/app/catalog.ts';
+import { documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import {
   boundOf,
   intentionsOf,

@@ -41,7 +41,7 @@ test('asks for the file at once and answers under the revision that adopts it, i
   expect(heard.slice(1)).toEqual([{ ...room, revision: 3 }]);
   say(opened);
   expect(heard.at(-1)).toEqual({ ...opened, revision: 3 });
-  const late = { type: 'failed', revision: 4, message: 'other' } as const;
+  const late = { type: 'failed', revision: 4, message: 'other', fatal: false } as const;
   say(late);
   expect(heard.at(-1)).toEqual(late);
   expect(worker.adopt(await worker.bytes, 5)).toBe(false); // a second opening is one of its own

@@ -1,6 +1,6 @@
 /** A session of four patches whose search becomes better at given counts of evaluations, and a clock set by hand. */
 import type { AlphaProgress, CoreIntentions, CoreShown, Session } from '../../../web/solver/core.ts';
-import type { Intentions } from '../../../web/solver/protocol.ts';
+import type { Intentions } from '../../../web/document/types.ts';
 
 export class FakeClock {
   now = 1_000;

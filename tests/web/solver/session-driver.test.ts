@@ -1,7 +1,7 @@
 /** Messages in, answers out: the protocol, latest wins, pace. */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
-import { pace } from '../../../web/solver/search-job.ts';
+import { pace } from '../../../web/solver/pacing.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeClock, FakeSession } from './fake-session.ts';
 
@@ -156,7 +156,9 @@ describe('solve', () => {
     expect(answer.postedAt).toBe(clock.now);
     expect(transferred).toEqual([answer.shown.illuminance.buffer]);
   });
+});
 
+describe('the pace of a search', () => {
   test('on a slow scene the first answer does not wait for all its evaluations', async () => {
     session = new FakeSession(clock, 20);
     driver = new SessionDriver(session, (message) => answers.push(message), clock.read);
@@ -174,7 +176,6 @@ describe('solve', () => {
     driver.step();
     expect(session.calls).toContain('start 3 from 1 0');
   });
-
   test('the latest wins: of a burst only the last is begun, and nothing old is answered', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -214,7 +215,7 @@ describe('solve', () => {
   });
 });
 
-describe('the other requests', () => {
+describe('show and check', () => {
   test('show answers once and ends the search', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -237,7 +238,9 @@ describe('the other requests', () => {
       intentions: asked,
       layout: { sites: [9], flux: [5], dimming: 1 },
     });
-    expect(answers).toEqual([{ type: 'failed', revision: 2, message: 'layout: there is no site 9' }]);
+    expect(answers).toEqual([
+      { type: 'failed', revision: 2, message: 'layout: there is no site 9', fatal: false },
+    ]);
   });
 
   test('check leaves the search for the same intentions running', async () => {
@@ -245,10 +248,16 @@ describe('the other requests', () => {
     await driver.receive(solve(2));
     driver.step();
     const layout = { sites: [1], flux: [5], dimming: 1 };
-    await driver.receive({ type: 'check', revision: 3, intentions: asked, layout });
+    await driver.receive({ type: 'check', revision: 3, intentions: asked, search: 2, layout });
     expect(driver.busy).toBe(true);
     expect(answers.at(-1)).toMatchObject({ type: 'checked', revision: 3 });
-    await driver.receive({ type: 'check', revision: 4, intentions: { ...asked, goals: [] }, layout });
+    await driver.receive({
+      type: 'check',
+      revision: 4,
+      intentions: { ...asked, goals: [] },
+      search: null,
+      layout,
+    });
     expect(driver.busy).toBe(false);
   });
 
@@ -258,6 +267,7 @@ describe('the other requests', () => {
       type: 'check',
       revision: 2,
       intentions: asked,
+      search: null,
       layout: { sites: [1], flux: [5], dimming: 1 },
     });
     expect(answers).toEqual([
@@ -275,7 +285,9 @@ describe('the other requests', () => {
       },
     ]);
   });
+});
 
+describe('alpha, bound and stop', () => {
   test('alpha tells every iteration once, then the verdict with its layout', async () => {
     await opened();
     await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });
@@ -302,7 +314,7 @@ describe('the other requests', () => {
   test('bound waits for the search, uses it, and tells smaller and smaller gaps', async () => {
     await opened();
     await driver.receive(solve(2));
-    await driver.receive({ type: 'bound', revision: 3, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 3, intentions: asked, search: 2 });
     settle();
     expect(session.calls.filter((call) => call.startsWith('start') || call === 'bound')).toEqual([
       'start 3',
@@ -318,7 +330,7 @@ describe('the other requests', () => {
 
   test('bound without a search of the same intentions makes one', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
     settle();
     expect(session.calls).toContain('start 1');
     expect(answers.at(-1)).toMatchObject({ type: 'bounded', revision: 2, done: true });
@@ -326,7 +338,7 @@ describe('the other requests', () => {
 
   test('a new wish ends the bound', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
     driver.step();
     await driver.receive(solve(3));
     answers.length = 0;

@@ -1,7 +1,8 @@
 /** Latest wins on the page's side, and a new worker where the old one dies. */
+import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
-import type { FromWorker, SceneInfo, ToWorker } from '../../../web/solver/protocol.ts';
-import { createSolverClient, type SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
+import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
+import { SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
 import { asked } from './fake-session.ts';
 
 class FakeWorker implements WorkerLike {
@@ -42,12 +43,12 @@ const bounded = (revision: number): FromWorker => ({
   gap: 0,
   done: true,
 });
-const failed = (revision: number): FromWorker => ({ type: 'failed', revision, message: 'no' });
+const failed = (revision: number): FromWorker => ({ type: 'failed', revision, message: 'no', fatal: false });
 
 beforeEach(() => {
   workers = [];
   received = [];
-  client = createSolverClient(
+  client = new SolverClient(
     () => {
       workers.push(new FakeWorker());
       return worker();
@@ -94,6 +95,32 @@ describe('latest wins', () => {
   });
 });
 
+describe('the search that a bound or a check is about', () => {
+  const last = () => worker().sent.at(-1);
+
+  test('is the latest one for the very same intentions', () => {
+    const solve = client.solve(asked, null, 1, 0);
+    client.bound(asked);
+    expect(last()).toMatchObject({ type: 'bound', search: solve });
+    client.stop();
+    client.check(asked, layout);
+    expect(last()).toMatchObject({ type: 'check', search: solve });
+    client.check({ ...asked, goals: [] }, layout);
+    expect(last()).toMatchObject({ type: 'check', search: null });
+  });
+
+  test.each([
+    ['a layout that is only shown', () => client.show(asked, layout)],
+    ['an alpha-search', () => client.alpha(asked, 1)],
+    ['another file', () => client.open(file())],
+  ])('is gone after %s', (_, request) => {
+    client.solve(asked, null, 1, 0);
+    request();
+    client.bound(asked);
+    expect(last()).toMatchObject({ type: 'bound', search: null });
+  });
+});
+
 describe('a worker that dies', () => {
   test('is replaced; file and wish are sent again, and the page sees no second "opened"', () => {
     const revision = client.open(file());
@@ -123,7 +150,9 @@ describe('a worker that dies', () => {
   test('again and again without an answer is said, not retried for ever', () => {
     for (let i = 0; i < 3; ++i) worker().die('no memory');
     expect(workers).toHaveLength(3);
-    expect(received).toMatchObject([{ type: 'failed', message: expect.stringContaining('reload the page') }]);
+    expect(received).toMatchObject([
+      { type: 'failed', fatal: true, message: expect.stringContaining('reload the page') },
+    ]);
   });
 
   test('is told in its own words, without those of the browser', () => {

@@ -1,10 +1,10 @@
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
-import { hangingSide, isOutside, leavesPlan, splitBySide } from '../../../web/viewer/cut-away.ts';
-import type { Box } from '../../../web/viewer/framing.ts';
-import { connectedParts } from '../../../web/viewer/mesh-parts.ts';
-import { surfaceEdges } from '../../../web/viewer/surface-edges.ts';
-import { spreadTags } from '../../../web/viewer/tag-layout.ts';
+import { hangingSide, isOutside, leavesPlan, splitBySide } from '../../../web/viewer/room/cut-away.ts';
+import type { Box } from '../../../web/viewer/eye/framing.ts';
+import { connectedParts } from '../../../web/viewer/room/mesh-parts.ts';
+import { surfaceEdges } from '../../../web/viewer/room/surface-edges.ts';
+import { spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
 
 const room: Box = { min: [0, 0, 0], max: [8, 3, 6] };
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
-import { adaptationLevel, automaticExposure } from '../../../web/viewer/exposure.ts';
-import { LightTexture } from '../../../web/viewer/light-texture.ts';
-import { barycentric, lightAtVertex } from '../../../web/viewer/probe.ts';
+import { adaptationLevel, automaticExposure } from '../../../web/viewer/light/exposure.ts';
+import { LightTexture } from '../../../web/viewer/light/light-texture.ts';
+import { barycentric, lightAtVertex } from '../../../web/viewer/light/probe.ts';
 
 describe('the probe', () => {
   const light = [100, 200, 400, 800];

@@ -1,0 +1,31 @@
+// scenes/catalog.json: the list of rooms that the page reads when it opens. A site's owner adds a room by copying its
+// .flux beside it and adding an entry to "rooms": { "id", "title", "description", "file" } and, if wished, "opening".
+import { rename, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { catalog, experiments } from './catalog.mjs';
+
+/**
+ * What the file says. `states`: by room, what of an entry is not as it should be in the end, such as
+ * { office: { state: 'computing', progress: 0.4 } }; an entry without a state is ready.
+ */
+export function catalogFile(states = {}) {
+  const entry = ({ id, title, description, opening }, room) => ({
+    id,
+    title,
+    description,
+    file: `${room}.flux`,
+    ...states[room],
+    opening,
+  });
+  return {
+    rooms: catalog.map((room) => entry(room, room.id)),
+    experiments: experiments.map((experiment) => entry(experiment, experiment.room)),
+  };
+}
+
+/** Writes it into a folder in one step, so that a page that reads it meanwhile gets all of it. */
+export async function writeCatalog(folder, states) {
+  const file = path.join(folder, 'catalog.json');
+  await writeFile(`${file}.tmp`, `${JSON.stringify(catalogFile(states), null, 2)}\n`);
+  await rename(`${file}.tmp`, file);
+}

@@ -1,0 +1,65 @@
+/** The list of rooms: the one that is shipped, one that a site's owner writes, and ones that are broken. */
+import { describe, expect, test } from '@jest/globals';
+import { catalogFile } from '../../../../rooms/catalog-file.mjs';
+import { readCatalog, type Catalog } from '../../../../web/app/rooms/catalog-file.ts';
+import { firstRoom } from '../../../../web/app/opening/first-scene.ts';
+import { sampleCatalog } from '../../sample-rooms.ts';
+
+const attic = { id: 'attic', title: 'Attic', file: 'attic.flux' };
+const read = (file: unknown): Catalog => {
+  const catalog = readCatalog(file);
+  if (typeof catalog === 'string') throw new Error(catalog);
+  return catalog;
+};
+
+describe('the list that is shipped', () => {
+  test('is read whole, the room of the first screen first', () => {
+    const { rooms, experiments } = sampleCatalog();
+    expect(rooms.map(({ id }) => id)).toEqual([firstRoom, 'e-corridor', 'classroom', 'gallery', 'box']);
+    expect(experiments).toHaveLength(13);
+    expect(experiments.every(({ room }) => room === 'e-corridor')).toBe(true);
+    const ids = [...rooms, ...experiments].map(({ id }) => id);
+    expect(new Set(ids).size).toBe(ids.length);
+    expect([...rooms, ...experiments].every(({ progress }) => progress === null)).toBe(true);
+  });
+
+  test('asks in the words of a project file, with shares where a bound depends on the room', () => {
+    const { rooms, experiments } = sampleCatalog();
+    expect(rooms[0]?.opening).toMatchObject({
+      cards: [{ id: 'c-1', verb: 'homogenize', weight: 1, mean: { min: 500, max: 650 } }, { id: 'c-2' }],
+      luminaires: { count: 15, dimming: [1, 1], pinned: [], minDistance: 1.8 },
+      quantity: 'illuminance',
+      saving: false,
+      seed: 1,
+    });
+    const ladder = experiments.find(({ id }) => id === '5.1-ladder-75');
+    expect(ladder?.opening?.cards[0]?.spread).toEqual({ min: { homogenize: 0.25, vary: 0.75 } });
+  });
+
+  test('tells of rooms that are being computed, and so do the experiments in them', () => {
+    const states = { 'e-corridor': { state: 'computing', progress: 0.4 } } as const;
+    const { rooms, experiments } = read(catalogFile(states));
+    expect(rooms.map(({ progress }) => progress)).toEqual([null, 0.4, null, null, null]);
+    expect(experiments.every(({ progress }) => progress === 0.4)).toBe(true);
+  });
+});
+
+describe("an owner's list", () => {
+  test('needs a name, a title and a file', () => {
+    expect(read({ rooms: [attic] }).rooms).toEqual([
+      { id: 'attic', room: 'attic', title: 'Attic', description: '', opening: null, progress: null },
+    ]);
+  });
+
+  test.each([
+    ['nothing', null, /./],
+    ['no rooms', { rooms: [] }, /names no room/],
+    ['a file elsewhere', { rooms: [{ ...attic, file: '../secret.flux' }] }, /rooms\.0\.file: .*\.flux file/],
+    ['a file on another host', { rooms: [{ ...attic, file: '//evil.test/a.flux' }] }, /rooms\.0\.file/],
+    ['an unknown verb', { rooms: [{ ...attic, opening: { cards: [{ verb: 'dim' }] } }] }, /cards\.0/],
+    ['progress beyond the end', { rooms: [{ ...attic, state: 'computing', progress: 40 }] }, /progress/],
+    ['an unknown state', { rooms: [{ ...attic, state: 'soon' }] }, /state/],
+  ])('with %s is refused by naming the fault', (_, file, fault) => {
+    expect(readCatalog(file)).toMatch(fault);
+  });
+});

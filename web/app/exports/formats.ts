@@ -1,0 +1,75 @@
+/**
+ * What the work is saved as. A row here is an action of its own (menu, palette, key) and a button of the share dialog;
+ * what is in the file is made by a module of document/, fetched when it is first wanted.
+ */
+import type { Layout, SceneInfo } from '../../document/types.ts';
+import { writeProject } from '../../document/project-file.ts';
+import type { App } from '../app.ts';
+
+export interface ExportFormat {
+  readonly id: string; // of its action
+  readonly title: string; // of its action
+  readonly keys?: readonly string[];
+  readonly button: string;
+  readonly noun: string; // "The <noun> could not be made"
+  readonly suffix: string; // of the file's name
+  readonly type: string; // media type
+  /** Throws one readable line. */
+  readonly content: (app: App) => Promise<Blob | string>;
+}
+
+export const exportFormats: readonly ExportFormat[] = [
+  {
+    id: 'save',
+    title: 'Save a project file',
+    keys: ['Mod+S'],
+    button: 'Save a project file',
+    noun: 'project file',
+    suffix: '.fiatlux.json',
+    type: 'application/json',
+    content: async ({ keeping }) => writeProject(keeping.project()),
+  },
+  {
+    id: 'png',
+    title: 'Export the picture (PNG)',
+    button: 'Picture',
+    noun: 'picture',
+    suffix: '.png',
+    type: 'image/png',
+    content: ({ viewer }) => viewer.png(),
+  },
+  {
+    id: 'csv',
+    title: 'Export the luminaires (CSV)',
+    button: 'CSV',
+    noun: 'table',
+    suffix: '-luminaires.csv',
+    type: 'text/csv',
+    async content(app) {
+      const { luminairesCsv } = await import('../../document/luminaires-csv.ts');
+      const { layout, sites } = hung(app);
+      return luminairesCsv(layout, sites, app.store.efficacy.peek());
+    },
+  },
+  {
+    id: 'gltf',
+    title: 'Export the luminaires (glTF)',
+    button: 'glTF lights',
+    noun: 'glTF file',
+    suffix: '-luminaires.gltf',
+    type: 'model/gltf+json',
+    async content(app) {
+      const { gltfLights } = await import('../../document/gltf-lights.ts');
+      const { layout, sites } = hung(app);
+      return gltfLights(layout, sites);
+    },
+  },
+];
+
+/** The luminaires that are shown, and the places of their room. */
+function hung({ store, keeping }: App): { layout: Layout; sites: SceneInfo['sites'] } {
+  const scene = store.scene.peek();
+  const layout = keeping.layout();
+  if (!scene || !layout) throw new Error('no layout is shown yet');
+  return { layout, sites: scene.sites };
+}

@@ -1,0 +1,30 @@
+/** Hands a file to the browser, which asks where to put it or puts it among the downloads. */
+import type { App } from '../app.ts';
+import type { ExportFormat } from './formats.ts';
+
+const patience = 10_000; // ms that a browser may take to begin with a download
+
+export async function saveAs(format: ExportFormat, app: App): Promise<void> {
+  try {
+    const content = await format.content(app);
+    const blob = typeof content === 'string' ? new Blob([content], { type: format.type }) : content;
+    download(`${fileStem(app.store.roomTitle.peek())}${format.suffix}`, blob);
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error);
+    app.store.say('error', `The ${format.noun} could not be made: ${why}`);
+  }
+}
+
+/** "Open office" -> "open-office". */
+export function fileStem(title: string): string {
+  const plain = title.toLowerCase().replace(/[^a-z0-9]+/g, '-');
+  return plain.replace(/^-|-$/g, '') || 'room';
+}
+
+function download(name: string, blob: Blob): void {
+  const anchor = document.createElement('a');
+  anchor.href = URL.createObjectURL(blob);
+  anchor.download = name;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), patience);
+}

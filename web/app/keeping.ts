@@ -1,0 +1,104 @@
+/** The work as it can be kept: as a project, as a link, and in the browser's own storage. */
+import { effect } from '@preact/signals';
+import type { Project } from '../document/project-file.ts';
+import { keepForReload } from '../document/reload.ts';
+import { encodeLink } from '../document/share-link.ts';
+import { linkOf } from '../document/sites.ts';
+import type { Layout } from '../document/types.ts';
+import type { Viewer } from '../viewer/types.ts';
+import { hasLink } from './opening/address.ts';
+import type { Solving } from './solving.ts';
+import type { Store } from './state/store.ts';
+
+const quiet = 1200; // ms without a change before the work is stored
+
+export class Keeping {
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #viewer: Viewer;
+  #isRefusalTold = false;
+
+  constructor(store: Store, solving: Solving, viewer: Viewer) {
+    this.#store = store;
+    this.#solving = solving;
+    this.#viewer = viewer;
+  }
+
+  /** The layout that answers what is asked, where there is one. */
+  layout(): Layout | null {
+    return this.#solving.layout() ?? this.#store.document.peek().layout;
+  }
+
+  /** What is asked together with the layout that answers it. */
+  project(): Project {
+    const { document, camera, display } = this.#store;
+    return {
+      document: { ...document.peek(), layout: this.layout() },
+      camera: camera.peek(),
+      display: display.peek(),
+    };
+  }
+
+  /** The whole address of the present layout. Throws one readable line where it does not fit a link. */
+  link(): string {
+    const { scene, camera, display, document } = this.#store;
+    const sites = scene.peek()?.sites;
+    if (!sites) throw new Error('No room is open yet.');
+    const view = { camera: camera.peek() ?? this.#viewer.camera(), display: display.peek() };
+    const hash = encodeLink(linkOf(document.peek(), this.layout(), sites, view));
+    return `${location.href.split('#')[0]}${hash}`;
+  }
+
+  /**
+   * Keeps the work in the browser some time after each change and when the page is left, and says honestly when that is
+   * refused. What a link shows is not kept before something is changed: it stays in the address, and the work that was
+   * there before must outlive a look at it. `isOurs`: whether a room comes with the site; others are not kept.
+   */
+  keepSaved(isOurs: (room: string) => boolean): () => void {
+    const isKept = () => isOurs(this.#store.document.peek().room) && !hasLink();
+    const leave = () => {
+      if (this.#store.shown.peek() !== null && isKept()) keepForReload(this.#left());
+    };
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const stop = effect(() => {
+      const { document, shown, progress } = this.#store;
+      void document.value;
+      const isReady = shown.value !== null && progress.value.state !== 'improving';
+      clearTimeout(timer);
+      if (isReady) timer = setTimeout(() => isKept() && void this.#save(), quiet);
+    });
+    globalThis.addEventListener?.('pagehide', leave);
+    return () => {
+      stop();
+      clearTimeout(timer);
+      globalThis.removeEventListener?.('pagehide', leave);
+    };
+  }
+
+  /** The work as a reload finds it; while a search runs its layout does not answer what is asked. */
+  #left(): Project {
+    const work = this.project();
+    const isSearching = this.#store.progress.peek().state === 'improving';
+    return isSearching ? { ...work, document: { ...work.document, layout: null } } : work;
+  }
+
+  async #save(): Promise<void> {
+    const { saving } = this.#store;
+    try {
+      const { save } = await import('../document/autosave.ts');
+      saving.value = { state: 'saved', at: await save(this.project()) };
+    } catch (error) {
+      saving.value = { state: 'refused', why: error instanceof Error ? error.message : String(error) };
+      this.#tellRefusal();
+    }
+  }
+
+  #tellRefusal(): void {
+    if (this.#isRefusalTold) return;
+    this.#isRefusalTold = true;
+    this.#store.say(
+      'warning',
+      'This browser refuses to store the work. Save a project file or a link to keep it.',
+    );
+  }
+}

@@ -1,0 +1,75 @@
+/** Files by button or drop: scenes, projects, and rooms that have no light yet. Nothing of them leaves the computer. */
+import { readProject, type Project } from '../../document/project-file.ts';
+import { cleanName } from '../../document/schema.ts';
+import { documentOf } from '../../document/sites.ts';
+import type { SceneInfo } from '../../document/types.ts';
+import type { Viewer } from '../../viewer/types.ts';
+import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
+import type { Store } from '../state/store.ts';
+import type { Placement, Placing } from './placing.ts';
+
+const largestFile = 256 << 20; // bytes
+
+export class FileOpening {
+  readonly #store: Store;
+  readonly #viewer: Viewer;
+  readonly #placing: Placing;
+  readonly #openProject: (project: Project) => Promise<boolean>;
+
+  constructor(
+    store: Store,
+    viewer: Viewer,
+    placing: Placing,
+    openProject: (project: Project) => Promise<boolean>,
+  ) {
+    this.#store = store;
+    this.#viewer = viewer;
+    this.#placing = placing;
+    this.#openProject = openProject;
+  }
+
+  async open(file: File): Promise<void> {
+    const name = cleanName(file.name);
+    if (file.size > largestFile)
+      return this.#refuse(`“${name}” is larger than 256 MB, which is more than the browser can hold.`);
+    const bytes = await file.arrayBuffer().catch(() => null);
+    if (!bytes) return this.#refuse(`“${name}” could not be read from the disk.`);
+    if (/\.glb$/i.test(name)) return this.#preview(name, bytes);
+    if (/\.flux$/i.test(name)) return this.#openFlux(name, bytes);
+    const project = readProject(new TextDecoder().decode(bytes));
+    if (typeof project !== 'string') await this.#openProject(project);
+    else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(`“${name}”: ${project}`);
+    else this.#refuse(`“${name}” is not a file of Fiat Lux: it takes .flux, .glb and project files.`);
+  }
+
+  async #openFlux(name: string, bytes: ArrayBuffer): Promise<void> {
+    const title = name.replace(/\.flux$/i, '');
+    const opened = await this.#placing.attempt(`Opening ${name}`, (isCurrent) =>
+      this.#placing.place(bytes, title, isCurrent, (scene) => this.#placementOf(name, scene)),
+    );
+    if (opened) this.#store.say('info', `“${name}” is open. It stays on this computer: nothing is uploaded.`);
+  }
+
+  /** What a link asks of this room that waited for its file, or else what is asked of any room at first. */
+  #placementOf(name: string, scene: SceneInfo): Placement {
+    const link = this.#store.pendingLink.peek();
+    const document = link?.scene === scene.identity ? documentOf(link, scene, true) : null;
+    if (link && document && typeof document !== 'string') {
+      this.#store.pendingLink.value = null;
+      return { document, view: link };
+    }
+    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    return { document: documentFrom(asked, scene.identity, name) };
+  }
+
+  async #preview(name: string, bytes: ArrayBuffer): Promise<void> {
+    await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
+      await this.#viewer.preview(bytes);
+      if (isCurrent()) this.#store.preview.value = name;
+    });
+  }
+
+  #refuse(why: string): void {
+    this.#store.say('error', why);
+  }
+}

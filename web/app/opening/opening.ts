@@ -1,0 +1,207 @@
+/** Everything that puts another room on the screen: gallery, links, dropped files, projects, the last work. */
+import { intentionsOf } from '../../document/intentions.ts';
+import type { Project } from '../../document/project-file.ts';
+import { cleanName } from '../../document/schema.ts';
+import { decodeLink, type Link } from '../../document/share-link.ts';
+import { documentOf } from '../../document/sites.ts';
+import type { SceneInfo } from '../../document/types.ts';
+import type { Viewer } from '../../viewer/types.ts';
+import type { GalleryEntry } from '../rooms/catalog-file.ts';
+import {
+  askedOfUnknown,
+  documentFrom,
+  hasShares,
+  withoutShares,
+  withSharesFound,
+  type Asked,
+} from '../rooms/opening-wish.ts';
+import { progressText, type Rooms } from '../rooms/rooms.ts';
+import type { Solving } from '../solving.ts';
+import type { Store } from '../state/store.ts';
+import { forgetLink } from './address.ts';
+import { requestScene } from './first-scene.ts';
+import { FileOpening } from './opening-files.ts';
+import { Placing, type Placement } from './placing.ts';
+
+export class Opening {
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #rooms: Rooms;
+  readonly #placing: Placing;
+  readonly #files: FileOpening;
+
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
+    this.#store = store;
+    this.#solving = solving;
+    this.#rooms = rooms;
+    this.#placing = new Placing(store, rooms, solving, viewer);
+    this.#files = new FileOpening(store, viewer, this.#placing, (project) => this.#openProject(project));
+  }
+
+  /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
+  async start(hash: string, lastWork: () => Promise<Project | null>): Promise<void> {
+    if (hash.length > 1 && (await this.link(hash))) return;
+    const last = await lastWork();
+    if (this.#isTaken()) return;
+    if (!(await this.#hasRooms(() => void this.start(hash, async () => last))) || this.#isTaken()) return;
+    if (last && this.#rooms.has(last.document.room) && (await this.#openProject(last))) return;
+    await this.#openFirst();
+  }
+
+  /** A room or an experiment of the gallery. */
+  async entry(id: string): Promise<void> {
+    this.#store.messages.value = [];
+    await this.#openEntry(id);
+  }
+
+  async file(file: File): Promise<void> {
+    this.#store.messages.value = [];
+    await this.#files.open(file);
+  }
+
+  /** Lets a person choose a file of their own. */
+  pick(): void {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = '.flux,.glb,.json,.fiatlux';
+    input.onchange = () => {
+      const file = input.files?.[0];
+      if (file) void this.file(file);
+    };
+    input.click();
+  }
+
+  async link(hash: string): Promise<boolean> {
+    const decoded = decodeLink(hash);
+    if (decoded.ok) return this.#openLink(decoded.link, true);
+    const { readable, message } = decoded;
+    const run = () => readable && void this.#openLink(readable, false);
+    this.#store.say('error', message, readable && { label: 'Open what can be read', run });
+    return false;
+  }
+
+  /** Leaves the preview of a .glb: the room that was open is shown again as it was. */
+  async endPreview(): Promise<void> {
+    const isBack = await this.#placing.restore();
+    if (!isBack && this.#store.scene.peek() === null) await this.#openFirst();
+  }
+
+  /** Whether something is on the screen, or on its way there: a person was faster than what the page wanted to show. */
+  #isTaken(): boolean {
+    const { loading, scene, preview } = this.#store;
+    return [loading, scene, preview].some((each) => each.peek() !== null);
+  }
+
+  /** Waits for the list of rooms; where there is none to be had, one sentence offers to try again. */
+  async #hasRooms(again: () => void): Promise<boolean> {
+    if (this.#rooms.isThere) return true;
+    let isThere = false;
+    await this.#placing.attempt('Looking for the rooms', async () => {
+      isThere = await this.#rooms.load();
+    });
+    const fault = this.#rooms.fault.peek();
+    if (!isThere && fault) this.#store.say('error', fault, { label: 'Try again', run: again });
+    return isThere;
+  }
+
+  async #openFirst(): Promise<void> {
+    const first = this.#rooms.first();
+    if (first) await this.#openEntry(first.id);
+  }
+
+  #openEntry(id: string): Promise<boolean> {
+    return this.#placing.attempt('Opening the room', async (isCurrent) => {
+      const entry = this.#rooms.entryOf(id);
+      if (!entry) throw new Error(`there is no room "${cleanName(id)}"`);
+      await this.#place(entry.room, entry.title, isCurrent, (scene) => ({
+        document: documentFrom(askedOf(entry, scene), scene.identity, entry.room),
+      }));
+      const scene = this.#store.scene.peek();
+      if (!isCurrent() || !scene) return;
+      forgetLink();
+      await this.#settleBounds(entry, scene);
+    });
+  }
+
+  /** An experiment's bounds are shares of what can be had in this room: find that out first. */
+  async #settleBounds({ opening, room }: GalleryEntry, scene: SceneInfo): Promise<void> {
+    if (!opening || !hasShares(opening)) return;
+    const asked = await withSharesFound(opening, async (verb, surfaces) => {
+      const wish = [{ id: 'best', surfaces, verb, weight: 1 }];
+      const probe = documentFrom({ ...opening, cards: wish }, scene.identity, room);
+      const { goals } = await this.#solving.probe(intentionsOf(probe).intentions);
+      return goals[0]?.value ?? 0;
+    });
+    this.#store.reset(documentFrom(asked, scene.identity, room));
+    this.#store.card.value = asked.cards[0]?.id ?? null;
+  }
+
+  /** Shows a link; where the room is another version of the one it names, only when `exact` is not insisted on. */
+  async #openLink(link: Link, exact: boolean): Promise<boolean> {
+    const hasRooms = await this.#hasRooms(() => void this.#openLink(link, exact));
+    if (!this.#rooms.has(link.room)) this.#store.pendingLink.value = link;
+    if (!hasRooms) return false;
+    if (!this.#rooms.has(link.room)) {
+      this.#store.say(
+        'warning',
+        `This link is about “${link.room}”, a file that is not part of this site. Open that .flux file here and the layout appears.`,
+      );
+      return false;
+    }
+    const title = this.#rooms.titleOf(link.room);
+    return this.#placing.attempt('Opening the link', (isCurrent) =>
+      this.#place(link.room, title, isCurrent, (scene) => {
+        const same = scene.identity === link.scene;
+        if (!same && exact) {
+          this.#offerOther(link);
+          throw new Error(`the link was not shown: “${title}” has changed since it was made`);
+        }
+        const document = documentOf(link, scene, same);
+        if (typeof document === 'string') throw new Error(document);
+        return { document, view: link };
+      }),
+    );
+  }
+
+  #offerOther(link: Link): void {
+    this.#store.say(
+      'warning',
+      `This link was made for another version of “${this.#rooms.titleOf(link.room)}”. In the present one the light will differ.`,
+      { label: 'Show it anyway', run: () => void this.#openLink(link, false) },
+    );
+  }
+
+  #openProject(project: Project): Promise<boolean> {
+    return this.#placing.attempt('Opening the project', async (isCurrent) => {
+      const { document } = project;
+      if (!this.#rooms.has(document.room))
+        throw new Error(
+          `this project is about “${document.room}”, which is not part of this site; open its .flux file first`,
+        );
+      await this.#place(document.room, this.#rooms.titleOf(document.room), isCurrent, (scene) => {
+        if (scene.identity !== document.scene)
+          throw new Error('the room has changed since this project was saved; its places no longer fit');
+        return { document, view: project };
+      });
+      if (isCurrent()) forgetLink();
+    });
+  }
+
+  /** A room of the site. */
+  async #place(
+    room: string,
+    title: string,
+    isCurrent: () => boolean,
+    make: (scene: SceneInfo) => Placement,
+  ): Promise<void> {
+    const entry = this.#rooms.roomOf(room);
+    const waiting = entry && progressText(entry);
+    if (waiting) throw new Error(`“${title}” is not ready yet: ${waiting}`);
+    await this.#placing.place(await requestScene(room), title, isCurrent, make);
+  }
+}
+
+/** What an entry asks at first, as far as that is known before anything is searched. */
+function askedOf({ opening }: GalleryEntry, { surfaces, sites }: SceneInfo): Asked {
+  return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length);
+}

@@ -1,0 +1,122 @@
+/** Puts a room on the screen, solver and picture together: all of it or nothing, and the latest wish wins. */
+import { batch } from '@preact/signals';
+import type { Link } from '../../document/share-link.ts';
+import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
+import type { Viewer } from '../../viewer/types.ts';
+import type { Rooms } from '../rooms/rooms.ts';
+import { Superseded, type Solving } from '../solving.ts';
+import { firstDisplay, type Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
+import { rememberRoom } from './first-scene.ts';
+
+/** What is on the screen: its file, and what the solver made of it. */
+interface Placed {
+  readonly bytes: ArrayBuffer;
+  readonly room: ArrayBuffer;
+  readonly scene: SceneInfo;
+}
+
+export interface Placement {
+  readonly document: FiatLuxDocument;
+  readonly view?: Pick<Link, 'camera' | 'display'>;
+}
+
+export class Placing {
+  readonly #store: Store;
+  readonly #rooms: Rooms;
+  readonly #solving: Solving;
+  readonly #viewer: Viewer;
+  #turn = 0; // the latest wish to open something wins
+  #placed: Placed | null = null;
+
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
+    this.#store = store;
+    this.#rooms = rooms;
+    this.#solving = solving;
+    this.#viewer = viewer;
+  }
+
+  /** Runs one opening; errors become one message, and what was on the screen stays. Resolves to its success. */
+  async attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean> {
+    const turn = ++this.#turn;
+    const isCurrent = () => turn === this.#turn;
+    this.#store.loading.value = what;
+    try {
+      await action(isCurrent);
+      return true;
+    } catch (error) {
+      if (isCurrent() && !(error instanceof Superseded))
+        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      return false;
+    } finally {
+      if (isCurrent()) this.#store.loading.value = null;
+    }
+  }
+
+  /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
+  async place(
+    bytes: ArrayBuffer,
+    title: string,
+    isCurrent: () => boolean,
+    make: (scene: SceneInfo) => Placement,
+  ): Promise<void> {
+    if (!isCurrent()) return;
+    const layout = this.#solving.layout();
+    performance.mark('scene fetched');
+    const { scene, room } = await this.#solving.open(bytes);
+    performance.mark('scene opened');
+    if (!isCurrent()) return;
+    let placement: Placement;
+    try {
+      placement = make(scene);
+      await this.#viewer.open(room, scene);
+    } catch (error) {
+      // The solver has the new scene by now, the screen still the old one.
+      if (isCurrent()) await this.#takeBack(layout);
+      throw error;
+    }
+    if (!isCurrent()) return;
+    performance.mark('room displayed');
+    this.#placed = { bytes, room, scene };
+    this.#show(scene, title, placement);
+  }
+
+  /** Shows the room that was open before a preview, as it was; false where there was none. */
+  async restore(): Promise<boolean> {
+    const back = this.#placed;
+    if (!back) return false;
+    return this.attempt('Going back', async (isCurrent) => {
+      await this.#viewer.open(back.room, back.scene);
+      if (!isCurrent()) return;
+      this.#store.preview.value = null;
+      this.#solving.relight();
+    });
+  }
+
+  /** The app's whole state in one step; the new document then asks the solver by itself. */
+  #show(scene: SceneInfo, title: string, { document, view }: Placement): void {
+    const store = this.#store;
+    if (this.#rooms.has(document.room)) rememberRoom(document.room);
+    batch(() => {
+      store.scene.value = scene;
+      store.roomTitle.value = title;
+      store.preview.value = null;
+      store.surface.value = store.luminaire.value = null;
+      store.card.value = document.cards[0]?.id ?? null;
+      store.alphaRun.value = store.bound.value = store.check.value = null;
+      store.reset(document);
+      const display = view?.display ?? { ...firstDisplay, mode: store.display.peek().mode };
+      store.legendLocked.value = Boolean(view?.display);
+      store.display.value = { ...display, quantity: document.quantity };
+    });
+    if (view?.camera) this.#viewer.setCamera(view.camera);
+    else this.#viewer.home();
+  }
+
+  /** Gives the solver the scene and the layout back that are on the screen. */
+  async #takeBack(layout: Layout | null): Promise<void> {
+    if (!this.#placed) return;
+    await this.#solving.open(this.#placed.bytes);
+    if (layout) this.#solving.show(layout);
+  }
+}

@@ -1,0 +1,107 @@
+/**
+ * scenes/catalog.json, the list of rooms of a site: what the file may say, and the entries of the gallery that it makes.
+ * It comes from outside (a site's owner edits it), so everything in it is checked, and what may be left out has its value
+ * here.
+ */
+import * as v from 'valibot';
+import {
+  cardOf,
+  firstFault,
+  lux,
+  luminairesSchema,
+  mostCards,
+  nameSchema,
+  number,
+  quantitySchema,
+  seedSchema,
+} from '../../document/schema.ts';
+import { sceneFile } from '../opening/first-scene.ts';
+import { usualLuminaires, type OpeningCard, type OpeningWish } from './opening-wish.ts';
+
+export interface GalleryEntry {
+  readonly id: string;
+  readonly room: string; // the scene file's name without .flux; what links and projects call the room
+  readonly title: string;
+  readonly description: string;
+  readonly opening: OpeningWish | null; // null: what is asked of any room at first
+  readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
+}
+
+export interface Catalog {
+  readonly rooms: readonly GalleryEntry[];
+  readonly experiments: readonly GalleryEntry[];
+}
+
+const share = v.exactOptional(number(-100, 100));
+const shares = v.strictObject({ illuminate: share, overshadow: share, homogenize: share, vary: share });
+const card = cardOf(v.union([lux, shares]));
+const openingCard = v.object({
+  ...card.entries,
+  id: v.optional(card.entries.id),
+  weight: v.optional(card.entries.weight, 1),
+});
+
+const { count, flux, dimming, pinned, excluded, minDistance } = luminairesSchema.entries;
+const opening = v.object({
+  cards: v.pipe(
+    v.array(openingCard),
+    v.maxLength(mostCards),
+    v.transform((cards) => cards.map(withId)),
+  ),
+  luminaires: v.optional(
+    v.object({
+      count: v.optional(count, usualLuminaires.count),
+      flux: v.optional(flux, usualLuminaires.flux),
+      dimming: v.optional(dimming, [1, 1]),
+      pinned: v.optional(pinned, []),
+      excluded: v.optional(excluded, []),
+      minDistance: v.optional(minDistance, usualLuminaires.minDistance),
+    }),
+    {},
+  ),
+  saving: v.optional(v.boolean(), false),
+  quantity: v.optional(quantitySchema, 'illuminance'),
+  seed: v.optional(seedSchema, 1),
+});
+
+const entry = v.pipe(
+  v.object({
+    id: v.pipe(v.string(), v.regex(/^[\w.-]{1,80}$/)),
+    title: nameSchema,
+    description: v.optional(nameSchema),
+    file: v.pipe(v.string(), v.regex(sceneFile, 'it is not the name of a .flux file in this folder')),
+    opening: v.optional(opening),
+    state: v.optional(v.picklist(['ready', 'computing']), 'ready'),
+    progress: v.optional(number(0, 1), 0),
+  }),
+  v.transform(({ file, state, progress, description = '', ...rest }): GalleryEntry => ({
+    id: rest.id,
+    room: file.replace(/\.flux$/, ''),
+    title: rest.title,
+    description,
+    opening: rest.opening ?? null,
+    progress: state === 'computing' ? progress : null,
+  })),
+);
+
+const catalog = v.object({
+  rooms: v.pipe(v.array(entry), v.minLength(1, 'it names no room'), v.maxLength(1000)),
+  experiments: v.optional(v.pipe(v.array(entry), v.maxLength(1000)), []),
+});
+
+/** The rooms, or one short clause about the first fault. */
+export function readCatalog(file: unknown): Catalog | string {
+  const read = v.safeParse(catalog, file);
+  return read.success ? withRoomsProgress(read.output) : firstFault(read.issues);
+}
+
+/** An experiment is ready when its room is. */
+function withRoomsProgress({ rooms, experiments }: Catalog): Catalog {
+  const progressOf = ({ room, progress }: GalleryEntry) =>
+    rooms.find((each) => each.room === room)?.progress ?? progress;
+  return { rooms, experiments: experiments.map((each) => ({ ...each, progress: progressOf(each) })) };
+}
+
+function withId(card: Omit<OpeningCard, 'id'> & { id?: string | undefined }, index: number): OpeningCard {
+  return { ...card, id: card.id ?? `c-${index + 1}` };
+}

@@ -1,0 +1,119 @@
+/**
+ * What is asked of a room when it is opened. Bounds of an opening may be shares of the best that can be had in the very
+ * room: they are found out by searches for a verb alone, and until then nothing is asked of them.
+ */
+import type { Card, FiatLuxDocument, Luminaires, SurfaceNames, Verb } from '../../document/types.ts';
+
+export type Asked = Pick<FiatLuxDocument, 'cards' | 'saving' | 'luminaires' | 'quantity' | 'seed'>;
+
+/** A sum of shares of what verbs alone reach on the card's surfaces, such as { homogenize: 0.5, vary: 0.5 }. */
+export type Shares = { readonly [Key in Exclude<Verb, 'keep'>]?: number | undefined };
+export type OpeningBound = number | Shares;
+
+interface OpeningRange {
+  readonly min?: OpeningBound;
+  readonly max?: OpeningBound;
+}
+
+/** A card, some of whose bounds are shares. */
+export interface OpeningCard extends Omit<Card, 'mean' | 'spread' | 'guarantee'> {
+  readonly mean?: OpeningRange;
+  readonly spread?: OpeningRange;
+  readonly guarantee?: OpeningRange & Pick<NonNullable<Card['guarantee']>, 'by' | 'alpha'>;
+}
+
+export interface OpeningWish extends Omit<Asked, 'cards'> {
+  readonly cards: readonly OpeningCard[];
+}
+
+/** The mean (illuminate, overshadow) or the spread (homogenize, vary) that a verb alone reaches on surfaces. */
+export type Best = (verb: Verb, surfaces: SurfaceNames) => Promise<number>;
+
+/** Whether a bound has to be found out before the opening can be asked as it is meant. */
+export function hasShares({ cards }: OpeningWish): boolean {
+  return cards.some((card) => sharesOf(card).length > 0);
+}
+
+/** The opening without the bounds that are shares. */
+export function withoutShares(wish: OpeningWish): Asked {
+  return { ...wish, cards: wish.cards.map((card) => withValues(card, new Map())) };
+}
+
+/** The opening with numbers for all its bounds, to three digits. Each best is asked for once. */
+export async function withSharesFound(wish: OpeningWish, best: Best): Promise<Asked> {
+  const known = new Map<string, number>();
+  const bestOf = async (verb: Verb, surfaces: SurfaceNames) => {
+    const key = [verb, ...surfaces].join('\n');
+    const value = known.get(key) ?? (await best(verb, surfaces));
+    known.set(key, value);
+    return value;
+  };
+  const cards: Card[] = [];
+  for (const card of wish.cards) {
+    const values = new Map<Shares, number>();
+    for (const shares of sharesOf(card)) {
+      let sum = 0;
+      for (const [verb, share] of Object.entries(shares) as [Verb, number][])
+        sum += share * (await bestOf(verb, card.surfaces));
+      values.set(shares, Number(sum.toPrecision(3)));
+    }
+    cards.push(withValues(card, values));
+  }
+  return { ...wish, cards };
+}
+
+function sharesOf({ mean, spread, guarantee }: OpeningCard): Shares[] {
+  return [mean, spread, guarantee]
+    .flatMap((range) => [range?.min, range?.max])
+    .filter((bound) => typeof bound === 'object');
+}
+
+/** The card with numbers for its bounds; one without a value goes, and so does what is left without bounds. */
+function withValues(card: OpeningCard, values: ReadonlyMap<Shares, number>): Card {
+  const { mean, spread, guarantee, ...rest } = card;
+  const valueOf = (bound: OpeningBound | undefined) =>
+    typeof bound === 'object' ? values.get(bound) : bound;
+  const ends = (range: OpeningRange | undefined) => {
+    const [min, max] = [valueOf(range?.min), valueOf(range?.max)];
+    if (min === undefined && max === undefined) return null;
+    return { ...(min !== undefined && { min }), ...(max !== undefined && { max }) };
+  };
+  const [meanEnds, spreadEnds, guaranteeEnds] = [ends(mean), ends(spread), ends(guarantee)];
+  return {
+    ...rest,
+    ...(meanEnds && { mean: meanEnds }),
+    ...(spreadEnds && { spread: spreadEnds }),
+    ...(guarantee &&
+      guaranteeEnds && { guarantee: { by: guarantee.by, alpha: guarantee.alpha, ...guaranteeEnds } }),
+  };
+}
+
+export const usualLuminaires: Luminaires = {
+  count: 6,
+  flux: 3000,
+  dimming: [1, 1],
+  pinned: [],
+  excluded: [],
+  minDistance: 0,
+};
+
+/** What is asked at first of a room that nobody has described: even light on a measuring plane, or everywhere. */
+export function askedOfUnknown(
+  surfaces: readonly { name: string; measuring: boolean }[],
+  sites: number,
+): Asked {
+  const plane = surfaces.find((surface) => surface.measuring)?.name ?? 'all';
+  const count = Math.max(1, Math.min(usualLuminaires.count, sites));
+  return {
+    cards: [{ id: 'c-first', surfaces: [plane], verb: 'homogenize', weight: 1 }],
+    luminaires: { ...usualLuminaires, count },
+    saving: false,
+    quantity: 'illuminance',
+    seed: 1,
+  };
+}
+
+export function documentFrom(asked: Asked, scene: string, room: string): FiatLuxDocument {
+  const { cards, saving, luminaires, quantity, seed } = asked;
+  return { scene, room, cards, saving, luminaires, quantity, seed, layout: null };
+}

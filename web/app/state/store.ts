@@ -1,0 +1,181 @@
+/**
+ * The state of the app as signals. What is asked (the document and its history) and what is shown (the solver's latest
+ * answer) are apart; nothing here touches worker, canvas or DOM.
+ */
+import { batch, computed, signal } from '@preact/signals';
+import type { Draft } from 'immer';
+import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
+import { intentionsOf } from '../../document/intentions.ts';
+import type { LayoutCheck } from '../words/layout-check.ts';
+import type { Link } from '../../document/share-link.ts';
+import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
+import type { AlphaStep, Shown } from '../../solver/protocol.ts';
+import { usualLuminaires } from '../rooms/opening-wish.ts';
+
+export interface Message {
+  readonly id: number;
+  readonly kind: 'info' | 'warning' | 'error';
+  readonly text: string;
+  readonly action?: { readonly label: string; readonly run: () => void };
+}
+
+export interface Progress {
+  readonly state: 'idle' | 'improving' | 'settled' | 'shown'; // 'shown': exactly a given layout, nothing searched
+  readonly evaluations: number;
+  readonly milliseconds: number;
+}
+
+/** A search for the smallest alpha, as it runs and when it is done. */
+export interface AlphaRun {
+  readonly card: string;
+  readonly steps: readonly AlphaStep[];
+  readonly done: {
+    readonly alpha: number | null;
+    readonly verdict: string;
+    readonly feasibleBound: number | null;
+  } | null;
+}
+
+export interface Hover {
+  readonly surface: number;
+  readonly x: number;
+  readonly y: number;
+  readonly lux: number;
+  readonly exitance: number; // lm/m2
+}
+
+export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | null;
+export type Tab = 'intentions' | 'luminaires' | 'results';
+export type Saving =
+  | { readonly state: 'unsaved' }
+  | { readonly state: 'saved'; readonly at: number }
+  | { readonly state: 'refused'; readonly why: string };
+
+/** How the solver answers a change of the document. */
+export type Answering =
+  /** By a search: from the layout shown, from another one, or (null) from nowhere. */
+  | { readonly by: 'search'; readonly from?: Layout | null }
+  /** By the light of exactly this layout. */
+  | { readonly by: 'layout'; readonly layout: Layout }
+  /** Not at all: the light that is there answers it. */
+  | { readonly by: 'nothing' };
+
+export const firstDisplay: Display = {
+  mode: 'realistic',
+  exposure: 0,
+  colorMap: 'viridis',
+  steps: 0,
+  logarithmic: false,
+  range: [0, 500],
+  isolux: false,
+  quantity: 'illuminance',
+  cutAway: true,
+  measuringPlanes: false,
+};
+
+/** Before there is a room: nothing is asked. */
+const blank: FiatLuxDocument = {
+  scene: '',
+  room: '',
+  cards: [],
+  saving: false,
+  luminaires: usualLuminaires,
+  quantity: 'illuminance',
+  seed: 1,
+  layout: null,
+};
+
+export class Store {
+  readonly history = signal<History>(startHistory(blank));
+  readonly document = computed(() => this.history.value.document);
+  readonly traced = computed(() => intentionsOf(this.document.value)); // anew with every change of the document
+  readonly scene = signal<SceneInfo | null>(null);
+  readonly roomTitle = signal('');
+  readonly shown = signal<Shown | null>(null); // at most once a frame
+  readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
+  readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
+  readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
+  readonly alphaRun = signal<AlphaRun | null>(null);
+  readonly surface = signal<number | null>(null); // selected leaf
+  readonly luminaire = signal<number | null>(null); // selected, 0 = L1
+  readonly card = signal<string | null>(null); // opened card
+  readonly hover = signal<Hover | null>(null);
+  readonly display = signal<Display>(firstDisplay);
+  readonly legendLocked = signal(false);
+  readonly camera = signal<Camera | null>(null);
+  readonly messages = signal<readonly Message[]>([]);
+  readonly announcement = signal('');
+  readonly dialog = signal<Dialog>(null);
+  readonly tab = signal<Tab>('intentions');
+  readonly loading = signal<string | null>(null);
+  readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
+  readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
+  readonly saving = signal<Saving>({ state: 'unsaved' });
+  readonly efficacy = signal(120); // lm/W
+  #answering: Answering = { by: 'nothing' };
+  #nextMessage = 1;
+
+  /** How the latest change of the document is to be answered. */
+  get answering(): Answering {
+    return this.#answering;
+  }
+
+  /** One edit of the document; edits of the same gesture are one step of undo. Returns whether anything changed. */
+  edit(
+    label: string,
+    recipe: (draft: Draft<FiatLuxDocument>) => void,
+    gesture: string | null = null,
+    answering: Answering = { by: 'search' },
+  ): boolean {
+    const shown = this.shown.peek()?.layout ?? null;
+    const next = edit(this.history.peek(), label, recipe, shown, gesture);
+    if (next === this.history.peek()) return false;
+    this.#change(next, answering);
+    return true;
+  }
+
+  endGesture(): void {
+    this.history.value = seal(this.history.peek());
+  }
+
+  /** Both bring back the light of the step, too, and return what it was called; undefined where there is none. */
+  undo(): string | undefined {
+    return this.#travel(undo(this.history.peek(), this.shown.peek()?.layout ?? null));
+  }
+
+  redo(): string | undefined {
+    return this.#travel(redo(this.history.peek()));
+  }
+
+  /** A new document: nothing to undo before it. */
+  reset(document: FiatLuxDocument): void {
+    const { layout } = document;
+    batch(() => {
+      this.#change(startHistory(document), layout ? { by: 'layout', layout } : { by: 'search', from: null });
+      this.shown.value = null;
+    });
+  }
+
+  say(kind: Message['kind'], text: string, action?: Message['action']): number {
+    const id = this.#nextMessage++;
+    const others = this.messages.peek().filter((message) => message.text !== text);
+    this.messages.value = [...others, { id, kind, text, ...(action && { action }) }].slice(-4);
+    return id;
+  }
+
+  dismiss(id: number): void {
+    this.messages.value = this.messages.peek().filter((message) => message.id !== id);
+  }
+
+  #travel(step: Travel | null): string | undefined {
+    if (!step) return undefined;
+    const { history, label, layout } = step;
+    this.#change(history, layout ? { by: 'layout', layout } : { by: 'search' });
+    return label;
+  }
+
+  #change(history: History, answering: Answering): void {
+    this.#answering = answering;
+    this.history.value = history;
+  }
+}

@@ -1,0 +1,95 @@
+/** Numbers for people: three significant digits, a thin space between thousands, units spelt as in the field. */
+import type { Quantity } from '../../document/types.ts';
+
+const thin = '\u202f';
+
+/** 0.0123, 1.23, 12.3, 123, 1 234: three significant digits, never an exponent. */
+export function compact(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  if (size === 0) return '0';
+  const digits = size >= 100 ? 0 : Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(size))));
+  return grouped(value.toFixed(digits));
+}
+
+/** `compact` for narrow columns: below 1 hundredths, "< 0.01" where there is less than half of one. */
+export function tabular(value: number): string {
+  if (!(value > 0 && value < 1)) return compact(value);
+  return value < 0.005 ? '< 0.01' : value.toFixed(2);
+}
+
+/** "480–560"; one number where both ends read the same. The dash may break a line. */
+export function spanText(low: number, high: number): string {
+  const [from, to] = [tabular(low), tabular(high)];
+  return from === to ? from : `${from}–\u200b${to}`;
+}
+
+export function grouped(text: string): string {
+  const [whole = '', fraction] = text.split('.');
+  const spaced = whole.replace(/\B(?=(\d{3})+$)/g, thin);
+  return fraction === undefined ? spaced : `${spaced}.${fraction}`;
+}
+
+/** 950, 12 400, 2.07 million: how many layouts were tried. */
+export function count(value: number): string {
+  return value >= 1e6 ? `${(value / 1e6).toPrecision(3)} M` : grouped(String(value));
+}
+
+/** 0.8 ms, 42 ms, 2.8 s. */
+export function duration(milliseconds: number): string {
+  if (milliseconds >= 1000) return `${(milliseconds / 1000).toFixed(1)} s`;
+  return `${milliseconds.toFixed(milliseconds < 10 ? 1 : 0)} ms`;
+}
+
+export function percent(share: number): string {
+  if (!Number.isFinite(share)) return '–';
+  const value = share * 100;
+  if (value > 0 && value < 0.1) return '< 0.1 %';
+  return `${value < 10 ? value.toFixed(1) : value.toFixed(0)} %`;
+}
+
+/** A share that must not be understated ("within 0.9 %"): rounded up. */
+export function percentAtMost(share: number): string {
+  const scale = share < 0.0995 ? 1000 : 100; // a digit after the point below 10 %
+  const value = (Math.ceil(share * scale - 1e-9) / scale) * 100;
+  return `${value.toFixed(scale === 1000 ? 1 : 0)} %`;
+}
+
+export function ratio(value: number): string {
+  return Number.isFinite(value) ? value.toFixed(2) : '–';
+}
+
+export function unitOf(quantity: Quantity): string {
+  return quantity === 'illuminance' ? 'lx' : 'lm/m²';
+}
+
+/** The smallest "round" number (1, 1.5, 2, 3, 4, 5, 6, 8 x 10^k) that is not below `value`. */
+export function niceCeiling(value: number): number {
+  if (!(value > 0) || !Number.isFinite(value)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((factor) => factor * power >= value * (1 - 1e-9)) ?? 10;
+  return Number((step * power).toPrecision(6));
+}
+
+/** A round step that cuts a scale of `span` into about 200. */
+export function niceStep(span: number): number {
+  const power = 10 ** Math.floor(Math.log10(span / 200));
+  const step = [1, 2, 5, 10].find((factor) => factor * power >= (span / 200) * (1 - 1e-9)) ?? 10;
+  return Number((step * power).toPrecision(6));
+}
+
+/** Rounds to three digits towards what a bound can be met by: down for a lower bound, up for an upper one. */
+export function easedBound(value: number, end: 'min' | 'max'): number {
+  if (!(value > 0)) return 0;
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
+  const eased =
+    end === 'min' ? Math.floor(value / unit - 0.02) * unit : Math.ceil(value / unit + 0.02) * unit;
+  return Number(Math.max(0, eased).toPrecision(4));
+}
+
+/** "no connection" -> "No connection." */
+export function sentence(text: string): string {
+  const clean = text.trim();
+  const start = clean.charAt(0).toUpperCase() + clean.slice(1);
+  return /[.!?]$/.test(start) ? start : `${start}.`;
+}

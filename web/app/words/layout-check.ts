@@ -1,0 +1,52 @@
+/** "Check this layout": what recomputing every surface from its patches has shown, as one sentence. */
+import { boundOf, type Origin } from '../../document/intentions.ts';
+import type { FiatLuxDocument, Layout } from '../../document/types.ts';
+import { fieldText } from './explain.ts';
+import { compact, percent, unitOf } from './format.ts';
+import { fine } from './provenance.ts';
+
+export interface LayoutCheck {
+  readonly layout: Layout; // the one that was checked
+  readonly largestDifference: number; // of a mean or a spread, as a share of the surface's mean
+  readonly surface: string;
+  readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative, < 0 = not met
+}
+
+const little = 0.02; // a margin below this is worth naming
+
+/** Names at most three bounds: those with the least to spare. */
+export function checkText(
+  { largestDifference, surface, margins }: LayoutCheck,
+  document: FiatLuxDocument,
+  origins: readonly Origin[],
+): string {
+  const where = surface === 'all' ? 'the whole room' : `“${surface}”`;
+  const difference = `Recomputed from the patches: means and spreads differ by at most ${fine(largestDifference)} (${where}).`;
+  if (margins.length === 0) return difference;
+  const tight = [...margins].filter(({ margin }) => margin < little).sort((a, b) => a.margin - b.margin);
+  if (tight.length === 0) {
+    const least = Math.min(...margins.map(({ margin }) => margin));
+    return `${difference} Every bound is met with ${percent(least)} or more to spare.`;
+  }
+  const named = tight.slice(0, 3).flatMap(({ constraint, margin }) => {
+    const origin = origins[constraint];
+    const card = origin && document.cards.find((each) => each.id === origin.card);
+    const bound = card && boundOf(card, origin.field);
+    if (!card || bound === undefined) return [];
+    const isRatio = origin.field === 'uniformity' || origin.field === 'contrast';
+    const unit = isRatio ? '' : ` ${unitOf(document.quantity)}`;
+    const what = `${card.surfaces.join(', ')}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
+    return [`${what}, ${marginText(margin)}`];
+  });
+  const more = tight.length > 3 ? `; and ${tight.length - 3} more` : '';
+  return `${difference} Little margin: ${named.join('; ')}${more}.`;
+}
+
+// Rounding of the sums, and of bounds that are met exactly.
+const exactly = 1e-6;
+
+/** "3.0 % to spare", "0.4 % short". */
+export function marginText(margin: number): string {
+  if (Math.abs(margin) <= exactly) return 'met exactly';
+  return margin > 0 ? `${percent(margin)} to spare` : `${percent(-margin)} short`;
+}

@@ -1,0 +1,80 @@
+/**
+ * What a scene file tells of how it was made, and what a person should know of it. The JSON comes from a file: what
+ * is missing or of another type is left out, never guessed.
+ */
+import * as v from 'valibot';
+import type { SceneInfo } from '../../document/types.ts';
+import { grouped, percent } from './format.ts';
+
+const known = <T extends v.GenericSchema>(schema: T) => v.fallback(v.optional(schema), undefined);
+const share = v.pipe(v.number(), v.finite(), v.minValue(0));
+
+const provenanceSchema = v.object({
+  source: known(v.object({ file: v.string() })),
+  patchSize: known(share), // m
+  options: known(v.object({ rays: v.number(), refine: v.number() })),
+  lost: known(share),
+  residuals: known(v.array(share)), // before refinement, then after each step
+  errors: known(v.object({ mean: share, sigma: share, patchRmsWorst: share })),
+  warnings: known(v.array(v.string())),
+  fewPatches: known(v.array(v.string())), // surfaces whose spread other rays may move by more than 1 %
+});
+
+export type Provenance = v.InferOutput<typeof provenanceSchema>;
+
+export function readProvenance(provenance: unknown): Provenance {
+  const read = v.safeParse(provenanceSchema, provenance);
+  return read.success ? read.output : {};
+}
+
+/** The edge that patches were cut to, m; where the file does not tell, the edge of a square of their mean area. */
+export function patchSize(scene: SceneInfo): number {
+  const told = readProvenance(scene.provenance).patchSize;
+  if (told) return told;
+  const area = scene.patchArea.reduce((sum, each) => sum + each, 0);
+  return Math.sqrt(area / (scene.patchArea.length || 1));
+}
+
+const worthTelling = 0.01; // lost light, as a share
+
+/** The warnings of the file, and a line for each surface that loses light. */
+export function roomWarnings(scene: SceneInfo): string[] {
+  const { warnings = [] } = readProvenance(scene.provenance);
+  const losing = scene.surfaces
+    .filter(({ lost }) => lost > worthTelling)
+    .sort((a, b) => b.lost - a.lost)
+    .map(
+      ({ name, lost }) =>
+        `${percent(lost)} of the light that leaves “${name}” is lost: it leaves the room, or meets the back of a surface`,
+    );
+  return [...warnings, ...losing];
+}
+
+/** Sizes, rays and errors as pairs of a name and a value. */
+export function roomFacts(scene: SceneInfo): [string, string][] {
+  const { source, options, lost, residuals, errors, fewPatches } = readProvenance(scene.provenance);
+  const residual = residuals?.at(-1);
+  const facts: [string, string | null | undefined][] = [
+    ['Made from', source?.file],
+    ['Patches', `${grouped(String(scene.patches))} of ${patchSize(scene).toFixed(2)} m`],
+    ['On measuring planes', scene.receivers > 0 ? grouped(String(scene.receivers)) : null],
+    ['Clusters', grouped(String(scene.clusters))],
+    ['Places for luminaires', grouped(String(scene.sites.size.length))],
+    ['Rays from each patch', options && `${grouped(String(options.rays))}, refined ${options.refine} times`],
+    ['Bounced light not settled', residual === undefined ? null : fine(residual)],
+    ['Light lost', lost === undefined ? null : fine(lost)],
+    ['Error of storing, mean', errors && fine(errors.mean)],
+    ['… spread', errors && fine(errors.sigma)],
+    ['… a patch, at worst', errors && fine(errors.patchRmsWorst)],
+    ['Spread uncertain by over 1 %, of few patches', fewPatches?.join(', ')],
+  ];
+  return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
+}
+
+/** A small share in percent, to two digits. */
+export function fine(value: number): string {
+  const inPercent = value * 100;
+  if (inPercent === 0) return '0 %';
+  if (inPercent < 0.0001) return '< 0.0001 %';
+  return `${Number(inPercent.toPrecision(2))} %`;
+}

@@ -1,0 +1,26 @@
+/** Whichever dialogue is open. */
+import { useApp } from '../../app/app.ts';
+import { GalleryDialog } from './gallery-dialog.tsx';
+import { HelpDialog } from './help-dialog.tsx';
+import { Palette } from './palette.tsx';
+import { PresetsDialog } from './presets-dialog.tsx';
+import { ShareDialog } from './share-dialog.tsx';
+
+export function Dialogs() {
+  const { store } = useApp();
+  const close = () => void (store.dialog.value = null);
+  switch (store.dialog.value) {
+    case 'gallery':
+      return <GalleryDialog close={close} />;
+    case 'share':
+      return <ShareDialog close={close} />;
+    case 'help':
+      return <HelpDialog close={close} />;
+    case 'palette':
+      return <Palette close={close} />;
+    case 'presets':
+      return <PresetsDialog close={close} />;
+    case null:
+      return null;
+  }
+}

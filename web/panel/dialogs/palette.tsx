@@ -1,0 +1,74 @@
+/** Every action by name (ARIA combobox with a list): type, arrows, Enter. */
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { actions, isEnabled, placesOf, type Action } from '../../app/actions.ts';
+import { keyText } from '../../app/keyboard.ts';
+import { Dialog } from './dialog.tsx';
+
+/** Actions whose title holds every word that is typed, in the registry's order. */
+export function matching(all: readonly Action[], query: string): Action[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  return all.filter((action) => {
+    const text = `${action.title} ${action.group}`.toLowerCase();
+    return action.id !== 'palette' && words.every((word) => text.includes(word));
+  });
+}
+
+export function Palette({ close }: { close: () => void }) {
+  const app = useApp();
+  const [query, setQuery] = useState('');
+  const [at, setAt] = useState(0);
+  const list = useRef<HTMLUListElement>(null);
+  const found = matching([...actions, ...placesOf(app)], query).filter((action) => isEnabled(action, app));
+  const active = found[Math.min(at, found.length - 1)];
+  useEffect(() => {
+    list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
+  }, [active]);
+  const run = (action: Action | undefined) => {
+    close();
+    action?.run(app);
+  };
+  const move = (event: KeyboardEvent) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (event.key === 'Enter') run(active);
+    else if (step) setAt((Math.min(at, found.length - 1) + step + found.length) % (found.length || 1));
+    else return;
+    event.preventDefault();
+  };
+  return (
+    <Dialog title="All actions" class="palette" close={close}>
+      <input
+        type="text"
+        role="combobox"
+        aria-expanded="true"
+        aria-controls="palette-list"
+        aria-activedescendant={active && `palette-${active.id}`}
+        aria-label="Find an action"
+        placeholder="What would you like to do?"
+        autoFocus
+        value={query}
+        onInput={(event) => {
+          setQuery(event.currentTarget.value);
+          setAt(0);
+        }}
+        onKeyDown={move}
+      />
+      <ul id="palette-list" role="listbox" aria-label="Actions" ref={list}>
+        {found.map((action) => (
+          <li
+            key={action.id}
+            id={`palette-${action.id}`}
+            role="option"
+            aria-selected={action === active}
+            onClick={() => run(action)}
+          >
+            <span>{action.title}</span>
+            <small>{action.group}</small>
+            {action.keys?.[0] && <kbd>{keyText(action.keys[0])}</kbd>}
+          </li>
+        ))}
+      </ul>
+      {found.length === 0 && <p class="empty">No action is called that.</p>}
+    </Dialog>
+  );
+}

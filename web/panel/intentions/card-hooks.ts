@@ -1,0 +1,38 @@
+/** What the parts of a card share: its props, edits of its bounds, and scales that keep still under the hand. */
+import { useRef } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { niceCeiling } from '../../app/words/format.ts';
+import { withPushedBound, type BoundField } from '../../document/intentions.ts';
+import type { Card } from '../../document/types.ts';
+
+export interface CardProps {
+  readonly card: Card;
+}
+
+/** Sets a bound of a card; all changes until the gesture ends are one step. */
+export function useBound(card: Card) {
+  const app = useApp();
+  return {
+    set: (field: BoundField, value: number | undefined) =>
+      app.changeCard(
+        card.id,
+        `Change a bound of ${card.surfaces[0]}`,
+        (each) => withPushedBound(each, field, value),
+        `${card.id} ${field}`,
+      ),
+    end: () => app.store.endGesture(),
+  };
+}
+
+/** A scale that does not move under the hand: it follows the numbers only while nobody drags. */
+export function useScale(needed: number): { scale: number; hold: () => void; release: () => void } {
+  const held = useRef<number | null>(null);
+  const last = useRef(0);
+  const fits = last.current >= needed && last.current <= needed * 3;
+  if (!fits && held.current === null) last.current = niceCeiling(needed);
+  return {
+    scale: held.current ?? last.current,
+    hold: () => (held.current ??= last.current),
+    release: () => (held.current = null),
+  };
+}

@@ -1,0 +1,165 @@
+/** What else may be asked of a surface: limits of the spread, uniformity, contrast to another surface. Shown once asked for. */
+import { Plus, X } from 'lucide-preact';
+import { useApp } from '../../app/app.ts';
+import { compact, niceStep, ratio, unitOf } from '../../app/words/format.ts';
+import { withOptional } from '../../document/intentions.ts';
+import { useBound, type CardProps } from './card-hooks.ts';
+import { NumberField } from '../controls/number-field.tsx';
+import { SurfacePicker } from './surface-picker.tsx';
+import { useReached, type Reached } from './use-reached.ts';
+
+export function CardMore({ card }: CardProps) {
+  const app = useApp();
+  const reached = useReached(card.surfaces);
+  const add = (change: Parameters<typeof app.changeCard>[2]) =>
+    app.changeCard(card.id, 'Ask for more', change);
+  const other = app.store.scene.value?.surfaces.find(
+    (surface) => !card.surfaces.includes(surface.name),
+  )?.name;
+  const rounded = (value: number | undefined) => Number((value ?? 1).toPrecision(2));
+  return (
+    <>
+      {card.spread && <SpreadFields card={card} reached={reached} />}
+      {card.uniformity !== undefined && <UniformityField card={card} reached={reached} />}
+      {card.contrast && <ContrastFields card={card} />}
+      <div class="add-fields">
+        {!card.spread && (
+          <button
+            class="add-field"
+            onClick={() => add((each) => withOptional(each, 'spread', { max: rounded(reached?.sigma) }))}
+          >
+            <Plus size={14} aria-hidden />
+            Spread
+          </button>
+        )}
+        {card.uniformity === undefined && (
+          <button class="add-field" onClick={() => add((each) => withOptional(each, 'uniformity', 0.4))}>
+            <Plus size={14} aria-hidden />
+            Uniformity
+          </button>
+        )}
+        {!card.contrast && other && (
+          <button
+            class="add-field"
+            onClick={() => add((each) => withOptional(each, 'contrast', { over: [other], min: 1 }))}
+          >
+            <Plus size={14} aria-hidden />
+            Contrast
+          </button>
+        )}
+      </div>
+    </>
+  );
+}
+
+type FieldsProps = CardProps & { readonly reached: Reached | null };
+
+function Remove({ card, what }: CardProps & { what: 'spread' | 'uniformity' | 'contrast' }) {
+  const app = useApp();
+  return (
+    <button
+      class="icon-button small corner"
+      aria-label={`Remove: ${what}`}
+      onClick={() => app.changeCard(card.id, `Remove ${what}`, (each) => withOptional(each, what, undefined))}
+    >
+      <X size={14} aria-hidden />
+    </button>
+  );
+}
+
+function SpreadFields({ card, reached }: FieldsProps) {
+  const { store } = useApp();
+  const { set, end } = useBound(card);
+  const unit = unitOf(store.document.value.quantity);
+  const step = niceStep(Math.max(1, (reached?.sigma ?? 50) * 3));
+  return (
+    <fieldset class="field group">
+      <legend>Spread σ {reached && <span class="field-note">now {compact(reached.sigma)}</span>}</legend>
+      <Remove card={card} what="spread" />
+      <div class="field-pair">
+        <NumberField
+          label="Spread at least"
+          value={card.spread?.min}
+          unit={unit}
+          step={step}
+          placeholder="no least"
+          waits={(value) => value > (card.spread?.max ?? Infinity)}
+          onInput={(value) => set('spread.min', value)}
+          onEnd={end}
+        />
+        <span aria-hidden="true">to</span>
+        <NumberField
+          label="Spread at most"
+          value={card.spread?.max}
+          unit={unit}
+          step={step}
+          placeholder="no most"
+          waits={(value) => value < (card.spread?.min ?? 0)}
+          onInput={(value) => set('spread.max', value)}
+          onEnd={end}
+        />
+      </div>
+    </fieldset>
+  );
+}
+
+function UniformityField({ card, reached }: FieldsProps) {
+  const { set, end } = useBound(card);
+  return (
+    <fieldset class="field group">
+      <legend>
+        Uniformity Uₒ {reached && <span class="field-note">now {ratio(reached.min / reached.mean)}</span>}
+      </legend>
+      <Remove card={card} what="uniformity" />
+      <div class="setting-row">
+        <span>Least / mean at least</span>
+        <NumberField
+          label="Uniformity at least"
+          value={card.uniformity}
+          step={0.01}
+          max={1}
+          onInput={(value) => value !== undefined && set('uniformity', value)}
+          onEnd={end}
+        />
+      </div>
+    </fieldset>
+  );
+}
+
+function ContrastFields({ card }: CardProps) {
+  const app = useApp();
+  const { set, end } = useBound(card);
+  const here = useReached(card.surfaces);
+  const there = useReached(card.contrast?.over ?? []);
+  const { contrast } = card;
+  if (!contrast) return null;
+  return (
+    <fieldset class="field group">
+      <legend>
+        Contrast {here && there && <span class="field-note">now {ratio(here.mean / there.mean)}</span>}
+      </legend>
+      <Remove card={card} what="contrast" />
+      <SurfacePicker
+        label="Over"
+        names={contrast.over}
+        onChange={(over) =>
+          app.changeCard(card.id, 'Change the contrast', (each) => ({
+            ...each,
+            contrast: { ...contrast, over },
+          }))
+        }
+      />
+      <div class="setting-row">
+        <span>Mean here / there at least</span>
+        <NumberField
+          label="Contrast at least"
+          value={contrast.min}
+          step={0.1}
+          max={1e4}
+          onInput={(value) => value !== undefined && set('contrast', value)}
+          onEnd={end}
+        />
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,211 @@
+/**
+ * The histogram is a control (paper, figure 4): the light over the area of a card's surfaces, with mu, mu +- alpha sigma and
+ * the bounds, which can be dragged. Below it, the true share beside what Chebyshev and Cantelli promise.
+ */
+import { useRef } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { compact, niceStep, percent, unitOf } from '../../app/words/format.ts';
+import { histogram, promises, shareBelow, type AreaSample } from '../../app/state/statistics.ts';
+import { boundOf, type BoundField } from '../../document/intentions.ts';
+import { useBound, useScale, type CardProps } from './card-hooks.ts';
+import { stepped } from '../controls/slider.tsx';
+import { useSample } from './use-reached.ts';
+
+const width = 320;
+const height = 96;
+const base = 78; // y of the axis
+const bins = 48;
+const farthest = 6; // times the most light there is
+
+const handles: readonly { field: BoundField; title: string; mark: string }[] = [
+  { field: 'mean.min', title: 'mean at least', mark: 'μ ≥' },
+  { field: 'mean.max', title: 'mean at most', mark: 'μ ≤' },
+  { field: 'guarantee.min', title: 'guaranteed at least', mark: '≥' },
+  { field: 'guarantee.max', title: 'guaranteed at most', mark: '≤' },
+];
+
+export function Histogram({ card }: CardProps) {
+  const { store } = useApp();
+  const sample = useSample(card.surfaces);
+  const bound = useBound(card);
+  const svg = useRef<SVGSVGElement>(null);
+  const most = Math.max(1e-3, sample?.most ?? 1);
+  // A bound far beyond the light stands at the edge, so that the light keeps its shape.
+  const bounds = handles
+    .flatMap((handle) => boundOf(card, handle.field) ?? [])
+    .filter((value) => value <= farthest * most);
+  const { scale, hold, release } = useScale(Math.max(most, ...bounds.map((value) => value * 1.1)));
+  if (!sample) return null;
+  const x = (value: number) => Math.min(1, Math.max(0, value / scale)) * width;
+  const alpha = card.guarantee?.by === 'chebyshev' ? card.guarantee.alpha : 1;
+  const unit = unitOf(store.document.value.quantity);
+  const drag: Drag = {
+    begin: hold,
+    end: () => {
+      release();
+      bound.end();
+    },
+    valueAt: (clientX) => valueAt(svg.current, clientX, scale),
+  };
+  return (
+    <figure class="histogram">
+      <svg
+        ref={svg}
+        viewBox={`0 0 ${width} ${height}`}
+        role="group"
+        aria-label={`Light over the area: mean ${compact(sample.mean)}, spread ${compact(sample.sigma)} ${unit}`}
+      >
+        <rect
+          class="sigma-band"
+          x={x(sample.mean - alpha * sample.sigma)}
+          width={Math.max(0, x(sample.mean + alpha * sample.sigma) - x(sample.mean - alpha * sample.sigma))}
+          y="8"
+          height={base - 8}
+        />
+        <Bars sample={sample} scale={scale} />
+        <line class="axis" x1="0" x2={width} y1={base} y2={base} />
+        <line class="mean-line" x1={x(sample.mean)} x2={x(sample.mean)} y1="6" y2={base} />
+        {x(sample.mean) > 40 && (
+          <text x="1" y={height - 4}>
+            0
+          </text>
+        )}
+        <text class="mean-text" x={x(sample.mean)} y={height - 4} text-anchor={anchorOf(x(sample.mean))}>
+          μ {compact(sample.mean)}
+        </text>
+        <text x={width - 1} y={height - 4} text-anchor="end">
+          {x(sample.mean) < width * 0.72 ? compact(scale) : ''}
+        </text>
+        {handles.map(({ field, title, mark }) => {
+          const value = boundOf(card, field);
+          if (value === undefined) return null;
+          return (
+            <Handle
+              key={field}
+              {...{ value, mark, drag, scale }}
+              at={x(value)}
+              kind={field.startsWith('mean') ? 'mean' : 'guarantee'}
+              label={`${card.surfaces[0]}: ${title}`}
+              text={`${compact(value)} ${unit}`}
+              set={(next) => bound.set(field, next)}
+            />
+          );
+        })}
+      </svg>
+      <Shares card={card} sample={sample} unit={unit} />
+    </figure>
+  );
+}
+
+/** The value at a point of the page, on a round step of the scale and above 0. */
+function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): number {
+  const box = svg?.getBoundingClientRect();
+  if (!box) return 0;
+  const value = Math.min(1, Math.max(0, (clientX - box.left) / box.width)) * scale;
+  const step = niceStep(scale);
+  return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
+}
+
+/** The share of the area in each interval; the largest fills the height. */
+function Bars({ sample, scale }: { sample: AreaSample; scale: number }) {
+  const shares = histogram(sample, scale, bins);
+  const peak = Math.max(...shares, 1e-9);
+  return (
+    <>
+      {shares.map((share, bin) => {
+        const tall = Math.max(1, (share / peak) * (base - 14));
+        return (
+          share > 0 && (
+            <rect
+              key={bin}
+              class="bar"
+              x={(bin / bins) * width + 0.5}
+              width={width / bins - 1}
+              y={base - tall}
+              height={tall}
+            />
+          )
+        );
+      })}
+    </>
+  );
+}
+
+const anchorOf = (x: number) => (x < 40 ? 'start' : x > width - 40 ? 'end' : 'middle');
+
+interface Drag {
+  readonly begin: () => void;
+  readonly end: () => void;
+  readonly valueAt: (clientX: number) => number;
+}
+
+interface HandleProps {
+  readonly value: number;
+  readonly at: number;
+  readonly scale: number;
+  readonly kind: 'mean' | 'guarantee';
+  readonly mark: string;
+  readonly label: string;
+  readonly text: string;
+  readonly drag: Drag;
+  readonly set: (value: number) => void;
+}
+
+function Handle({ value, at, scale, kind, mark, label, text, drag, set }: HandleProps) {
+  return (
+    <g
+      class={`bound-handle ${kind}`}
+      role="slider"
+      tabIndex={0}
+      aria-label={label}
+      aria-valuemin={0}
+      aria-valuemax={scale}
+      aria-valuenow={value}
+      aria-valuetext={text}
+      onPointerDown={(event) => {
+        event.preventDefault();
+        event.currentTarget.focus();
+        event.currentTarget.setPointerCapture(event.pointerId);
+        drag.begin();
+      }}
+      onPointerMove={(event) => {
+        if (event.currentTarget.hasPointerCapture(event.pointerId)) set(drag.valueAt(event.clientX));
+      }}
+      onPointerUp={drag.end}
+      onPointerCancel={drag.end}
+      onBlur={drag.end}
+      onKeyDown={(event) => {
+        const next = stepped(event, value, niceStep(scale));
+        if (next === null) return;
+        event.preventDefault();
+        set(Math.max(0, next));
+      }}
+    >
+      <rect class="grab" x={at - 9} y="0" width="18" height={base + 4} />
+      <line x1={at} x2={at} y1="2" y2={base} />
+      <path d={`M${at - 5} 2h10l-5 7z`} />
+      <title>{`${label} ${mark} ${text}`}</title>
+    </g>
+  );
+}
+
+/** The true share of the area below the bound, and the promises at the alpha that this bound stands for. */
+function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: string }) {
+  const floor = card.guarantee?.min ?? card.mean?.min;
+  if (floor === undefined) return null;
+  const alpha = sample.sigma > 0 ? (sample.mean - floor) / sample.sigma : Infinity;
+  const promise = promises(alpha);
+  return (
+    <figcaption class="shares">
+      <span>
+        Below {compact(floor)} {unit}: <strong>{percent(shareBelow(sample, floor))}</strong> of the area
+      </span>
+      {alpha > 0 && Number.isFinite(alpha) && promise.cantelli < 0.995 && (
+        <span title={`The bound lies ${alpha.toFixed(2)} σ below the mean`}>
+          promised: {alpha > 1 && `Chebyshev ≤ ${percent(promise.chebyshev)}, `}Cantelli ≤{' '}
+          {percent(promise.cantelli)}
+        </span>
+      )}
+    </figcaption>
+  );
+}

@@ -1,0 +1,72 @@
+/** The two-handled range for the mean of a card: roughly by sliding, exactly by typing. */
+import { useApp } from '../../app/app.ts';
+import { compact, niceStep, unitOf } from '../../app/words/format.ts';
+import { useBound, useScale, type CardProps } from './card-hooks.ts';
+import { NumberField } from '../controls/number-field.tsx';
+import { RangeSlider } from '../controls/slider.tsx';
+import { useReached } from './use-reached.ts';
+
+export function MeanRange({ card }: CardProps) {
+  const { store } = useApp();
+  const { set, end } = useBound(card);
+  const reached = useReached(card.surfaces);
+  const unit = unitOf(store.document.value.quantity);
+  const { min, max } = card.mean ?? {};
+  const { scale, hold, release } = useScale(
+    Math.max(1, (reached?.mean ?? 0) * 1.8, (min ?? 0) * 1.4, (max ?? 0) * 1.25),
+  );
+  const step = niceStep(scale);
+  const name = card.surfaces[0] ?? '';
+  const finish = () => {
+    release();
+    end();
+  };
+  return (
+    <div class="field">
+      <div class="field-head">
+        <span class="field-name">Mean</span>
+        {reached && (
+          <span class="field-note">
+            now {compact(reached.mean)} {unit}
+          </span>
+        )}
+      </div>
+      <RangeSlider
+        label={`${name}: mean`}
+        low={min ?? 0}
+        high={max ?? scale}
+        {...{ scale, step, unit }}
+        reached={reached?.mean}
+        onInput={(which, value) => {
+          hold();
+          if (which === 'min') set('mean.min', value > 0 ? value : undefined);
+          else set('mean.max', value < scale ? value : undefined);
+        }}
+        onEnd={finish}
+      />
+      <div class="field-pair">
+        <NumberField
+          label={`${name}: mean at least`}
+          value={min}
+          unit={unit}
+          step={step}
+          placeholder="no least"
+          waits={(value) => value > (max ?? Infinity)}
+          onInput={(value) => set('mean.min', value || undefined)}
+          onEnd={end}
+        />
+        <span aria-hidden="true">to</span>
+        <NumberField
+          label={`${name}: mean at most`}
+          value={max}
+          unit={unit}
+          step={step}
+          placeholder="no most"
+          waits={(value) => value < (min ?? 0)}
+          onInput={(value) => set('mean.max', value)}
+          onEnd={end}
+        />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,138 @@
+/** Which surfaces a card is about: one, several, a family ("desk 1" to "desk 12"), or the whole room. */
+import { ChevronDown, ChevronRight } from 'lucide-preact';
+import { useRef, useState } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { familyOf, folded } from '../../app/rooms/families.ts';
+import type { SurfaceNames } from '../../document/types.ts';
+import { useDismiss } from '../controls/menu.tsx';
+
+/** "desk 1, desk 2, ..." in few words. */
+export function namesText(names: SurfaceNames): string {
+  if (names.length === 1) return names[0] === 'all' ? 'the whole room' : (names[0] ?? '');
+  const families = new Set(names.map(familyOf));
+  const [family] = families;
+  return families.size === 1 && family ? `${names.length} × ${family}` : names.join(', ');
+}
+
+/** Inner nodes of the tree ("room" of "room/floor") that hold more than one surface. */
+export function innerNodes(names: readonly string[]): string[] {
+  const nodes = names
+    .filter((name) => name.includes('/'))
+    .map((name) => name.slice(0, name.lastIndexOf('/')));
+  return [...new Set(nodes.filter((node, index) => nodes.indexOf(node) !== index))];
+}
+
+interface Props {
+  readonly label: string;
+  readonly names: SurfaceNames;
+  readonly onChange: (names: SurfaceNames) => void;
+}
+
+export function SurfacePicker({ label, names, onChange }: Props) {
+  const { store } = useApp();
+  const [open, setOpen] = useState(false);
+  const [filter, setFilter] = useState('');
+  const root = useRef<HTMLDivElement>(null);
+  useDismiss(root, open, () => setOpen(false));
+  const leaves = store.scene.value?.surfaces.map((surface) => surface.name) ?? [];
+  const wanted = (name: string) => name.toLowerCase().includes(filter.toLowerCase());
+  const only = (next: SurfaceNames) => {
+    onChange(next);
+    setOpen(false);
+  };
+  const set = (some: readonly string[], on: boolean) => {
+    const rest = names.filter((each) => !some.includes(each) && each !== 'all');
+    const next = on ? [...rest, ...some] : rest;
+    if (next.length > 0) onChange(next);
+  };
+  return (
+    <div class="picker" ref={root}>
+      <button
+        class="picker-button"
+        aria-expanded={open}
+        aria-label={`${label}: ${names.join(', ')}`}
+        onClick={() => setOpen(!open)}
+      >
+        <span>{namesText(names)}</span>
+        <ChevronDown size={14} aria-hidden />
+      </button>
+      {open && (
+        <div class="picker-list" role="group" aria-label={label}>
+          <input
+            type="search"
+            placeholder="Find a surface"
+            aria-label="Find a surface"
+            value={filter}
+            onInput={(event) => setFilter(event.currentTarget.value)}
+          />
+          <div class="picker-scroll" tabIndex={-1}>
+            {wanted('all') && (
+              <button class="picker-group" onClick={() => only(['all'])}>
+                the whole room
+              </button>
+            )}
+            {innerNodes(leaves)
+              .filter(wanted)
+              .map((node) => (
+                <button key={node} class="picker-group" onClick={() => only([node])}>
+                  {node}
+                </button>
+              ))}
+            {folded(leaves.filter(wanted), (name) => name).map(({ title, items }) =>
+              items.length === 1 ? (
+                <Choice key={title} title={title} of={items} {...{ names, set }} />
+              ) : (
+                <Family key={title} title={title} of={items} isFound={filter !== ''} {...{ names, set }} />
+              ),
+            )}
+          </div>
+        </div>
+      )}
+    </div>
+  );
+}
+
+interface ChoiceProps {
+  readonly title: string;
+  readonly of: readonly string[]; // one surface, or a whole family
+  readonly names: SurfaceNames;
+  readonly set: (some: readonly string[], on: boolean) => void;
+}
+
+function Choice({ title, of, names, set }: ChoiceProps) {
+  const chosen = of.filter((name) => names.includes(name)).length;
+  return (
+    <label class="check">
+      <input
+        type="checkbox"
+        checked={chosen === of.length}
+        indeterminate={chosen > 0 && chosen < of.length}
+        onChange={() => set(of, chosen < of.length)}
+      />
+      <span>{title}</span>
+    </label>
+  );
+}
+
+/** Every member at once, or one by one when it is opened. */
+function Family({ isFound, ...choice }: ChoiceProps & { isFound: boolean }) {
+  const [isOpened, setOpened] = useState(false);
+  const isOpen = isOpened || isFound;
+  const { title, of, names, set } = choice;
+  return (
+    <div class="picker-family">
+      <div class="row">
+        <Choice {...choice} />
+        <button
+          class="icon-button small"
+          aria-expanded={isOpen}
+          aria-label={`Show each of ${title}`}
+          onClick={() => setOpened(!isOpen)}
+        >
+          <ChevronRight size={14} aria-hidden class="twist" />
+        </button>
+      </div>
+      {isOpen && of.map((name) => <Choice key={name} title={name} of={[name]} {...{ names, set }} />)}
+    </div>
+  );
+}

@@ -1,0 +1,184 @@
+/** What may be used to light the room: how many luminaires, how strong, where not; and the list of them, for the keyboard. */
+import { useApp } from '../../app/app.ts';
+import type { Luminaires } from '../../document/types.ts';
+import { LuminaireList } from './luminaire-list.tsx';
+import { NumberField } from '../controls/number-field.tsx';
+import { Slider } from '../controls/slider.tsx';
+import { Check } from '../view-toolbar.tsx';
+
+export function LuminairesTab() {
+  const { store } = useApp();
+  const { luminaires } = store.document.value;
+  return (
+    <>
+      <CountAndFlux />
+      <Dimming luminaires={luminaires} />
+      <Distance luminaires={luminaires} />
+      <Places luminaires={luminaires} />
+      <LuminaireList />
+    </>
+  );
+}
+
+/** Edits of the rules; a whole drag is one step. */
+function useRules() {
+  const { store } = useApp();
+  return {
+    set: (label: string, change: Partial<Luminaires>, gesture = label) =>
+      store.edit(label, (draft) => void Object.assign(draft.luminaires, change), gesture),
+    end: () => store.endGesture(),
+  };
+}
+
+interface RowProps {
+  readonly label: string;
+  readonly value: number;
+  readonly range: readonly [number, number];
+  readonly step: number;
+  readonly unit?: string;
+  readonly whole?: boolean;
+  readonly most?: number;
+  readonly onInput: (value: number) => void;
+  readonly onEnd: () => void;
+}
+
+/** Roughly by sliding, exactly by typing. */
+function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEnd }: RowProps) {
+  const take = (next: number) => onInput(whole ? Math.round(next) : Number(next.toPrecision(8)));
+  return (
+    <div class="field">
+      <div class="field-head">
+        <span class="field-name">{label}</span>
+        <NumberField
+          label={label}
+          value={value}
+          {...(unit && { unit })}
+          {...(whole && { whole })}
+          step={step}
+          min={range[0]}
+          max={most ?? range[1]}
+          onInput={(next) => next !== undefined && take(next)}
+          onEnd={onEnd}
+        />
+      </div>
+      <Slider
+        label={label}
+        value={value}
+        min={range[0]}
+        max={Math.max(range[1], value)}
+        step={whole ? 10 * step : step}
+        text={unit ? `${value} ${unit}` : String(value)}
+        onInput={take}
+        onEnd={onEnd}
+      />
+    </div>
+  );
+}
+
+function CountAndFlux() {
+  const { store } = useApp();
+  const { set, end } = useRules();
+  const { count, flux, pinned, excluded } = store.document.value.luminaires;
+  const places = (store.scene.value?.sites.size.length ?? 1) - excluded.length;
+  const most = Math.max(1, Math.min(200, places));
+  return (
+    <>
+      <SliderRow
+        label="Luminaires"
+        value={count}
+        range={[Math.max(1, pinned.length), Math.min(most, Math.max(32, count))]}
+        most={most}
+        step={1}
+        whole
+        onInput={(next) => set('Change the number of luminaires', { count: next })}
+        onEnd={end}
+      />
+      {pinned.length > 1 && count <= pinned.length && (
+        <p class="field-note">No fewer: {pinned.length} are pinned.</p>
+      )}
+      <SliderRow
+        label="Flux of each"
+        value={flux}
+        range={[100, Math.max(10_000, flux)]}
+        most={1e6}
+        step={100}
+        unit="lm"
+        onInput={(next) => set('Change the flux', { flux: Math.round(next) })}
+        onEnd={end}
+      />
+    </>
+  );
+}
+
+function Dimming({ luminaires }: { luminaires: Luminaires }) {
+  const { store } = useApp();
+  const { set, end } = useRules();
+  const [low, high] = luminaires.dimming;
+  const isOn = low < high;
+  const dimming = store.shown.value?.layout.dimming ?? 1;
+  return (
+    <div class="field">
+      <Check
+        label="Common dimming"
+        checked={isOn}
+        set={(on) => set('Common dimming', { dimming: on ? [0.1, 1] : [1, 1] }, '')}
+      />
+      {isOn && (
+        <div class="setting-row">
+          <span>
+            From the least of <output class="field-note">now {Math.round(dimming * 100)} %</output>
+          </span>
+          <NumberField
+            label="Dimmed to at least"
+            unit="%"
+            value={Math.round(low * 100)}
+            step={1}
+            max={99}
+            onInput={(value) =>
+              value !== undefined && set('Change the dimming', { dimming: [value / 100, high] })
+            }
+            onEnd={end}
+          />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Distance({ luminaires }: { luminaires: Luminaires }) {
+  const { set, end } = useRules();
+  return (
+    <div class="setting-row">
+      <span>Apart by at least</span>
+      <NumberField
+        label="Apart by at least"
+        unit="m"
+        value={luminaires.minDistance}
+        step={0.1}
+        max={1000}
+        onInput={(minDistance) => minDistance !== undefined && set('Change the distance', { minDistance })}
+        onEnd={end}
+      />
+    </div>
+  );
+}
+
+function Places({ luminaires }: { luminaires: Luminaires }) {
+  const { hand } = useApp();
+  const { pinned, excluded } = luminaires;
+  if (pinned.length === 0 && excluded.length === 0) return null;
+  return (
+    <div class="row">
+      {pinned.length > 0 && (
+        <button class="button small" onClick={() => hand.unpinAll()}>
+          Unpin {pinned.length === 1 ? 'the one' : `all ${pinned.length}`}
+        </button>
+      )}
+      {excluded.length > 0 && (
+        <button class="button small" onClick={() => hand.includeAll()}>
+          Allow {excluded.length === 1 ? 'the place' : `all ${excluded.length} places`} kept free
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,70 @@
+/** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
+import { useApp } from '../../app/app.ts';
+import { compact } from '../../app/words/format.ts';
+import { AboutRoom } from './about-room.tsx';
+import { CheckLayout } from './check-layout.tsx';
+import { NumberField } from '../controls/number-field.tsx';
+import { SurfaceTable } from './surface-table.tsx';
+
+export function ResultsTab() {
+  const { store } = useApp();
+  if (!store.shown.value || !store.scene.value) return <p class="empty">No layout is shown yet.</p>;
+  return (
+    <>
+      <Power />
+      <SurfaceTable />
+      <CheckLayout />
+      <AboutRoom />
+    </>
+  );
+}
+
+function Power() {
+  const { store } = useApp();
+  const { layout, surfaces } = store.shown.value ?? {};
+  const scene = store.scene.value;
+  if (!layout || !surfaces || !scene) return null;
+  const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
+  const floor = floorArea(scene.surfaces);
+  const watts = lumens / store.efficacy.value;
+  return (
+    <dl class="totals">
+      <div>
+        <dt>Flux</dt>
+        <dd>{compact(lumens)} lm</dd>
+      </div>
+      <div>
+        <dt>{floor ? 'Per floor area' : 'Per surface area'}</dt>
+        <dd>{compact(lumens / (floor ?? surfaces.at(-1)?.area ?? 1))} lm/m²</dd>
+      </div>
+      <div>
+        <dt>Power</dt>
+        <dd>
+          {compact(watts)} W{floor ? `, ${compact(watts / floor)} W/m²` : ''}
+        </dd>
+      </div>
+      <div>
+        <dt>Efficacy</dt>
+        <dd>
+          <NumberField
+            label="Luminous efficacy"
+            unit="lm/W"
+            value={store.efficacy.value}
+            step={5}
+            min={1}
+            max={683}
+            onInput={(value) => value !== undefined && (store.efficacy.value = value)}
+          />
+        </dd>
+      </div>
+    </dl>
+  );
+}
+
+/** Area of what is called floor; null in a room that names none. */
+export function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
+  const area = surfaces
+    .filter(({ name }) => /(^|\/)floor\b/i.test(name))
+    .reduce((sum, surface) => sum + surface.area, 0);
+  return area > 0 ? area : null;
+}

@@ -1,0 +1,240 @@
+/**
+ * The eye: orbit, pan, zoom to the cursor (mouse, touch, keys), named views, and a true plan (orthographic from
+ * above). A perspective and an orthographic camera share one OrbitControls; a plan of height h stands for an eye at
+ * distance h / (2 tan(fov / 2)), so that a Camera of a link means the same in both.
+ */
+import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { Camera } from '../../document/types.ts';
+import { poseBetween, type CameraPose } from './camera-flight.ts';
+import type { Covered } from '../stage/stage.ts';
+import type { ViewName } from '../types.ts';
+import { easeOut, reducedMotion, type Animation, type FrameLoop } from '../stage/frame-loop.ts';
+import { directionOf, type Box } from './framing.ts';
+import { fov, RoomPoses, tangent } from './room-poses.ts';
+
+const flight = 420; // ms
+
+const facingAzimuth = { north: 0, east: 270, south: 180, west: 90 } as const; // the wall that is looked at
+
+export class CameraRig {
+  readonly controls: OrbitControls;
+  #perspective = new PerspectiveCamera(fov, 1, 0.05, 1000);
+  #orthographic = new OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
+  #loop: FrameLoop;
+  #report: (camera: Camera) => void;
+  #poses = new RoomPoses({ min: [-2, 0, -2], max: [2, 3, 2] }, [0, 0, 0, 0]);
+  #atHome = true; // untouched since home(): a new picture size frames the room anew
+  #unreported = false;
+  #flying: Animation | null = null;
+
+  constructor(canvas: HTMLCanvasElement, loop: FrameLoop, report: (camera: Camera) => void) {
+    this.#loop = loop;
+    this.#report = report;
+    this.controls = new OrbitControls(this.#perspective, canvas);
+    const controls = this.controls;
+    controls.zoomToCursor = true;
+    controls.dampingFactor = 0.14;
+    controls.enableDamping = !reducedMotion();
+    controls.minDistance = 0.2;
+    controls.maxPolarAngle = 0.97 * Math.PI;
+    controls.addEventListener('change', this.#changed);
+    controls.addEventListener('start', this.#grabbed);
+  }
+
+  /** The camera to draw with. */
+  get active(): PerspectiveCamera | OrthographicCamera {
+    return this.controls.object as PerspectiveCamera | OrthographicCamera;
+  }
+
+  get plan(): boolean {
+    return this.active === this.#orthographic;
+  }
+
+  setRoom(box: Box, facing: readonly number[]): void {
+    this.#poses = new RoomPoses(box, facing, this.#poses.aspect);
+    this.controls.maxDistance = 6 * this.#poses.home().spherical.radius;
+    this.#apply(this.#poses.home());
+    this.#atHome = true;
+  }
+
+  /** What is covered is drawn, too, but the room is framed in what is left between. */
+  resize(width: number, height: number, { top, bottom }: Covered): void {
+    const free = Math.max(1, height - top - bottom);
+    this.#poses.aspect = width / free;
+    for (const camera of [this.#perspective, this.#orthographic])
+      if (top + bottom > 0) camera.setViewOffset(width, free, 0, -top, width, height);
+      else camera.clearViewOffset();
+    if (this.#atHome) this.#apply(this.#poses.home());
+    this.#project();
+  }
+
+  /** Steps damping before a frame; tells the app of a new pose once the eye rests. */
+  update(): void {
+    const moving = this.#flying === null && this.controls.update();
+    this.#project();
+    if (moving || this.#flying !== null || !this.#unreported) return;
+    this.#unreported = false;
+    this.#report(this.get());
+  }
+
+  get(): Camera {
+    const target = this.controls.target;
+    const eye = this.plan
+      ? new Vector3(0, this.#planHeight() / (2 * tangent), 0).add(target)
+      : this.#perspective.position;
+    return { position: eye.toArray(), target: target.toArray(), plan: this.plan };
+  }
+
+  set(camera: Camera): void {
+    this.#atHome = false;
+    this.#stop();
+    this.#apply(this.#poses.of(new Vector3(...camera.position), new Vector3(...camera.target), camera.plan));
+    this.#loop.invalidate();
+  }
+
+  view(name: ViewName): void {
+    this.#atHome = false;
+    if (name === 'plan') this.#fly(this.#poses.plan());
+    else if (name === 'corner') this.home();
+    else this.#fly(this.#poses.framed(directionOf(facingAzimuth[name], 9), 0.05));
+  }
+
+  home(): void {
+    this.#fly(this.#poses.home());
+    this.#atHome = true;
+  }
+
+  /** The whole room from where the eye stands. */
+  fit(): void {
+    if (this.plan) return this.#fly(this.#poses.plan());
+    const offset = this.#perspective.position.clone().sub(this.controls.target).normalize();
+    this.#fly(this.#poses.framed(offset.toArray(), 0.04));
+    this.#atHome = false;
+  }
+
+  /** Makes a point the centre of orbits, bringing it to the middle of the picture. */
+  pivot(point: Vector3): void {
+    const eye = this.active.position.clone();
+    if (this.plan) eye.add(point).sub(this.controls.target);
+    const target = this.plan ? new Vector3(point.x, this.controls.target.y, point.z) : point;
+    if (!this.plan) eye.add(target).sub(this.controls.target).lerp(target, 0.25);
+    this.#atHome = false;
+    this.#fly(this.#poses.of(eye, target, this.plan));
+  }
+
+  /** Turns (radians) around the target, as the arrow keys do; in plan it pans. */
+  turn(right: number, up: number): void {
+    if (this.plan) return this.pan(right, up);
+    this.#grabbed();
+    const goal = this.#present();
+    goal.spherical.theta += right;
+    goal.spherical.phi = Math.min(0.97 * Math.PI, Math.max(0.02, goal.spherical.phi - up));
+    this.#fly(goal);
+  }
+
+  /** Moves sideways by shares of the picture's height. */
+  pan(right: number, up: number): void {
+    this.#grabbed();
+    const goal = this.#present();
+    const scale = 2 * tangent * goal.spherical.radius;
+    const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
+    this.active.matrixWorld.extractBasis(...axes);
+    goal.target.addScaledVector(axes[0], right * scale).addScaledVector(axes[1], up * scale);
+    this.#fly(goal);
+  }
+
+  /** Brings the eye nearer (factor < 1) or farther. */
+  zoom(factor: number): void {
+    this.#grabbed();
+    const goal = this.#present();
+    goal.spherical.radius = Math.max(
+      0.2,
+      Math.min(this.controls.maxDistance, goal.spherical.radius * factor),
+    );
+    this.#fly(goal);
+  }
+
+  dispose(): void {
+    this.#stop();
+    this.controls.dispose();
+  }
+
+  #changed = (): void => {
+    this.#unreported = true;
+    this.#loop.invalidate();
+  };
+
+  #grabbed = (): void => {
+    this.#atHome = false;
+    this.#stop();
+  };
+
+  #present(): CameraPose {
+    const { position, target, plan } = this.get();
+    return this.#poses.of(new Vector3(...position), new Vector3(...target), plan);
+  }
+
+  #planHeight(): number {
+    return (this.#orthographic.top - this.#orthographic.bottom) / this.#orthographic.zoom;
+  }
+
+  #apply({ target, spherical, plan }: CameraPose): void {
+    const camera = plan ? this.#orthographic : this.#perspective;
+    const controls = this.controls;
+    controls.object = camera;
+    controls.enableRotate = !plan;
+    controls.mouseButtons.LEFT = plan ? MOUSE.PAN : MOUSE.ROTATE;
+    controls.touches.ONE = plan ? TOUCH.PAN : TOUCH.ROTATE;
+    controls.target.copy(target);
+    if (plan) {
+      this.#orthographic.zoom = 1;
+      this.#orthographic.top = spherical.radius * tangent;
+      this.#orthographic.bottom = -this.#orthographic.top;
+    }
+    camera.position.setFromSpherical(spherical).add(target);
+    camera.lookAt(target);
+    this.#project();
+    const damping = controls.enableDamping;
+    controls.enableDamping = false; // forgets what is left of an old movement
+    controls.update();
+    controls.enableDamping = damping;
+    this.#unreported = true;
+  }
+
+  #project(): void {
+    const distance = this.active.position.distanceTo(this.controls.target);
+    const { aspect, size } = this.#poses;
+    this.#perspective.aspect = aspect;
+    this.#perspective.near = Math.max(0.03, 0.02 * distance);
+    this.#perspective.far = distance + 4 * size + 10;
+    this.#orthographic.right = this.#orthographic.top * aspect;
+    this.#orthographic.left = -this.#orthographic.right;
+    this.#orthographic.near = distance - 2 * size - 10;
+    this.#orthographic.far = distance + 2 * size + 10;
+    this.active.updateProjectionMatrix();
+  }
+
+  #stop(): void {
+    if (this.#flying) this.#loop.cancel(this.#flying);
+    this.#flying = null;
+  }
+
+  #fly(goal: CameraPose): void {
+    this.#stop();
+    if (reducedMotion()) {
+      this.#apply(goal);
+      return this.#loop.invalidate();
+    }
+    const start = this.#present();
+    let begun = 0;
+    this.#flying = (now) => {
+      begun ||= now;
+      const t = (now - begun) / flight;
+      if (t >= 1) this.#flying = null;
+      this.#apply(t < 1 ? poseBetween(start, goal, easeOut(t)) : goal);
+      return t < 1;
+    };
+    this.#loop.animate(this.#flying);
+  }
+}

@@ -1,0 +1,57 @@
+/** The poses from which a room is looked at: home (its best corner), plan, any direction framed; and those of links. */
+import { Spherical, Vector3 } from 'three';
+import type { CameraPose } from './camera-flight.ts';
+import * as framing from './framing.ts';
+
+export const fov = 38; // degrees, vertical
+export const tangent = Math.tan((fov * Math.PI) / 360);
+const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
+
+export class RoomPoses {
+  aspect: number;
+  #box: framing.Box;
+  #facing: readonly number[];
+
+  /** `facing`: how much of the room faces an eye in each quadrant (framing.ts); `aspect`: width / height of the picture. */
+  constructor(box: framing.Box, facing: readonly number[], aspect = 1) {
+    this.#box = box;
+    this.#facing = facing;
+    this.aspect = aspect;
+  }
+
+  /** Diagonal of the room, m. */
+  get size(): number {
+    return Math.hypot(...this.#box.max.map((high, i) => high - this.#box.min[i]!));
+  }
+
+  home(): CameraPose {
+    const azimuth = framing.cornerAzimuth(this.#box, this.aspect, this.#facing);
+    return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.#box, this.aspect)), 0.07);
+  }
+
+  /** The nearest eye on a direction that sees the whole room; `margin`: share of the frame left free. */
+  framed(direction: framing.Vec, margin: number): CameraPose {
+    const pose = framing.framePose(this.#box, direction, fov, this.aspect, margin);
+    return this.of(new Vector3(...pose.position), new Vector3(...pose.target), false);
+  }
+
+  plan(): CameraPose {
+    const { height } = framing.planFrame(this.#box, this.aspect);
+    const target = new Vector3(...framing.boxCenter(this.#box));
+    return this.of(target.clone().setY(target.y + height / (2 * tangent)), target, true);
+  }
+
+  of(eye: Vector3, target: Vector3, plan: boolean): CameraPose {
+    const offset = eye.clone().sub(target);
+    if (offset.lengthSq() < 1e-6) offset.set(0, 0, 1);
+    const spherical = new Spherical().setFromVector3(offset);
+    if (plan) spherical.set(spherical.radius, planTilt, this.#planAzimuth());
+    return { target, spherical, plan };
+  }
+
+  /** What is up on the page of a plan: north, or a quarter turned where that fills the picture better. */
+  #planAzimuth(): number {
+    if (!framing.planFrame(this.#box, this.aspect).turned) return 0;
+    return (framing.cornerAzimuth(this.#box, this.aspect, this.#facing) < 180 ? 0.5 : -0.5) * Math.PI;
+  }
+}

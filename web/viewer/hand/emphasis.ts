@@ -1,0 +1,101 @@
+/** What is selected and what the pointer is over, shown: tints and outlines of surfaces, rims and tags of luminaires. */
+import { Color } from 'three';
+import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
+import type { LuminaireObjects } from '../luminaires/luminaire-objects.ts';
+import type { LuminaireTags } from '../luminaires/luminaire-tags.ts';
+import type { LitMesh } from '../room/room-mesh.ts';
+import type { SurfaceOutlines } from '../room/surface-outline.ts';
+
+const pulse = 700; // ms
+const pulseTint = 0.3;
+const hoverTint = 0.07;
+
+export const accent = new Color('#4f9dff');
+const pinnedRim = new Color('#ffb52e');
+const hoverRim = new Color('#ffffff');
+
+export class Emphasis {
+  surface: number | null = null; // selected
+  luminaire: number | null = null; // selected
+  pinned: readonly number[] = []; // luminaires
+  overSurface: number | null = null;
+  overLuminaire: number | null = null;
+  #room: readonly LitMesh[] = [];
+  #begun = 0;
+  #loop: FrameLoop;
+  #outlines: SurfaceOutlines;
+  #luminaires: LuminaireObjects;
+  #tags: LuminaireTags;
+
+  constructor(loop: FrameLoop, outlines: SurfaceOutlines, luminaires: LuminaireObjects, tags: LuminaireTags) {
+    this.#loop = loop;
+    this.#outlines = outlines;
+    this.#luminaires = luminaires;
+    this.#tags = tags;
+  }
+
+  setRoom(room: readonly LitMesh[]): void {
+    this.#room = room;
+    this.surface = this.luminaire = this.overSurface = this.overLuminaire = null;
+    this.pinned = [];
+    this.#outlines.setRoom(room);
+  }
+
+  select(surface: number | null, luminaire: number | null): void {
+    const changed = surface !== this.surface;
+    this.surface = surface;
+    this.luminaire = luminaire;
+    if (changed) {
+      this.#outlines.show('selected', surface);
+      this.#begun = 0;
+      this.#loop.cancel(this.#fade);
+      if (surface !== null && !reducedMotion()) this.#loop.animate(this.#fade);
+      if (surface === this.overSurface) this.#outlines.show('hovered', null);
+      this.#tint(0);
+    }
+    this.refresh();
+  }
+
+  /** True when something else is under the pointer than before. */
+  hover(surface: number | null, luminaire: number | null): boolean {
+    if (surface === this.overSurface && luminaire === this.overLuminaire) return false;
+    if (surface !== this.overSurface) {
+      this.overSurface = surface;
+      this.#outlines.show('hovered', surface === this.surface ? null : surface);
+      this.#tint(0);
+    }
+    this.overLuminaire = luminaire;
+    this.refresh();
+    return true;
+  }
+
+  /** Rims and tags of the luminaires; to be called when their number or pins change. */
+  refresh(): void {
+    this.#luminaires.objects.forEach((_, i) => {
+      const rim = this.#rimOf(i);
+      this.#luminaires.mark(i, rim);
+    });
+    this.#tags.setState({ pinned: this.pinned, selected: this.luminaire, hovered: this.overLuminaire });
+    this.#loop.invalidate();
+  }
+
+  #rimOf(luminaire: number): Color | null {
+    if (luminaire === this.luminaire) return accent;
+    if (luminaire === this.overLuminaire) return hoverRim;
+    return this.pinned.includes(luminaire) ? pinnedRim : null;
+  }
+
+  #fade = (now: number): boolean => {
+    this.#begun ||= now;
+    const t = Math.min(1, (now - this.#begun) / pulse);
+    this.#tint(pulseTint * Math.pow(1 - t, 2));
+    return t < 1;
+  };
+
+  #tint(selected: number): void {
+    for (const { mesh, surface } of this.#room) {
+      const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
+      mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : hovered;
+    }
+  }
+}

@@ -1,0 +1,114 @@
+/** What lies under a point of the canvas: a luminaire, a surface, and the light there. */
+import { DoubleSide, Raycaster, Vector2, Vector3, type Camera, type Mesh, type Object3D } from 'three';
+import type { LuminaireObject } from '../luminaires/luminaire-objects.ts';
+import type { LitMesh } from '../room/room-mesh.ts';
+import { barycentric, lightAtVertex } from '../light/probe.ts';
+import { TriangleTree } from '../room/triangle-tree.ts';
+
+export interface Hit {
+  readonly luminaire: number | null;
+  readonly surface: number | null;
+  readonly point: Vector3;
+  readonly lux: number; // illuminance; 0 on a luminaire
+  readonly exitance: number; // lm/m2
+}
+
+/** A mesh with its vertices in world space and the tree over its triangles; made when first needed. */
+interface Indexed {
+  readonly index: ArrayLike<number>;
+  readonly positions: ArrayLike<number>;
+  readonly tree: TriangleTree;
+}
+
+export class Picking {
+  #caster = new Raycaster();
+  #canvas: HTMLCanvasElement;
+  #indexed = new WeakMap<Mesh, Indexed>();
+  #center = new Vector3();
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.#canvas = canvas;
+  }
+
+  /** The ray through a point of the page (client coordinates). */
+  ray(clientX: number, clientY: number, camera: Camera): Raycaster['ray'] {
+    const frame = this.#canvas.getBoundingClientRect();
+    const x = (2 * (clientX - frame.left)) / frame.width - 1;
+    const y = 1 - (2 * (clientY - frame.top)) / frame.height;
+    this.#caster.setFromCamera(new Vector2(x, y), camera);
+    return this.#caster.ray;
+  }
+
+  pick(
+    clientX: number,
+    clientY: number,
+    camera: Camera,
+    room: readonly LitMesh[],
+    luminaires: readonly LuminaireObject[],
+    light: Float32Array | null,
+    reflectance: Float32Array | null,
+  ): Hit | null {
+    this.ray(clientX, clientY, camera);
+    const panels: Object3D[] = luminaires.map((luminaire) => luminaire.panel);
+    const [panel] = this.#caster.intersectObjects(panels, false);
+    const wall = this.#nearest(room, panel?.distance ?? Infinity);
+    if (wall) return this.#hitOf(wall.lit, wall.distance, wall.first, light, reflectance);
+    if (!panel) return null;
+    const luminaire = panels.indexOf(panel.object);
+    return { luminaire, surface: null, point: panel.point, lux: 0, exitance: 0 };
+  }
+
+  #nearest(room: readonly LitMesh[], limit: number) {
+    const { origin, direction } = this.#caster.ray;
+    let best: { lit: LitMesh; distance: number; first: number } | null = null;
+    for (const lit of room) {
+      if (!lit.mesh.visible || this.#misses(lit.mesh)) continue;
+      const both = lit.mesh.material.side === DoubleSide;
+      const { tree } = this.#indexOf(lit.mesh);
+      const hit = tree.cast(origin.toArray(), direction.toArray(), both, best?.distance ?? limit);
+      if (hit) best = { lit, ...hit };
+    }
+    return best;
+  }
+
+  #misses(mesh: Mesh): boolean {
+    if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
+    const sphere = mesh.geometry.boundingSphere!;
+    this.#center.copy(sphere.center).applyMatrix4(mesh.matrixWorld);
+    const radius = sphere.radius * mesh.matrixWorld.getMaxScaleOnAxis();
+    return this.#caster.ray.distanceSqToPoint(this.#center) > radius * radius;
+  }
+
+  #indexOf(mesh: Mesh): Indexed {
+    let indexed = this.#indexed.get(mesh);
+    if (!indexed) {
+      const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+      const index = mesh.geometry.index?.array ?? Uint32Array.from({ length: world.count }, (_, i) => i);
+      indexed = { index, positions: world.array, tree: new TriangleTree(index, world.array) };
+      this.#indexed.set(mesh, indexed);
+    }
+    return indexed;
+  }
+
+  #hitOf(
+    lit: LitMesh,
+    distance: number,
+    first: number,
+    light: Float32Array | null,
+    reflectance: Float32Array | null,
+  ): Hit {
+    const { index, positions } = this.#indexOf(lit.mesh);
+    const point = this.#caster.ray.at(distance, new Vector3());
+    const corners = [0, 1, 2].map((i) => index[first + i]!);
+    const [a, b, c] = corners.map((v) => [0, 1, 2].map((axis) => positions[3 * v + axis]!));
+    const share = barycentric(point.toArray(), a!, b!, c!);
+    const { _patches: patches, _weights: weights } = lit.mesh.geometry.attributes;
+    const lightHere = (reflecting?: Float32Array | null) =>
+      corners.reduce((sum, vertex, i) => {
+        if (!light || reflecting === null) return 0;
+        return sum + share[i]! * lightAtVertex(vertex, patches!.array, weights!.array, light, reflecting);
+      }, 0);
+    const surface = lit.surface >= 0 ? lit.surface : null;
+    return { luminaire: null, surface, point, lux: lightHere(), exitance: lightHere(reflectance) };
+  }
+}

@@ -1,0 +1,115 @@
+/** What the person does on the picture: picking, hovering, dragging and keys, as events of the app and moves of the eye. */
+import type { CameraRig } from '../eye/camera-rig.ts';
+import type { Emphasis } from './emphasis.ts';
+import type { LuminaireHand } from './luminaire-hand.ts';
+import type { LuminaireObjects } from '../luminaires/luminaire-objects.ts';
+import type { Hit, Picking } from './picking.ts';
+import { PointerInput } from './pointer-input.ts';
+import type { RoomLight } from '../light/room-light.ts';
+import type { LitMesh } from '../room/room-mesh.ts';
+import type { ViewerEvents } from '../types.ts';
+
+/** A press by hand asks for no focus ring (the option is ignored where unknown). */
+const quietly = { preventScroll: true, focusVisible: false } as FocusOptions;
+const turnStep = (5 * Math.PI) / 180;
+const panStep = 0.05; // of the picture's height
+
+export interface InputParts {
+  readonly canvas: HTMLCanvasElement;
+  readonly rig: CameraRig;
+  readonly picking: Picking;
+  readonly luminaires: LuminaireObjects;
+  readonly light: RoomLight;
+  readonly emphasis: Emphasis;
+  readonly hand: LuminaireHand;
+  readonly events: ViewerEvents;
+  /** What can be hit now; nothing while no room with light is open. */
+  readonly solid: () => readonly LitMesh[];
+}
+
+export class ViewInput {
+  #parts: InputParts;
+  #pointer: PointerInput;
+  #probing = false; // the app was told of a surface under the pointer
+
+  constructor(parts: InputParts) {
+    this.#parts = parts;
+    this.#pointer = this.#createPointer();
+  }
+
+  grabTag(luminaire: number, event: PointerEvent): void {
+    this.#parts.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
+    this.#parts.canvas.focus(quietly);
+  }
+
+  /** The wheel over a tag zooms like the wheel beside it. */
+  forwardWheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.#parts.canvas.dispatchEvent(new WheelEvent(event.type, event));
+  }
+
+  dispose(): void {
+    this.#pointer.dispose();
+  }
+
+  #pick(x: number, y: number): Hit | null {
+    const { picking, rig, luminaires, light, solid } = this.#parts;
+    const room = solid();
+    if (room.length === 0) return null;
+    return picking.pick(x, y, rig.active, room, luminaires.objects, light.light, light.reflectance);
+  }
+
+  #hover(at: { x: number; y: number } | null): void {
+    const { canvas, emphasis, events, hand } = this.#parts;
+    if (hand.busy) return;
+    const hit = at ? this.#pick(at.x, at.y) : null;
+    emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
+    canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
+    const surface = hit?.surface ?? null;
+    if (!at || !hit || surface === null) {
+      if (this.#probing) events.hovered(null, null);
+      this.#probing = false;
+      return;
+    }
+    this.#probing = true;
+    const frame = canvas.getBoundingClientRect();
+    const [x, y] = [at.x - frame.left, at.y - frame.top];
+    events.hovered(surface, { x, y, lux: hit.lux, exitance: hit.exitance, point: hit.point.toArray() });
+  }
+
+  #createPointer(): PointerInput {
+    const { canvas, emphasis, events, hand, rig } = this.#parts;
+    return new PointerInput(canvas, {
+      hover: (at) => this.#hover(at),
+      click: (x, y) => events.surfacePicked(this.#pick(x, y)?.surface ?? null),
+      doubleClick: (x, y) => {
+        const hit = this.#pick(x, y);
+        if (hit?.surface != null) rig.pivot(hit.point);
+      },
+      press: (event) => {
+        const luminaire = this.#pick(event.clientX, event.clientY)?.luminaire ?? null;
+        if (luminaire === null) return false;
+        hand.grab(luminaire, canvas, event);
+        return true;
+      },
+      view: (name) => rig.view(name),
+      fit: () => rig.fit(),
+      home: () => rig.home(),
+      arrow: (right, up, event) => this.#arrow(right, up, event),
+      zoom: (factor) => rig.zoom(factor),
+      escape: () => {
+        if (emphasis.luminaire !== null) events.luminairePicked(null);
+        else events.surfacePicked(null);
+      },
+    });
+  }
+
+  /** Arrow keys walk the selected luminaire from site to site; without one they turn the room, with Shift they pan. */
+  #arrow(right: number, up: number, event: KeyboardEvent): void {
+    const { emphasis, hand, rig } = this.#parts;
+    const { luminaire } = emphasis;
+    if (event.shiftKey) rig.pan(panStep * right, panStep * up);
+    else if (luminaire !== null && !event.altKey) hand.nudge(luminaire, right, up);
+    else rig.turn(turnStep * right, turnStep * up);
+  }
+}

@@ -1,0 +1,124 @@
+/**
+ * From a quantity of light to a place on the legend (0..1) and its colour: linear or logarithmic, continuous or in
+ * steps; and what a legend draws: colour stops and ticks. The shader (light-material.ts) does the same sums.
+ */
+import { mapColor } from './color-maps.ts';
+import type { Display } from '../../document/types.ts';
+
+export type Scale = Pick<Display, 'range' | 'logarithmic' | 'steps' | 'colorMap'>;
+
+export interface LegendStop {
+  readonly at: number; // 0..1 along the legend
+  readonly color: string; // CSS
+}
+
+export interface LegendTick {
+  readonly at: number; // 0..1 along the legend
+  readonly value: number; // lx or lm/m2
+  readonly label: string;
+}
+
+/** The ends as they are used: low < high, and low > 0 on a logarithmic scale. */
+export function legendEnds(scale: Pick<Scale, 'range' | 'logarithmic'>): [number, number] {
+  let [low, high] = scale.range;
+  if (!(high > low)) high = low + 1;
+  if (scale.logarithmic) {
+    high = Math.max(high, 1e-3);
+    low = Math.min(Math.max(low, high / 1e4), high / 1.0001);
+  }
+  return [low, high];
+}
+
+/** Where a value stands between the ends, unclamped. */
+export function legendPosition(scale: Pick<Scale, 'range' | 'logarithmic'>, value: number): number {
+  const [low, high] = legendEnds(scale);
+  if (!scale.logarithmic) return (value - low) / (high - low);
+  return Math.log(Math.max(value, 1e-12) / low) / Math.log(high / low);
+}
+
+/** The inverse of legendPosition. */
+export function legendValue(scale: Pick<Scale, 'range' | 'logarithmic'>, at: number): number {
+  const [low, high] = legendEnds(scale);
+  return scale.logarithmic ? low * Math.pow(high / low, at) : low + at * (high - low);
+}
+
+/** A place on the legend moved to the middle of its step; unchanged on a continuous scale. */
+export function steppedPosition(at: number, steps: number): number {
+  const clamped = Math.min(1, Math.max(0, at));
+  if (steps <= 0) return clamped;
+  return (Math.min(Math.floor(clamped * steps), steps - 1) + 0.5) / steps;
+}
+
+const css = ([red, green, blue]: readonly [number, number, number]): string =>
+  `rgb(${red}, ${green}, ${blue})`;
+
+/** CSS colour of a value, lx or lm/m2. */
+export function colorOf(scale: Scale, value: number): string {
+  return css(mapColor(scale.colorMap, steppedPosition(legendPosition(scale, value), scale.steps)));
+}
+
+/** Stops for a CSS or canvas gradient; on a stepped scale two a step, so that the edges are hard. */
+export function legendStops(scale: Pick<Scale, 'steps' | 'colorMap'>, count = 24): LegendStop[] {
+  const stops: LegendStop[] = [];
+  if (scale.steps > 0) {
+    for (let step = 0; step < scale.steps; step++) {
+      const color = css(mapColor(scale.colorMap, (step + 0.5) / scale.steps));
+      stops.push({ at: step / scale.steps, color }, { at: (step + 1) / scale.steps, color });
+    }
+    return stops;
+  }
+  for (let i = 0; i <= count; i++)
+    stops.push({ at: i / count, color: css(mapColor(scale.colorMap, i / count)) });
+  return stops;
+}
+
+/** A round step of 1, 2, 2.5 or 5 times a power of ten that cuts `span` into at most `count` parts. */
+export function roundStep(span: number, count: number): number {
+  const raw = span / Math.max(1, count);
+  const magnitude = Math.pow(10, Math.floor(Math.log10(raw)));
+  const factor = [1, 2, 2.5, 5, 10].find((candidate) => candidate * magnitude >= raw * (1 - 1e-9)) ?? 10;
+  return factor * magnitude;
+}
+
+/** A value as a legend writes it: three significant digits, no exponent, thin spaces between thousands. */
+export function formatLight(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  const magnitude = Math.abs(value);
+  const digits = magnitude >= 100 || magnitude === 0 ? 0 : magnitude >= 10 ? 1 : 2;
+  const [whole, fraction] = value.toFixed(digits).split('.') as [string, string | undefined];
+  const grouped = whole.replace(/\B(?=(\d{3})+$)/g, '\u2009');
+  const rest = fraction?.replace(/0+$/, '');
+  return rest ? `${grouped}.${rest}` : grouped;
+}
+
+const decadeTicks = (mantissas: readonly number[], low: number, high: number): number[] => {
+  const values: number[] = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++)
+    for (const mantissa of mantissas) values.push(mantissa * Math.pow(10, power));
+  return values.filter((value) => value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9));
+};
+
+/** Ticks at round values between the ends, at most about `count`; on a stepped linear scale at the edges of steps. */
+export function legendTicks(scale: Omit<Scale, 'colorMap'>, count = 6): LegendTick[] {
+  const [low, high] = legendEnds(scale);
+  let values: number[] = [];
+  if (scale.steps > 0 && scale.steps <= 2 * count) {
+    values = Array.from({ length: scale.steps + 1 }, (_, i) => legendValue(scale, i / scale.steps));
+  } else if (scale.logarithmic) {
+    const candidates = [[1, 2, 5], [1, 3], [1]].map((mantissas) => decadeTicks(mantissas, low, high));
+    values = candidates.find((list) => list.length <= count + 2) ?? candidates[2]!;
+  }
+  if (values.length < 2) {
+    const step = roundStep(high - low, count);
+    for (let i = Math.ceil(low / step - 1e-9); i * step <= high * (1 + 1e-9); i++) values.push(i * step + 0); // + 0: never -0
+  }
+  return values.map((value) => ({ value, at: legendPosition(scale, value), label: formatLight(value) }));
+}
+
+/** Round ends of a legend for light up to `high`: from zero (logarithmic: two decades below) to a round value above. */
+export function roundRange(high: number, logarithmic: boolean): [number, number] {
+  if (!(high > 0)) return logarithmic ? [1, 100] : [0, 100];
+  const step = roundStep(high, 5);
+  const top = Math.ceil(high / step - 1e-9) * step;
+  return logarithmic ? [Math.pow(10, Math.floor(Math.log10(top) - 2 + 1e-9)), top] : [0, top];
+}

@@ -1,0 +1,125 @@
+/** How the room's light is shown: shared uniforms, light texture, colour table and the exposure that follows the light. */
+import { Color, DataTexture, LinearFilter, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
+import type { ColorMap, Display, SceneInfo } from '../../document/types.ts';
+import { colorTable, tableSize } from './color-maps.ts';
+import { adaptationLevel, automaticExposure } from './exposure.ts';
+import { legendEnds } from './false-color.ts';
+import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
+import { sharedUniforms } from './light-material.ts';
+import { LightTexture } from './light-texture.ts';
+
+const settling = 160; // ms in which the exposure makes 63 % of its way
+
+export class RoomLight {
+  readonly uniforms = sharedUniforms();
+  #loop: FrameLoop;
+  #texture: LightTexture | null = null;
+  #reflectances: LightTexture | null = null;
+  #tables = new Map<ColorMap, DataTexture>();
+  #scene: SceneInfo | null = null;
+  #level = 0; // lx that the eye is adapted to
+  #wanted = 0;
+  #ev = 0;
+  #last = 0;
+  #adapting = false;
+
+  constructor(loop: FrameLoop) {
+    this.#loop = loop;
+  }
+
+  /** The light last set, lx a patch; null before a room is open. */
+  get light(): Float32Array | null {
+    return this.#texture?.light ?? null;
+  }
+
+  /** Reflectance a patch; null before a room is open. */
+  get reflectance(): Float32Array | null {
+    return this.#scene?.patchReflectance ?? null;
+  }
+
+  setScene(scene: SceneInfo | null): void {
+    this.#texture?.dispose();
+    this.#reflectances?.dispose();
+    this.#scene = scene;
+    const made = () => (scene ? new LightTexture(scene.patches + scene.receivers) : null);
+    [this.#texture, this.#reflectances] = [made(), made()];
+    if (scene) this.#reflectances?.set(scene.patchReflectance);
+    this.uniforms.lightTexture.value = this.#texture?.texture ?? null;
+    this.uniforms.reflectanceTexture.value = this.#reflectances?.texture ?? null;
+    this.#level = 0;
+  }
+
+  set(illuminance: Float32Array): void {
+    if (!this.#scene || !this.#texture) return;
+    this.#texture.set(illuminance);
+    this.#wanted = adaptationLevel(this.#texture.light, this.#scene.patchArea, this.#scene.patches);
+    if (this.#level === 0 || reducedMotion()) this.#level = this.#wanted;
+    else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > 0.003) {
+      this.#adapting = true;
+      this.#last = 0;
+      this.#loop.animate(this.#adapt);
+    }
+    this.#expose();
+    this.#loop.invalidate();
+  }
+
+  setDisplay(display: Display): void {
+    const uniforms = this.uniforms;
+    const [low, high] = legendEnds(display);
+    this.#ev = display.exposure;
+    uniforms.falseColor.value = display.mode === 'falseColor';
+    uniforms.colorTable.value = this.#table(display.colorMap);
+    uniforms.logarithmic.value = display.logarithmic;
+    if (display.logarithmic) uniforms.legend.value.set(Math.log(low), Math.log(high));
+    else uniforms.legend.value.set(low, high);
+    uniforms.steps.value = display.steps;
+    uniforms.isolux.value = display.isolux;
+    uniforms.exitance.value = display.quantity === 'exitance';
+    this.#expose();
+  }
+
+  setAccent(color: Color): void {
+    this.uniforms.accent.value.copy(color);
+  }
+
+  /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
+  release(): void {
+    this.#texture?.texture.dispose();
+    this.#reflectances?.texture.dispose();
+    for (const table of this.#tables.values()) table.dispose();
+  }
+
+  dispose(): void {
+    this.setScene(null);
+    for (const table of this.#tables.values()) table.dispose();
+    this.#tables.clear();
+  }
+
+  #adapt = (now: number): boolean => {
+    const passed = this.#last === 0 ? 16 : now - this.#last;
+    this.#last = now;
+    const way = Math.log(Math.max(this.#wanted, 0.05) / Math.max(this.#level, 0.05));
+    this.#level = Math.max(this.#level, 0.05) * Math.exp(way * (1 - Math.exp(-passed / settling)));
+    this.#adapting = Math.abs(way) > 0.002;
+    if (!this.#adapting) this.#level = this.#wanted;
+    this.#expose();
+    return this.#adapting;
+  };
+
+  #expose(): void {
+    this.uniforms.exposure.value = automaticExposure(this.#level, this.#ev);
+  }
+
+  #table(map: ColorMap): DataTexture {
+    let table = this.#tables.get(map);
+    if (!table) {
+      table = new DataTexture(colorTable(map), tableSize, 1, RGBAFormat, UnsignedByteType);
+      table.colorSpace = SRGBColorSpace;
+      table.minFilter = LinearFilter;
+      table.magFilter = LinearFilter;
+      table.needsUpdate = true;
+      this.#tables.set(map, table);
+    }
+    return table;
+  }
+}

@@ -1,0 +1,101 @@
+/** Names of luminaires over the picture: small HTML tags L1, L2, ... that can be clicked and dragged like the luminaire. */
+import { Vector3, type Camera } from 'three';
+import type { LuminaireObject } from './luminaire-objects.ts';
+import { spreadTags } from './tag-layout.ts';
+
+const svg = 'http://www.w3.org/2000/svg';
+/** A pin, 10 x 10. */
+const pinPath = 'M3.4 .8h3.2l-.4 3 1.6 1.6v.9H5.5L5 9.4l-.5-3.1H2.2v-.9l1.6-1.6z';
+
+function pinIcon(): SVGSVGElement {
+  const icon = document.createElementNS(svg, 'svg');
+  icon.setAttribute('viewBox', '0 0 10 10');
+  icon.setAttribute('class', 'luminaire-tag-pin');
+  const path = document.createElementNS(svg, 'path');
+  path.setAttribute('d', pinPath);
+  icon.append(path);
+  return icon;
+}
+
+const corners = [0, 1, 2, 3].map((i) => new Vector3(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, 0));
+
+export class LuminaireTags {
+  #labels: HTMLElement;
+  #grab: (luminaire: number, event: PointerEvent) => void;
+  #wheel: (event: WheelEvent) => void;
+  #tags: HTMLElement[] = [];
+  #point = new Vector3();
+
+  constructor(
+    labels: HTMLElement,
+    grab: (luminaire: number, event: PointerEvent) => void,
+    wheel: (event: WheelEvent) => void,
+  ) {
+    this.#labels = labels;
+    this.#grab = grab;
+    this.#wheel = wheel;
+    labels.classList.add('viewer-labels');
+  }
+
+  /** One tag a luminaire. */
+  setCount(count: number): void {
+    while (this.#tags.length > count) this.#tags.pop()!.remove();
+    while (this.#tags.length < count) this.#tags.push(this.#create(this.#tags.length));
+  }
+
+  setState(state: { pinned: readonly number[]; selected: number | null; hovered: number | null }): void {
+    this.#tags.forEach((tag, i) => {
+      tag.classList.toggle('is-pinned', state.pinned.includes(i));
+      tag.classList.toggle('is-selected', state.selected === i);
+      tag.classList.toggle('is-hovered', state.hovered === i);
+    });
+  }
+
+  /** Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden. */
+  follow(objects: readonly LuminaireObject[], camera: Camera, width: number, height: number): void {
+    const places = this.#tags.map((tag, i) => {
+      const object = objects[i];
+      if (object) this.#point.copy(object.group.position).project(camera);
+      const visible = object !== undefined && Math.abs(this.#point.z) <= 1;
+      if (tag.hidden === visible) tag.hidden = !visible;
+      if (!visible) return { x: -1e4 * (i + 1), y: 0 };
+      return this.#placeOf(object, camera, width, height);
+    });
+    const compact = width < 600;
+    spreadTags(places, compact ? 24 : 32, compact ? 15 : 19).forEach(({ x, y }, i) => {
+      const tag = this.#tags[i]!;
+      if (!tag.hidden)
+        tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -50%)`;
+    });
+  }
+
+  dispose(): void {
+    this.setCount(0);
+    this.#labels.classList.remove('viewer-labels');
+  }
+
+  /** On a large luminaire, above a small one (which it would hide); px. */
+  #placeOf({ panel }: LuminaireObject, camera: Camera, width: number, height: number) {
+    const [x, y] = [(0.5 + 0.5 * this.#point.x) * width, (0.5 - 0.5 * this.#point.y) * height];
+    let [top, right] = [y, x];
+    for (const corner of corners) {
+      this.#point.copy(corner).applyMatrix4(panel.matrixWorld).project(camera);
+      top = Math.min(top, (0.5 - 0.5 * this.#point.y) * height);
+      right = Math.max(right, (0.5 + 0.5 * this.#point.x) * width);
+    }
+    const small = 1 - Math.min(1, Math.max(0, (2 * (right - x) - 44) / 40));
+    return { x, y: y + small * (top - 11 - y) };
+  }
+
+  #create(luminaire: number): HTMLElement {
+    const tag = document.createElement('div');
+    tag.className = 'luminaire-tag';
+    tag.setAttribute('aria-hidden', 'true'); // the list of luminaires beside the canvas speaks for them
+    tag.dataset['luminaire'] = String(luminaire);
+    tag.append(pinIcon(), `L${luminaire + 1}`);
+    tag.addEventListener('pointerdown', (event) => this.#grab(luminaire, event));
+    tag.addEventListener('wheel', this.#wheel, { passive: false });
+    this.#labels.append(tag);
+    return tag;
+  }
+}

@@ -1,0 +1,116 @@
+/**
+ * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
+ * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
+ */
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { surfaceEdges } from './surface-edges.ts';
+import type { LitMesh } from './room-mesh.ts';
+
+const crease = 35; // degrees: sharper edges inside a surface are drawn too
+
+function edgesOfMesh(
+  geometry: BufferGeometry,
+  position: { array: ArrayLike<number>; count: number },
+): Float32Array {
+  const index = geometry.index?.array ?? [...Array(position.count).keys()];
+  return surfaceEdges(index, position.array, crease);
+}
+
+/** Line ends of a surface's edges in world space, xyz each. */
+function edgesOf(meshes: readonly LitMesh[]): Float32Array {
+  const parts = meshes.map(({ mesh }) => {
+    const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+    return edgesOfMesh(mesh.geometry, position);
+  });
+  const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
+  return all;
+}
+
+export class SurfaceOutlines {
+  readonly root = new Group();
+  #room: readonly LitMesh[] = [];
+  #edges = new Map<number, Float32Array>();
+  #selected = this.#material('#4f9dff', 2.5, 1);
+  #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
+  #hovered = this.#material('#ffffff', 1.25, 0.6);
+  #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
+  #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
+  #drawing: LineSegments[] = [];
+
+  constructor() {
+    this.#through.depthTest = false;
+  }
+
+  setRoom(room: readonly LitMesh[]): void {
+    this.show('selected', null);
+    this.show('hovered', null);
+    for (const lines of this.#drawing) {
+      lines.removeFromParent();
+      lines.geometry.dispose();
+    }
+    this.#drawing = [];
+    this.#room = room;
+    this.#edges.clear();
+  }
+
+  show(which: 'selected' | 'hovered', surface: number | null): void {
+    for (const object of this.#shown.get(which) ?? []) {
+      this.root.remove(object);
+      object.geometry.dispose();
+    }
+    this.#shown.delete(which);
+    const ends = surface === null ? null : this.#edgesOfSurface(surface);
+    if (!ends || ends.length === 0) return;
+    const geometry = new LineSegmentsGeometry().setPositions(ends);
+    const materials = which === 'selected' ? [this.#through, this.#selected] : [this.#hovered];
+    const objects = materials.map((material) => {
+      const lines = new LineSegments2(geometry, material);
+      lines.renderOrder = 6;
+      this.root.add(lines);
+      return lines;
+    });
+    this.#shown.set(which, objects);
+  }
+
+  /** Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it. */
+  showAll(visible: boolean): void {
+    if (visible && this.#drawing.length === 0) {
+      for (const { mesh, measuring } of this.#room) {
+        if (measuring) continue;
+        const ends = edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position'));
+        const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
+        const lines = new LineSegments(geometry, this.#thin);
+        lines.renderOrder = 1;
+        mesh.add(lines);
+        this.#drawing.push(lines);
+      }
+    }
+    for (const lines of this.#drawing) lines.visible = visible;
+  }
+
+  dispose(): void {
+    this.setRoom([]);
+    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin]) material.dispose();
+  }
+
+  #edgesOfSurface(surface: number): Float32Array {
+    let ends = this.#edges.get(surface);
+    if (!ends)
+      this.#edges.set(surface, (ends = edgesOf(this.#room.filter((lit) => lit.surface === surface))));
+    return ends;
+  }
+
+  #material(color: string, linewidth: number, opacity: number): LineMaterial {
+    const material = new LineMaterial({ color, linewidth, transparent: true, opacity });
+    material.toneMapped = false;
+    material.depthWrite = false;
+    material.polygonOffset = true;
+    material.polygonOffsetFactor = -4;
+    material.polygonOffsetUnits = -4;
+    return material;
+  }
+}

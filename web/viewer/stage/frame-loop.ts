@@ -1,0 +1,66 @@
+/**
+ * Draws when something changed and not otherwise: any number of `invalidate` calls make one frame. Animations are
+ * stepped before the frame and keep it coming until they are over.
+ */
+
+/** Called once a frame with the time (ms); true while there is more to come. */
+export type Animation = (now: number) => boolean;
+
+export class FrameLoop {
+  #request = 0;
+  #animations = new Set<Animation>();
+  #running = true;
+  #draw: (now: number) => void;
+
+  constructor(draw: (now: number) => void) {
+    this.#draw = draw;
+  }
+
+  invalidate(): void {
+    if (this.#request === 0 && this.#running) this.#request = requestAnimationFrame(this.#step);
+  }
+
+  /** Draws at once what the next frame would: a canvas that was just resized is empty and must not be shown so. */
+  flush(): void {
+    if (!this.#running) return;
+    cancelAnimationFrame(this.#request);
+    this.#step(performance.now());
+  }
+
+  animate(animation: Animation): void {
+    this.#animations.add(animation);
+    this.invalidate();
+  }
+
+  /** Stops an animation where it is. */
+  cancel(animation: Animation): void {
+    this.#animations.delete(animation);
+  }
+
+  /** Nothing is drawn while suspended (the context is lost); what changed is drawn on resumption. */
+  suspend(): void {
+    this.#running = false;
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+  }
+
+  resume(): void {
+    this.#running = true;
+    this.invalidate();
+  }
+
+  #step = (now: number): void => {
+    this.#request = 0;
+    for (const animation of this.#animations) if (!animation(now)) this.#animations.delete(animation);
+    this.#draw(now);
+    if (this.#animations.size > 0) this.invalidate();
+  };
+}
+
+/** 0..1 -> 0..1, fast first, at rest at the end. */
+export const easeOut = (t: number): number => 1 - Math.pow(1 - Math.min(1, Math.max(0, t)), 3);
+
+const query = '(prefers-reduced-motion: reduce)';
+
+/** Whether the person asked for less motion: then everything jumps to its end. */
+export const reducedMotion = (): boolean => typeof matchMedia === 'function' && matchMedia(query).matches;

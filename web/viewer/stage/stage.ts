@@ -1,0 +1,118 @@
+/**
+ * The canvas as a stage: renderer, scene graph, background, picture size, colour scheme, and what happens when the
+ * browser takes the WebGL context away and gives it back (three uploads everything anew; we only draw).
+ */
+import {
+  AgXToneMapping,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Scene,
+  WebGLRenderer,
+  type Camera,
+} from 'three';
+import { createBackground } from './background.ts';
+
+const maxPixelRatio = 2;
+const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
+
+/** Strips that controls lie over, CSS px: the custom properties --view-top and --view-bottom of the canvas. */
+export interface Covered {
+  readonly top: number;
+  readonly bottom: number;
+}
+
+export interface StageHost {
+  resized(width: number, height: number, pixelRatio: number, covered: Covered): void;
+  contextLost(lost: boolean): void;
+  schemeChanged(): void;
+}
+
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
+  readonly anisotropy: number;
+  /** Plain lights for a room without light of its own (a preview). */
+  readonly daylight = new Group();
+  width = 1; // CSS px
+  height = 1;
+  #canvas: HTMLCanvasElement;
+  #host: StageHost;
+  #background = createBackground();
+  #observer: ResizeObserver;
+  #scheme = matchMedia('(prefers-color-scheme: dark)');
+
+  constructor(canvas: HTMLCanvasElement, host: StageHost) {
+    this.#canvas = canvas;
+    this.#host = host;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer.setClearColor(new Color(0x000000), 1);
+    this.renderer.toneMapping = AgXToneMapping;
+    // note: asks the graphics process and waits for it; later it would wait for all that is being compiled there.
+    this.anisotropy = Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
+    this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
+    this.daylight.visible = false;
+    this.scene.add(this.#background.mesh, this.daylight);
+    canvas.addEventListener('webglcontextlost', this.#lost);
+    canvas.addEventListener('webglcontextrestored', this.#restored);
+    this.#scheme.addEventListener('change', this.#rescheme);
+    this.#background.setDark(this.#scheme.matches);
+    this.#observer = new ResizeObserver(this.#resize);
+    this.#observer.observe(canvas);
+    this.#resize();
+  }
+
+  /** Pixels of the picture a CSS pixel. */
+  get ratio(): number {
+    return this.renderer.getPixelRatio();
+  }
+
+  draw(camera: Camera): void {
+    this.renderer.render(this.scene, camera);
+  }
+
+  /** The picture of a frame drawn just now, in the same task. */
+  async png(): Promise<Blob> {
+    return new Promise((resolve, reject) => {
+      const done = (blob: Blob | null) =>
+        blob ? resolve(blob) : reject(new Error('The picture could not be saved: the canvas is empty.'));
+      this.#canvas.toBlob(done, 'image/png');
+    });
+  }
+
+  dispose(): void {
+    this.#observer.disconnect();
+    this.#scheme.removeEventListener('change', this.#rescheme);
+    this.#canvas.removeEventListener('webglcontextlost', this.#lost);
+    this.#canvas.removeEventListener('webglcontextrestored', this.#restored);
+    this.#background.dispose();
+    this.renderer.dispose();
+  }
+
+  #resize = (): void => {
+    const [width, height] = [this.#canvas.clientWidth, this.#canvas.clientHeight];
+    if (width === 0 || height === 0) return;
+    const ratio = Math.min(maxPixelRatio, devicePixelRatio);
+    if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
+    [this.width, this.height] = [width, height];
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    const style = getComputedStyle(this.#canvas);
+    const strip = (name: string) =>
+      Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
+    this.#host.resized(width, height, ratio, { top: strip('--view-top'), bottom: strip('--view-bottom') });
+  };
+
+  #rescheme = (): void => {
+    this.#background.setDark(this.#scheme.matches);
+    this.#host.schemeChanged();
+  };
+
+  #lost = (event: Event): void => {
+    event.preventDefault(); // asks the browser for a restoration
+    this.#host.contextLost(true);
+  };
+
+  #restored = (): void => this.#host.contextLost(false);
+}
