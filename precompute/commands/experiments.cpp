@@ -54,16 +54,15 @@ void runExperiments(const ExperimentsOptions& options) {
   if (failure) throw CommandError(plots.string() + ": cannot be made; choose another folder with -o");
   e.runs = options.runs;
   e.evaluations = options.evaluations;
-  Progress progress;
+  TerminalProgress progress;
   const std::pair<const char*, void (*)(Experiments&)> parts[] = {{"dispersion", experimentDispersion},
                                                                   {"intentions", experimentIntentions},
                                                                   {"chebyshev", experimentChebyshev},
                                                                   {"alpha", experimentAlpha},
                                                                   {"speed", experimentSpeed}};
   for (const auto& [name, part] : parts) {
-    progress.update(name, 0);
+    progress.begin(name);
     part(e);
-    progress.update(name, 1);
   }
   std::string table = "| figure | paper | here | why they differ |\n|---|---|---|---|\n";
   for (const std::string& row : e.comparison) table += row + "\n";

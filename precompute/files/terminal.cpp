@@ -8,19 +8,23 @@
 
 namespace fiatlux {
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(2) != 0), last_(Clock::now()) {}
+TerminalProgress::TerminalProgress() : terminal_(::isatty(2) != 0) {}
 
-Progress::~Progress() { clear(); }
+TerminalProgress::~TerminalProgress() { clear(); }
 
-void Progress::update(const std::string& stage, double fraction) {
-  if (quiet_) return;
-  const std::lock_guard lock(mutex_);
+void TerminalProgress::begin(const std::string& stage) {
+  stages_.push_back({stage, Clock::now()});
+  if (terminal_) last_ = {};  // a new bar appears at once
+  update(0);
+}
+
+void TerminalProgress::update(double fraction) {
+  if (stages_.empty()) return;
   const auto now = Clock::now();
-  const bool fresh = stage != stage_;
   const auto pause = std::chrono::milliseconds(terminal_ ? 100 : 5000);
-  if (!(fresh && terminal_) && now - last_ < pause) return;
-  stage_ = stage;
+  if (now - last_ < pause) return;
   last_ = now;
+  const std::string& stage = stages_.back().name;
   const int percent = static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0));
   if (terminal_) {
     std::string bar(30, ' ');
@@ -33,8 +37,20 @@ void Progress::update(const std::string& stage, double fraction) {
   std::fflush(stderr);
 }
 
-void Progress::clear() {
-  const std::lock_guard lock(mutex_);
+std::vector<StageSeconds> TerminalProgress::seconds() {
+  std::vector<StageSeconds> seconds;
+  for (std::size_t i = 0; i < stages_.size(); ++i) {
+    const auto end = i + 1 < stages_.size() ? stages_[i + 1].start : Clock::now();
+    seconds.push_back({stages_[i].name, std::chrono::duration<double>(end - stages_[i].start).count()});
+  }
+  return seconds;
+}
+
+double TerminalProgress::total() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void TerminalProgress::clear() {
   if (shown_) std::fprintf(stderr, "\r\033[K"), std::fflush(stderr);
   shown_ = false;
 }

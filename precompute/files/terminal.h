@@ -1,30 +1,38 @@
 // How a long command tells that it lives: a bar on a terminal, a plain line now and then elsewhere; standard
-// error only.
+// error only. It has the clock, too, that the computation itself has not.
 #pragma once
 
 #include <chrono>
-#include <mutex>
 #include <string>
+#include <vector>
+
+#include "precompute/base/progress.h"
 
 namespace fiatlux {
 
-/// Stages one after the other, each from 0 to 1. May be called from any thread; throttled.
-class Progress {
+/// Stages one after the other, each from 0 to 1; throttled.
+class TerminalProgress final : public Progress {
  public:
-  /// `quiet`: says nothing.
-  explicit Progress(bool quiet = false);
-  ~Progress();
-  /// `fraction` of the stage is done, 0..1. A new name starts a new stage.
-  void update(const std::string& stage, double fraction);
+  TerminalProgress();
+  ~TerminalProgress() override;
+  void begin(const std::string& stage) override;
+  void update(double fraction) override;
+  std::vector<StageSeconds> seconds() override;
+  /// Seconds since it was made.
+  double total() const;
   /// Takes the bar off the terminal, so that a line may be printed.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::mutex mutex_;
-  bool quiet_, terminal_, shown_ = false;
-  std::string stage_;
-  Clock::time_point last_;
+  struct Stage {
+    std::string name;
+    Clock::time_point start;
+  };
+  bool terminal_, shown_ = false;
+  std::vector<Stage> stages_;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;  // when something was shown
 };
 
 /// A warning or note on standard error: "fiatlux: <line>". Control characters are shown as '?'.

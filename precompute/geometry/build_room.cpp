@@ -68,6 +68,12 @@ void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
                        " m wide: pass --scale with the metres of one unit of the file");
 }
 
+RayTracer tracerOf(const WeldedMesh& mesh) {
+  std::vector<RayTracer::Triangle> triangles;
+  for (const WeldedTriangle& t : mesh.triangles) triangles.push_back(t.vertex);
+  return orThrow(RayTracer::build(mesh.positions, triangles));
+}
+
 std::vector<Face> frontFaces(const WeldedMesh& mesh) {
   std::vector<Face> faces;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -96,15 +102,15 @@ std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
 }
 
 /// Finds surfaces and mounts; turns sheets that look outward; leaves out what no light can reach.
-Inside findInside(const SourceScene& source, const RoomOptions& options, WeldedMesh& mesh, UniqueNames& names,
-                  std::vector<std::string>& warnings) {
+Inside findInside(const SourceScene& source, const RoomOptions& options, const RayTracer& tracer,
+                  WeldedMesh& mesh, UniqueNames& names, std::vector<std::string>& warnings) {
   std::vector<Face> faces = frontFaces(mesh);
   const std::vector<Face> backs = backFaces(source, mesh);
   faces.insert(faces.end(), backs.begin(), backs.end());
   UniqueNames firstNames;
   Inside inside;
   inside.tree = findSurfaces(source, mesh, faces, 0.01, firstNames);
-  Outlook outlook(mesh, makeCharts(mesh, inside.tree, mesh.diagonal / 40, 0));
+  Outlook outlook(mesh, tracer, makeCharts(mesh, inside.tree, mesh.diagonal / 40, 0));
   if (turnOutwardSheets(mesh, faces, outlook)) {
     names = {};
     inside.tree = findSurfaces(source, mesh, faces, 0.01, names);
@@ -211,7 +217,7 @@ void checkOptions(const RoomOptions& options) {
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
 
-Room build(const SourceScene& source, const RoomOptions& options) {
+TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   checkOptions(options);
   Room room;
   room.sourceHash = source.hash;
@@ -229,8 +235,10 @@ Room build(const SourceScene& source, const RoomOptions& options) {
     room.warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
   warnOfScale(mesh, room.warnings);
 
+  // note: built before sheets are turned over, for a ray does not mind which side it meets
+  RayTracer tracer = tracerOf(mesh);
   UniqueNames names;
-  const Inside inside = findInside(source, options, mesh, names, room.warnings);
+  const Inside inside = findInside(source, options, tracer, mesh, names, room.warnings);
   const SurfaceTree& tree = inside.tree;
   room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(tree));
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
@@ -249,19 +257,20 @@ Room build(const SourceScene& source, const RoomOptions& options) {
   sumSurfaces(room);
   addSites(mesh, inside.mounts, options, room);
   orThrow(checkMemory(countsOf(options, room), options.memory));
-  return room;
+  return {std::move(room), std::move(tracer)};
 }
 
 }  // namespace
 
+Result<TracedRoom> buildTracedRoom(const SourceScene& source, const RoomOptions& options) {
+  return atDoor([&] { return build(source, options); },
+                "not enough memory for this room; pass a larger --patch");
+}
+
 Result<Room> buildRoom(const SourceScene& source, const RoomOptions& options) {
-  try {
-    return build(source, options);
-  } catch (const CommandError& error) {
-    return Error{error.what()};
-  } catch (const std::bad_alloc&) {
-    return Error{"not enough memory for this room; pass a larger --patch"};
-  }
+  Result<TracedRoom> traced = buildTracedRoom(source, options);
+  if (!traced) return traced.error();
+  return std::move(traced->room);
 }
 
 }  // namespace fiatlux

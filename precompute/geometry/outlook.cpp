@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "precompute/rays/area_sampler.h"
 #include "precompute/rays/hemisphere.h"
-#include "precompute/rays/ray_sequence.h"
-#include "precompute/rays/ray_tracer.h"
 #include "precompute/room/disjoint_sets.h"
 
 namespace fiatlux {
@@ -30,29 +26,13 @@ AreaSampler samplerOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
   return AreaSampler(triangles);
 }
 
-Room blockersOf(const WeldedMesh& mesh) {
-  Room room;
-  room.positions = mesh.positions;
-  for (const WeldedTriangle& t : mesh.triangles) room.triangles.push_back({t.vertex});
-  return room;
-}
-
 }  // namespace
 
-struct Outlook::Piece {
-  AreaSampler sampler;
-  std::uint32_t rays = 0, lost = 0;
-  std::vector<std::uint32_t> met;  // the pieces that the other rays met
-};
-
-struct Outlook::Tracing {
-  Room room;
-  std::optional<RayTracer> tracer;  // of `room`
-  RaySequence sequence{kManyRays};
-};
-
-Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
-    : mesh_(mesh), pieceOfSide_(mesh.triangles.size(), {kNone, kNone}) {
+Outlook::Outlook(const WeldedMesh& mesh, const RayTracer& tracer, const std::vector<ChartDraft>& pieces)
+    : mesh_(mesh),
+      tracer_(tracer),
+      sequence_(kManyRays),
+      pieceOfSide_(mesh.triangles.size(), {kNone, kNone}) {
   if (pieces.empty() || pieces.size() > kMostPieces) return;
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
@@ -60,13 +40,8 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
     pieces_.push_back({samplerOf(mesh, pieces[p].faces), 0, 0, {}});
     area += pieces_.back().sampler.area();
   }
-  auto tracing = std::make_unique<Tracing>();
-  tracing->room = blockersOf(mesh);
-  Result<RayTracer> tracer = RayTracer::build(tracing->room);
-  if (!tracer) return;  // what needs rays later will say why
-  tracing->tracer = std::move(*tracer);
-  tracing_ = std::move(tracing);
 
+  // Cast rays by area, a few at least from every piece.
   const auto least = static_cast<std::uint32_t>(
       std::clamp<double>(kRayBudget / static_cast<double>(pieces_.size()), RayPacket::kSize, kFewRays));
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
@@ -75,24 +50,21 @@ Outlook::Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces)
   }
 }
 
-Outlook::~Outlook() = default;
-
 void Outlook::cast(std::uint32_t index, std::uint32_t rays, std::uint64_t seed) {
   Piece& piece = pieces_[index];
-  const RayTracer& tracer = *tracing_->tracer;
   const auto scramble = RaySequence::scramble(mixBits(seed));
   Vec3 direction[RayPacket::kSize];
   for (std::uint32_t first = 0; first < rays; first += RayPacket::kSize) {
     RayPacket packet;
     for (std::uint32_t i = first; i < std::min(first + RayPacket::kSize, rays); ++i) {
-      const auto random = tracing_->sequence.point(i, scramble);
+      const auto random = sequence_.point(i, scramble);
       const AreaSampler::Point from = piece.sampler.at(random[2], random[3]);
       direction[i - first] = cosineDirection(Frame(from.normal), random[0], random[1]);
-      tracer.aim(packet, from.position + tracer.offset() * from.normal, direction[i - first],
-                 std::numeric_limits<float>::infinity());
+      tracer_.aim(packet, from.position + tracer_.offset() * from.normal, direction[i - first],
+                  std::numeric_limits<float>::infinity());
     }
     HitPacket hits;
-    tracer.intersect(packet, hits);
+    tracer_.intersect(packet, hits);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
       const std::uint32_t t = hits.triangle[i];
       std::uint32_t met = kNone;
@@ -111,29 +83,28 @@ void Outlook::cast(std::uint32_t index, std::uint32_t rays, std::uint64_t seed) 
 
 double Outlook::lost(std::uint32_t triangle, bool back) const {
   const std::uint32_t piece = pieceOfSide_[triangle][back];
-  if (!tracing_ || piece == kNone) return 0;
+  if (piece == kNone) return 0;
   return static_cast<double>(pieces_[piece].lost) / pieces_[piece].rays;
 }
 
 bool Outlook::seesLight(std::uint32_t index, const std::vector<LightPlace>& places,
                         std::uint32_t rays) const {
-  const RayTracer& tracer = *tracing_->tracer;
   const auto scramble = RaySequence::scramble(mixBits(~std::uint64_t{index}));
   RayPacket packet;
   const auto reaches = [&] {
     bool blocked[RayPacket::kSize];
-    tracer.occluded(packet, blocked);
+    tracer_.occluded(packet, blocked);
     const bool all = std::all_of(blocked, blocked + packet.count, [](bool b) { return b; });
     packet.count = 0;
     return !all;
   };
   for (std::uint32_t i = 0; i < rays; ++i) {
-    const auto random = tracing_->sequence.point(i, scramble);
+    const auto random = sequence_.point(i, scramble);
     const AreaSampler::Point from = pieces_[index].sampler.at(random[2], random[3]);
     const LightPlace& light = places[std::size_t{i} * places.size() / rays];
     const Vec3 way = light.position - from.position;
     if (dot(way, from.normal) <= 0 || dot(way, light.normal) > 0) continue;
-    tracer.aim(packet, from.position + tracer.offset() * from.normal, way, 1);
+    tracer_.aim(packet, from.position + tracer_.offset() * from.normal, way, 1);
     if (packet.count == RayPacket::kSize && reaches()) return true;
   }
   return packet.count > 0 && reaches();
@@ -188,15 +159,15 @@ std::vector<bool> Outlook::open(const std::vector<bool>& lit) const {
 Outlook::Unlit Outlook::unlit(const std::vector<Face>& mounts, const std::vector<LightPlace>& places) {
   const std::vector<std::array<bool, 2>> none(mesh_.triangles.size(), {false, false});
   Unlit unlit{none, none};
-  if (!tracing_ || (mounts.empty() && places.empty())) return unlit;
+  if (pieces_.empty() || (mounts.empty() && places.empty())) return unlit;
   std::vector<LightPlace> lights = places;
   if (!mounts.empty()) {
     const AreaSampler sampler = samplerOf(mesh_, mounts);
     const auto scramble = RaySequence::scramble(0);
     for (std::uint32_t i = 0; i < kLightRays; ++i) {
-      const auto random = tracing_->sequence.point(i, scramble);
+      const auto random = sequence_.point(i, scramble);
       const auto [position, normal] = sampler.at(random[0], random[1]);
-      lights.push_back({position + 2 * tracing_->tracer->offset() * normal, normal});
+      lights.push_back({position + 2 * tracer_.offset() * normal, normal});
     }
   }
   std::vector<bool> lit(pieces_.size(), false);

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "precompute/geometry/charts.h"
+#include "precompute/rays/area_sampler.h"
+#include "precompute/rays/ray_sequence.h"
+#include "precompute/rays/ray_tracer.h"
 
 namespace fiatlux {
 
@@ -20,10 +22,9 @@ struct LightPlace {
 /// or gently bent parts of one surface. Deterministic: the same mesh and pieces give the same answers.
 class Outlook {
  public:
-  /// `mesh` must outlive it; `pieces` are charts of any grid. Too many pieces (beyond 65 536) are not
-  /// looked at: then nothing counts as lost or unlit.
-  Outlook(const WeldedMesh& mesh, const std::vector<ChartDraft>& pieces);
-  ~Outlook();
+  /// `mesh` and the `tracer` of its triangles must outlive it; `pieces` are charts of any grid. Too many
+  /// pieces (beyond 65 536) are not looked at: then nothing counts as lost or unlit.
+  Outlook(const WeldedMesh& mesh, const RayTracer& tracer, const std::vector<ChartDraft>& pieces);
 
   /// Share of the rays from this side's piece that met nothing, or a side that is no surface.
   double lost(std::uint32_t triangle, bool back) const;
@@ -42,17 +43,21 @@ class Outlook {
   Unlit unlit(const std::vector<Face>& mounts, const std::vector<LightPlace>& places);
 
  private:
-  struct Piece;
-  struct Tracing;
+  struct Piece {
+    AreaSampler sampler;
+    std::uint32_t rays = 0, lost = 0;
+    std::vector<std::uint32_t> met;  // the pieces that the other rays met
+  };
   void cast(std::uint32_t piece, std::uint32_t rays, std::uint64_t seed);
   bool seesLight(std::uint32_t piece, const std::vector<LightPlace>& places, std::uint32_t rays) const;
   void spread(std::vector<bool>& lit) const;
   std::vector<bool> open(const std::vector<bool>& lit) const;
 
   const WeldedMesh& mesh_;
-  std::vector<Piece> pieces_;
+  const RayTracer& tracer_;
+  const RaySequence sequence_;
+  std::vector<Piece> pieces_;                              // none: not looked at
   std::vector<std::array<std::uint32_t, 2>> pieceOfSide_;  // kNone: no surface
-  std::unique_ptr<Tracing> tracing_;                       // none: not looked at
 };
 
 }  // namespace fiatlux

@@ -10,43 +10,25 @@ namespace {
 
 using nlohmann::json;
 
-/// Counts depth and values while the text streams by, so that a hostile nesting never becomes a tree.
-struct DepthGuard : json::json_sax_t {
-  int depth = 0;
-  std::size_t values = 0;
+/// Thrown out of the parser by its guard.
+struct BeyondBudget {
   std::string problem;
-
-  bool count() {
-    if (++values <= GltfBudget::kValues) return true;
-    problem = "the JSON holds more than 16 million values; merge or thin out the model before export";
-    return false;
-  }
-  bool enter() {
-    if (++depth > GltfBudget::kDepth) {
-      problem = "the JSON is nested more than 64 levels deep; no sound glTF is: export the file again";
-      return false;
-    }
-    return count();
-  }
-  bool null() override { return count(); }
-  bool boolean(bool) override { return count(); }
-  bool number_integer(number_integer_t) override { return count(); }
-  bool number_unsigned(number_unsigned_t) override { return count(); }
-  bool number_float(number_float_t, const string_t&) override { return count(); }
-  bool string(string_t&) override { return count(); }
-  bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return enter(); }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return --depth, true; }
-  bool start_array(std::size_t) override { return enter(); }
-  bool end_array() override { return --depth, true; }
-  bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
-    problem = std::strstr(error.what(), "out_of_range") ? "a number of the JSON is out of range near byte "
-                                                        : "the JSON is broken near byte ";
-    problem += std::to_string(position) + "; export the file again";
-    return false;
-  }
 };
+
+/// Counts depth and values while the text is parsed, so that a hostile nesting never becomes a tree.
+json::parser_callback_t budgetGuard(std::size_t& values) {
+  return [&values](int depth, json::parse_event_t event, json&) {
+    const bool opens =
+        event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
+    if (opens && depth >= GltfBudget::kDepth)
+      throw BeyondBudget{"the JSON is nested more than " + std::to_string(GltfBudget::kDepth) +
+                         " levels deep; no sound glTF is: export the file again"};
+    if ((opens || event == json::parse_event_t::value) && ++values > GltfBudget::kValues)
+      throw BeyondBudget{"the JSON holds more than " + std::to_string(GltfBudget::kValues / 1'000'000) +
+                         " million values; merge or thin out the model before export"};
+    return true;
+  };
+}
 
 std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
   return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
@@ -99,11 +81,16 @@ json parseGltfJson(const GltfContainer& container) {
   const char* end = container.text + container.textSize;
   while (end > container.text && (end[-1] == '\0' || end[-1] == ' ')) --end;  // padding of a GLB chunk
 
-  DepthGuard guard;
-  if (!json::sax_parse(container.text, end, &guard))
-    throw GltfError(guard.problem.empty() ? "the JSON is broken; export the file again" : guard.problem);
-
-  return json::parse(container.text, end);
+  std::size_t values = 0;
+  try {
+    return json::parse(container.text, end, budgetGuard(values));
+  } catch (const BeyondBudget& beyond) {
+    throw GltfError(beyond.problem);
+  } catch (const json::parse_error& error) {
+    throw GltfError("the JSON is broken near byte " + std::to_string(error.byte) + "; export the file again");
+  } catch (const json::out_of_range&) {
+    throw GltfError("a number of the JSON is out of range; export the file again");
+  }
 }
 
 }  // namespace fiatlux

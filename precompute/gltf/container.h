@@ -18,7 +18,8 @@ struct GltfContainer {
 /// Throws GltfError where it is neither, or where lengths lie.
 GltfContainer openContainer(const std::vector<std::uint8_t>& bytes);
 
-/// Throws GltfError where it is broken, too deep or too large; nothing of it is checked beyond that.
+/// The one time that the JSON is parsed for this program. Throws GltfError where it is broken, too deep or
+/// too large; nothing of it is checked beyond that.
 nlohmann::json parseGltfJson(const GltfContainer& container);
 
 }  // namespace fiatlux

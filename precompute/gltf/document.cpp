@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 void loadBuffers(GltfDocument& document, const std::vector<std::uint8_t>& file,
-                 const GltfContainer& container, const std::string& folder, std::size_t& budget) {
+                 const GltfContainer& container, const Resolve& resolve, std::size_t& budget) {
   if (!document.json.contains("buffers")) return;
   std::size_t index = 0;
   for (json& buffer : document.json["buffers"]) {
@@ -24,7 +24,7 @@ void loadBuffers(GltfDocument& document, const std::vector<std::uint8_t>& file,
     const auto length = buffer["byteLength"].get<std::size_t>();
     std::vector<std::uint8_t> bytes;
     if (buffer.contains("uri")) {
-      bytes = bytesBehind(buffer["uri"].get<std::string>(), folder, place, budget);
+      bytes = bytesBehind(buffer["uri"].get<std::string>(), resolve, place, budget);
       buffer.erase("uri");
     } else if (index == 0 && container.binSize > 0) {
       bytes.assign(file.begin() + container.binOffset,
@@ -54,7 +54,7 @@ std::set<std::size_t> imagesInUse(const json& gltf) {
   return used;
 }
 
-void loadImages(GltfDocument& document, const std::string& folder, std::size_t& budget) {
+void loadImages(GltfDocument& document, const Resolve& resolve, std::size_t& budget) {
   const std::set<std::size_t> used = imagesInUse(document.json);
   if (!document.json.contains("images")) return;
   std::size_t index = 0;
@@ -65,7 +65,7 @@ void loadImages(GltfDocument& document, const std::string& folder, std::size_t& 
     if (image.contains("uri")) {
       try {
         if (used.count(index))
-          loaded.bytes = bytesBehind(image["uri"], folder, place, budget, &loaded.mimeType);
+          loaded.bytes = bytesBehind(image["uri"], resolve, place, budget, &loaded.mimeType);
       } catch (const MissingFile& missing) {
         document.warnings.push_back(std::string(missing.what()) +
                                     " (its colour is taken without the picture)");
@@ -96,7 +96,7 @@ struct Fnv {
 
 }  // namespace
 
-GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const std::string& folder) {
+GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const Resolve& resolve) {
   if (bytes.size() > GltfBudget::kBytes)
     throw GltfError("more than 256 MB; make the textures or meshes smaller");
   const GltfContainer container = openContainer(bytes);
@@ -104,8 +104,8 @@ GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const std:
   document.json = parseGltfJson(container);
   checkGltf(document.json);
   std::size_t budget = GltfBudget::kBytes;
-  loadBuffers(document, bytes, container, folder, budget);
-  loadImages(document, folder, budget);
+  loadBuffers(document, bytes, container, resolve, budget);
+  loadImages(document, resolve, budget);
 
   Fnv hash;
   hash.add(bytes.data(), bytes.size());

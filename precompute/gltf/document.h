@@ -1,11 +1,13 @@
 // A glTF file as checked JSON with its bytes at hand: container, depth, sizes and addresses are verified
-// here, before any glTF library sees them. Files named inside are opened only below the file's own folder.
+// here, before any glTF library sees them.
 #pragma once
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "precompute/gltf/source_scene.h"
 
 namespace fiatlux {
 
@@ -21,8 +23,7 @@ struct GltfDocument {
   std::string hash;  // 16 hex digits over the file, its buffers and the images in use
 };
 
-/// Parses and checks. `folder` is where siblings may be opened; "" = nowhere. Throws GltfError
-/// (gltf_refusal.h).
-GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const std::string& folder);
+/// Parses and checks; siblings come from `resolve` (empty: it has none). Throws GltfError (refusal.h).
+GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const Resolve& resolve);
 
 }  // namespace fiatlux

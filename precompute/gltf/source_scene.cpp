@@ -3,7 +3,6 @@
 #include "precompute/gltf/source_scene.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
 
 #include "precompute/base/names.h"
@@ -11,7 +10,6 @@
 #include "precompute/gltf/nodes.h"
 #include "precompute/gltf/primitive.h"
 #include "precompute/gltf/refusal.h"
-#include "precompute/gltf/uri.h"
 
 namespace fiatlux {
 namespace {
@@ -110,13 +108,15 @@ void flatten(const Model& model, double scale, SourceScene& scene) {
   }
 }
 
-Result<SourceScene> read(const std::vector<std::uint8_t>& bytes, const std::string& name,
-                         const std::string& folder, double scale) {
+}  // namespace
+
+Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name,
+                                    double scale, const Resolve& resolve) {
   const std::string file = cleanText(name);
   try {
     if (!(scale > 1e-9 && scale < 1e9))
       throw GltfError("--scale must be a positive number of metres per unit");
-    GltfDocument document = readGltfDocument(bytes, folder);
+    GltfDocument document = readGltfDocument(bytes, resolve);
     SourceScene scene;
     scene.warnings = document.warnings;
     scene.hash = document.hash;
@@ -134,24 +134,6 @@ Result<SourceScene> read(const std::vector<std::uint8_t>& bytes, const std::stri
   } catch (const std::exception& error) {
     return Error{file + ": not understood (" + cleanText(error.what()) + "); export the file again"};
   }
-}
-
-}  // namespace
-
-Result<SourceScene> readSourceScene(const std::string& path, double scale) {
-  std::vector<std::uint8_t> bytes;
-  try {
-    bytes = readWholeFile(path);
-  } catch (const std::exception& error) {
-    return Error{error.what()};
-  }
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return read(bytes, path, folder.empty() ? "." : folder, scale);
-}
-
-Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name,
-                                    double scale) {
-  return read(bytes, name, "", scale);
 }
 
 }  // namespace fiatlux

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,11 +65,14 @@ struct SourceScene {
   std::string hash;  // 16 hex digits over the file, its buffers and its images
 };
 
-/// Reads and checks a .glb or .gltf file with its siblings. Never opens anything outside the file's folder,
-/// never a URL.
-Result<SourceScene> readSourceScene(const std::string& path, double scale);
-/// The same from memory (tests, fuzzing): `name` is for messages; external files are refused.
+/// The bytes of a file beside a .gltf. Its name is plain and relative to the .gltf's folder: no "..", no
+/// scheme, not absolute. An empty optional where there is no such file; an error ends the sentence "'name',
+/// which ..." with its cure.
+using Resolve = std::function<Result<std::optional<std::vector<std::uint8_t>>>(const std::string& name)>;
+
+/// Reads and checks the bytes of a .glb or .gltf; `name` is for messages. Without `resolve` a file that names
+/// others is refused.
 Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, const std::string& name,
-                                    double scale);
+                                    double scale, const Resolve& resolve = {});
 
 }  // namespace fiatlux

@@ -1,15 +1,14 @@
 #include "precompute/gltf/uri.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "precompute/base/names.h"
 
 namespace fiatlux {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr const char* kBeside = "; put the file beside the glTF and name it plainly, or export as .glb";
 
 std::string inQuotes(const std::string& text) {
   std::string quoted = "'";
@@ -66,50 +65,37 @@ std::string percentDecoded(const std::string& uri) {
   return text;
 }
 
-/// The file behind a relative uri; only below `folder`, also after links are followed.
-std::string siblingPath(const std::string& uri, const std::string& folder, const std::string& place) {
+/// The plain relative name that a uri means: no address, nothing absolute, nothing that leads upward.
+std::string siblingName(const std::string& uri, const std::string& place) {
   const std::string name = percentDecoded(uri), shown = inQuotes(name);
-  const std::string cure = "; put the file beside the glTF and name it plainly, or export as .glb";
   if (name.find("//") != std::string::npos || name.find(':') != std::string::npos)
-    throw GltfError(place + " names the address " + shown + ", and nothing is fetched" + cure);
+    throw GltfError(place + " names the address " + shown + ", and nothing is fetched" + kBeside);
   if (name.empty() || name[0] == '/' || name[0] == '~' || name.find('\\') != std::string::npos ||
       name.find('\0') != std::string::npos)
-    throw GltfError(place + " names " + shown + ", which is not a plain relative name" + cure);
-  for (const fs::path& part : fs::path(name))
+    throw GltfError(place + " names " + shown + ", which is not a plain relative name" + kBeside);
+  std::istringstream parts(name);
+  for (std::string part; std::getline(parts, part, '/');)
     if (part == "..")
-      throw GltfError(place + " names " + shown + ", which lies outside the file's folder" + cure);
-  if (folder.empty())
-    throw GltfError(place + " names " + shown + ", but this file stands alone; export as .glb");
-  std::error_code error;
-  const fs::path root = fs::canonical(folder, error), path = fs::canonical(root / name, error);
-  if (error) throw MissingFile(place + " names " + shown + ", which is not there" + cure);
-  if (std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first != root.end())
-    throw GltfError(place + " names " + shown + ", which links to outside the file's folder" + cure);
-  return path.string();
+      throw GltfError(place + " names " + shown + ", which lies outside the file's folder" + kBeside);
+  return name;
+}
+
+std::vector<std::uint8_t> readSibling(const std::string& uri, const Resolve& resolve,
+                                      const std::string& place) {
+  const std::string name = siblingName(uri, place), named = place + " names " + inQuotes(name);
+  if (!resolve) throw GltfError(named + ", but this file stands alone; export as .glb");
+  Result<std::optional<std::vector<std::uint8_t>>> found = resolve(name);
+  if (!found) throw GltfError(named + ", which " + found.error().message);
+  if (!*found) throw MissingFile(named + ", which is not there" + kBeside);
+  return std::move(**found);
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> readWholeFile(const std::string& path) {
-  std::error_code error;
-  const std::string shown = inQuotes(path);
-  if (!fs::exists(path, error)) throw GltfError(shown + " does not exist; check the name");
-  if (!fs::is_regular_file(path, error)) throw GltfError(shown + " is not a file; name a .glb or .gltf file");
-  const auto size = fs::file_size(path, error);
-  if (error || size > GltfBudget::kBytes)
-    throw GltfError(shown + " has " + std::to_string(size >> 20) +
-                    " MB, and 256 MB are accepted; make the textures or meshes smaller");
-  std::ifstream file(path, std::ios::binary);
-  std::vector<std::uint8_t> bytes(size);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)) && size > 0)
-    throw GltfError(shown + " cannot be read; check its permissions");
-  return bytes;
-}
-
-std::vector<std::uint8_t> bytesBehind(const std::string& uri, const std::string& folder,
+std::vector<std::uint8_t> bytesBehind(const std::string& uri, const Resolve& resolve,
                                       const std::string& place, std::size_t& budget, std::string* mimeType) {
   auto bytes = uri.compare(0, 5, "data:") == 0 ? decodeDataUri(uri, place, mimeType)
-                                               : readWholeFile(siblingPath(uri, folder, place));
+                                               : readSibling(uri, resolve, place);
   if (bytes.size() > budget)
     throw GltfError(place +
                     ": the file and what it names exceed 256 MB; make the textures or meshes smaller");

@@ -19,8 +19,9 @@ namespace {
 constexpr double kPlausible = 0.5;
 
 /// Casts `rays` rays of one patch; hits[i] is the patch that ray i met.
-void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySequence& sequence,
-              std::uint64_t seed, std::uint32_t rays, std::vector<std::uint32_t>& hits) {
+void castRays(const Room& room, const RayTracer& tracer, const PatchSampler& sampler,
+              const RaySequence& sequence, std::uint64_t seed, std::uint32_t rays,
+              std::vector<std::uint32_t>& hits) {
   hits.resize(rays);
   const auto scramble = RaySequence::scramble(seed);
   Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
@@ -37,7 +38,7 @@ void castRays(const RayTracer& tracer, const PatchSampler& sampler, const RaySeq
     HitPacket found;
     tracer.intersect(packet, found);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
-      hits[first + i] = tracer.patchOf(origin[i], direction[i], found.triangle[i], found.distance[i]);
+      hits[first + i] = room.patchMet(origin[i], direction[i], found.triangle[i], found.distance[i]);
     }
   }
 }
@@ -123,7 +124,7 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
       const PatchSampler sampler(room, p);
-      castRays(tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
+      castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
       if (kernels) {
         kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
       } else {

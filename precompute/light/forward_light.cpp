@@ -1,12 +1,12 @@
 #include "precompute/light/forward_light.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <numbers>
 
 #include "core/transport/low_rank_radiosity.h"
 #include "core/transport/site_responses.h"
+#include "precompute/base/error.h"
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/direct_light.h"
 #include "precompute/rays/hemisphere.h"
@@ -18,6 +18,9 @@ namespace {
 
 /// Few luminaires deserve a finer look than hundreds of sites: within the same time.
 constexpr std::size_t kFewLuminaires = 16;
+constexpr std::uint32_t kFinerSplit = 4;
+
+constexpr std::uint32_t kLostRays = 4096;  // from each luminaire, to see what leaves the room at once
 
 /// Direct light of all luminaires together.
 std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
@@ -27,7 +30,7 @@ std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
   direct.seed = options.seed;
   direct.threads = options.threads;
   direct.progress = progress;
-  if (luminaires.size() <= kFewLuminaires) direct.split = 4;
+  if (luminaires.size() <= kFewLuminaires) direct.split = kFinerSplit;
   const std::uint32_t rows = room.patches.rows();
   const std::vector<float> columns = directLight(room, tracer, luminaires, direct);
   std::vector<float> sum(rows, 0.0f);
@@ -40,8 +43,8 @@ std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
 }
 
 /// Share of a luminaire's own rays that meet no front of a patch.
-double lostShare(const RayTracer& tracer, const Luminaire& luminaire, const RaySequence& sequence,
-                 std::uint64_t seed) {
+double lostShare(const Room& room, const RayTracer& tracer, const Luminaire& luminaire,
+                 const RaySequence& sequence, std::uint64_t seed) {
   const auto scramble = RaySequence::scramble(seed);
   const Frame frame(luminaire.normal);
   const Vec3 halfU = 0.5 * luminaire.width * luminaire.axis;
@@ -63,7 +66,7 @@ double lostShare(const RayTracer& tracer, const Luminaire& luminaire, const RayS
     tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
     HitPacket hit;
     tracer.intersect(packet, hit);
-    lost += tracer.patchOf(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
+    lost += room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
   }
   return static_cast<double>(lost) / sequence.count();
 }
@@ -76,22 +79,20 @@ double emittedFlux(const Patches& patches, const std::vector<Luminaire>& luminai
   return flux;
 }
 
-/// Solves the radiosity system for one right-hand side and fills in what depends on it.
-Result<Done> solve(const Room& room, const RayTracer& tracer, const ForwardOptions& options,
-                   const std::vector<float>& emission,
-                   const std::function<std::function<void(double)>(const char*)>& stage,
-                   ForwardLight& light) {
+/// Reflections: solves the radiosity system for one right-hand side and fills in what depends on it.
+void reflect(const Room& room, const RayTracer& tracer, const ForwardOptions& options,
+             const std::vector<float>& emission, ForwardLight& light) {
   const Patches& patches = room.patches;
   const FormFactors factors = castFormFactors(
-      room, tracer, {options.rays, false, options.seed, options.threads, stage("form factors")});
-  stage("interreflection");
-  const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(factors, patches);
-  if (!lowRank) return lowRank.error();
+      room, tracer,
+      {options.rays, false, options.seed, options.threads, beginStage(options.progress, "form factors")});
+  beginStage(options.progress, "interreflection");
+  const LowRankRadiosity lowRank = orThrow(LowRankRadiosity::factorize(factors, patches));
   ResponseBlock block;
   block.width = 1;
   block.direct = light.direct;
   block.emission = emission;
-  solveResponses(factors, patches, *lowRank, options.steps, options.tolerance, block);
+  solveResponses(factors, patches, lowRank, options.steps, options.tolerance, block);
   light.illuminance = std::move(block.irradiance);
   light.radiosity = std::move(block.radiosity);
   light.residual = block.residuals.back();
@@ -101,7 +102,38 @@ Result<Done> solve(const Room& room, const RayTracer& tracer, const ForwardOptio
     light.energy.absorbed += patches.area[p] * (1 - patches.reflectance[p]) * light.illuminance[p];
     light.energy.lostReflected += patches.area[p] * factors.lost[p] * light.radiosity[p];
   }
-  return Done{};
+}
+
+/// No reflections: what patches receive is lost to the room.
+void absorbAll(const Room& room, ForwardLight& light) {
+  const Patches& patches = room.patches;
+  light.illuminance = light.direct;
+  light.lost.assign(room.surfaces.size(), 0.0);
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    light.radiosity.push_back(patches.reflectance[p] * light.direct[p]);
+    light.energy.absorbed += patches.area[p] * light.direct[p];
+  }
+}
+
+ForwardLight forwardLight(const Room& room, const RayTracer& tracer, const std::vector<Luminaire>& luminaires,
+                          const ForwardOptions& options, const std::vector<float>& emission) {
+  ForwardLight light;
+  light.direct =
+      sumOfDirectLight(room, tracer, luminaires, options, beginStage(options.progress, "direct light"));
+  EnergyBalance& energy = light.energy;
+  energy.emitted = emittedFlux(room.patches, luminaires, emission);
+  const RaySequence sequence(kLostRays);
+  for (std::size_t j = 0; j < luminaires.size(); ++j) {
+    energy.lostDirect +=
+        luminaires[j].flux * lostShare(room, tracer, luminaires[j], sequence, mixBits(options.seed) + j);
+  }
+  if (options.directOnly) {
+    absorbAll(room, light);
+  } else {
+    reflect(room, tracer, options, emission, light);
+  }
+  energy.imbalance = energy.emitted - energy.absorbed - energy.lostDirect - energy.lostReflected;
+  return light;
 }
 
 }  // namespace
@@ -109,37 +141,8 @@ Result<Done> solve(const Room& room, const RayTracer& tracer, const ForwardOptio
 Result<ForwardLight> computeForwardLight(const Room& room, const RayTracer& tracer,
                                          const std::vector<Luminaire>& luminaires,
                                          const ForwardOptions& options, const std::vector<float>& emission) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto stage = [&](const char* name) -> std::function<void(double)> {
-    if (!options.progress) return {};
-    options.progress(name, 0);
-    return [&options, name](double fraction) { options.progress(name, fraction); };
-  };
-  const Patches& patches = room.patches;
-  ForwardLight light;
-  light.direct = sumOfDirectLight(room, tracer, luminaires, options, stage("direct light"));
-  EnergyBalance& energy = light.energy;
-  energy.emitted = emittedFlux(patches, luminaires, emission);
-  const RaySequence sequence(4096);
-  for (std::size_t j = 0; j < luminaires.size(); ++j) {
-    energy.lostDirect +=
-        luminaires[j].flux * lostShare(tracer, luminaires[j], sequence, mixBits(options.seed) + j);
-  }
-
-  if (options.directOnly) {
-    light.illuminance = light.direct;
-    light.lost.assign(room.surfaces.size(), 0.0);
-    for (std::uint32_t p = 0; p < patches.count; ++p) {
-      light.radiosity.push_back(patches.reflectance[p] * light.direct[p]);
-      energy.absorbed += patches.area[p] * light.direct[p];
-    }
-  } else if (const Result<Done> solved = solve(room, tracer, options, emission, stage, light); !solved) {
-    return solved.error();
-  }
-  energy.imbalance = energy.emitted - energy.absorbed - energy.lostDirect - energy.lostReflected;
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  light.seconds = taken.count();
-  return light;
+  return atDoor([&] { return forwardLight(room, tracer, luminaires, options, emission); },
+                "not enough memory for the light; pass a larger --patch");
 }
 
 }  // namespace fiatlux

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/scene/luminaire.h"
+#include "precompute/base/progress.h"
 #include "precompute/rays/effort.h"
 #include "precompute/rays/ray_tracer.h"
 #include "precompute/room/room.h"
@@ -17,11 +17,11 @@ namespace fiatlux {
 struct ForwardOptions {
   std::uint32_t rays = kUsualRays;  // from every patch and receiver
   std::uint64_t seed = 1;
-  unsigned threads = 0;      // 0: all cores
-  bool directOnly = false;   // no reflections (emergency lighting, EN 1838)
-  double tolerance = 1e-6;   // |e - (I - R F) b| / |e| at which the solution has converged
-  std::uint32_t steps = 50;  // most refinement steps
-  std::function<void(const char* stage, double fraction)> progress;
+  unsigned threads = 0;          // 0: all cores
+  bool directOnly = false;       // no reflections (emergency lighting, EN 1838)
+  double tolerance = 1e-6;       // |e - (I - R F) b| / |e| at which the solution has converged
+  std::uint32_t steps = 50;      // most refinement steps
+  Progress* progress = nullptr;  // of its stages; nullptr: nobody listens
 };
 
 /// Where the flux goes, lm. emitted = absorbed + lostDirect + lostReflected + imbalance; absorbed is what
@@ -38,7 +38,6 @@ struct ForwardLight {
   double residual = 0;                     // at the end
   std::uint32_t steps = 0;                 // refinement steps taken
   EnergyBalance energy;
-  double seconds = 0;
 };
 
 /// `emission` (n, lm/m2, or empty): patches that shine by themselves, for white furnaces and luminous

@@ -103,7 +103,7 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
       sample.cast[room.patches.surface[p]] += 1;
       if (hit.triangle[0] == kNone)
         sample.left[room.patches.surface[p]][wayOut(bounds, position, direction)] += 1;
-      else if (tracer.patchOf(origin, direction, hit.triangle[0], hit.distance[0]) == kNone)
+      else if (room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone)
         sample.swallowed[frontName(room, hit.triangle[0])].add(hit.distance[0] < near);
     }
   }

@@ -65,4 +65,22 @@ std::vector<MeasuringGrid> measuringGrids(const Room& room) {
   return grids;
 }
 
+std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
+                                   const std::vector<Luminaire>& luminaires,
+                                   const std::vector<float>& radiosity, PointOptions options) {
+  options.spatial = false;
+  std::vector<GridReading> results;
+  for (MeasuringGrid& grid : measuringGrids(room)) {
+    const std::vector<PointReading> readings =
+        readPoints(room, tracer, grid.points, luminaires, radiosity, options);
+    GridReading result{std::move(grid), 0, readings[0].total};
+    for (const PointReading& reading : readings) {
+      result.mean += reading.total / static_cast<double>(readings.size());
+      result.least = std::min(result.least, reading.total);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
 }  // namespace fiatlux

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "precompute/light/point_light.h"
-#include "precompute/room/room.h"
+#include "precompute/rays/ray_tracer.h"
 
 namespace fiatlux {
 
@@ -24,5 +24,18 @@ std::vector<MeasuringGrid> measuringGrids(const Room& room);
 
 /// Largest spacing of grid points for sides of `length` and `width` metres.
 double gridSpacing(double length, double width);
+
+/// What the luminaires do to a grid.
+struct GridReading {
+  MeasuringGrid grid;
+  double mean = 0, least = 0;                                        // lx: E_m and E_min
+  double uniformity() const { return mean > 0 ? least / mean : 0; }  // U_o
+};
+
+/// Every grid of the room, read on its own plane (PointOptions::spatial does not matter); `radiosity` as in
+/// readPoints.
+std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
+                                   const std::vector<Luminaire>& luminaires,
+                                   const std::vector<float>& radiosity, PointOptions options);
 
 }  // namespace fiatlux

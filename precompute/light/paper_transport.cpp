@@ -36,7 +36,7 @@ SparseRows clustersUnderSites(const Room& room, const RayTracer& tracer) {
         tracer.intersect(packet, hits);
         for (std::uint32_t lane = 0; lane < packet.count; ++lane) {
           const std::uint32_t q =
-              tracer.patchOf(origin[lane], -site.normal, hits.triangle[lane], hits.distance[lane]);
+              room.patchMet(origin[lane], -site.normal, hits.triangle[lane], hits.distance[lane]);
           if (q == kNone) continue;
           ++probes[patches.cluster[q]];
           ++found;

@@ -22,9 +22,10 @@ constexpr std::uint32_t kAzimuths = 36;  // directions whose vertical illuminanc
 
 class PointReader {
  public:
-  PointReader(const RayTracer& tracer, const std::vector<Luminaire>& luminaires,
+  PointReader(const Room& room, const RayTracer& tracer, const std::vector<Luminaire>& luminaires,
               const std::vector<float>& radiosity, const PointOptions& options)
-      : tracer_(tracer),
+      : room_(room),
+        tracer_(tracer),
         luminaires_(luminaires),
         radiosity_(radiosity),
         options_(options),
@@ -77,7 +78,7 @@ class PointReader {
       HitPacket hits;
       tracer_.intersect(packet, hits);
       for (std::uint32_t i = 0; i < packet.count; ++i) {
-        const std::uint32_t q = tracer_.patchOf(position, direction[i], hits.triangle[i], hits.distance[i]);
+        const std::uint32_t q = room_.patchMet(position, direction[i], hits.triangle[i], hits.distance[i]);
         if (q != kNone) sum += weightOf(direction[i]) * radiosity_[q];
       }
     }
@@ -103,6 +104,7 @@ class PointReader {
     });
   }
 
+  const Room& room_;
   const RayTracer& tracer_;
   const std::vector<Luminaire>& luminaires_;
   const std::vector<float>& radiosity_;
@@ -112,10 +114,11 @@ class PointReader {
 
 }  // namespace
 
-std::vector<PointReading> readPoints(const RayTracer& tracer, const std::vector<MeasuringPoint>& points,
+std::vector<PointReading> readPoints(const Room& room, const RayTracer& tracer,
+                                     const std::vector<MeasuringPoint>& points,
                                      const std::vector<Luminaire>& luminaires,
                                      const std::vector<float>& radiosity, const PointOptions& options) {
-  const PointReader reader(tracer, luminaires, radiosity, options);
+  const PointReader reader(room, tracer, luminaires, radiosity, options);
   std::vector<PointReading> readings(points.size());
   parallelFor(points.size(), options.threads, [&](std::size_t i) {
     readings[i] = reader.read(points[i], mixBits(mixBits(options.seed) + i));

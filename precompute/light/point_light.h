@@ -31,7 +31,8 @@ struct PointOptions {
 };
 
 /// Readings of every point; `radiosity` (n, lm/m2) of the patches, empty for direct light alone.
-std::vector<PointReading> readPoints(const RayTracer& tracer, const std::vector<MeasuringPoint>& points,
+std::vector<PointReading> readPoints(const Room& room, const RayTracer& tracer,
+                                     const std::vector<MeasuringPoint>& points,
                                      const std::vector<Luminaire>& luminaires,
                                      const std::vector<float>& radiosity, const PointOptions& options);
 

@@ -1,12 +1,12 @@
 #include "precompute/light/transport.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/transport/low_rank_radiosity.h"
 #include "core/transport/site_responses.h"
 #include "core/transport/surface_statistics.h"
+#include "precompute/base/error.h"
 #include "precompute/base/parallel.h"
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/direct_light.h"
@@ -15,34 +15,6 @@
 namespace fiatlux {
 
 namespace {
-
-/// Times the stages and passes their progress on.
-class Stages {
- public:
-  Stages(const TransportOptions& options, Transport& result) : options_(options), result_(result) {}
-  ~Stages() { finish(); }
-  std::function<void(double)> begin(const char* name) {
-    finish();
-    name_ = name;
-    start_ = std::chrono::steady_clock::now();
-    if (!options_.progress) return {};
-    options_.progress(name, 0);
-    return [this](double fraction) { options_.progress(name_, fraction); };
-  }
-  void finish() {
-    if (!name_) return;
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
-    result_.seconds.emplace_back(name_, taken.count());
-    if (options_.progress) options_.progress(name_, 1);
-    name_ = nullptr;
-  }
-
- private:
-  const TransportOptions& options_;
-  Transport& result_;
-  const char* name_ = nullptr;
-  std::chrono::steady_clock::time_point start_;
-};
 
 /// Squares of a block's residuals, so that all blocks can be summed in one order.
 struct BlockResidual {
@@ -110,46 +82,53 @@ void collectStatistics(const Room& room, unsigned threads, Transport& result) {
   });
 }
 
-}  // namespace
+/// Responses of all sites, from their direct light and what the low-rank answer and its refinement add.
+void respondRefined(const Room& room, const RayTracer& tracer, const LowRankRadiosity& lowRank,
+                    const TransportOptions& options, Transport& result) {
+  std::vector<Luminaire> luminaires;
+  for (const Site& site : room.sites) luminaires.push_back(luminaireOf(site));
+  DirectLightOptions direct;
+  direct.seed = options.seed;
+  direct.threads = options.threads;
+  direct.progress = beginStage(options.progress, "direct light");
+  result.direct = directLight(room, tracer, luminaires, direct);
+  solveSites(room, lowRank, options, result, beginStage(options.progress, "interreflection"));
+}
 
-Result<Transport> computeTransport(const Room& room, const TransportOptions& options) {
-  if (room.patches.count == 0) return Error{"the room has no surfaces"};
-  if (options.rays == 0) return Error{"--rays must be at least 1"};
-  Result<RayTracer> tracer = RayTracer::build(room);
-  if (!tracer) return tracer.error();
+Transport transportOf(const Room& room, const RayTracer& tracer, const TransportOptions& options) {
+  if (room.patches.count == 0) throw CommandError("the room has no surfaces");
+  if (options.rays == 0) throw CommandError("--rays must be at least 1");
 
   Transport result;
-  Stages stages(options, result);
-  result.factors = castFormFactors(
-      room, *tracer,
-      {options.rays, options.paper, options.seed, options.threads, stages.begin("form factors")});
+  result.factors = castFormFactors(room, tracer,
+                                   {options.rays, options.paper, options.seed, options.threads,
+                                    beginStage(options.progress, "form factors")});
   result.lost = lostShares(room.patches, room.surfaces.size(), result.factors);
 
-  stages.begin("low-rank radiosity");
-  const Result<LowRankRadiosity> lowRank = LowRankRadiosity::factorize(result.factors, room.patches);
-  if (!lowRank) return lowRank.error();
+  beginStage(options.progress, "low-rank radiosity");
+  const LowRankRadiosity lowRank = orThrow(LowRankRadiosity::factorize(result.factors, room.patches));
 
   result.responses.rows = room.patches.rows();
   result.responses.sites = static_cast<std::uint32_t>(room.sites.size());
   result.responses.illuminance.resize(std::size_t{result.responses.rows} * result.responses.sites);
   if (options.paper) {
-    const auto progress = stages.begin("paper's responses");
+    const auto progress = beginStage(options.progress, "paper's responses");
     result.paper =
-        paperTransport(room, *tracer, result.factors, *lowRank, options.threads, result.responses, progress);
+        paperTransport(room, tracer, result.factors, lowRank, options.threads, result.responses, progress);
   } else {
-    std::vector<Luminaire> luminaires;
-    for (const Site& site : room.sites) luminaires.push_back(luminaireOf(site));
-    DirectLightOptions direct;
-    direct.seed = options.seed;
-    direct.threads = options.threads;
-    direct.progress = stages.begin("direct light");
-    result.direct = directLight(room, *tracer, luminaires, direct);
-    solveSites(room, *lowRank, options, result, stages.begin("interreflection"));
+    respondRefined(room, tracer, lowRank, options, result);
   }
-  stages.begin("statistics");
+  beginStage(options.progress, "statistics");
   collectStatistics(room, options.threads, result);
-  stages.finish();
   return result;
+}
+
+}  // namespace
+
+Result<Transport> computeTransport(const Room& room, const RayTracer& tracer,
+                                   const TransportOptions& options) {
+  return atDoor([&] { return transportOf(room, tracer, options); },
+                "not enough memory for the light; pass a larger --patch");
 }
 
 }  // namespace fiatlux

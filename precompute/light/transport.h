@@ -1,17 +1,15 @@
-// How light travels in a room: the whole precomputation, from rays to mean rows and covariances.
-// Stages: form factors by rays, direct light from the sources, low-rank radiosity, refinement, statistics.
+// How light travels in a room: from rays to mean rows and covariances. Stages: form factors by rays, low-rank
+// radiosity, direct light from the sources, interreflection (low-rank answer and refinement), statistics.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
 #include "core/transport/form_factors.h"
+#include "precompute/base/progress.h"
 #include "precompute/light/paper_transport.h"
 #include "precompute/rays/effort.h"
 #include "precompute/rays/ray_tracer.h"
@@ -24,8 +22,8 @@ struct TransportOptions {
   std::uint32_t refine = 2;         // refinement steps after the low-rank answer
   bool paper = false;  // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
   std::uint64_t seed = 1;
-  unsigned threads = 0;  // 0: all cores; the result does not depend on it
-  std::function<void(const char* stage, double fraction)> progress;  // called often, on the calling thread
+  unsigned threads = 0;          // 0: all cores; the result does not depend on it
+  Progress* progress = nullptr;  // of its stages; nullptr: nobody listens
 };
 
 struct Transport {
@@ -36,11 +34,12 @@ struct Transport {
   std::vector<double> lost;                              // per surface, share of its rays
   std::vector<double>
       residuals;  // refine + 1: |e - (I - R F) b| / |e| over all sites before each step, after the last
-  std::vector<std::pair<std::string, double>> seconds;  // stage, wall clock
   std::optional<PaperTransport> paper;
 };
 
-/// Errors: no patches, a singular system. The same room, rays, refine and seed give the same bits.
-Result<Transport> computeTransport(const Room& room, const TransportOptions& options);
+/// `tracer`: of the room's triangles. Errors: no patches, a singular system, too little memory, stopped. The
+/// same room, rays, refine and seed give the same bits.
+Result<Transport> computeTransport(const Room& room, const RayTracer& tracer,
+                                   const TransportOptions& options);
 
 }  // namespace fiatlux

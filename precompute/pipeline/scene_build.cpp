@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/random.h"
 #include "core/scene/covariance_codec.h"
@@ -14,12 +13,15 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kTrialLayouts = 1000, kTrialLuminaires = 6;
+const std::string kNotReadBack = "the scene file just made cannot be read back (";
+
+constexpr std::uint32_t kTrialLayouts = 1000, kTrialLuminaires = 6, kTrialSeed = 2024;
 
 double relative(double stored, double exact) {
   return std::abs(stored - exact) / std::max(std::abs(exact), 1e-300);
 }
 
+/// Widens `errors` by what a layout on `sites` shows of one surface.
 void compare(const SurfaceStatistics& exact, const SurfaceStatistics& stored,
              const std::vector<std::uint32_t>& sites, FileErrors& errors) {
   const std::size_t m = exact.mean.size();
@@ -38,8 +40,10 @@ void compare(const SurfaceStatistics& exact, const SurfaceStatistics& stored,
       std::max(errors.sigma, relative(std::sqrt(std::max(0.0, variance[1])), std::sqrt(variance[0])));
 }
 
-void measure(const Scene& exact, const Scene& stored, FileErrors& errors) {
-  Random random(2024);
+/// Of statistics by random layouts, of patch light by the encoder's own report.
+FileErrors errorsOf(const Scene& exact, const Scene& stored, std::vector<float> responseRms) {
+  FileErrors errors;
+  Random random(kTrialSeed);
   const auto m = static_cast<std::uint32_t>(exact.sites.size());
   std::vector<std::uint32_t> sites(std::min(kTrialLuminaires, m));
   for (std::uint32_t trial = 0; trial < kTrialLayouts; ++trial) {
@@ -49,6 +53,12 @@ void measure(const Scene& exact, const Scene& stored, FileErrors& errors) {
       if (!exact.surfaces[s].measuring) compare(exact.exitance[s], stored.exitance[s], sites, errors);
     }
   }
+  std::sort(responseRms.begin(), responseRms.end());
+  if (!responseRms.empty()) {
+    errors.patchRmsMedian = responseRms[responseRms.size() / 2];
+    errors.patchRmsWorst = responseRms.back();
+  }
+  return errors;
 }
 
 /// Y in blocks of columns, V as what is needed to rebuild it, and the k x k covariances of -Y.
@@ -86,7 +96,10 @@ void addPaper(const Scene& scene, const PaperTransport& paper, std::vector<Plain
   }
 }
 
-std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
+PlainSection bytesSection(const char* name, std::vector<std::uint8_t> bytes) {
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  return plainSection(name, ElementType::kUint8, Encoding::kPlain, size, 1, std::move(bytes));
+}
 
 /// What a reader will make of the file, whose sections inflate to these.
 Result<Scene> readBack(std::span<const std::uint8_t> file, const std::vector<PlainSection>& sections) {
@@ -123,7 +136,7 @@ std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sectio
   return result;
 }
 
-Scene sceneOf(const Room& room, Transport& transport, const std::string& identity) {
+Scene sceneOf(const Room& room, Transport&& transport, const std::string& identity) {
   Scene scene;
   scene.identity = identity;
   scene.patches = room.patches;
@@ -139,44 +152,39 @@ Scene sceneOf(const Room& room, Transport& transport, const std::string& identit
   return scene;
 }
 
-Result<std::vector<std::uint8_t>> buildSceneFile(const SceneFileParts& parts, FileErrors& errors) {
+Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
+                                     const std::optional<PaperTransport>& paper, const Deflate& deflate) {
   EncodingReport report;
-  Result<std::vector<PlainSection>> sections = encodeScene(parts.scene, &report);
+  Result<std::vector<PlainSection>> sections = encodeScene(scene, &report);
   if (!sections) return sections.error();
-  if (parts.paper) addPaper(parts.scene, *parts.paper, sections.value());
-  if (!parts.room.empty())
-    sections->push_back(plainSection("room", ElementType::kUint8, Encoding::kPlain,
-                                     static_cast<std::uint32_t>(parts.room.size()), 1, parts.room));
+  if (paper) addPaper(scene, *paper, sections.value());
+  if (!picture.empty()) sections->push_back(bytesSection("room", std::move(picture)));
   for (const PlainSection& section : sections.value())
     if (section.bytes.size() > kMaxInflatedBytes)
-      return Error{"section " + section.section.name +
-                   " would be larger than 64 MB: use larger patches or smaller pictures"};
-  const SceneCounts counts = countsOf(parts.scene);
-  std::vector<StoredSection> stored = storeSections(*sections, parts.deflate);
+      return Error{"section " + section.section.name + " would be larger than " +
+                   std::to_string(kMaxInflatedBytes >> 20) + " MB: use larger patches or smaller pictures"};
+  EncodedScene encoded;
+  encoded.identity = scene.identity;
+  encoded.counts = countsOf(scene);
+  encoded.sections = storeSections(*sections, deflate);
+  encoded.ranks = std::move(report.ranks);
 
   // Read back what will be written, and measure it, before the provenance is added that tells so.
-  const Result<Scene> back = readBack(assembleSceneFile(parts.scene.identity, counts, stored), *sections);
-  if (!back) return Error{"the scene file just made cannot be read back (" + back.error().message + ")"};
-  measure(parts.scene, back.value(), errors);
-  std::sort(report.responseRms.begin(), report.responseRms.end());
-  if (!report.responseRms.empty()) {
-    errors.patchRmsMedian = report.responseRms[report.responseRms.size() / 2];
-    errors.patchRmsWorst = report.responseRms.back();
-  }
-  (*parts.provenance)["ranks"] = report.ranks;
-  (*parts.provenance)["errors"] = {{"mean", errors.mean},
-                                   {"sigma", errors.sigma},
-                                   {"patchRmsMedian", errors.patchRmsMedian},
-                                   {"patchRmsWorst", errors.patchRmsWorst}};
-  const std::vector<std::uint8_t> text =
-      bytesOf(parts.provenance->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  const Result<Scene> back =
+      readBack(assembleSceneFile(encoded.identity, encoded.counts, encoded.sections), *sections);
+  if (!back) return Error{kNotReadBack + back.error().message + ")"};
+  encoded.errors = errorsOf(scene, *back, std::move(report.responseRms));
+  return encoded;
+}
+
+Result<std::vector<std::uint8_t>> closeSceneFile(EncodedScene scene, const std::string& provenance,
+                                                 const Deflate& deflate) {
   std::vector<PlainSection> last;
-  last.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
-                              static_cast<std::uint32_t>(text.size()), 1, text));
-  for (StoredSection& section : storeSections(last, parts.deflate)) stored.push_back(std::move(section));
-  std::vector<std::uint8_t> file = assembleSceneFile(parts.scene.identity, counts, stored);
+  last.push_back(bytesSection("provenance", {provenance.begin(), provenance.end()}));
+  for (StoredSection& section : storeSections(last, deflate)) scene.sections.push_back(std::move(section));
+  std::vector<std::uint8_t> file = assembleSceneFile(scene.identity, scene.counts, scene.sections);
   const Result<SceneTable> table = readSceneTable(file);
-  if (!table) return Error{"the scene file just made cannot be read back (" + table.error().message + ")"};
+  if (!table) return Error{kNotReadBack + table.error().message + ")"};
   return file;
 }
 

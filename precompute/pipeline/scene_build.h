@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,9 +16,6 @@
 
 namespace fiatlux {
 
-/// Changes whenever the same room and options would give other light: part of a room's identity.
-inline constexpr int kMethodVersion = 4;
-
 /// Makes bytes smaller: a zlib stream (RFC 1950). The kind is a hint; `kHuffman` must shrink at most
 /// eightfold, or return nothing.
 enum class DeflateKind { kUsual, kFiltered, kHuffman };
@@ -28,8 +25,8 @@ using Deflate = std::function<std::vector<std::uint8_t>(std::span<const std::uin
 /// allows).
 std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate);
 
-/// What a scene says, before any rounding. Takes the large arrays out of `transport`.
-Scene sceneOf(const Room& room, Transport& transport, const std::string& identity);
+/// What a scene says, before any rounding; the large arrays are moved out of `transport`.
+Scene sceneOf(const Room& room, Transport&& transport, const std::string& identity);
 
 /// How far a file's statistics are from the unrounded ones, relative, the worst over 1000 random layouts of
 /// six luminaires and all surfaces; and the RMS error of patch light as a share of the surface's mean.
@@ -38,16 +35,23 @@ struct FileErrors {
   double patchRmsMedian = 0, patchRmsWorst = 0;  // over surfaces and sites
 };
 
-struct SceneFileParts {
-  Scene scene;
-  std::vector<std::uint8_t> room;         // .glb to display; empty: none
-  nlohmann::ordered_json* provenance;     // "ranks" and "errors" are added to it
-  const PaperTransport* paper = nullptr;  // the paper's matrices, to be written too
-  Deflate deflate;
+/// A scene file that wants nothing but its provenance.
+struct EncodedScene {
+  std::string identity;
+  SceneCounts counts;
+  std::vector<StoredSection> sections;
+  std::vector<std::uint32_t> ranks;  // per surface: rows of the factored covariance, 0 = packed
+  FileErrors errors;
 };
 
-/// Encodes, deflates, reads the result back and measures it. An error where the scene is too large for a
-/// file, or where what was read back is not what was written.
-Result<std::vector<std::uint8_t>> buildSceneFile(const SceneFileParts& parts, FileErrors& errors);
+/// Encodes, deflates, reads the result back and measures it. `picture`: a .glb to display, empty: none;
+/// `paper`: the paper's matrices, to be written too. An error where the scene is too large for a file, or
+/// where what was read back is not what was written.
+Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
+                                     const std::optional<PaperTransport>& paper, const Deflate& deflate);
+
+/// The file's bytes, with `provenance` (JSON text) as its last section.
+Result<std::vector<std::uint8_t>> closeSceneFile(EncodedScene scene, const std::string& provenance,
+                                                 const Deflate& deflate);
 
 }  // namespace fiatlux

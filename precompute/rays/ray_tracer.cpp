@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <vector>
 
@@ -12,11 +13,15 @@
 
 namespace fiatlux {
 
+namespace {
+
+constexpr double kOffset = 4e-6;  // of the diagonal: a few roundings of a coordinate in single precision
+
+}  // namespace
+
 struct RayTracer::Parts {
-  const Room* room = nullptr;
-  Vec3 center;
+  Vec3 center;  // m, of the bounding box
   double offset = 0;
-  std::vector<Vec3> normal;  // of each triangle's front, any length
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   ~Parts() {
@@ -30,39 +35,44 @@ RayTracer::RayTracer(RayTracer&&) noexcept = default;
 RayTracer& RayTracer::operator=(RayTracer&&) noexcept = default;
 RayTracer::~RayTracer() = default;
 
-Result<RayTracer> RayTracer::build(const Room& room) {
-  auto parts = std::make_unique<Parts>();
-  parts->room = &room;
-  const Bounds bounds = boundsOf(room.positions);
-  if (!bounds.empty()) parts->center = 0.5 * (bounds.low + bounds.high);
-  parts->offset = 4e-6 * bounds.diagonal();
-  for (const RoomTriangle& t : room.triangles) {
-    const Vec3& a = room.positions[t.vertex[0]];
-    parts->normal.push_back(cross(room.positions[t.vertex[1]] - a, room.positions[t.vertex[2]] - a));
-  }
+namespace {
 
-  parts->device = rtcNewDevice("threads=1,set_affinity=0");
-  if (!parts->device) return Error{"the ray tracer (Embree) does not start on this machine"};
-  parts->scene = rtcNewScene(parts->device);
-  rtcSetSceneFlags(parts->scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(parts->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+/// Copies the triangles into a geometry of the device, around `center`; nullptr where there is no memory.
+RTCGeometry geometryOf(RTCDevice device, const Vec3& center, std::span<const Vec3> positions,
+                       std::span<const RayTracer::Triangle> triangles) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), room.positions.size()));
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                              room.triangles.size()));
-  if ((!vertices && !room.positions.empty()) || (!indices && !room.triangles.empty())) {
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(RayTracer::Triangle), triangles.size()));
+  if ((!vertices && !positions.empty()) || (!indices && !triangles.empty())) {
     rtcReleaseGeometry(geometry);
-    return Error{"not enough memory for the room's triangles; use a coarser mesh"};
+    return nullptr;
   }
-  for (const Vec3& p : room.positions) {
-    const Vec3 local = p - parts->center;
+  for (const Vec3& p : positions) {
+    const Vec3 local = p - center;
     *vertices++ = static_cast<float>(local.x);
     *vertices++ = static_cast<float>(local.y);
     *vertices++ = static_cast<float>(local.z);
   }
-  for (const RoomTriangle& t : room.triangles) indices = std::copy(t.vertex.begin(), t.vertex.end(), indices);
+  for (const RayTracer::Triangle& t : triangles) indices = std::copy(t.begin(), t.end(), indices);
   rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+}  // namespace
+
+Result<RayTracer> RayTracer::build(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+  auto parts = std::make_unique<Parts>();
+  const Bounds bounds = boundsOf(positions);
+  if (!bounds.empty()) parts->center = 0.5 * (bounds.low + bounds.high);
+  parts->offset = kOffset * bounds.diagonal();
+  parts->device = rtcNewDevice("threads=1,set_affinity=0");
+  if (!parts->device) return Error{"the ray tracer (Embree) does not start on this machine"};
+  parts->scene = rtcNewScene(parts->device);
+  rtcSetSceneFlags(parts->scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = geometryOf(parts->device, parts->center, positions, triangles);
+  if (!geometry) return Error{"not enough memory for the room's triangles; use a coarser mesh"};
   rtcAttachGeometry(parts->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(parts->scene);
@@ -71,7 +81,14 @@ Result<RayTracer> RayTracer::build(const Room& room) {
   return RayTracer(std::move(parts));
 }
 
+Result<RayTracer> RayTracer::build(const Room& room) {
+  std::vector<Triangle> triangles;
+  for (const RoomTriangle& t : room.triangles) triangles.push_back(t.vertex);
+  return build(room.positions, triangles);
+}
+
 void RayTracer::aim(RayPacket& rays, const Vec3& origin, const Vec3& direction, double reach) const {
+  assert(rays.count < RayPacket::kSize);
   const std::uint32_t i = rays.count++;
   const Vec3 local = origin - parts_->center;
   rays.originX[i] = static_cast<float>(local.x);
@@ -128,13 +145,6 @@ void RayTracer::occluded(const RayPacket& rays, bool* blocked, bool coherent) co
   if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded8(valid, parts_->scene, &context, &query);
   for (std::uint32_t i = 0; i < rays.count; ++i) blocked[i] = query.tfar[i] < 0;
-}
-
-std::uint32_t RayTracer::patchOf(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
-                                 double distance) const {
-  if (triangle == kNone) return kNone;
-  const bool back = dot(direction, parts_->normal[triangle]) > 0;
-  return parts_->room->patchAt(triangle, back, origin + distance * direction);
 }
 
 double RayTracer::offset() const { return parts_->offset; }

@@ -1,8 +1,10 @@
-// What a ray of a room meets first, and whether anything lies between two points. The only door to Embree.
+// What a ray meets first, and whether anything lies between two points. The only door to Embree.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "core/base/result.h"
 #include "precompute/room/room.h"
@@ -21,13 +23,18 @@ struct RayPacket {
 
 /// What the rays of a packet met first.
 struct HitPacket {
-  std::uint32_t triangle[RayPacket::kSize];  // of the room; kNone = nothing
+  std::uint32_t triangle[RayPacket::kSize];  // kNone = nothing
   float distance[RayPacket::kSize];          // in lengths of the direction
 };
 
-/// Thread-safe once built. The room must outlive it.
+/// Knows triangles, not what they are to the light; keeps a copy of them. Thread-safe once built.
 class RayTracer {
  public:
+  using Triangle = std::array<std::uint32_t, 3>;  // indices into the positions
+
+  /// `positions` in m. Errors: no memory, or triangles that Embree refuses.
+  static Result<RayTracer> build(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  /// The same of a room's triangles, in their order.
   static Result<RayTracer> build(const Room& room);
   RayTracer(RayTracer&&) noexcept;
   RayTracer& operator=(RayTracer&&) noexcept;
@@ -39,9 +46,6 @@ class RayTracer {
   /// blocked[i]: a triangle's front or back crosses ray i. `coherent`: faster where the rays go nearly the
   /// same way, slower where not.
   void occluded(const RayPacket& rays, bool* blocked, bool coherent = false) const;
-  /// The patch that a ray met: kNone where it met nothing, a back that is no surface, or a hole of a chart.
-  std::uint32_t patchOf(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
-                        double distance) const;
 
   /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
   double offset() const;
@@ -50,6 +54,12 @@ class RayTracer {
   struct Parts;
   explicit RayTracer(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
+};
+
+/// A room and the tracer of its triangles: HitPacket::triangle is an index into Room::triangles.
+struct TracedRoom {
+  Room room;
+  RayTracer tracer;
 };
 
 }  // namespace fiatlux

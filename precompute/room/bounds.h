@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
+#include <span>
 
 #include "core/base/vec3.h"
 
@@ -28,7 +28,7 @@ struct Bounds {
   }
 };
 
-inline Bounds boundsOf(const std::vector<Vec3>& points) {
+inline Bounds boundsOf(std::span<const Vec3> points) {
   Bounds bounds;
   for (const Vec3& p : points) bounds.include(p);
   return bounds;

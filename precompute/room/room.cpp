@@ -34,4 +34,12 @@ std::uint32_t Room::patchAt(std::uint32_t triangle, bool back, const Vec3& point
   return nearest;
 }
 
+std::uint32_t Room::patchMet(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
+                             double distance) const {
+  if (triangle == kNone) return kNone;
+  const auto& [a, b, c] = triangles[triangle].vertex;
+  const Vec3 front = cross(positions[b] - positions[a], positions[c] - positions[a]);
+  return patchAt(triangle, dot(direction, front) > 0, origin + distance * direction);
+}
+
 }  // namespace fiatlux

@@ -60,6 +60,10 @@ struct Room {
 
   /// The patch of a point on a triangle's front or back; kNone when the back is no surface.
   std::uint32_t patchAt(std::uint32_t triangle, bool back, const Vec3& point) const;
+  /// The patch that a ray met at `distance` (in lengths of its direction) on a triangle: kNone where it met
+  /// none (kNone), a back that is no surface, or a hole of a chart.
+  std::uint32_t patchMet(const Vec3& origin, const Vec3& direction, std::uint32_t triangle,
+                         double distance) const;
   /// What patch p is made of.
   std::span<const Fragment> fragmentsOf(std::uint32_t p) const {
     return std::span(fragments).subspan(fragmentOffset[p], fragmentOffset[p + 1] - fragmentOffset[p]);

@@ -69,11 +69,11 @@ SourceMesh sphereMesh(const std::string& name, const Vec3& center, double radius
   return mesh;
 }
 
-Result<Room> roomOf(const SourceScene& scene, double patch) {
+Result<TracedRoom> roomOf(const SourceScene& scene, double patch) {
   RoomOptions options;
   options.patch = patch;
   options.requireSites = false;
-  return buildRoom(scene, options);
+  return buildTracedRoom(scene, options);
 }
 
 }  // namespace fiatlux

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "precompute/gltf/source_scene.h"
-#include "precompute/room/room.h"
+#include "precompute/rays/ray_tracer.h"
 #include "precompute/validation/rectangle_room.h"
 
 namespace fiatlux {
@@ -21,6 +21,6 @@ SourceMesh discMesh(const std::string& name, const Vec3& center, const Vec3& nor
 SourceMesh sphereMesh(const std::string& name, const Vec3& center, double radius, std::uint32_t rings);
 
 /// Surfaces, patches of about `patch` metres; no sites needed.
-Result<Room> roomOf(const SourceScene& scene, double patch);
+Result<TracedRoom> roomOf(const SourceScene& scene, double patch);
 
 }  // namespace fiatlux

@@ -115,14 +115,15 @@ void energy(Validation& validation) {
 /// Linearity and statistics, on the transport of a room with sites.
 void statistics(Validation& validation) {
   const auto surfaces = furnishedRoom(0.3, 0.5, 0.7);
-  Result<Room> room = roomOf(sceneOfRectangles(surfaces), 0.25);
-  if (!room) return validation.failure(kTopic, room.error().message);
-  room->sites = siteGrid(surfaces[1], 3, 4, 0.6);
+  Result<TracedRoom> traced = roomOf(sceneOfRectangles(surfaces), 0.25);
+  if (!traced) return validation.failure(kTopic, traced.error().message);
+  Room& room = traced->room;
+  room.sites = siteGrid(surfaces[1], 3, 4, 0.6);
   TransportOptions options;
   options.rays = validation.options.rays;
   options.seed = validation.options.seed;
   options.threads = validation.options.threads;
-  const Result<Transport> transport = computeTransport(*room, options);
+  const Result<Transport> transport = computeTransport(room, traced->tracer, options);
   if (!transport) return validation.failure(kTopic, transport.error().message);
   const std::uint32_t m = transport->responses.sites;
   double triangle = 0, least = 0;
@@ -145,11 +146,11 @@ void statistics(Validation& validation) {
   const ValidationScene scene(validation, kTopic, sceneOfRectangles(surfaces), 0.25);
   if (!scene) return;
   std::vector<Luminaire> lamps;
-  for (const std::uint32_t site : {1u, 7u}) lamps.push_back(ceilingLamp(room->sites[site].position, 0.6));
+  for (const std::uint32_t site : {1u, 7u}) lamps.push_back(ceilingLamp(room.sites[site].position, 0.6));
   const ForwardLight light = scene.light(lamps);
   for (const std::uint32_t s : {0u, 1u, 4u}) {
     const double sum = 1000 * (transport->illuminance[s].mean[1] + transport->illuminance[s].mean[7]);
-    const std::string& name = room->surfaces[s].name;
+    const std::string& name = room.surfaces[s].name;
     validation.relative(kTopic, "two lamps = sum of their sites, mean of " + name,
                         scene.mean(light.illuminance, name), sum, 0.005);
   }

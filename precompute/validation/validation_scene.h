@@ -26,10 +26,10 @@ class ValidationScene {
  public:
   /// Reports to `validation` and is empty (false) where the room cannot be built.
   ValidationScene(Validation& validation, const std::string& topic, const SourceScene& source, double patch);
-  explicit operator bool() const { return room_ && tracer_; }
+  explicit operator bool() const { return traced_ != nullptr; }
 
-  const Room& room() const { return *room_; }
-  const RayTracer& tracer() const { return *tracer_; }
+  const Room& room() const { return traced_->room; }
+  const RayTracer& tracer() const { return traced_->tracer; }
   /// Whether the row belongs to surface `name` or to a surface below it.
   bool belongs(std::uint32_t row, const std::string& name) const;
   double area(const std::string& name) const;
@@ -43,8 +43,7 @@ class ValidationScene {
 
  private:
   const ValidationOptions options_;
-  std::unique_ptr<Room> room_;
-  std::unique_ptr<RayTracer> tracer_;
+  std::unique_ptr<TracedRoom> traced_;
 };
 
 }  // namespace fiatlux

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "precompute/light/lost_rays.h"
-#include "precompute/light/transport.h"
 #include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/transport_of.h"
 
 namespace fiatlux {
 namespace {
@@ -25,6 +25,7 @@ using testing::surfaceNames;
 using testing::TestGltf;
 using testing::TestMesh;
 using testing::totalArea;
+using testing::transportOf;
 using ::testing::UnorderedElementsAre;
 
 const Vec3 kSize{4, 3, 5};  // m
@@ -76,7 +77,7 @@ TEST(Outside, AnOpenShellOfSheetsHasNoBacks) {
 TEST(Outside, TheLightOfAShellOfSheetsIsThatOfItsInside) {
   const auto sheets = shell(false, true).build(coarse()), plain = shell(false, false, false).build(coarse());
   ASSERT_TRUE(sheets && plain);
-  const auto a = computeTransport(*sheets, {}), b = computeTransport(*plain, {});
+  const auto a = transportOf(*sheets), b = transportOf(*plain);
   ASSERT_TRUE(a && b);
   for (const char* name : {"floor", "ceiling", "south", "west", "east"}) {
     const int s = surfaceIndex(*sheets, name), p = surfaceIndex(*plain, name);
@@ -102,7 +103,7 @@ TEST(Outside, AClosedSheetDrawnFromOutsideIsARoom) {
                                    "cube/wall 4", "chest"));
   EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "cube/floor")].area, 20, 1e-4);
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("proposed to hang on 'cube/ceiling'"));
-  const auto transport = computeTransport(*room, {});
+  const auto transport = transportOf(*room);
   ASSERT_TRUE(transport);
   for (const double lost : transport->lost) EXPECT_EQ(lost, 0);
 
@@ -171,7 +172,7 @@ TEST(Outside, JoinedAndSealedRoomsStay) {
     EXPECT_GE(surfaceIndex(*room, "east (back)"), 0);  // the partition, seen from B
     for (const char* name : {"B floor (back)", "B north (back)", "south (back)", "ceiling (back)"})
       EXPECT_EQ(surfaceIndex(*room, name), -1) << name;
-    const auto transport = computeTransport(*room, {});
+    const auto transport = transportOf(*room);
     ASSERT_TRUE(transport);
     const double lit = transport->illuminance[surfaceIndex(*room, "floor")].mean[0],
                  beyond = transport->illuminance[surfaceIndex(*room, "B floor")].mean[0];
@@ -195,7 +196,7 @@ TEST(Outside, ARoomWithoutItsCeilingKeepsItsInside) {
   EXPECT_THAT(surfaceNames(*room),
               UnorderedElementsAre("floor", "ceiling", "ceiling (back)", "south", "north", "west",
                                    "east"));  // the lamp's top sees the walls
-  const auto transport = computeTransport(*room, {});
+  const auto transport = transportOf(*room);
   ASSERT_TRUE(transport);
   EXPECT_GT(transport->lost[surfaceIndex(*room, "floor")], 0.2);
   EXPECT_LT(transport->lost[surfaceIndex(*room, "floor")], 0.5);

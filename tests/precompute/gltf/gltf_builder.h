@@ -113,6 +113,26 @@ inline TestGltf boxRoom(const Vec3& size, double spacing, int cuts = 1) {
   return gltf;
 }
 
+/// Calls visit(gltf) with every list of the file that `make` makes, every first entry of one and every member
+/// of that replaced by something of another kind.
+inline void forEachWrongShape(const std::function<TestGltf()>& make,
+                              const std::function<void(TestGltf&)>& visit) {
+  const ordered_json values[] = {
+      nullptr, true, -1, 1e18, "text", ordered_json::array(), ordered_json::object(), {1, "x", nullptr}};
+  for (const char* list : {"nodes", "meshes", "accessors", "bufferViews", "buffers", "materials", "scenes"})
+    for (const ordered_json& value : values) {
+      TestGltf whole = make(), first = make(), plain = make();
+      whole.glb.json[list] = value;
+      first.glb.json[list][0] = value;
+      visit(whole), visit(first);
+      for (const auto& [key, unused] : plain.glb.json[list][0].items()) {
+        TestGltf inner = make();
+        inner.glb.json[list][0][key] = value;
+        visit(inner);
+      }
+    }
+}
+
 inline std::vector<std::string> surfaceNames(const Room& room) {
   std::vector<std::string> names;
   for (const Surface& surface : room.surfaces) names.push_back(surface.name);

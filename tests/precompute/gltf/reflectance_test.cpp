@@ -3,30 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/gltf/textured_square.h"
 
 namespace fiatlux {
 namespace {
 
-/// One square over uv [0, 1]^2 with a 2 x 1 texture: left black, right white (or another colour).
-SourceScene texturedSquare(std::array<std::uint8_t, 3> right = {255, 255, 255}) {
-  SourceScene scene;
-  SourceImage image;
-  image.width = 2, image.height = 1;
-  image.rgba = {0, 0, 0, 255, right[0], right[1], right[2], 255};
-  scene.images.push_back(image);
-  SourceMaterial material;
-  material.name = "paint";
-  material.image = 0;
-  scene.materials.push_back(material);
-  SourceMesh mesh;
-  mesh.node = "square", mesh.material = 0;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}};
-  mesh.uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  scene.meshes.push_back(mesh);
-  return scene;
-}
+using testing::texturedSquare;
 
 TEST(Reflectance, IsTheLuminanceOfTheLinearFactor) {
   SourceScene scene = texturedSquare();
@@ -75,22 +57,6 @@ TEST(Reflectance, VertexColoursTint) {
   scene.materials[0].image = -1;
   scene.meshes[0].colors = {{0, 0, 0, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 1}};
   EXPECT_NEAR(ReflectanceMap(scene).at(0, 0, {0.7, 0.3, 0}), 0.3, 1e-6);
-}
-
-TEST(Reflectance, PatchesTakeTheMeanOfTheirTexels) {
-  SourceScene scene = texturedSquare();
-  RoomOptions options;
-  options.requireSites = false;
-  for (const double patch : {1.0, 0.5, 0.25}) {
-    options.patch = patch;
-    const auto room = buildRoom(scene, options);
-    ASSERT_TRUE(room) << room.error().message;
-    EXPECT_NEAR(room->surfaces[0].reflectance, 0.5, 0.03);
-    for (std::uint32_t p = 0; p < room->patches.count; ++p) {
-      const double expected = patch == 1.0 ? 0.5 : room->patches.center[p].x < 0.5 ? 0.0 : 0.95;
-      EXPECT_NEAR(room->patches.reflectance[p], expected, patch == 1.0 ? 0.06 : 1e-6);
-    }
-  }
 }
 
 }  // namespace

@@ -11,9 +11,12 @@
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/forward_light.h"
 #include "precompute/validation/rectangle_room.h"
+#include "tests/precompute/transport_of.h"
 
 namespace fiatlux {
 namespace {
+
+using testing::transportOf;
 
 /// A closed box of one reflectance, 3 x 2.5 x 4 m, with a grid of sites on its ceiling.
 Room litBox(double reflectance, double patch = 0.25) {
@@ -55,7 +58,7 @@ double sigmaOf(const SurfaceStatistics& s, std::uint32_t site) {
 TEST(Transport, ClosedBoxOfOneReflectanceHasItsKnownMean) {
   for (const double rho : {0.2, 0.8}) {
     const Room room = litBox(rho);
-    const auto transport = computeTransport(room, {});
+    const auto transport = transportOf(room);
     ASSERT_TRUE(transport) << transport.error().message;
     double area = 0;
     for (const Surface& s : room.surfaces) area += s.area;
@@ -75,9 +78,9 @@ TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
   TransportOptions options;
   options.rays = 256;
   options.threads = 1;
-  const auto one = computeTransport(room, options);
+  const auto one = transportOf(room, options);
   options.threads = 5;
-  const auto five = computeTransport(room, options);
+  const auto five = transportOf(room, options);
   ASSERT_TRUE(one && five);
   EXPECT_EQ(one->factors.u, five->factors.u);
   EXPECT_EQ(one->factors.near, five->factors.near);
@@ -95,9 +98,9 @@ TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
   const Room room = furnishedBox();
   TransportOptions options;
-  const auto one = computeTransport(room, options);
+  const auto one = transportOf(room, options);
   options.seed = 2;
-  const auto two = computeTransport(room, options);
+  const auto two = transportOf(room, options);
   ASSERT_TRUE(one && two);
   EXPECT_NE(one->responses.illuminance, two->responses.illuminance);
   for (std::uint32_t j = 0; j < one->responses.sites; ++j) {
@@ -120,7 +123,7 @@ TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
 
 TEST(Transport, RefinementFallsAndTheForwardSolutionAgrees) {
   const Room room = furnishedBox();
-  const auto transport = computeTransport(room, {});
+  const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
   ASSERT_EQ(transport->residuals.size(), 3u);
   EXPECT_LT(transport->residuals[2], 0.003);
@@ -191,7 +194,7 @@ TEST(FormFactors, MoreRaysMeanLessNoiseOfWhatIsPartlyHidden) {
 
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
   const Room room = furnishedBox();
-  const auto transport = computeTransport(room, {});
+  const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
   const std::size_t plane = room.surfaces.size() - 1;
   ASSERT_TRUE(room.surfaces[plane].measuring);
@@ -208,7 +211,7 @@ TEST(Transport, OpenRoomReportsWhatItLoses) {
   faces.erase(faces.begin() + 1);  // no ceiling: each wall loses F = 0.2000 to the opening, the floor 0.1998
   Room room = rectangleRoom(faces);
   room.sites = siteGrid(faces[0], 1, 1, 0.5);
-  const auto transport = computeTransport(room, {});
+  const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
   EXPECT_NEAR(transport->lost[0], 0.199825, 0.002);
   EXPECT_NEAR(transport->lost[1], 0.200044, 0.002);
@@ -218,7 +221,7 @@ TEST(Transport, LightIsAFiniteNumberAndNeverNegativeHoweverFewTheRays) {
   TransportOptions options;
   options.rays = 8;
   options.refine = 1;
-  const auto transport = computeTransport(furnishedBox(), options);
+  const auto transport = transportOf(furnishedBox(), options);
   ASSERT_TRUE(transport);
   for (const float lux : transport->responses.illuminance) {
     ASSERT_TRUE(std::isfinite(lux));
@@ -234,7 +237,7 @@ TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
   TransportOptions options;
   options.paper = true;
   options.rays = 256;
-  const auto transport = computeTransport(room, options);
+  const auto transport = transportOf(room, options);
   ASSERT_TRUE(transport && transport->paper);
   const Patches& patches = room.patches;
   const PaperTransport& paper = *transport->paper;
@@ -292,7 +295,7 @@ TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
 }
 
 TEST(Transport, RefusesARoomWithoutSurfaces) {
-  const auto transport = computeTransport(Room{}, {});
+  const auto transport = transportOf(Room{});
   ASSERT_FALSE(transport);
   EXPECT_NE(transport.error().message.find("no surfaces"), std::string::npos);
 }

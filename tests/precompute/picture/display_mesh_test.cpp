@@ -6,12 +6,15 @@
 
 #include <map>
 
-#include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/gltf/skinned_sail.h"
 
 namespace fiatlux {
 namespace {
 
 using testing::boxRoom;
+using testing::expectBox;
+using testing::Skinned;
+using testing::surfaceIndex;
 using testing::TestGltf;
 using testing::TestMesh;
 
@@ -192,6 +195,27 @@ TEST(DisplayMesh, LightDoesNotLeakRoundAnEdge) {
         ASSERT_TRUE(shares[v][i] == 0 || dot(room->patches.normal[patches[v][i]], n) > 0.99);
       }
   }
+}
+
+TEST(DisplayMesh, TheLightAndThePictureHaveTheSamePose) {
+  Skinned skinned;
+  const auto scene = skinned.gltf.read();
+  ASSERT_TRUE(scene);
+  RoomOptions options;
+  options.patch = 0.25;
+  const auto room = buildRoom(*scene, options);
+  ASSERT_TRUE(room) << room.error().message;
+  const int sail = surfaceIndex(*room, "sail");
+  ASSERT_GE(sail, 0);
+  EXPECT_NEAR(room->surfaces[sail].area, 0.5, 1e-4);
+  for (std::uint32_t p = 0; p < room->patches.count; ++p)
+    if (room->patches.surface[p] == static_cast<std::uint32_t>(sail)) {
+      EXPECT_NEAR(room->patches.center[p].z, 2, 1e-5);
+      EXPECT_LT(room->patches.center[p].y, 0.5);
+    }
+  const auto picture = readSourceScene(displayMesh(*scene, *room), "picture.glb", 1);
+  ASSERT_TRUE(picture);
+  expectBox(*picture, "sail", {1, 0, 2}, {2, 0.5, 2});
 }
 
 }  // namespace

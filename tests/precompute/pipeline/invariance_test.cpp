@@ -8,8 +8,8 @@
 #include <map>
 
 #include "precompute/light/lost_rays.h"
-#include "precompute/light/transport.h"
 #include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/transport_of.h"
 
 namespace fiatlux {
 namespace {
@@ -23,6 +23,7 @@ using testing::ordered_json;
 using testing::surfaceIndex;
 using testing::TestGltf;
 using testing::TestMesh;
+using testing::transportOf;
 
 constexpr double kPatch = 0.25;  // m
 const Vec3 kSize{3, 2.5, 4};     // m
@@ -98,7 +99,7 @@ RoomLight lightOf(TestGltf gltf, double scale = 1, const Move& move = stay, cons
   const auto room = buildRoom(*source, options);
   EXPECT_TRUE(room) << room.error().message;
   if (!room) return light;
-  const auto transport = computeTransport(*room, {});
+  const auto transport = transportOf(*room);
   EXPECT_TRUE(transport) << transport.error().message;
   if (!transport) return light;
 

@@ -1,0 +1,81 @@
+// The method from end to end, a line a step.
+#include "precompute/pipeline/pipeline.h"
+
+#include <cassert>
+#include <utility>
+
+#include "precompute/base/error.h"
+#include "precompute/geometry/build_room.h"
+#include "precompute/light/lost_rays.h"
+#include "precompute/picture/display_mesh.h"
+#include "precompute/pipeline/provenance.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr const char* kNoMemory = "not enough memory; pass a larger --patch or fewer --rays";
+
+/// The options as the room and the light are to see them: what is said once holds for both.
+SceneOptions consistent(SceneOptions options, const Host& host) {
+  options.transport.threads = options.room.threads = host.threads;
+  options.transport.progress = host.progress;
+  options.room.rays = options.transport.rays;
+  options.room.paper = options.transport.paper;
+  return options;
+}
+
+OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host& host) {
+  beginStage(host.progress, "reading");
+  SourceScene source = orThrow(readSourceScene(model.bytes, model.name, options.scale, host.resolve));
+  beginStage(host.progress, "patches");
+  auto [room, tracer] = orThrow(buildTracedRoom(source, options));
+  for (std::string& warning : warningsOfLostRays(room, tracer)) room.warnings.push_back(std::move(warning));
+  if (host.warn)
+    for (const std::string& warning : room.warnings) host.warn(warning);
+  return {std::move(source), std::move(room), std::move(tracer)};
+}
+
+SceneReport reportOf(const SceneOptions& options, const Room& room, const Transport& transport) {
+  SceneReport report;
+  report.identity = identityOf(options, room);
+  report.patches = room.patches.count;
+  report.clusters = room.patches.clusterCount;
+  report.sites = static_cast<std::uint32_t>(room.sites.size());
+  report.surfaces = static_cast<std::uint32_t>(room.surfaces.size());
+  report.lost = lostShare(room, transport);
+  report.residuals = transport.residuals;
+  return report;
+}
+
+MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& host) {
+  const auto [source, room, tracer] = opened(model, options.room, host);
+  Transport transport = orThrow(computeTransport(room, tracer, options.transport));
+  SceneReport report = reportOf(options, room, transport);
+
+  beginStage(host.progress, "display mesh");
+  std::vector<std::uint8_t> picture = displayMesh(source, room);
+
+  beginStage(host.progress, "scene file");
+  const std::optional<PaperTransport> paper = std::move(transport.paper);
+  const Scene scene = sceneOf(room, std::move(transport), report.identity);
+  EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, host.deflate));
+  report.errors = encoded.errors;
+  const std::vector<StageSeconds> seconds =
+      host.progress ? host.progress->seconds() : std::vector<StageSeconds>{};
+  const std::string provenance = provenanceOf({model.name, options, room, report, encoded.ranks, seconds});
+  std::vector<std::uint8_t> file = orThrow(closeSceneFile(std::move(encoded), provenance, host.deflate));
+  return {std::move(file), room.warnings, std::move(report)};
+}
+
+}  // namespace
+
+Result<MadeScene> makeScene(const ModelFile& model, const SceneOptions& options, const Host& host) {
+  assert(host.deflate && host.threads > 0);
+  return atDoor([&] { return made(model, consistent(options, host), host); }, kNoMemory);
+}
+
+Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, const Host& host) {
+  return atDoor([&] { return opened(model, options, host); }, kNoMemory);
+}
+
+}  // namespace fiatlux

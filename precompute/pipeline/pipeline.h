@@ -1,0 +1,71 @@
+// A model's bytes and options -> the bytes of a scene file, warnings and a report: the one function that the
+// command and the page's builder call. It reads and writes no file, and knows no clock and no terminal: what
+// it needs from outside is lent by its host.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "precompute/base/progress.h"
+#include "precompute/geometry/room_options.h"
+#include "precompute/gltf/source_scene.h"
+#include "precompute/light/transport.h"
+#include "precompute/pipeline/scene_build.h"
+#include "precompute/rays/ray_tracer.h"
+
+namespace fiatlux {
+
+/// A .glb or .gltf in memory. Messages name it as it is called; the scene file keeps what follows the last
+/// '/'.
+struct ModelFile {
+  std::string name;
+  std::vector<std::uint8_t> bytes;
+};
+
+/// One to one with the options of `fiatlux precompute`. What the room and the light share (rays, paper,
+/// threads) is said by `transport` and the host.
+struct SceneOptions {
+  RoomOptions room;
+  TransportOptions transport;
+};
+
+/// What the machine around the pipeline lends it.
+struct Host {
+  Deflate deflate;               // required
+  Resolve resolve;               // the model's siblings; empty: a model that names others is refused
+  unsigned threads = 1;          // never more are started
+  Progress* progress = nullptr;  // stages as they begin, the wish to stop, and the seconds for the provenance
+  std::function<void(const std::string&)> warn;  // each warning as soon as it is known; may be empty
+};
+
+/// What was made, in numbers.
+struct SceneReport {
+  std::string identity;  // 16 hex digits: source, options that change the light, version of the method
+  std::uint32_t patches = 0, clusters = 0, sites = 0, surfaces = 0;
+  double lost = 0;                // share of the rays of all surfaces, by area
+  std::vector<double> residuals;  // Transport::residuals
+  FileErrors errors;
+};
+
+struct MadeScene {
+  std::vector<std::uint8_t> file;
+  std::vector<std::string> warnings;  // those that the host was told
+  SceneReport report;
+};
+
+/// The same model, options and method version give the same file but for the seconds in its provenance.
+/// Errors are one line with the cure; "stopped" where the host's progress said so.
+Result<MadeScene> makeScene(const ModelFile& model, const SceneOptions& options, const Host& host);
+
+/// How every run begins: a model read and cut into patches, with the rays that it loses told as warnings.
+struct OpenedRoom {
+  SourceScene source;
+  Room room;
+  RayTracer tracer;  // of the room's triangles
+};
+Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, const Host& host);
+
+}  // namespace fiatlux

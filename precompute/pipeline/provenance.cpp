@@ -1,0 +1,104 @@
+#include "precompute/pipeline/provenance.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Surfaces of fewer patches are not covered by the promise that another ray seed moves sigma by at most 1 %:
+/// over so few, too little averages out (docs/fidelity.md).
+constexpr std::uint32_t kFewPatches = 100;
+
+constexpr double kMiB = 1 << 20;
+
+/// The options that change the light, in words that never change.
+std::string lightOptions(const SceneOptions& options, const Room& room) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "patch=" << room.patchSize << " cluster=" << options.room.cluster
+       << " rays=" << options.transport.rays << " refine=" << options.transport.refine
+       << " paper=" << options.transport.paper << " seed=" << options.transport.seed
+       << " spacing=" << options.room.siteSpacing << " size=" << options.room.siteSize
+       << " scale=" << options.room.scale;
+  for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
+  for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
+  return text.str();
+}
+
+Json optionsJson(const SceneOptions& options) {
+  return {{"patch", options.room.patch},
+          {"cluster", options.room.cluster},
+          {"rays", options.transport.rays},
+          {"refine", options.transport.refine},
+          {"paper", options.transport.paper},
+          {"mount", options.room.mounts},
+          {"siteSpacing", options.room.siteSpacing},
+          {"siteSize", options.room.siteSize},
+          {"measure", options.room.measures},
+          {"scale", options.room.scale},
+          {"seed", options.transport.seed}};
+}
+
+Json secondsJson(const std::vector<StageSeconds>& stages) {
+  const auto rounded = [](double seconds) { return std::round(seconds * 1e3) / 1e3; };
+  Json json = Json::object();
+  double total = 0;
+  for (const auto& [stage, seconds] : stages) {
+    json[stage] = rounded(seconds);
+    total += seconds;
+  }
+  if (!stages.empty()) json["before the file"] = rounded(total);
+  return json;
+}
+
+Json fewPatches(const Room& room) {
+  Json names = Json::array();
+  for (const Surface& surface : room.surfaces)
+    if (!surface.measuring && surface.patches < kFewPatches) names.push_back(surface.name);
+  return names;
+}
+
+}  // namespace
+
+std::string identityOf(const SceneOptions& options, const Room& room) {
+  return identityOf("fiatlux method " + std::to_string(kMethodVersion) + " source " + room.sourceHash + " " +
+                    lightOptions(options, room));
+}
+
+double lostShare(const Room& room, const Transport& transport) {
+  double lost = 0, area = 0;
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    if (room.surfaces[s].measuring) continue;
+    lost += room.surfaces[s].area * transport.lost[s];
+    area += room.surfaces[s].area;
+  }
+  return area > 0 ? lost / area : 0;
+}
+
+std::string provenanceOf(const Account& account) {
+  const auto& [source, options, room, report, ranks, seconds] = account;
+  Json json;
+  json["program"] = "fiatlux 1.0.0";
+  json["method"] = kMethodVersion;
+  json["source"] = {{"file", source.substr(source.rfind('/') + 1)}, {"hash", room.sourceHash}};
+  json["patchSize"] = room.patchSize;
+  json["options"] = optionsJson(options);
+  json["seconds"] = secondsJson(seconds);
+  json["lost"] = report.lost;
+  json["residuals"] = report.residuals;
+  json["peakMiB"] = std::round(bytesNeeded(countsOf(options.room, room)) / kMiB);
+  json["fewPatches"] = fewPatches(room);
+  json["warnings"] = room.warnings;
+  json["ranks"] = ranks;
+  json["errors"] = {{"mean", report.errors.mean},
+                    {"sigma", report.errors.sigma},
+                    {"patchRmsMedian", report.errors.patchRmsMedian},
+                    {"patchRmsWorst", report.errors.patchRmsWorst}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,164 @@
+// From a model's bytes to a scene file's, with nothing but what a host lends.
+#include "precompute/pipeline/pipeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "precompute/files/scene_io.h"
+#include "tests/precompute/gltf/gltf_builder.h"
+
+namespace fiatlux {
+namespace {
+
+using testing::boxRoom;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::TestGltf;
+
+/// A closed box with a mount, and options that light it in a moment.
+ModelFile boxModel() { return {"rooms/box.glb", boxRoom({4, 3, 5}, 1).glb.bytes()}; }
+
+SceneOptions quickOptions() {
+  SceneOptions options;
+  options.room.patch = 0.5;
+  options.transport.rays = 32;
+  return options;
+}
+
+Host plainHost() {
+  Host host;
+  host.deflate = zlibDeflate;
+  return host;
+}
+
+/// Writes down what it is told; every stage takes two seconds. Stops at the stage that is named.
+struct Listener : Progress {
+  std::vector<std::string> stages;
+  std::string last;
+  void begin(const std::string& stage) override { stages.push_back(stage); }
+  void update(double fraction) override {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+  }
+  bool stopped() override { return !last.empty() && !stages.empty() && stages.back() == last; }
+  std::vector<StageSeconds> seconds() override {
+    std::vector<StageSeconds> seconds;
+    for (const std::string& stage : stages) seconds.push_back({stage, 2});
+    return seconds;
+  }
+};
+
+nlohmann::json provenanceOf(const std::vector<std::uint8_t>& file) {
+  const auto table = readSceneTable(file);
+  const auto bytes = inflateSection(file, *table->find("provenance"));
+  return nlohmann::json::parse(bytes->begin(), bytes->end());
+}
+
+TEST(Pipeline, MakesASceneThatReadsBack) {
+  const auto made = makeScene(boxModel(), quickOptions(), plainHost());
+  ASSERT_TRUE(made) << made.error().message;
+  const auto scene = readScene(made->file);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->identity, made->report.identity);
+  EXPECT_EQ(scene->patches.count, made->report.patches);
+  EXPECT_EQ(scene->patches.clusterCount, made->report.clusters);
+  EXPECT_EQ(scene->sites.size(), made->report.sites);
+  EXPECT_EQ(scene->surfaces.size(), made->report.surfaces);
+  EXPECT_EQ(made->report.sites, 20u);
+  EXPECT_EQ(made->report.lost, 0);
+  EXPECT_LT(made->report.errors.mean, 1e-5);
+  EXPECT_THAT(made->warnings, IsEmpty());
+}
+
+TEST(Pipeline, TheSameOnAnyNumberOfThreadsAndWithoutAListener) {
+  const auto alone = makeScene(boxModel(), quickOptions(), plainHost());
+  Host host = plainHost();
+  Listener listener;
+  host.threads = 3;
+  host.progress = &listener;
+  const auto watched = makeScene(boxModel(), quickOptions(), host);
+  ASSERT_TRUE(alone && watched);
+  EXPECT_EQ(readScene(alone->file)->responses.illuminance, readScene(watched->file)->responses.illuminance);
+  EXPECT_EQ(alone->report.identity, watched->report.identity);
+}
+
+TEST(Pipeline, ItsAccountTellsTheSourceTheOptionsAndTheSecondsOfTheHost) {
+  Host host = plainHost();
+  Listener listener;
+  host.progress = &listener;
+  const auto made = makeScene(boxModel(), quickOptions(), host);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_THAT(listener.stages,
+              ElementsAre("reading", "patches", "form factors", "low-rank radiosity", "direct light",
+                          "interreflection", "statistics", "display mesh", "scene file"));
+  const nlohmann::json account = provenanceOf(made->file);
+  EXPECT_EQ(account["source"]["file"], "box.glb");
+  EXPECT_EQ(account["options"]["rays"], 32);
+  EXPECT_EQ(account["seconds"]["form factors"], 2);
+  EXPECT_EQ(account["seconds"]["before the file"], 18);
+  EXPECT_EQ(account["fewPatches"].size(), 6u);
+  EXPECT_EQ(account["residuals"].size(), 3u);
+
+  const auto unclocked = makeScene(boxModel(), quickOptions(), plainHost());
+  ASSERT_TRUE(unclocked);
+  EXPECT_EQ(provenanceOf(unclocked->file)["seconds"], nlohmann::json::object());
+}
+
+TEST(Pipeline, WarningsAreToldAsSoonAsTheRoomIsKnown) {
+  TestGltf gltf = boxRoom({4, 3, 5}, 1);
+  gltf.glb.json["scenes"][0]["nodes"].erase(3);  // a wall is missing
+  Host host = plainHost();
+  Listener listener;
+  host.progress = &listener;
+  std::vector<std::string> told;
+  host.warn = [&](const std::string& warning) {
+    told.push_back(warning);
+    EXPECT_EQ(listener.stages.back(), "patches");
+  };
+  const auto made = makeScene({"open.glb", gltf.glb.bytes()}, quickOptions(), host);
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_FALSE(told.empty());
+  EXPECT_THAT(told.back(), HasSubstr("the room is open"));
+  EXPECT_EQ(made->warnings, told);
+  EXPECT_GT(made->report.lost, 0.01);
+}
+
+TEST(Pipeline, EndsWhereItsListenerStops) {
+  for (const char* stage : {"reading", "form factors", "direct light", "statistics"}) {
+    Host host = plainHost();
+    Listener listener;
+    listener.last = stage;
+    host.progress = &listener;
+    const auto made = makeScene(boxModel(), quickOptions(), host);
+    ASSERT_FALSE(made) << stage;
+    EXPECT_EQ(made.error().message, "stopped");
+    EXPECT_EQ(listener.stages.back(), stage);
+  }
+}
+
+TEST(Pipeline, SiblingsComeFromTheHost) {
+  TestGltf gltf = boxRoom({4, 3, 5}, 1);
+  const std::vector<std::uint8_t> glb = gltf.glb.bytes();
+  const std::size_t text = glb[12] | glb[13] << 8 | glb[14] << 16;
+  const std::vector<std::uint8_t> bin(glb.begin() + 20 + static_cast<std::ptrdiff_t>(text) + 8, glb.end());
+  gltf.glb.json["buffers"][0]["uri"] = "box.bin";
+  const std::string json = gltf.glb.json.dump();
+  const ModelFile model{"box.gltf", {json.begin(), json.end()}};
+  const auto alone = makeScene(model, quickOptions(), plainHost());
+  ASSERT_FALSE(alone);
+  EXPECT_THAT(alone.error().message, HasSubstr("stands alone"));
+  Host host = plainHost();
+  host.resolve = [&](const std::string& name) -> Result<std::optional<std::vector<std::uint8_t>>> {
+    EXPECT_EQ(name, "box.bin");
+    return std::optional(bin);
+  };
+  const auto made = makeScene(model, quickOptions(), host);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->report.sites, 20u);
+}
+
+}  // namespace
+}  // namespace fiatlux
