@@ -6,7 +6,7 @@ import { panel, slab, wallFrames } from './walls.mjs';
 
 const edge = 4; // m
 
-export function makeBox() {
+export function makeRoom() {
   const room = new Room('Box');
   const paint = {
     north: 'white plaster',

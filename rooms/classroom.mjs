@@ -169,7 +169,7 @@ function teacherAndStorage(room) {
   room.place('plant 2', floorPlant(105, 0.95), { at: [0.5, 0, 0.5], fiatlux: { surface: 'plants' } });
 }
 
-export function makeClassroom() {
+export function makeRoom() {
   const room = new Room('Classroom');
   shell(room);
   pupils(room);

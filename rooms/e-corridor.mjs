@@ -88,7 +88,7 @@ function walls(material, stretches) {
   return shape;
 }
 
-export function makeECorridor() {
+export function makeRoom() {
   const total = Object.values(cellCounts()).reduce((a, b) => a + b, 0);
   if (total !== 1546) throw new Error(`the E corridor has ${total} cells instead of 1546`);
 

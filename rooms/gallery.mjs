@@ -127,7 +127,7 @@ function floor(room) {
   room.place('floor', shape);
 }
 
-export function makeGallery() {
+export function makeRoom() {
   const room = new Room('Gallery');
   shell(room);
   floor(room);

@@ -1,4 +1,5 @@
 // Writes the sample rooms as binary glTF and the list of them: node rooms/make.mjs [--folder FOLDER] [id ...]
+// The generator of a room is the module of its id, which exports makeRoom.
 // Without ids all of them, without a folder into public/scenes.
 import { mkdir, rename, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -6,7 +7,6 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { writeCatalog } from './catalog-file.mjs';
 import { catalog } from './catalog.mjs';
-import { makeRoom } from './index.mjs';
 
 const known = catalog.map((room) => room.id);
 
@@ -31,7 +31,8 @@ const { folder, ids } = wishes();
 await mkdir(folder, { recursive: true });
 await writeCatalog(folder);
 for (const id of ids) {
-  const bytes = await makeRoom(id).bytes();
+  const { makeRoom } = await import(`./${id}.mjs`);
+  const bytes = await makeRoom().bytes();
   const file = path.join(folder, `${id}.glb`);
   await writeFile(`${file}.tmp`, bytes);
   await rename(`${file}.tmp`, file);

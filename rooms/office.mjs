@@ -153,7 +153,7 @@ function storageAndLounge(room) {
   });
 }
 
-export function makeOffice() {
+export function makeRoom() {
   const room = new Room('Open office');
   shell(room);
   desks(room);
