@@ -109,9 +109,7 @@ std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sectio
   };
   std::vector<StoredSection> result;
   for (const PlainSection& plain : sections) {
-    const bool differences = plain.section.encoding == Encoding::kResponses;
-    StoredSection stored{plain.section,
-                         deflate(plain.bytes, differences ? DeflateKind::kFiltered : DeflateKind::kUsual)};
+    StoredSection stored{plain.section, deflate(plain.bytes, DeflateKind::kUsual)};
     if (looksLikeBomb(plain, stored.bytes)) stored.bytes = deflate(plain.bytes, DeflateKind::kHuffman);
     stored.section.codec = Codec::kDeflate;
     if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {
@@ -163,7 +161,7 @@ Result<std::vector<std::uint8_t>> buildSceneFile(const SceneFileParts& parts, Fi
     errors.patchRmsMedian = report.responseRms[report.responseRms.size() / 2];
     errors.patchRmsWorst = report.responseRms.back();
   }
-  (*parts.provenance)["ranks"] = report.ranks;
+  if (!report.ranks.empty()) (*parts.provenance)["ranks"] = report.ranks;
   (*parts.provenance)["errors"] = {{"mean", errors.mean},
                                    {"sigma", errors.sigma},
                                    {"patchRmsMedian", errors.patchRmsMedian},
