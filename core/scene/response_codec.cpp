@@ -1,171 +1,67 @@
-// Four columns go side by side (lanes), so that a processor has something to do while it waits for one of
-// them. Each number is predicted from its neighbours; the zigzag of what is left is a symbol of a stream.
+// Column after column through one model; a block is what the range coder makes of some of them.
 #include "core/scene/response_codec.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 
+#include "core/scene/range_coder.h"
 #include "core/scene/response_quantiser.h"
-#include "core/scene/response_streams.h"
 
 namespace fiatlux {
-namespace {
 
-std::uint32_t zigzag(std::int32_t v) {
-  return (static_cast<std::uint32_t>(v) << 1) ^ static_cast<std::uint32_t>(v >> 31);
-}
-std::int32_t unzigzag(std::uint32_t v) { return static_cast<std::int32_t>((v >> 1) ^ (0u - (v & 1))); }
-
-/// Where the prediction of a row comes from: slots of left, up and the corner between them. Row p has slot p
-/// + 1; slot 0 holds zeros.
-struct Neighbours {
-  std::uint32_t left, up, corner;
-};
-
-std::vector<Neighbours> neighboursOf(const Patches& patches) {
-  std::vector<Neighbours> slots(patches.rows());
-  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-    std::uint32_t left = patches.left[p], up = patches.up[p];
-    std::uint32_t corner = left != kNone && up != kNone ? patches.up[left] : kNone;
-    // One neighbour predicts alone (left + up - corner, all three it). None: the row before.
-    if (left == kNone && up == kNone && p > 0 && patches.surface[p - 1] == patches.surface[p]) left = p - 1;
-    if (up == kNone) up = corner = left;
-    if (left == kNone) left = corner = up;
-    if (corner == kNone) corner = up;
-    slots[p] = {left + 1, up + 1, corner + 1};  // note: kNone + 1 = 0
-  }
-  return slots;
-}
-
-/// Four columns on their way in or out: quantised values and the sizes of their residuals, by slot.
-class Quad {
- public:
-  using Numbers = std::array<std::int32_t, kLanes>;
-
-  explicit Quad(std::uint32_t rows) : value_(rows + 1), residual_(rows + 1) {}
-
-  /// What is known of a patch before its symbols are read: predictions and streams.
-  void expect(const Neighbours& at, Numbers& prediction, Numbers& stream) const {
-    const Numbers &left = value_[at.left], &up = value_[at.up], &corner = value_[at.corner];
-    const Numbers &leftResidual = residual_[at.left], &upResidual = residual_[at.up];
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      // The median of left, up and left + up - corner (as in JPEG-LS) follows edges and slopes alike.
-      const std::int32_t low = std::min(left[i], up[i]), high = std::max(left[i], up[i]);
-      prediction[i] = std::min(std::max(left[i] + up[i] - corner[i], low), high);
-      // Streams: darkness, then ever more restless neighbourhoods.
-      const std::int32_t residuals = leftResidual[i] + upResidual[i];
-      const std::int32_t restless = std::abs(left[i] - corner[i]) + std::abs(up[i] - corner[i]) + residuals;
-      stream[i] = ((left[i] | up[i] | corner[i] | residuals) != 0) + (restless > 1) + (restless > 3) +
-                  (restless > 6) + (restless > 14);
+std::vector<ResponseReferences> nearestBefore(const std::vector<Site>& sites) {
+  std::vector<ResponseReferences> nearest(sites.size(), ResponseReferences{kNone, kNone});
+  for (std::uint32_t j = 0; j < sites.size(); ++j) {
+    const auto distance = [&](std::uint32_t i) { return length(sites[i].position - sites[j].position); };
+    for (std::uint32_t i = 0; i < j; ++i) {
+      auto& [first, second] = nearest[j];
+      if (first == kNone || distance(i) < distance(first))
+        second = first, first = i;
+      else if (second == kNone || distance(i) < distance(second))
+        second = i;
     }
   }
-  void set(std::uint32_t slot, const Numbers& value, const Numbers& prediction) {
-    value_[slot] = value;
-    for (std::size_t i = 0; i < kLanes; ++i)
-      residual_[slot][i] = std::min(std::abs(value[i] - prediction[i]), 255);
-  }
-
- private:
-  std::vector<Numbers> value_, residual_;
-};
-
-/// Decodes `width` columns side by side into out (column-major); false where a stream ends or a value is out
-/// of range. `scale`: of the first column's surfaces, then the next column's.
-template <std::uint32_t width>
-bool decodeLanes(const std::vector<Neighbours>& neighbours, const std::vector<std::uint32_t>& surface,
-                 const ResponseScale* scale, std::size_t surfaces,
-                 std::array<StreamReader, kStreams * kLanes>& streams, Quad& quad, float* out) {
-  const std::size_t rows = neighbours.size();
-  for (std::size_t p = 0; p < rows; ++p) {
-    Quad::Numbers prediction, stream, value{};
-    quad.expect(neighbours[p], prediction, stream);
-    bool bad = false;
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const auto symbol = streams[static_cast<std::uint32_t>(stream[i]) * kLanes + i].next(bad);
-      const std::int64_t number = std::int64_t{prediction[i]} + unzigzag(symbol);
-      bad |= number < 0 || number > kLargestNumber;
-      value[i] = static_cast<std::int32_t>(number);
-    }
-    if (bad) return false;
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const ResponseScale s = scale[i * surfaces + surface[p]];
-      const float lit = static_cast<float>(value[i]) * s.step;
-      out[i * rows + p] = value[i] > 0 ? lit : s.floor;
-    }
-    quad.set(static_cast<std::uint32_t>(p + 1), value, prediction);
-  }
-  return true;
+  return nearest;
 }
-
-}  // namespace
 
 std::uint32_t responseBlockColumns(std::uint32_t rows) {
-  // note: a value takes at most 5.25 bytes, so that a block stays below 64 MB for up to 2 million rows.
-  return static_cast<std::uint32_t>(std::max(kLanes, (11u << 20) / std::max(1u, rows) / kLanes * kLanes));
+  return std::max(1u, (1u << 20) / std::max(1u, rows));
 }
 
-EncodedResponses encodeResponses(const Responses& responses, const Patches& patches, std::uint32_t surfaces,
-                                 double step) {
+EncodedResponses encodeResponses(const Responses& responses, const Patches& patches,
+                                 std::span<const double> steps,
+                                 const std::vector<ResponseReferences>& references) {
   const std::uint32_t rows = responses.rows, columns = responses.sites, perBlock = responseBlockColumns(rows);
-  const std::vector<Neighbours> neighbours = neighboursOf(patches);
+  const auto surfaces = static_cast<std::uint32_t>(steps.size());
   EncodedResponses encoded;
   encoded.scales.resize(std::size_t{columns} * surfaces);
   encoded.rms.resize(std::size_t{columns} * surfaces);
   encoded.errorBound.resize(surfaces);
-  Quantiser quantiser(patches, surfaces, step);
-  std::array<std::vector<std::int32_t>, kLanes> numbers;
-  numbers.fill(std::vector<std::int32_t>(rows));
-  std::array<StreamWriter, kStreams * kLanes> streams;
-  for (std::uint32_t first = 0; first < columns; first += kLanes) {
-    const std::uint32_t width = std::min<std::uint32_t>(kLanes, columns - first);
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const float* column = responses.column(first + i);
-      const std::size_t at = std::size_t{first + i} * surfaces;
-      quantiser.quantise(column, &encoded.scales[at], numbers[i]);
-      quantiser.judge(column, &encoded.scales[at], numbers[i], &encoded.rms[at], encoded.errorBound);
-    }
-    Quad quad(rows);
-    for (std::uint32_t p = 0; p < rows; ++p) {
-      Quad::Numbers prediction, stream, value{};
-      quad.expect(neighbours[p], prediction, stream);
-      for (std::uint32_t i = 0; i < width; ++i) {
-        value[i] = numbers[i][p];
-        streams[stream[i] * kLanes + i].put(zigzag(value[i] - prediction[i]));
-      }
-      quad.set(p + 1, value, prediction);
-    }
-    if ((first + width) % perBlock != 0 && first + width != columns) continue;
-    encoded.blocks.push_back(joined(streams));
-    streams = {};
+  Quantiser quantiser(patches, steps);
+  ResponseModel model(patches, surfaces, references);
+  RangeEncoder coder;
+  std::vector<std::int32_t> numbers(rows);
+  for (std::uint32_t j = 0; j < columns; ++j) {
+    ResponseScale* scales = &encoded.scales[std::size_t{j} * surfaces];
+    quantiser.quantise(responses.column(j), scales, numbers);
+    quantiser.judge(responses.column(j), scales, numbers, &encoded.rms[std::size_t{j} * surfaces],
+                    encoded.errorBound);
+    model.codeColumn(coder, numbers.data());
+    if ((j + 1) % perBlock != 0 && j + 1 != columns) continue;
+    std::vector<std::uint8_t>& block = encoded.blocks.emplace_back(coder.finish());
+    const std::size_t values = std::size_t{rows} * (j % perBlock + 1);
+    block.resize(std::max(block.size(), (values + kValuesPerByte - 1) / kValuesPerByte));
   }
+  encoded.stored = {rows, columns, model.light(encoded.scales)};
   return encoded;
 }
 
-std::string decodeResponses(std::span<const std::uint8_t> block, const Patches& patches,
-                            std::span<const ResponseScale> scales, std::uint32_t columns, float* out) {
-  std::array<StreamReader, kStreams * kLanes> streams;
-  if (!split(block, streams)) return "its streams do not have the lengths they announce";
-  const std::size_t surfaces = scales.size() / std::max(1u, columns), rows = patches.rows();
-  const std::vector<Neighbours> neighbours = neighboursOf(patches);
-  Quad quad(patches.rows());  // note: every slot is set before it is read again, so one serves all columns
-  bool sane = true;
-  for (std::uint32_t first = 0; sane && first < columns; first += kLanes) {
-    const ResponseScale* scale = &scales[first * surfaces];
-    float* lanes = out + first * rows;
-    // note: a number of lanes that the compiler knows makes this a tenth faster.
-    sane = columns - first >= kLanes
-               ? decodeLanes<kLanes>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
-           : columns - first == 3
-               ? decodeLanes<3>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
-           : columns - first == 2
-               ? decodeLanes<2>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes)
-               : decodeLanes<1>(neighbours, patches.surface, scale, surfaces, streams, quad, lanes);
-  }
-  if (!sane) return "a stream ends early or a value is out of range";
-  for (const StreamReader& stream : streams)
-    if (!stream.finished()) return "a stream is longer than the patches and sites need";
-  return "";
+std::string ResponseDecoder::decode(std::span<const std::uint8_t> block) {
+  const std::uint32_t first = model_.next();
+  const std::uint32_t last = std::min(first + responseBlockColumns(model_.rows()), model_.columns());
+  RangeDecoder coder(block);
+  while (model_.next() < last)
+    if (!model_.codeColumn(coder, nullptr)) return "a value is out of range";
+  return coder.ended() ? "" : "it does not have the length that the patches and sites need";
 }
 
 }  // namespace fiatlux

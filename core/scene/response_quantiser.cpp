@@ -13,7 +13,7 @@ void Quantiser::quantise(const float* column, ResponseScale* scales, std::vector
     peak[patches_.surface[p]] = std::max<double>(peak[patches_.surface[p]], column[p]);
   }
   for (std::uint32_t s = 0; s < surfaces_; ++s)
-    scales[s] = {static_cast<float>(std::max(step_ * mean_[s], peak[s] / (kLargestNumber / 2))), 0};
+    scales[s] = {static_cast<float>(std::max(steps_[s] * mean_[s], peak[s] / (kLargestNumber / 2))), 0};
   for (std::uint32_t p = 0; p < patches_.rows(); ++p) {
     const std::uint32_t s = patches_.surface[p];
     numbers[p] =

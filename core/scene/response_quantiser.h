@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/scene/patches.h"
@@ -9,13 +10,14 @@
 
 namespace fiatlux {
 
-inline constexpr std::int32_t kLargestNumber = 1 << 24;  // of a quantised response: still exact as a float
-
-/// Takes a room's columns one after the other; `step` as in response_codec.h.
+/// Takes a room's columns one after the other; `steps`: one a surface, as shares of its mean response.
 class Quantiser {
  public:
-  Quantiser(const Patches& patches, std::uint32_t surfaces, double step)
-      : patches_(patches), surfaces_(surfaces), step_(step), area_(surfaces) {
+  Quantiser(const Patches& patches, std::span<const double> steps)
+      : patches_(patches),
+        surfaces_(static_cast<std::uint32_t>(steps.size())),
+        steps_(steps),
+        area_(steps.size()) {
     for (std::uint32_t p = 0; p < patches.rows(); ++p) area_[patches.surface[p]] += patches.area[p];
   }
 
@@ -29,7 +31,7 @@ class Quantiser {
  private:
   const Patches& patches_;
   std::uint32_t surfaces_;
-  double step_;
+  std::span<const double> steps_;
   std::vector<double> area_, mean_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace fiatlux {
 
-inline constexpr std::uint32_t kSceneFileVersion = 1;
+inline constexpr std::uint32_t kSceneFileVersion = 2;
 
 // Budgets: what a file may ask of the reader before its numbers have proved themselves.
 inline constexpr std::uint64_t kMaxInflatedBytes = 64ull << 20;  // a section
@@ -22,18 +22,22 @@ inline constexpr std::uint64_t kMaxInflationRatio = 200;         // beyond it
 inline constexpr std::uint64_t kMaxResponseValues = 1ull << 27;  // rows x sites
 inline constexpr std::uint64_t kMaxResponseProducts = 1ull << 30;  // rows x weights of columns
 inline constexpr std::uint64_t kMaxCovarianceValues = 1ull << 26;  // surfaces x sites x sites
+inline constexpr std::uint64_t kMaxDerivedProducts = 1ull << 32;   // rows x sites x sites
 
 enum class ElementType : std::uint8_t { kUint8 = 0, kUint32 = 1, kFloat32 = 2, kFloat64 = 3 };
 enum class Codec : std::uint8_t { kStored = 0, kDeflate = 1 };  // kDeflate: the zlib format (RFC 1950)
 
-/// What the inflated bytes of a section mean (section_codec.h, response_codec.h, covariance_codec.h).
+/// What the inflated bytes of a section mean (section_codec.h, response_codec.h, statistics_codec.h,
+/// covariance_codec.h).
 enum class Encoding : std::uint8_t {
   kPlain = 0,        // little-endian elements, row-major
   kDeltaPlanes = 1,  // 32-bit integers: differences down each column, zigzag, split into byte planes
   kFloatPlanes = 2,  // 32-bit floats split into byte planes
-  kResponses = 3,    // quantised responses
+  kResponses = 3,    // quantised responses of version 1 (response_streams.h)
   kPacked = 4,       // symmetric matrix, upper triangle, in fixed point
   kFactored = 5,     // L (rank x m) with C = L^T L, byte planes of floats
+  kPredicted = 6,    // quantised responses
+  kCorrections = 7,  // statistics, as what they differ from those of the responses by
 };
 
 std::uint32_t sizeOf(ElementType type);  // bytes of one element

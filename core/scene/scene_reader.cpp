@@ -10,7 +10,10 @@
 #include "core/scene/covariance_codec.h"
 #include "core/scene/crc32.h"
 #include "core/scene/response_codec.h"
+#include "core/scene/response_streams.h"
 #include "core/scene/scene_sections.h"
+#include "core/scene/statistics_codec.h"
+#include "core/scene/stored_statistics.h"
 
 namespace fiatlux {
 namespace {
@@ -112,14 +115,10 @@ void readSites(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   }
 }
 
-/// The columns as stored, rows x counts.columns.
-std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, const Patches& patches) {
-  const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
-  const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
-                                               2 * counts.surfaces, 0, kBrightestMean);
-  if (!in.ok()) return {};
-  std::vector<ResponseScale> scales;
-  for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
+/// The blocks of version 1.
+std::vector<float> readStreams(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
+                               std::span<const ResponseScale> scales) {
+  const std::uint32_t rows = counts.rows(), perBlock = responseStreamColumns(rows);
   std::vector<float> columns(std::size_t{rows} * counts.columns);
   for (std::uint32_t first = 0, block = 0; first < counts.columns; first += perBlock, ++block) {
     const std::string name = numberedName("responses", block);
@@ -128,12 +127,60 @@ std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, c
         in.take(name, ElementType::kUint8, Encoding::kResponses, CheckedSections::kAnyRows, 1);
     if (!in.ok()) return {};
     const auto part =
-        std::span(scales).subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
+        scales.subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
     const std::string fault =
-        decodeResponses(bytes, patches, part, width, &columns[std::size_t{first} * rows]);
+        decodeResponseStreams(bytes, patches, part, width, &columns[std::size_t{first} * rows]);
     if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
   }
   return columns;
+}
+
+std::vector<ResponseReferences> readReferences(CheckedSections& in, const SceneCounts& counts) {
+  const std::vector<std::uint32_t> before = in.integers("responseReferences", counts.columns, 2);
+  if (!in.ok()) return {};
+  std::vector<ResponseReferences> references(counts.columns, {kNone, kNone});
+  for (std::uint32_t j = 0; j < counts.columns; ++j)
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      const std::uint32_t back = before[2 * j + i];
+      if (back > j) return in.fail("responseReferences", "a column is not there"), references;
+      if (back > 0) references[j][i] = j - back;
+    }
+  return references;
+}
+
+std::vector<float> readPredicted(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
+                                 std::span<const ResponseScale> scales) {
+  const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
+  std::vector<ResponseReferences> references = readReferences(in, counts);
+  if (!in.ok()) return {};
+  std::vector<std::string> names;
+  for (std::uint32_t block = 0; block * perBlock < counts.columns; ++block) {
+    names.push_back(numberedName("responses", block));
+    const std::uint32_t width = std::min(perBlock, counts.columns - block * perBlock);
+    if (!in.has(names.back())) return in.fail(names.back(), "it is missing"), std::vector<float>{};
+    if (in.line(names.back()).inflatedBytes < std::uint64_t{rows} * width / kValuesPerByte)
+      return in.fail(names.back(), "it is too short for the patches and sites"), std::vector<float>{};
+  }
+  ResponseDecoder decoder(patches, counts.surfaces, std::move(references));
+  for (const std::string& name : names) {
+    const std::vector<std::uint8_t> bytes =
+        in.take(name, ElementType::kUint8, Encoding::kPredicted, CheckedSections::kAnyRows, 1);
+    if (!in.ok()) return {};
+    const std::string fault = decoder.decode(bytes);
+    if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
+  }
+  return decoder.finish(scales);
+}
+
+/// The columns as stored, rows x counts.columns.
+std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, const Patches& patches) {
+  const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
+                                               2 * counts.surfaces, 0, kBrightestMean);
+  if (!in.ok()) return {};
+  std::vector<ResponseScale> scales;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
+  return in.has("responseReferences") ? readPredicted(in, counts, patches, scales)
+                                      : readStreams(in, counts, patches, scales);
 }
 
 /// Site responses = columns x responseWeights.
@@ -181,12 +228,46 @@ void readCovariance(CheckedSections& in, const std::string& name, std::uint32_t 
   if (!fault.empty()) in.fail(name, fault);
 }
 
-void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+/// One reflectance on the whole surface: exitance is that times illuminance.
+SurfaceStatistics reflected(SurfaceStatistics illuminance, double reflectance) {
+  for (double& v : illuminance.mean) v *= reflectance;
+  for (double& v : illuminance.covariance) v *= reflectance * reflectance;
+  return illuminance;
+}
+
+void readCorrections(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  if (!derivable(counts)) return in.fail("illuminanceStatistics", "it would take too long to derive");
+  const auto rows = rowsOfSurfaces(scene.patches, counts.surfaces);
+  const auto read = [&](const std::string& name, const SurfaceStatistics& expected,
+                        SurfaceStatistics& statistics) {
+    const std::vector<std::uint8_t> bytes =
+        in.take(name, ElementType::kUint8, Encoding::kCorrections, CheckedSections::kAnyRows, 1);
+    if (!in.ok()) return;
+    const std::string fault = decodeStatistics(bytes, expected, kBrightestMean, statistics);
+    if (!fault.empty()) in.fail(name, fault);
+  };
+  for (std::uint32_t s = 0; in.ok() && s < counts.surfaces; ++s) {
+    const Surface& surface = scene.surfaces[s];
+    const auto stored = [&](Quantity quantity) {
+      return storedStatistics(scene.patches, scene.responses, quantity, rows[s]);
+    };
+    const SurfaceStatistics lit = stored(Quantity::kIlluminance);
+    read(numberedName("illuminanceStatistics", s), lit, scene.illuminance[s]);
+    if (surface.measuring || !in.ok()) continue;
+    const std::string name = numberedName("exitanceStatistics", s);
+    if (!in.has(name))
+      scene.exitance[s] = reflected(scene.illuminance[s], surface.reflectance);
+    else
+      read(name,
+           expectedStatistics(stored(Quantity::kExitance), lit, scene.illuminance[s], surface.reflectance),
+           scene.exitance[s]);
+  }
+}
+
+void readCovariances(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::uint32_t m = counts.sites;
   const std::vector<double> lit = in.doubles("illuminanceMeans", counts.surfaces, m, 0, kBrightestMean);
-  const std::vector<double> reflected = in.doubles("exitanceMeans", counts.surfaces, m, 0, kBrightestMean);
-  scene.illuminance.resize(counts.surfaces);
-  scene.exitance.resize(counts.surfaces);
+  const std::vector<double> leaving = in.doubles("exitanceMeans", counts.surfaces, m, 0, kBrightestMean);
   for (std::uint32_t s = 0; in.ok() && s < counts.surfaces; ++s) {
     SurfaceStatistics& illuminance = scene.illuminance[s];
     SurfaceStatistics& exitance = scene.exitance[s];
@@ -195,17 +276,21 @@ void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene
     if (scene.surfaces[s].measuring || !in.ok()) continue;
     const std::string name = numberedName("exitanceCovariance", s);
     if (in.has(name)) {
-      exitance.mean.assign(reflected.begin() + std::size_t{s} * m,
-                           reflected.begin() + (s + 1) * std::size_t{m});
+      exitance.mean.assign(leaving.begin() + std::size_t{s} * m, leaving.begin() + (s + 1) * std::size_t{m});
       readCovariance(in, name, m, exitance.covariance);
     } else {
-      // One reflectance on the whole surface: exitance is that times illuminance.
-      const double rho = scene.surfaces[s].reflectance;
-      exitance = illuminance;
-      for (double& v : exitance.mean) v *= rho;
-      for (double& v : exitance.covariance) v *= rho * rho;
+      exitance = reflected(illuminance, scene.surfaces[s].reflectance);
     }
   }
+}
+
+void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  scene.illuminance.resize(counts.surfaces);
+  scene.exitance.resize(counts.surfaces);
+  if (in.has("illuminanceStatistics"))
+    readCorrections(in, counts, scene);
+  else
+    readCovariances(in, counts, scene);
 }
 
 }  // namespace
@@ -217,11 +302,28 @@ Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
 }
 
 bool SceneReader::needed(std::uint32_t section) const {
-  constexpr std::string_view kNeeded[] = {
-      "surfaceNames",      "surfaces",       "patchCenters",          "patchNormals",      "patchAreas",
-      "patchReflectances", "patchSurfaces",  "patchClusters",         "patchNeighbours",   "sites",
-      "responses",         "responseScales", "responseOffsets",       "responseColumns",   "responseWeights",
-      "illuminanceMeans",  "exitanceMeans",  "illuminanceCovariance", "exitanceCovariance"};
+  constexpr std::string_view kNeeded[] = {"surfaceNames",
+                                          "surfaces",
+                                          "patchCenters",
+                                          "patchNormals",
+                                          "patchAreas",
+                                          "patchReflectances",
+                                          "patchSurfaces",
+                                          "patchClusters",
+                                          "patchNeighbours",
+                                          "sites",
+                                          "responses",
+                                          "responseScales",
+                                          "responseReferences",
+                                          "responseOffsets",
+                                          "responseColumns",
+                                          "responseWeights",
+                                          "illuminanceMeans",
+                                          "exitanceMeans",
+                                          "illuminanceCovariance",
+                                          "exitanceCovariance",
+                                          "illuminanceStatistics",
+                                          "exitanceStatistics"};
   const std::string_view name = table_.sections[section].name;
   return std::find(std::begin(kNeeded), std::end(kNeeded), name.substr(0, name.find('.'))) !=
          std::end(kNeeded);

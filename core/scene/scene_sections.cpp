@@ -8,6 +8,8 @@
 #include "core/scene/covariance_codec.h"
 #include "core/scene/response_codec.h"
 #include "core/scene/section_codec.h"
+#include "core/scene/statistics_codec.h"
+#include "core/scene/stored_statistics.h"
 
 namespace fiatlux {
 namespace {
@@ -107,15 +109,20 @@ void addSites(const std::vector<Site>& sites, std::vector<PlainSection>& out) {
   out.push_back(doubles("sites", numbers, kSiteColumns));
 }
 
-void addResponses(const Scene& scene, EncodedResponses& encoded, std::vector<PlainSection>& out) {
+void addResponses(const Scene& scene, EncodedResponses& encoded,
+                  const std::vector<ResponseReferences>& references, std::vector<PlainSection>& out) {
   const auto m = static_cast<std::uint32_t>(scene.sites.size());
   std::vector<float> scales;
   for (const ResponseScale& scale : encoded.scales) scales.insert(scales.end(), {scale.step, scale.floor});
   out.push_back(floats("responseScales", scales, 2 * static_cast<std::uint32_t>(scene.surfaces.size())));
+  std::vector<std::uint32_t> before;
+  for (std::uint32_t j = 0; j < m; ++j)
+    for (const std::uint32_t i : references[j]) before.push_back(i == kNone ? 0 : j - i);
+  out.push_back(integers("responseReferences", before, 2));
   const float bound = *std::max_element(encoded.errorBound.begin(), encoded.errorBound.end());
   for (std::uint32_t block = 0; block < encoded.blocks.size(); ++block) {
     const auto length = static_cast<std::uint32_t>(encoded.blocks[block].size());
-    out.push_back(plainSection(numberedName("responses", block), ElementType::kUint8, Encoding::kResponses,
+    out.push_back(plainSection(numberedName("responses", block), ElementType::kUint8, Encoding::kPredicted,
                                length, 1, std::move(encoded.blocks[block]), bound));
   }
   // Each site has its own column here.
@@ -136,6 +143,55 @@ std::vector<bool> uniformSurfaces(const Scene& scene) {
       uniform[scene.patches.surface[p]] = false;
   }
   return uniform;
+}
+
+/// Steps of the responses, one a surface. On a surface of few patches finer steps are cheaper than what they
+/// save: covariances that follow from its responses to the last unit need no correction.
+std::vector<double> responseSteps(const Scene& scene) {
+  const std::size_t m = scene.sites.size(), surfaces = scene.surfaces.size();
+  std::vector<double> steps(surfaces, kResponseStep);
+  if (!derivable(countsOf(scene))) return steps;
+  std::vector<std::size_t> rows(surfaces);
+  for (const std::uint32_t s : scene.patches.surface) ++rows[s];
+  for (std::size_t s = 0; s < surfaces; ++s) {
+    if (2 * rows[s] >= m) continue;  // a bit more for each value, a bit less for each correlation
+    const SurfaceStatistics& statistics = scene.illuminance[s];
+    std::vector<double> evenness;  // mean over standard deviation, of each site
+    for (std::size_t j = 0; j < m; ++j)
+      if (const double variance = statistics.covariance[j * m + j]; variance > 0)
+        evenness.push_back(statistics.mean[j] / std::sqrt(variance));
+    if (evenness.empty()) continue;
+    std::nth_element(evenness.begin(), evenness.begin() + evenness.size() / 2, evenness.end());
+    // What rounding does to a correlation: both columns err by step x mean / sqrt(12), at random, patch by
+    // patch.
+    const double noise =
+        kResponseStep * evenness[evenness.size() / 2] / std::sqrt(6.0 * static_cast<double>(rows[s]));
+    constexpr double kMostHalvings = 10;
+    steps[s] /= std::exp2(std::clamp(std::ceil(std::log2(noise / kCorrelationUnit)), 0.0, kMostHalvings));
+  }
+  return steps;
+}
+
+void addCorrections(const Scene& scene, const Responses& stored, std::vector<PlainSection>& out) {
+  const std::vector<bool> uniform = uniformSurfaces(scene);
+  const auto rows = rowsOfSurfaces(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()));
+  const auto add = [&](const char* name, std::uint32_t s, SurfaceStatistics& statistics,
+                       const SurfaceStatistics& expected) {
+    std::vector<std::uint8_t> bytes = encodeStatistics(statistics, expected);
+    const auto length = static_cast<std::uint32_t>(bytes.size());
+    out.push_back(plainSection(numberedName(name, s), ElementType::kUint8, Encoding::kCorrections, length, 1,
+                               std::move(bytes), statisticsErrorBound()));
+  };
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const SurfaceStatistics lit = storedStatistics(scene.patches, stored, Quantity::kIlluminance, rows[s]);
+    SurfaceStatistics illuminance = scene.illuminance[s];
+    add("illuminanceStatistics", s, illuminance, lit);
+    if (scene.surfaces[s].measuring || uniform[s]) continue;
+    SurfaceStatistics exitance = scene.exitance[s];
+    add("exitanceStatistics", s, exitance,
+        expectedStatistics(storedStatistics(scene.patches, stored, Quantity::kExitance, rows[s]), lit,
+                           illuminance, scene.surfaces[s].reflectance));
+  }
 }
 
 void addStatistics(const Scene& scene, std::vector<PlainSection>& out, EncodingReport* report) {
@@ -179,17 +235,25 @@ SceneCounts countsOf(const Scene& scene) {
           static_cast<std::uint32_t>(scene.surfaces.size())};
 }
 
+bool derivable(const SceneCounts& counts) {
+  return std::uint64_t{counts.rows()} * counts.sites * counts.sites <= kMaxDerivedProducts;
+}
+
 Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport* report) {
   const std::string fault = faultOf(scene);
   if (!fault.empty()) return Error{fault};
   std::vector<PlainSection> sections;
+  const std::vector<ResponseReferences> references = nearestBefore(scene.sites);
   EncodedResponses encoded =
-      encodeResponses(scene.responses, scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()));
+      encodeResponses(scene.responses, scene.patches, responseSteps(scene), references);
   addSurfaces(scene, encoded.errorBound, sections);
   addPatches(scene.patches, sections);
   addSites(scene.sites, sections);
-  addResponses(scene, encoded, sections);
-  addStatistics(scene, sections, report);
+  addResponses(scene, encoded, references, sections);
+  if (derivable(countsOf(scene)))
+    addCorrections(scene, encoded.stored, sections);
+  else
+    addStatistics(scene, sections, report);
   if (report) report->responseRms = std::move(encoded.rms);
   return sections;
 }

@@ -1,5 +1,5 @@
-// What lies in a scene file, version 1: the sections' names, shapes and units, for the writer and the reader
-// alike. With n patches, r receivers, rows = n + r, k clusters, m sites, c columns, S surfaces:
+// What lies in a scene file of version 2: the sections' names, shapes and units, for the writer and the
+// reader alike. With n patches, r receivers, rows = n + r, k clusters, m sites, c columns, S surfaces:
 //
 //   surfaceNames            bytes     UTF-8, a zero after each
 //   surfaces                S x 5     area (m2), reflectance, share of lost rays, measuring (0 or 1),
@@ -13,16 +13,22 @@
 //   patchNeighbours         rows x 2  how many rows before is the left, the upper neighbour; 0 = none
 //   sites                   m x 10    position, normal, axis, size (m)
 //   responseScales          c x 2S    step and floor on each surface, lx per lm
+//   responseReferences      c x 2     how many columns before are the two that it is predicted from; 0 = none
 //   responses[.1 ...]       bytes     quantised columns, in blocks (response_codec.h)
 //   responseOffsets         m + 1     site j is the sum of weight x column over its entries
 //                                     [offset j, offset j + 1)
 //   responseColumns         entries   the column of an entry
 //   responseWeights         entries   its weight
+//   illuminanceStatistics[.s]         a section a surface: means (lx per lm) and covariance, as corrections
+//                                     to those of the stored responses (statistics_codec.h)
+//   exitanceStatistics[.s]            only of surfaces with more than one reflectance (lm/m2 per lm)
+// or, in files of version 1 and where deriving them would take long (rows x m x m over kMaxDerivedProducts):
 //   illuminanceMeans        S x m     lx per lm
 //   exitanceMeans           S x m     lm/m2 per lm; zeros where one reflectance gives them from the
 //                                     illuminance
 //   illuminanceCovariance[.s]         a section a surface (covariance_codec.h)
 //   exitanceCovariance[.s]            only of surfaces with more than one reflectance
+// Version 1 had no responseReferences: its responses are those of response_streams.h.
 // and, not needed to light the scene: `room` (a .glb), `provenance` (JSON), and the paper's matrices.
 #pragma once
 
@@ -48,10 +54,14 @@ std::string numberedName(std::string_view name, std::uint32_t number);
 /// What encoding did to the numbers, for the file's own report.
 struct EncodingReport {
   std::vector<float> responseRms;    // sites x surfaces: RMS error over the surface, as a share of its mean
-  std::vector<std::uint32_t> ranks;  // per surface: rows of the factored covariance, 0 = packed
+  std::vector<std::uint32_t> ranks;  // per surface: rows of the factored covariance, 0 = packed;
+                                     // none where covariances are derived
 };
 
 SceneCounts countsOf(const Scene& scene);
+
+/// Whether the reader may be asked to derive statistics from the responses: it takes a second or so at most.
+bool derivable(const SceneCounts& counts);
 
 /// The sections that SceneReader needs, from a scene with unquantised responses and statistics (errorBound is
 /// computed here). An error where the scene is beyond what a file holds.

@@ -13,9 +13,7 @@
 namespace fiatlux {
 
 std::vector<std::uint8_t> zlibDeflate(std::span<const std::uint8_t> bytes, DeflateKind kind) {
-  const int strategy = kind == DeflateKind::kFiltered  ? Z_FILTERED
-                       : kind == DeflateKind::kHuffman ? Z_HUFFMAN_ONLY
-                                                       : Z_DEFAULT_STRATEGY;
+  const int strategy = kind == DeflateKind::kHuffman ? Z_HUFFMAN_ONLY : Z_DEFAULT_STRATEGY;
   z_stream stream{};
   if (deflateInit2(&stream, 9, Z_DEFLATED, 15, 9, strategy) != Z_OK) return {};
   std::vector<std::uint8_t> out(deflateBound(&stream, bytes.size()));

@@ -122,9 +122,7 @@ std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sectio
   };
   std::vector<StoredSection> result;
   for (const PlainSection& plain : sections) {
-    const bool differences = plain.section.encoding == Encoding::kResponses;
-    StoredSection stored{plain.section,
-                         deflate(plain.bytes, differences ? DeflateKind::kFiltered : DeflateKind::kUsual)};
+    StoredSection stored{plain.section, deflate(plain.bytes, DeflateKind::kUsual)};
     if (looksLikeBomb(plain, stored.bytes)) stored.bytes = deflate(plain.bytes, DeflateKind::kHuffman);
     stored.section.codec = Codec::kDeflate;
     if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {

@@ -18,7 +18,7 @@ namespace fiatlux {
 
 /// Makes bytes smaller: a zlib stream (RFC 1950). The kind is a hint; `kHuffman` must shrink at most
 /// eightfold, or return nothing.
-enum class DeflateKind { kUsual, kFiltered, kHuffman };
+enum class DeflateKind { kUsual, kHuffman };
 using Deflate = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>, DeflateKind)>;
 
 /// Sections deflated where that makes them smaller (and, beyond 1 MB, within the ratio that the reader

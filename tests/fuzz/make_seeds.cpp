@@ -12,6 +12,8 @@
 #include "core/scene/scene_sections.h"
 #include "precompute/files/scene_io.h"
 #include "tests/core/corridor_scene.h"
+#include "tests/core/scene/base64.h"
+#include "tests/core/scene/golden_scene_v1.h"
 #include "tests/core/synthetic_scene.h"
 #include "tests/precompute/gltf/gltf_builder.h"
 
@@ -168,6 +170,7 @@ Bytes sceneFile(const Scene& scene, bool deflate) {
 
 void writeScenes(const std::filesystem::path& folder) {
   const Scene small = syntheticScene(2, 2), wide = syntheticScene(4, 9);
+  write(folder / "version-1.flux", fromBase64(kSceneFileVersion1));
   write(folder / "small.flux", sceneFile(small, false));
   write(folder / "small-deflated.flux", sceneFile(small, true));
   write(folder / "wide.flux", sceneFile(wide, false));

@@ -115,7 +115,7 @@ void changeLine(fiatlux::SceneSection& line, Random& random) {
       line.type = static_cast<ElementType>(random.below(4));
       return;
     case 1:
-      line.encoding = static_cast<Encoding>(random.below(6));
+      line.encoding = static_cast<Encoding>(random.below(8));
       return;
     case 2:
       line.columns = extremeOf<std::uint32_t>(random, {1, 2, 3, 4, line.columns + 1, 2 * line.columns});

@@ -11,7 +11,9 @@
 #include "core/scene/scene_reader.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
+#include "tests/core/scene/base64.h"
 #include "tests/core/scene/golden_scene_v1.h"
+#include "tests/core/scene/golden_scene_v2.h"
 #include "tests/core/synthetic_scene.h"
 
 namespace fiatlux {
@@ -125,38 +127,23 @@ TEST(SceneFile, StatisticsSurviveToATenThousandth) {
       }
 }
 
-std::vector<std::uint8_t> fromBase64(std::string_view text) {
-  std::vector<std::uint8_t> bytes;
-  std::uint32_t bits = 0, count = 0;
-  for (char c : text) {
-    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : -1;
-    if (digit < 0) break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    if ((count += 6) >= 8) bytes.push_back(static_cast<std::uint8_t>(bits >> (count -= 8)));
-  }
-  return bytes;
-}
-
-TEST(SceneFile, Version1StaysReadable) {
+TEST(SceneFile, OldVersionsStayReadable) {
   const Scene scene = syntheticScene(2, 2);
-  const Result<Scene> back = read(fromBase64(kSceneFileVersion1));
-  ASSERT_TRUE(back) << back.error().message;
-  EXPECT_EQ(back->identity, "0123456789abcdef");
-  EXPECT_EQ(back->surfaces[1].name, "wall \xc3\xa9");
-  EXPECT_EQ(back->patches.count, 40u);
-  EXPECT_EQ(back->patches.rows(), 44u);
-  EXPECT_EQ(back->patches.left, scene.patches.left);
-  EXPECT_EQ(back->sites[1].position.x, 0.375);
-  // Numbers of the day it was written.
-  EXPECT_NEAR(back->illuminance[0].mean[1], 0.033451896393671632, 1e-15);
-  EXPECT_NEAR(back->exitance[1].covariance[1], 0.00020802727938613465, 1e-6 * 0.000208);
-  EXPECT_NEAR(back->responses.column(1)[5], 0.0345561281, 0.008 * 0.0335);
-  EXPECT_NEAR(back->responses.column(0)[20], 0.0182332676, 0.0005);
+  for (const char* golden : {kSceneFileVersion1, kSceneFileVersion2}) {
+    const Result<Scene> back = read(fromBase64(golden));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->identity, "0123456789abcdef");
+    EXPECT_EQ(back->surfaces[1].name, "wall \xc3\xa9");
+    EXPECT_EQ(back->patches.count, 40u);
+    EXPECT_EQ(back->patches.rows(), 44u);
+    EXPECT_EQ(back->patches.left, scene.patches.left);
+    EXPECT_EQ(back->sites[1].position.x, 0.375);
+    // Numbers of the day it was written.
+    EXPECT_NEAR(back->illuminance[0].mean[1], 0.033451896393671632, 1e-8 * 0.0335);
+    EXPECT_NEAR(back->exitance[1].covariance[1], 0.00020802727938613465, 2e-6 * 0.000208);
+    EXPECT_NEAR(back->responses.column(1)[5], 0.0345561281, 0.008 * 0.0335);
+    EXPECT_NEAR(back->responses.column(0)[20], 0.0182332676, 0.0005);
+  }
 }
 
 TEST(SceneFile, CutAnywhereIsRefused) {
@@ -182,15 +169,15 @@ TEST(SceneFile, EveryFlippedBitIsRefused) {
 TEST(SceneFile, DamageIsNamed) {
   std::vector<std::uint8_t> file = fileOf(syntheticScene(4, 2));
   file.back() ^= 1;
-  EXPECT_EQ(
-      errorOf(file),
-      "section exitanceMeans: checksum differs; the file is damaged: make it again with fiatlux precompute");
+  EXPECT_EQ(errorOf(file),
+            "section illuminanceStatistics.2: checksum differs; the file is damaged: make it again with "
+            "fiatlux precompute");
 }
 
 TEST(SceneFile, FutureVersionNamesBoth) {
   const std::string error = errorOf(forged<std::uint32_t>(fileOf(syntheticScene(4, 2)), 8, 7));
   EXPECT_NE(error.find("version 7"), std::string::npos) << error;
-  EXPECT_NE(error.find("up to version 1"), std::string::npos) << error;
+  EXPECT_NE(error.find("up to version 2"), std::string::npos) << error;
 }
 
 TEST(SceneFile, OtherFilesAreRefused) {
@@ -248,7 +235,9 @@ TEST(SceneFile, ValuesAreChecked) {
     part.bytes[part.bytes.size() - 1] = part.bytes[part.bytes.size() * 3 / 4 - 1] = 0xff;
   };
   EXPECT_NE(errorWith(scene, "sites", poke(0, std::nan(""))).find("section sites"), std::string::npos);
-  EXPECT_NE(errorWith(scene, "illuminanceMeans", poke(8, std::nan(""))).find("no number"), std::string::npos);
+  const auto shorten = [](PlainSection& part) { part.bytes.resize(part.section.rows = 3); };
+  EXPECT_NE(errorWith(scene, "illuminanceStatistics", shorten).find("length that the sites need"),
+            std::string::npos);
   EXPECT_NE(errorWith(scene, "surfaces", poke(0, -1.0)).find("out of range"), std::string::npos);
   EXPECT_NE(errorWith(scene, "patchSurfaces", poke(0, std::uint8_t{40})).find("not there"),
             std::string::npos);
@@ -257,7 +246,11 @@ TEST(SceneFile, ValuesAreChecked) {
   EXPECT_NE(errorWith(scene, "patchNeighbours", poke(0, std::uint8_t{2})).find("neighbour"),
             std::string::npos);
   EXPECT_NE(errorWith(scene, "responseColumns", poke(0, std::uint8_t{40})).find("column"), std::string::npos);
-  EXPECT_NE(errorWith(scene, "responses", poke(0, std::uint8_t{255})).find("lengths"), std::string::npos);
+  EXPECT_NE(errorWith(scene, "responseReferences", poke(3, std::uint8_t{40})).find("column"),
+            std::string::npos);
+  EXPECT_NE(errorWith(scene, "responses", shorten).find("section responses: "), std::string::npos);
+  const auto empty = [](PlainSection& part) { part.bytes.resize(part.section.rows = 1); };
+  EXPECT_NE(errorWith(scene, "responses", empty).find("too short"), std::string::npos);
   EXPECT_NE(errorWith(scene, "responseScales", nan).find("section responseScales"), std::string::npos);
   EXPECT_NE(errorWith(scene, "patchAreas", nan).find("section patchAreas"), std::string::npos);
   const auto unname = [](PlainSection& part) { part.bytes[5] = 'x'; };
@@ -325,13 +318,50 @@ TEST(SceneFile, WeightsThatWouldTakeMinutesOrGoBeyondNumbersAreRefused) {
 }
 
 TEST(SceneFile, LightBeyondNumbersIsRefused) {
-  const Scene scene = syntheticScene(4, 2);
+  Scene scene = syntheticScene(4, 2);
+  scene.illuminance[0].mean[0] = 1e25;
+  EXPECT_NE(errorOf(fileOf(scene)).find("section illuminanceStatistics: a value is out of range"),
+            std::string::npos);
+  scene = syntheticScene(4, 2);
+  scene.exitance[1].mean[0] = 1e25;
+  EXPECT_NE(errorOf(fileOf(scene)).find("section exitanceStatistics.1: a value is out of range"),
+            std::string::npos);
+}
+
+/// So many sites and patches that deriving their statistics would take long; all of them dark, but for one
+/// surface's mean.
+Scene unwieldyScene() {
+  constexpr std::uint32_t kSites = 600;
+  Scene scene = syntheticScene(543, 1);
+  scene.sites.resize(kSites, scene.sites[0]);
+  scene.responses.sites = kSites;
+  scene.responses.illuminance.assign(std::size_t{kSites} * scene.patches.rows(), 0);
+  for (auto* set : {&scene.illuminance, &scene.exitance})
+    for (SurfaceStatistics& statistics : *set)
+      if (!statistics.mean.empty())
+        statistics = {std::vector<double>(kSites), std::vector<double>(kSites * kSites)};
+  scene.illuminance[2].mean[7] = 0.25;
+  return scene;
+}
+
+TEST(SceneFile, WhatWouldTakeLongToDeriveIsStoredWhole) {
+  const Scene scene = unwieldyScene();
+  ASSERT_FALSE(derivable(countsOf(scene)));
+  const Result<Scene> back = read(fileOf(scene));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->illuminance[2].mean[7], 0.25);
+  EXPECT_EQ(back->illuminance[1].covariance.size(), 360000u);
+
   const auto poke = [](PlainSection& part) {
     const double huge = 1e25;
     std::memcpy(&part.bytes[0], &huge, 8);
   };
   EXPECT_NE(errorWith(scene, "illuminanceMeans", poke).find("out of range"), std::string::npos);
-  EXPECT_NE(errorWith(scene, "exitanceMeans", poke).find("out of range"), std::string::npos);
+  // The same as corrections: refused before a product is formed.
+  std::vector<PlainSection> sections = encodeScene(scene).value();
+  sections.push_back(
+      plainSection("illuminanceStatistics", ElementType::kUint8, Encoding::kCorrections, 4, 1, {0, 0, 0, 0}));
+  EXPECT_NE(errorOf(fileOf(scene, sections)).find("too long to derive"), std::string::npos);
 }
 
 TEST(SceneFile, NamesOfAMegabyteAreRefused) {

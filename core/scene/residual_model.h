@@ -1,0 +1,69 @@
+// Residuals of a prediction as bits for a range coder: a number is likely to be as large as its neighbours
+// were. One function writes and reads, so that the two cannot drift apart.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+#include "core/scene/range_coder.h"
+
+namespace fiatlux {
+
+class ResidualModel {
+ public:
+  /// What kOrdinary is to kDark, the caller decides: both learn apart.
+  enum Kind : std::uint32_t { kOrdinary = 0, kDark = 1 };
+
+  /// Writes `residual` (RangeEncoder) or reads it (RangeDecoder, which ignores the argument).
+  /// `activity`: about 32 times the size that is expected. `lean` 0..2: three kinds of sign.
+  template <class Coder>
+  std::int32_t code(Coder& coder, std::uint32_t activity, Kind kind, std::uint32_t lean,
+                    std::int32_t residual) {
+    // Contexts are half octaves of the activity; where large numbers are expected, low bits go apart.
+    const std::uint32_t scaled = std::min(activity, 0xffffffu) + 4;
+    const int width = std::bit_width(scaled);
+    const std::uint32_t half = scaled >> (width - 2) & 1;
+    const std::uint32_t context =
+        kind == kDark ? kContexts - 1
+                      : std::min(2 * static_cast<std::uint32_t>(width) + half - 6, kContexts - 2);
+    const int low = kind == kDark ? 0 : std::max(0, width - 7);
+
+    const std::uint32_t size =
+        residual < 0 ? 0u - static_cast<std::uint32_t>(residual) : static_cast<std::uint32_t>(residual);
+    std::uint32_t high = 0;
+    while (high < kSteps && coder.bit(steps_[context][high], size >> low > high)) ++high;
+    if (high == kSteps) high += escape(coder, (size >> low) - kSteps);
+    std::uint32_t coded = high << low;
+    if (low > 0) {
+      const bool top = coder.bit(top_[context][std::min(high, 1u)], size >> (low - 1) & 1);
+      coded |= static_cast<std::uint32_t>(top) << (low - 1);
+      coded |= coder.bits(low - 1, size & ((1u << (low - 1)) - 1));
+    }
+    if (coded == 0) return 0;
+    const bool negative = coder.bit(sign_[low == 0][lean], residual < 0);
+    return static_cast<std::int32_t>(negative ? 0u - coded : coded);
+  }
+
+ private:
+  /// Elias gamma: any 32-bit number.
+  template <class Coder>
+  static std::uint32_t escape(Coder& coder, std::uint32_t value) {
+    const std::uint64_t from = std::uint64_t{value} + 1;
+    const int extra = std::bit_width(from) - 1;
+    int count = 0;
+    while (count < 32 && coder.bits(1, count < extra)) ++count;
+    const std::uint64_t rest = from - (std::uint64_t{1} << extra);
+    const std::uint32_t low = coder.bits(count, static_cast<std::uint32_t>(rest));
+    return static_cast<std::uint32_t>((std::uint64_t{1} << count) + low - 1);
+  }
+
+  static constexpr std::uint32_t kContexts = 44, kSteps = 16;
+  std::array<std::array<AdaptiveBit, kSteps>, kContexts> steps_;
+  std::array<std::array<AdaptiveBit, 2>, kContexts> top_;
+  std::array<std::array<AdaptiveBit, 3>, 2> sign_;
+};
+
+}  // namespace fiatlux
