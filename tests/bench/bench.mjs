@@ -1,6 +1,7 @@
 /**
  * The figures of the program: one JSON object a line, and build/bench.jsonl anew. Native and Wasm run the same work in
  * batches that take turns; a figure is the median of the batches, `spread` the distance between their quartiles.
+ * The first row says on which machine and of which commit they are.
  *   node tests/bench/bench.mjs [name ...]      after `npm run build` and both builds of the benchmarks
  */
 import { spawn, spawnSync } from 'node:child_process';
@@ -10,6 +11,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync, inflateSync } from 'node:zlib';
 import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
+import { describeRun } from './machine.mjs';
 import { openSession } from './open-session.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -195,6 +197,7 @@ for (const name of wanted) {
   process.stderr.write(`bench: no figure "${name}"; there are ${Object.keys(figures).join(', ')}\n`);
   process.exit(2);
 }
+print(describeRun(root));
 for (const [name, measure] of Object.entries(figures)) {
   if (wanted.size === 0 || wanted.has(name)) await measure();
 }

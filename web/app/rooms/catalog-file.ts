@@ -25,6 +25,7 @@ export interface GalleryEntry {
   readonly description: string;
   readonly opening: OpeningWish | null; // null: what is asked of any room at first
   readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
+  readonly failed: boolean; // the server could not compute the room; progress is then where it ended
 }
 
 export interface Catalog {
@@ -71,7 +72,7 @@ const entry = v.pipe(
     description: v.optional(nameSchema),
     file: v.pipe(v.string(), v.regex(sceneFile, 'it is not the name of a .flux file in this folder')),
     opening: v.optional(opening),
-    state: v.optional(v.picklist(['ready', 'computing']), 'ready'),
+    state: v.optional(v.picklist(['ready', 'computing', 'failed']), 'ready'),
     progress: v.optional(number(0, 1), 0),
   }),
   v.transform(({ file, state, progress, description = '', ...rest }): GalleryEntry => ({
@@ -80,7 +81,8 @@ const entry = v.pipe(
     title: rest.title,
     description,
     opening: rest.opening ?? null,
-    progress: state === 'computing' ? progress : null,
+    progress: state === 'ready' ? null : progress,
+    failed: state === 'failed',
   })),
 );
 
@@ -97,9 +99,11 @@ export function readCatalog(file: unknown): Catalog | string {
 
 /** An experiment is ready when its room is. */
 function withRoomsProgress({ rooms, experiments }: Catalog): Catalog {
-  const progressOf = ({ room, progress }: GalleryEntry) =>
-    rooms.find((each) => each.room === room)?.progress ?? progress;
-  return { rooms, experiments: experiments.map((each) => ({ ...each, progress: progressOf(each) })) };
+  const ofRoom = (experiment: GalleryEntry) => {
+    const { progress, failed } = rooms.find(({ room }) => room === experiment.room) ?? experiment;
+    return { ...experiment, progress, failed };
+  };
+  return { rooms, experiments: experiments.map(ofRoom) };
 }
 
 function withId(card: Omit<OpeningCard, 'id'> & { id?: string | undefined }, index: number): OpeningCard {

@@ -62,13 +62,14 @@ export class Rooms {
       if (!this.isThere) this.fault.value = `The list of rooms could not be loaded: ${why}.`;
     }
     // A list that cannot be had again stays as it was; the next look may find it.
-    if (this.catalog.peek().rooms.some((entry) => entry.progress !== null))
+    if (this.catalog.peek().rooms.some((entry) => entry.progress !== null && !entry.failed))
       setTimeout(() => void this.#read(), pause);
     return this.isThere;
   }
 }
 
-/** "being computed, 40 %"; null where it is ready. */
-export function progressText({ progress }: GalleryEntry): string | null {
+/** "being computed, 40 %", or that it failed; null where it is ready. */
+export function progressText({ progress, failed }: GalleryEntry): string | null {
+  if (failed) return 'it could not be computed';
   return progress === null ? null : `being computed, ${Math.floor(progress * 100)} %`;
 }

@@ -47,7 +47,15 @@ describe('the list that is shipped', () => {
 describe("an owner's list", () => {
   test('needs a name, a title and a file', () => {
     expect(read({ rooms: [attic] }).rooms).toEqual([
-      { id: 'attic', room: 'attic', title: 'Attic', description: '', opening: null, progress: null },
+      {
+        id: 'attic',
+        room: 'attic',
+        title: 'Attic',
+        description: '',
+        opening: null,
+        progress: null,
+        failed: false,
+      },
     ]);
   });
 

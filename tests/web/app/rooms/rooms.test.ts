@@ -62,3 +62,15 @@ test('while the server computes a room the list is asked for again, until all ar
   await jest.advanceTimersByTimeAsync(60_000);
   expect(host.asked).toHaveLength(asked);
 });
+
+test('a room that could not be computed says so, and is not waited for', async () => {
+  const host = fakeHost({ 'e-corridor': { state: 'failed' } });
+  const rooms = new Rooms();
+  await rooms.load();
+  expect(progressText(rooms.entryOf('e-corridor')!)).toBe('it could not be computed');
+  expect(progressText(rooms.entryOf('5.1-even')!)).toBe('it could not be computed'); // it is in that room
+  expect(progressText(rooms.entryOf('office')!)).toBeNull();
+  const asked = host.asked.length;
+  await jest.advanceTimersByTimeAsync(60_000);
+  expect(host.asked).toHaveLength(asked);
+});

@@ -1,0 +1,48 @@
+// From sources to the command, the Wasm solver and the static site. What does not wait for one another goes side by side.
+import { existsSync } from 'node:fs';
+import { cpus } from 'node:os';
+import path from 'node:path';
+import { output, root, runBeside, say } from './processes.mjs';
+import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
+
+export const jobs = String(cpus().length);
+
+/** Builds targets of a preset, all without any. */
+export async function cmake(preset, targets = []) {
+  const env = { ...process.env };
+  if (preset === 'wasm') {
+    // Debian's Emscripten looks for acorn beside its own Node, which need not be the one that runs.
+    const acorn = output('dpkg', ['-L', 'node-acorn'])
+      .split('\n')
+      .find((line) => line.endsWith('/nodejs/acorn'));
+    if (acorn) env.NODE_PATH = path.dirname(acorn);
+  }
+  if (!existsSync(path.join(root, 'build', preset, 'build.ninja'))) {
+    say(`Configuring the ${preset} build`);
+    const launcher =
+      output('which', ['ccache']) && preset !== 'wasm' ? ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
+    await runBeside(preset, 'cmake', ['--preset', preset, '--log-level=WARNING', ...launcher], { env });
+  }
+  say(`Building ${preset}${targets.length ? `: ${targets.join(' ')}` : ''}`);
+  const wanted = targets.length ? ['--target', ...targets] : [];
+  await runBeside(preset, 'cmake', ['--build', '--preset', preset, '-j', jobs, ...wanted], { env });
+}
+
+/** dist/ anew: the page, and what public/ holds. */
+export async function site() {
+  say('Building the site');
+  await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
+}
+
+/** The command and the Wasm solver; then `afterWasm`, which need not wait for the command. */
+export async function programs(afterWasm = () => {}) {
+  recentNode();
+  const npm = npmPackages();
+  await systemPackages(packages.build);
+  const wasm = async () => {
+    await cmake('wasm', ['core_wasm']);
+    await npm;
+    await afterWasm();
+  };
+  await Promise.all([cmake('native', ['fiatlux']), wasm()]);
+}

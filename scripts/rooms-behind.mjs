@@ -1,0 +1,81 @@
+// Rooms that become ready while the page is open: made one after another, each put into the folder that is served, whose
+// list (scenes/catalog.json) says meanwhile how far they are.
+import { copyFile, rename } from 'node:fs/promises';
+import path from 'node:path';
+import { writeCatalog } from '../rooms/catalog-file.mjs';
+
+const pause = 1000; // ms at least from one progress in the list to the next
+
+export class RoomsBehind {
+  #folder;
+  #make;
+  #filesOf;
+  #tell;
+  #states = {};
+  #toldAt = -Infinity;
+  #writing = Promise.resolve();
+  #stopping = new AbortController();
+
+  /**
+   * `folder`: the scenes that are served. `make(room, { onProgress, signal })` makes a room, its files are then
+   * `filesOf(room)`. `tell(line)` is for who started the server.
+   */
+  constructor({ folder, make, filesOf, tell }) {
+    this.#folder = folder;
+    this.#make = make;
+    this.#filesOf = filesOf;
+    this.#tell = tell;
+  }
+
+  /** Says in the list which rooms are not ready yet. */
+  async announce(rooms) {
+    for (const { id } of rooms) this.#states[id] = { state: 'computing', progress: 0 };
+    await this.#write();
+  }
+
+  /** Makes rooms in their order. One that fails is told once, and the next one has its turn. */
+  async makeAll(rooms) {
+    for (const room of rooms) if (!this.#stopping.signal.aborted) await this.#makeOne(room);
+  }
+
+  /** Ends what is being made; makeAll() resolves when nothing is left of it. */
+  stop() {
+    this.#stopping.abort();
+  }
+
+  async #makeOne(room) {
+    const { id } = room;
+    const start = Date.now();
+    const { signal } = this.#stopping;
+    try {
+      await this.#make(room, { signal, onProgress: (share) => this.#progress(id, share) });
+      for (const file of this.#filesOf(room)) await this.#serve(file);
+      delete this.#states[id];
+      this.#tell(`${id} is ready, after ${Math.round((Date.now() - start) / 1000)} s`);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#states[id] = { state: 'failed' };
+      this.#tell(`${id} could not be computed: ${error.message}`);
+    }
+    await this.#write();
+  }
+
+  /** A page that asks meanwhile gets all of the file or none of it. */
+  async #serve(file) {
+    const target = path.join(this.#folder, path.basename(file));
+    await copyFile(file, `${target}.tmp`);
+    await rename(`${target}.tmp`, target);
+  }
+
+  #progress(id, progress) {
+    this.#states[id] = { state: 'computing', progress };
+    if (performance.now() - this.#toldAt < pause) return;
+    this.#toldAt = performance.now();
+    void this.#write();
+  }
+
+  #write() {
+    this.#writing = this.#writing.then(() => writeCatalog(this.#folder, this.#states));
+    return this.#writing;
+  }
+}

@@ -1,0 +1,111 @@
+// The sample rooms: which of them are stale, and from generator to scene file. A room's model and scene are in
+// public/scenes, keys of what they were made of in build/stamps.
+import { mkdir, rm, writeFile } from 'node:fs/promises';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { catalog } from '../rooms/catalog.mjs';
+import { writeCatalog } from '../rooms/catalog-file.mjs';
+import { root, run, runToEnd, say } from './processes.mjs';
+import { roomKeys } from './staleness.mjs';
+
+export const scenes = path.join(root, 'public', 'scenes');
+
+const stampOf = (kind, id) => path.join(root, 'build', 'stamps', `${kind}-${id}`);
+const modelOf = (id) => path.join(scenes, `${id}.glb`);
+const sceneOf = (id) => path.join(scenes, `${id}.flux`);
+
+/** All files of the folders that a room may come from. */
+function sources() {
+  return ['core', 'precompute', 'rooms'].flatMap((top) =>
+    readdirSync(path.join(root, top), { recursive: true }).map((name) => path.posix.join(top, name)),
+  );
+}
+
+/** Rooms in the order of the catalogue, each with its keys and with what of it is as these say. */
+export function sampleRooms() {
+  const keys = roomKeys({
+    files: sources(),
+    read: (file) => readFileSync(path.join(root, file), 'utf8'),
+    catalog,
+  });
+  const isFresh = (kind, { id, file, key }) =>
+    existsSync(file) && existsSync(stampOf(kind, id)) && readFileSync(stampOf(kind, id), 'utf8') === key;
+  return catalog.map(({ id, precompute }) => {
+    const { model, scene } = keys.get(id);
+    const hasModel = isFresh('model', { id, file: modelOf(id), key: model });
+    const hasScene = isFresh('scene', { id, file: sceneOf(id), key: scene });
+    return { id, precompute, keys: { model, scene }, hasModel, isReady: hasModel && hasScene };
+  });
+}
+
+/** The list of rooms, and no scene that is not what it should be: what the site is built from. */
+export async function tidyScenes(rooms) {
+  await mkdir(scenes, { recursive: true });
+  await writeCatalog(scenes);
+  for (const { id, isReady } of rooms) if (!isReady) await rm(sceneOf(id), { force: true });
+}
+
+async function stamp(kind, { id, keys }) {
+  await mkdir(path.dirname(stampOf(kind, id)), { recursive: true });
+  await writeFile(stampOf(kind, id), keys[kind]);
+}
+
+const makeModel = ({ id }) => ['rooms/make.mjs', id];
+const precompute = ({ id, precompute: options }) => [
+  'precompute',
+  path.relative(root, modelOf(id)),
+  '-o',
+  path.relative(root, sceneOf(id)),
+  ...options,
+];
+
+/** Makes what is stale, one room after another, the output shown; ends the script where one fails. */
+export async function makeAll(rooms) {
+  await tidyScenes(rooms);
+  for (const room of rooms) {
+    if (!room.hasModel) {
+      run('node', makeModel(room));
+      await stamp('model', room);
+    }
+    if (room.isReady) continue;
+    say(`Precomputing the light of ${room.id}`);
+    run('build/fiatlux', precompute(room));
+    await stamp('scene', room);
+  }
+}
+
+// Where in a run its stages stand, as shares of the time that they took in the sample rooms.
+export const stages = { 'form factors': [0, 0.55], 'direct light': [0.55, 0.87], interreflection: [0.87, 1] };
+
+/** Share of a precompute that is done, from a line of its progress; null where it says nothing of that. */
+export function shareOf(line) {
+  const [, stage, percent] = /^(.+): (\d+) %$/.exec(line) ?? [];
+  if (!Object.hasOwn(stages, stage ?? '')) return null;
+  const [from, to] = stages[stage];
+  return from + ((to - from) * Math.min(100, Number(percent))) / 100;
+}
+
+/** Runs a program behind others; rejects with the last thing that it said where it fails. */
+async function runBehind(command, args, { onProgress, signal }) {
+  let last = '';
+  const onLine = (line) => {
+    const share = shareOf(line);
+    if (share === null) last = line;
+    else onProgress(share);
+  };
+  const { status, error } = await runToEnd(command, args, { onLine, signal, niceness: 10 });
+  if (status !== 0) throw new Error(error?.message ?? (last || `${command} ended with status ${status}`));
+}
+
+/** Makes what of a room is stale, behind everything else. `onProgress` gets shares of 1, `signal` stops it. */
+export async function makeBehind(room, watch) {
+  if (!room.hasModel) {
+    await runBehind('node', makeModel(room), watch);
+    await stamp('model', room);
+  }
+  await runBehind('build/fiatlux', precompute(room), watch);
+  await stamp('scene', room);
+}
+
+/** The files of a room that a site serves. */
+export const filesOf = ({ id }) => [modelOf(id), sceneOf(id)];

@@ -1,0 +1,64 @@
+// npm start: a page with one room as soon as can be, the other rooms behind it.
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { programs, site } from './build.mjs';
+import { root, say } from './processes.mjs';
+import { RoomsBehind } from './rooms-behind.mjs';
+import { filesOf, makeBehind, sampleRooms, tidyScenes } from './sample-rooms.mjs';
+import { recentNode } from './set-up.mjs';
+
+const quickest = 'box'; // takes seconds where others take minutes
+
+/** The rooms that are not ready in the order in which they are made: the quickest first where there is none to show. */
+export function queueOf(rooms) {
+  const stale = rooms.filter(({ isReady }) => !isReady);
+  const first = stale.length < rooms.length ? undefined : stale.find(({ id }) => id === quickest);
+  return first ? [first, ...stale.filter((room) => room !== first)] : stale;
+}
+
+export async function start() {
+  const signals = ['SIGINT', 'SIGTERM', 'SIGHUP'];
+  const leave = () => process.exit(130);
+  for (const signal of signals) process.on(signal, leave);
+
+  recentNode();
+  const rooms = sampleRooms();
+  await tidyScenes(rooms);
+  await programs(site);
+
+  const behind = new RoomsBehind({
+    folder: path.join(root, 'dist', 'scenes'),
+    make: makeBehind,
+    filesOf,
+    tell: say,
+  });
+  const queue = queueOf(rooms);
+  await behind.announce(queue);
+  if (queue.length === rooms.length) {
+    const [first] = queue.splice(0, 1);
+    say(`Precomputing the light of ${first.id}`);
+    await behind.makeAll([first]);
+  }
+
+  await serve();
+  if (queue.length > 0) say(`Being computed behind it: ${queue.map(({ id }) => id).join(', ')}`);
+  const made = behind.makeAll(queue);
+  for (const signal of signals) {
+    process.off(signal, leave);
+    process.on(signal, () => {
+      behind.stop();
+      void made.then(() => process.exit(0));
+    });
+  }
+}
+
+async function serve() {
+  const require = createRequire(import.meta.url);
+  const { preview } = await import(require.resolve('vite'));
+  const server = await preview({
+    root: path.join(root, 'web'),
+    configFile: path.join(root, 'vite.config.js'),
+  });
+  say('Fiat Lux is served at');
+  server.printUrls();
+}

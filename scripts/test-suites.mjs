@@ -1,0 +1,76 @@
+// What `npm test` runs when everything is built.
+import { spawnSync } from 'node:child_process';
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import path from 'node:path';
+import { jobs } from './build.mjs';
+import { root, say } from './processes.mjs';
+
+/** Each suite shows its own output and returns what it counted. */
+export const testSuites = {
+  /** One test a tool: it has nothing to say, or it shows what. */
+  lint() {
+    say('oxlint, tsc, prettier');
+    const tools = [
+      ['oxlint', '--deny-warnings', 'web', 'rooms', 'scripts', 'tests'],
+      ['tsc', '--noEmit'],
+      ['prettier', '--check', '--log-level', 'warn', '.'],
+    ];
+    const clean = (tool) => spawnSync('npx', tool, { cwd: root, stdio: 'inherit' }).status === 0;
+    const passed = tools.filter(clean).length;
+    return { passed, failed: tools.length - passed };
+  },
+
+  native: () => ctest('build/native'),
+  wasm: () => ctest('build/wasm'),
+
+  jest() {
+    say('Jest');
+    const report = path.join(root, 'build', 'jest.json');
+    rmSync(report, { force: true });
+    const flags = ['--experimental-vm-modules', '--disable-warning=ExperimentalWarning'];
+    spawnSync('node', [...flags, 'node_modules/jest/bin/jest.js', '--json', `--outputFile=${report}`], {
+      cwd: root,
+      stdio: ['ignore', 'ignore', 'inherit'],
+    });
+    if (!existsSync(report)) return { passed: 0, failed: 1 };
+    const result = JSON.parse(readFileSync(report, 'utf8'));
+    return {
+      passed: result.numPassedTests,
+      failed: result.numFailedTests + result.numRuntimeErrorTestSuites + (result.numTotalTests === 0 ? 1 : 0),
+    };
+  },
+
+  browser() {
+    say('Playwright in Chromium');
+    const report = path.join(root, 'build', 'playwright.json');
+    rmSync(report, { force: true });
+    spawnSync('npx', ['playwright', 'test', '--reporter=list,json'], {
+      cwd: root,
+      stdio: 'inherit',
+      env: { ...process.env, PLAYWRIGHT_JSON_OUTPUT_NAME: report },
+    });
+    if (!existsSync(report)) return { passed: 0, failed: 1 };
+    const { expected, unexpected, flaky } = JSON.parse(readFileSync(report, 'utf8')).stats;
+    return { passed: expected, failed: unexpected + flaky + (expected + unexpected === 0 ? 1 : 0) };
+  },
+};
+
+/** Tests of a build folder; only how they ended is shown where all is well. */
+export function ctest(folder) {
+  say(`GoogleTest: ${folder}`);
+  const result = spawnSync(
+    'ctest',
+    ['--test-dir', folder, '--output-on-failure', '-j', jobs, '--no-tests=error'],
+    {
+      cwd: root,
+      encoding: 'utf8',
+      maxBuffer: 1 << 28,
+    },
+  );
+  const text = `${result.stdout}${result.stderr}`;
+  process.stdout.write(result.status === 0 ? text.slice(text.lastIndexOf('\n\n')) : text);
+  const closing = /(\d+) tests failed out of (\d+)/.exec(text);
+  if (!closing) return { passed: 0, failed: 1 };
+  const failed = Number(closing[1]);
+  return { passed: Number(closing[2]) - failed, failed: failed || (result.status === 0 ? 0 : 1) };
+}
