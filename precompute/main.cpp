@@ -5,6 +5,7 @@
 #include <new>
 
 #include "precompute/base/error.h"
+#include "precompute/base/version.h"
 #include "precompute/commands/commands.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/terminal.h"
@@ -12,7 +13,7 @@
 int main(int argc, char** argv) {
   CLI::App app{"Say what the light in a room should do; the luminaires find their places."};
   app.name("fiatlux");
-  app.set_version_flag("--version", "fiatlux 1.0.0");
+  app.set_version_flag("--version", fiatlux::programVersion());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return "fiatlux: " + fiatlux::printable(error.what(), 1000) + " (--help lists what there is)\n";

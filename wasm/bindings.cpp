@@ -144,6 +144,69 @@ val info(const Session& session) {
 
 // --- intentions
 
+// note: an enumerator without a name here is an error, so that the page cannot take one number for another.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wswitch"
+const char* nameOf(Statistic statistic) {
+  switch (statistic) {
+    case Statistic::kMean:
+      return "mean";
+    case Statistic::kSigma:
+      return "sigma";
+    case Statistic::kPower:
+      return "power";
+    case Statistic::kChebyshev:
+      return "chebyshev";
+    case Statistic::kMinimum:
+      return "minimum";
+    case Statistic::kMaximum:
+      return "maximum";
+    case Statistic::kUniformity:
+      return "uniformity";
+    case Statistic::kContrast:
+      return "contrast";
+  }
+  return nullptr;
+}
+
+const char* nameOf(Sense sense) {
+  switch (sense) {
+    case Sense::kMinimize:
+      return "min";
+    case Sense::kMaximize:
+      return "max";
+  }
+  return nullptr;
+}
+
+const char* nameOf(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kIlluminance:
+      return "illuminance";
+    case Quantity::kExitance:
+      return "exitance";
+  }
+  return nullptr;
+}
+#pragma GCC diagnostic pop
+
+/// The page's words in the order of their numbers, which are those of the enum.
+template <class E>
+val namesOf() {
+  val names = val::array();
+  for (std::uint8_t code = 0; const char* name = nameOf(static_cast<E>(code)); ++code)
+    names.set(code, std::string(name));
+  return names;
+}
+
+val codes() {
+  val result = val::object();
+  result.set("statistic", namesOf<Statistic>());
+  result.set("sense", namesOf<Sense>());
+  result.set("quantity", namesOf<Quantity>());
+  return result;
+}
+
 template <class E>
 E enumOf(const val& object, const char* key) {
   return static_cast<E>(object[key].as<int>());
@@ -281,6 +344,7 @@ val advanceBound(Session& session, std::uint32_t steps) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
+  emscripten::function("codes", &codes);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "precompute/base/version.h"
+
 namespace fiatlux {
 namespace {
 
@@ -82,7 +84,7 @@ double lostShare(const Room& room, const Transport& transport) {
 std::string provenanceOf(const Account& account) {
   const auto& [source, options, room, report, ranks, seconds] = account;
   Json json;
-  json["program"] = "fiatlux 1.0.0";
+  json["program"] = programVersion();
   json["method"] = kMethodVersion;
   json["source"] = {{"file", source.substr(source.rfind('/') + 1)}, {"hash", room.sourceHash}};
   json["patchSize"] = room.patchSize;

@@ -1,4 +1,6 @@
 // Intentions, luminaires and history, by pointer: the light follows while the pointer is held.
+// Covers intentions-tab, intention-card, card-more, card-guarantee, infeasible-help, histogram, mean-range,
+// selection-bar, luminaires-tab, luminaire-hand, luminaire-tags, luminaire-objects, site-marks.
 import type { Locator, Page } from '@playwright/test';
 import {
   canvas,
@@ -202,6 +204,18 @@ test('what cannot be placed is told once, with a way back, and forgotten when it
   await refusals.getByRole('button', { name: 'Undo' }).click();
   await expect(apart).toHaveValue('0');
   await expect(refusals).toHaveCount(0);
+});
+
+test('what cannot be met is named, and one click asks for what can', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await page.getByRole('textbox', { name: /mean at least/ }).fill('90000');
+  await page.getByRole('textbox', { name: /mean at least/ }).press('Enter');
+  const help = page.getByRole('region', { name: 'What cannot be met' });
+  await expect(help).toContainText(/mean at least 90.000 lx, the best found has/);
+  await help.getByRole('button', { name: /^Ask for/ }).click();
+  await expect(help).toHaveCount(0);
+  await settled(page);
+  await expect(help).toHaveCount(0);
 });
 
 test('a bound far beyond the light leaves the histogram its shape', async ({ page }) => {

@@ -1,4 +1,5 @@
 // Files by button and by drop: scenes open, a .glb is shown with its command, damaged files leave what is there.
+// Covers opening-files, drop-zone, menu, legend-picture, preview-note.
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from '@playwright/test';

@@ -1,4 +1,5 @@
 // What the browser keeps: the work outlives a reload at any moment, other tabs, and a look at somebody's link.
+// Covers keeping, about-room.
 import type { Page } from '@playwright/test';
 import { expect, openApp, openRoom, settled, status, tab, test } from './app.ts';
 

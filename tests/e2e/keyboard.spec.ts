@@ -1,4 +1,5 @@
 // Without a pointer: every control has its turn, the palette and help open by key, luminaires move by arrows.
+// Covers panel, top-bar, palette, luminaire-list, keyboard, view-input.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import type { Page } from '@playwright/test';

@@ -1,4 +1,5 @@
 // Links: the same layout and numbers in another page; damaged ones give one readable line and a clean start.
+// Covers share-dialog, opening.
 import { deflateRawSync, inflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { crc32, fromBase64Url, toBase64Url } from '../../web/document/base64url.ts';

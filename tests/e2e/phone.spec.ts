@@ -1,4 +1,5 @@
 // A phone in the hand: nothing is clipped, the room stays in sight, everything is done by fingers.
+// Covers camera-rig, pointer-input, view-input, slider, use-sheet.
 import type { CDPSession, Page } from '@playwright/test';
 import {
   canvas,

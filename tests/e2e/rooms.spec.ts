@@ -1,4 +1,6 @@
 // What a person sees first: a lit, solved room; every room and experiment of the gallery.
+// Covers viewer, camera-rig, room-mesh, room-light, light-material, luminaire-materials, surface-outline,
+// emphasis, picking; stage, view-toolbar, legend, gallery-dialog, surface-table, results-tab, alpha-plot.
 import {
   canvas,
   difference,
@@ -44,6 +46,19 @@ test('an experiment of the paper states its bounds and meets them', async ({ pag
   await expect(card.getByRole('img', { name: 'met', exact: true })).toBeVisible();
   await expect(card.getByRole('textbox', { name: /mean at least/ })).not.toHaveValue('');
   await expect(page.getByRole('button', { name: /Exitance/ })).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('the smallest alpha is found, step by step, and becomes the one of the card', async ({ page }) => {
+  await openRoom(page, '5.4 Find alpha');
+  await page.getByRole('button', { name: 'Find alpha', exact: true }).click();
+  const plot = page.getByRole('figure').filter({ hasText: 'iteration' });
+  await expect(plot.locator('figcaption')).toContainText(/^α = /, { timeout: 60_000 });
+  const alpha = /α = ([\d.]+\d)/.exec(await plot.locator('figcaption').innerText())![1];
+  expect(await plot.locator('circle').count()).toBeGreaterThan(1);
+  await settled(page);
+  await expect(page.getByRole('textbox', { name: /alpha/i })).toHaveValue(
+    new RegExp(`^${Number(alpha).toFixed(1)}`),
+  );
 });
 
 test('false colour, views and cut-away change the picture', async ({ page }) => {

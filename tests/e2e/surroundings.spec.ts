@@ -1,4 +1,5 @@
 // What happens around the app: any folder of any host under a strict policy, a lost graphics card, a dead worker.
+// Covers shell, the viewer's stage, rooms, solver-client.
 import { createReadStream, existsSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';

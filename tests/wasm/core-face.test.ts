@@ -1,7 +1,13 @@
 /** The TypeScript face (web/solver/core.ts) against the module as it was built. */
 import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
-import { sessionMethods, type Session } from '../../web/solver/core.ts';
+import {
+  quantityCodes,
+  senseCodes,
+  sessionMethods,
+  statisticCodes,
+  type Session,
+} from '../../web/solver/core.ts';
 import { bytesOf, loadBuiltCore, openFile, syntheticFile } from './solver-module.ts';
 
 const core = await loadBuiltCore();
@@ -19,6 +25,15 @@ const even = {
   goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }],
   constraints: [{ statistic: 'mean', min: 1, surfaces: ['floor'] }],
 } as const;
+
+test("numbers stand for the page's words: none is missing, none is another", () => {
+  const { statistic, sense, quantity } = core.codes();
+  const inOrder = (codes: Readonly<Record<string, number>>) =>
+    Object.keys(codes).sort((a, b) => codes[a]! - codes[b]!);
+  expect(statistic).toEqual(inOrder(statisticCodes));
+  expect(sense).toEqual(inOrder(senseCodes));
+  expect(quantity).toEqual(inOrder(quantityCodes));
+});
 
 describe('every method', () => {
   test('of the module is declared, and the other way round', () => {

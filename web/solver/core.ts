@@ -80,7 +80,7 @@ export interface BoundProgress {
   readonly gap: number | null; // the best possible is better than the incumbent by at most this share; null = unknown
 }
 
-/** The order of core/search/intentions.h. */
+/** The numbers of the core's enums; a module that counts otherwise is refused when it is loaded. */
 export const statisticCodes = {
   mean: 0,
   sigma: 1,
@@ -188,6 +188,14 @@ export const sessionMethods = {
   delete: 0,
 } as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
 
+/** The words that the core's numbers stand for, in the order of the numbers. */
+export interface CoreCodes {
+  readonly statistic: readonly string[];
+  readonly sense: readonly string[];
+  readonly quantity: readonly string[];
+}
+
 export interface CoreModule {
+  codes(): CoreCodes;
   readonly Session: new () => Session;
 }

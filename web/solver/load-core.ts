@@ -1,7 +1,7 @@
 /**
  * Loads the Wasm module: from an address while it downloads (the worker), or from bytes (tests under Node).
  */
-import { sessionMethods, type CoreModule } from './core.ts';
+import { quantityCodes, senseCodes, sessionMethods, statisticCodes, type CoreModule } from './core.ts';
 import createCore from './core.mjs';
 
 const misfit = 'core.wasm does not fit this page: build both again with npm run build';
@@ -18,12 +18,20 @@ export async function loadCore(source: URL | Uint8Array<ArrayBuffer>): Promise<C
   return fitting(core);
 }
 
-/** The module, where it has every method that the page calls; an older one is refused at once and by name. */
+/** The module, where it has every method that the page calls and counts as the page does; another is refused at once. */
 export function fitting(core: CoreModule): CoreModule {
   const methods: Record<string, unknown> = core.Session.prototype;
-  if (Object.keys(sessionMethods).some((name) => typeof methods[name] !== 'function'))
-    throw new Error(misfit);
+  const hasMethods = Object.keys(sessionMethods).every((name) => typeof methods[name] === 'function');
+  if (!hasMethods || !countsAlike(core)) throw new Error(misfit);
   return core;
+}
+
+function countsAlike(core: CoreModule): boolean {
+  if (typeof core.codes !== 'function') return false; // of an older build
+  const { statistic, sense, quantity } = core.codes();
+  const isSame = (names: readonly string[], codes: Readonly<Record<string, number>>) =>
+    names.length === Object.keys(codes).length && names.every((name, code) => codes[name] === code);
+  return isSame(statistic, statisticCodes) && isSame(sense, senseCodes) && isSame(quantity, quantityCodes);
 }
 
 type InstantiateWasm = (

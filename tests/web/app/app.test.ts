@@ -1,4 +1,5 @@
 // The app with a pretended worker and view: what is asked, what is shown, and in which order.
+// Covers app, actions, hand, showing, solving, store, opening, opening-files, placing.
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
 import { actions } from '../../../web/app/actions.ts';
 import { App } from '../../../web/app/app.ts';

@@ -1,16 +1,29 @@
 /** A module of another build than the page: one line that says what it is and what to do. */
 import { afterEach, expect, test } from '@jest/globals';
-import { sessionMethods, type CoreModule } from '../../../web/solver/core.ts';
+import {
+  quantityCodes,
+  senseCodes,
+  sessionMethods,
+  statisticCodes,
+  type CoreCodes,
+  type CoreModule,
+} from '../../../web/solver/core.ts';
 import { fitting, loadCore } from '../../../web/solver/load-core.ts';
 
 const misfit = /^core\.wasm does not fit this page: build both again with npm run build$/;
 const realFetch = globalThis.fetch;
 afterEach(() => void (globalThis.fetch = realFetch));
 
-function moduleWith(names: readonly string[]): CoreModule {
+const codes: CoreCodes = {
+  statistic: Object.keys(statisticCodes),
+  sense: Object.keys(senseCodes),
+  quantity: Object.keys(quantityCodes),
+};
+
+function moduleWith(names: readonly string[], counts: CoreCodes | null = codes): CoreModule {
   class Session {}
   for (const name of names) Object.defineProperty(Session.prototype, name, { value: () => '' });
-  return { Session } as unknown as CoreModule;
+  return { Session, ...(counts && { codes: () => counts }) } as unknown as CoreModule;
 }
 
 test('every method that the page calls must be there', () => {
@@ -19,6 +32,16 @@ test('every method that the page calls must be there', () => {
   expect(fitting(whole)).toBe(whole);
   for (const missing of names)
     expect(() => fitting(moduleWith(names.filter((name) => name !== missing)))).toThrow(misfit);
+});
+
+test.each([
+  ['in another order', { ...codes, statistic: [...codes.statistic].reverse() }],
+  ['with one more', { ...codes, statistic: [...codes.statistic, 'median'] }],
+  ['with one less', { ...codes, quantity: ['illuminance'] }],
+  ['by other words', { ...codes, sense: ['least', 'most'] }],
+  ['not at all, being older', null],
+])('a module that counts %s is refused', (_, counts) => {
+  expect(() => fitting(moduleWith(Object.keys(sessionMethods), counts))).toThrow(misfit);
 });
 
 test('a module that wants what the glue does not have is refused with the same line', async () => {

@@ -1,4 +1,7 @@
-/** Messages in, answers out: the protocol, latest wins, pace. */
+/**
+ * Messages in, answers out: the protocol, latest wins, pace.
+ * Covers search-job, search-task, alpha-task, bound-task, core-intentions.
+ */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { pace } from '../../../web/solver/pacing.ts';

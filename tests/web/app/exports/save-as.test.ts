@@ -1,0 +1,64 @@
+/** What the work is saved as: every format of the table, under the room's name, and what is said where it fails. Covers formats. */
+import { beforeEach, expect, test } from '@jest/globals';
+import type { App } from '../../../../web/app/app.ts';
+import { exportFormats } from '../../../../web/app/exports/formats.ts';
+import { fileStem, saveAs } from '../../../../web/app/exports/save-as.ts';
+import { Store } from '../../../../web/app/state/store.ts';
+import { readProject } from '../../../../web/document/project-file.ts';
+import { fakeScene } from '../../fake-solver.ts';
+import { sampleDocument } from '../../sample-rooms.ts';
+
+const layout = { sites: [0, 5], flux: [1200, 600], dimming: 0.5 };
+let saved: { name: string; blob: Blob }[];
+let app: App;
+
+beforeEach(() => {
+  saved = [];
+  const blobs: Blob[] = [];
+  URL.createObjectURL = (blob) => `blob:${blobs.push(blob as Blob) - 1}`;
+  URL.revokeObjectURL = () => undefined;
+  const anchor = () => ({
+    href: '',
+    download: '',
+    click() {
+      saved.push({ name: this.download, blob: blobs[Number(this.href.slice('blob:'.length))]! });
+    },
+  });
+  Object.defineProperty(globalThis, 'document', { value: { createElement: anchor }, configurable: true });
+  const store = new Store();
+  store.roomTitle.value = 'Büro 2 (Süd)';
+  store.scene.value = fakeScene();
+  store.reset({ ...sampleDocument('0', 'office'), layout });
+  const project = () => ({ document: store.document.peek(), camera: null, display: null });
+  const keeping = { layout: () => store.document.peek().layout, project };
+  const viewer = { png: async () => new Blob(['picture'], { type: 'image/png' }) };
+  app = { store, keeping, viewer } as unknown as App;
+});
+
+test('each format is a file of its kind', async () => {
+  for (const format of exportFormats) await saveAs(format, app);
+  expect(saved.map(({ name, blob }) => [name, blob.type])).toEqual([
+    ['b-ro-2-s-d.fiatlux.json', 'application/json'],
+    ['b-ro-2-s-d.png', 'image/png'],
+    ['b-ro-2-s-d-luminaires.csv', 'text/csv'],
+    ['b-ro-2-s-d-luminaires.gltf', 'model/gltf+json'],
+  ]);
+  const [project, , csv, gltf] = await Promise.all(saved.map(({ blob }) => blob.text()));
+  expect(readProject(project!)).toMatchObject({ document: { room: 'office', layout } });
+  expect(csv).toContain('L2,1.000,3.000,1.000,300.0');
+  expect(JSON.parse(gltf!).nodes).toHaveLength(2);
+});
+
+test('one that cannot be made is told by its name, and nothing is saved', async () => {
+  app.store.scene.value = null;
+  for (const format of exportFormats.slice(2)) await saveAs(format, app);
+  expect(saved).toEqual([]);
+  expect(app.store.messages.value.map(({ text }) => text)).toEqual([
+    'The table could not be made: no layout is shown yet',
+    'The glTF file could not be made: no layout is shown yet',
+  ]);
+});
+
+test('a title without a letter still gives a name', () => {
+  expect(['Open office', '  ', '部屋'].map(fileStem)).toEqual(['open-office', 'room', 'room']);
+});

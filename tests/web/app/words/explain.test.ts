@@ -1,0 +1,45 @@
+/** What cannot be met, and goals that contradict each other. */
+import { expect, test } from '@jest/globals';
+import {
+  bindingBounds,
+  easedCards,
+  fluxThatWouldDo,
+  opposedCards,
+} from '../../../../web/app/words/explain.ts';
+import { documentFrom } from '../../../../web/app/rooms/opening-wish.ts';
+import { intentionsOf } from '../../../../web/document/intentions.ts';
+import type { Card, Verb } from '../../../../web/document/types.ts';
+
+test('what cannot be met is named with the bound that could', () => {
+  const card: Card = { id: 'c', surfaces: ['floor'], verb: 'keep', weight: 1, mean: { min: 300, max: 400 } };
+  const asked = { cards: [card], saving: false, quantity: 'illuminance', seed: 1 } as const;
+  const luminaires = {
+    count: 2,
+    flux: 1000,
+    dimming: [1, 1],
+    pinned: [],
+    excluded: [],
+    minDistance: 0,
+  } as const;
+  const document = documentFrom({ ...asked, luminaires }, '', 'box');
+  const { origins } = intentionsOf(document);
+  const results = [
+    { value: 150, met: false, violation: 0.5, margin: -0.5 },
+    { value: 150, met: true, violation: 0, margin: 0.6 },
+  ];
+  const bounds = bindingBounds(document, origins, results);
+  expect(bounds).toMatchObject([{ field: 'mean.min', asked: 300, reached: 150, eased: 149 }]);
+  expect(easedCards(document.cards, bounds)[0]?.mean).toEqual({ min: 149, max: 400 });
+  expect(fluxThatWouldDo(document, bounds)).toBe(2010);
+  expect(fluxThatWouldDo(document, [])).toBeNull();
+});
+
+test('goals that pull the same surfaces in opposite directions are named', () => {
+  const card = (id: string, verb: Verb, surfaces: string[], weight = 1) => ({ id, verb, surfaces, weight });
+  const pairs = (...cards: Card[]) => opposedCards(cards).map((pair) => pair.map(({ id }) => id));
+  const up = card('up', 'illuminate', ['floor', 'wall']);
+  expect(pairs(card('down', 'overshadow', ['wall', 'floor']), up)).toEqual([['up', 'down']]);
+  expect(pairs(up, card('down', 'overshadow', ['wall']))).toEqual([]);
+  expect(pairs(up, card('down', 'overshadow', ['wall', 'floor'], 0))).toEqual([]);
+  expect(pairs(up, card('vary', 'vary', ['floor', 'wall']))).toEqual([]);
+});

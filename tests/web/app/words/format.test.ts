@@ -1,0 +1,59 @@
+/** Numbers as people read them. */
+import { expect, test } from '@jest/globals';
+import {
+  compact,
+  duration,
+  easedBound,
+  niceCeiling,
+  niceStep,
+  percent,
+  percentAtMost,
+  tabular,
+} from '../../../../web/app/words/format.ts';
+
+test('a proved gap is never told smaller than it is', () => {
+  expect([0, 0.0001, 0.0084, 0.05, 0.0992, 0.0996, 0.189].map(percentAtMost)).toEqual([
+    '0.0 %',
+    '0.1 %',
+    '0.9 %',
+    '5.0 %',
+    '10.0 %',
+    '10 %',
+    '19 %',
+  ]);
+});
+
+test('times in the unit that keeps them short', () => {
+  expect([0.84, 42.4, 999.4, 2818].map(duration)).toEqual(['0.8 ms', '42 ms', '999 ms', '2.8 s']);
+});
+
+test('numbers in three digits, on round scales', () => {
+  expect([0, 0.0123, 1.234, 12.34, 123.4, 1234.5].map(compact)).toEqual([
+    '0',
+    '0.0123',
+    '1.23',
+    '12.3',
+    '123',
+    '1\u202f235',
+  ]);
+  expect([0, 0.0004, 0.0979, 0.996, 1.03, 606].map(tabular)).toEqual([
+    '0',
+    '< 0.01',
+    '0.10',
+    '1.00',
+    '1.03',
+    '606',
+  ]);
+  expect([0, 0.0004, 0.052, 0.5, 1].map(percent)).toEqual(['0.0 %', '< 0.1 %', '5.2 %', '50 %', '100 %']);
+  expect([0.7, 1, 12, 130, 999].map(niceCeiling)).toEqual([0.8, 1, 15, 150, 1000]);
+  expect([200, 1000, 30].map(niceStep)).toEqual([1, 5, 0.2]);
+});
+
+test('an eased bound can be met by what is reached', () => {
+  for (const value of [0.123456, 9.999, 285.3, 1234.5, 31.4159]) {
+    expect(easedBound(value, 'min')).toBeLessThan(value);
+    expect(easedBound(value, 'max')).toBeGreaterThan(value);
+    expect(easedBound(value, 'min')).toBeGreaterThan(value * 0.985);
+    expect(easedBound(value, 'max')).toBeLessThan(value * 1.015);
+  }
+});

@@ -1,0 +1,42 @@
+/** Project files: there and back, and everything that is none. */
+import { describe, expect, test } from '@jest/globals';
+import { sampleDocument } from '../sample-rooms.ts';
+import { readProject, writeProject, type Project } from '../../../web/document/project-file.ts';
+import { fakeScene } from '../fake-solver.ts';
+
+const scene = fakeScene();
+
+const layout = { sites: [0, 5], flux: [1200, 600], dimming: 0.5 };
+
+describe('a project file', () => {
+  const document = { ...sampleDocument(scene.identity, 'box'), layout };
+  const project: Project = { document, camera: null, display: null };
+
+  test('comes back as it went', () => {
+    expect(readProject(writeProject(project))).toEqual(project);
+  });
+
+  test.each([
+    ['no JSON', 'hello', /not JSON/],
+    ['other JSON', '{"a":1}', /not a Fiat Lux project/],
+    ['null', 'null', /not a Fiat Lux project/],
+    ['JSON thirty thousand deep', '['.repeat(30_000) + ']'.repeat(30_000), /not a Fiat Lux project/],
+    ['nine megabytes', ' '.repeat(9 << 20), /too large/],
+    [
+      'a flux beyond numbers',
+      writeProject(project).replace(/"flux": \d+/, '"flux": 1e999'),
+      /not a Fiat Lux/,
+    ],
+    ['a newer version', writeProject(project).replace('"version": 1', '"version": 99'), /newer/],
+    [
+      'sites without fluxes',
+      writeProject({ ...project, document: { ...document, layout: { ...layout, flux: [] } } }),
+      /differ/,
+    ],
+  ])('%s: one readable line', (_, text, message) => {
+    const read = readProject(text);
+    expect(typeof read).toBe('string');
+    expect(read).toMatch(message);
+    expect(String(read).split('\n')).toHaveLength(1);
+  });
+});

@@ -1,0 +1,61 @@
+/** Between sites and positions. */
+import { describe, expect, test } from '@jest/globals';
+import { sampleDocument } from '../sample-rooms.ts';
+import { documentOf, linkOf, nearestSite } from '../../../web/document/sites.ts';
+import { fakeScene } from '../fake-solver.ts';
+
+const scene = fakeScene();
+
+const layout = { sites: [0, 5], flux: [1200, 600], dimming: 0.5 };
+
+describe('positions and sites', () => {
+  const asked = sampleDocument(scene.identity, 'box');
+  const document = { ...asked, luminaires: { ...asked.luminaires, count: 2, pinned: [5], excluded: [7] } };
+  const link = linkOf(document, layout, scene.sites, { camera: null, display: null });
+
+  test('a layout survives as positions', () => {
+    expect(link.layout?.positions).toEqual([
+      [0, 3, 0],
+      [1, 3, 1],
+    ]);
+    expect(link.layout?.pinned).toEqual([1]);
+    expect(documentOf(link, scene, true)).toEqual({ ...document, layout });
+  });
+
+  test('a light outside the sites is named', () => {
+    const lost = {
+      ...link,
+      layout: {
+        ...link.layout!,
+        positions: [
+          [0, 3, 0],
+          [9, 9, 9],
+        ] as [number, number, number][],
+      },
+    };
+    expect(documentOf(lost, scene, true)).toMatch(/L2/);
+    expect(documentOf(lost, scene, false)).toMatchObject({ layout: { sites: [0, 15] } });
+  });
+
+  test('two lights at one place are refused, in another version of the room dropped', () => {
+    const twice = {
+      ...link,
+      layout: {
+        ...link.layout!,
+        positions: [
+          [0, 3, 0],
+          [0, 3, 0.1],
+        ] as [number, number, number][],
+      },
+    };
+    expect(documentOf(twice, scene, true)).toMatch(/same place/);
+    expect(documentOf(twice, scene, false)).toMatchObject({ layout: { sites: [0], flux: [1200] } });
+  });
+
+  test('nearest site', () => {
+    expect(nearestSite(scene.sites, [2.2, 3, 0.9])).toEqual({
+      site: 6,
+      distance: expect.closeTo(Math.hypot(0.2, 0.1)),
+    });
+  });
+});
