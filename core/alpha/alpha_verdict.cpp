@@ -44,7 +44,7 @@ std::string alphaVerdict(const AlphaSearch& search, const Scene& scene, Quantity
                          const Constraint& guarantee) {
   const bool minimum = guarantee.statistic == Statistic::kMinimum;
   const double asked = minimum ? guarantee.lower : guarantee.upper;
-  const std::string unit = quantity == Quantity::kIlluminance ? " lx" : " lm/m2";
+  const std::string unit = std::string(" ") + unitName(guarantee.statistic, quantity);
   const std::string promise = (minimum ? "at least " : "at most ") + text(asked) + unit +
                               " on every patch of " + surfaceSetName(scene, guarantee.surfaces);
   const AlphaIteration* found = search.solution();

@@ -13,11 +13,6 @@
 
 namespace fiatlux {
 
-/// Mean and variance of one surface set at t = 1.
-struct Moments {
-  double mean = 0, variance = 0;
-};
-
 /// A surface set that the intentions mention; `needsVariance` and `needsExtremes` say what must be computed
 /// of it.
 struct ObjectiveSet {
@@ -53,27 +48,32 @@ class Objective {
   double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
 
  private:
-  struct Side {  // one finite bound of a constraint
+  struct Bound {  // one finite bound of a constraint
     Statistic statistic;
     std::uint32_t set, over;
-    double alpha, bound;
-    bool lower, scaleFree;
+    double alpha, value;
+    Side side;
+    bool scaleFree;
   };
   struct Term {  // one goal
     Statistic statistic;
     std::uint32_t set, over;
     double factor;  // sign x weight / |reference value|
+    Side side;      // where the worst of what is not known exactly lies
+    bool scaleFree;
   };
 
   std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
+  std::uint32_t setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
+                       const SurfaceSet& surfaces);
   void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(const Intentions& intentions, const Layout& reference);
-  double sideValue(const Side& side, const Moments* moments, const Extremes* extremes) const;
+  double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   std::vector<ObjectiveSet> sets_;
-  std::vector<Side> sides_;
+  std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
   bool needsExtremes_ = false;

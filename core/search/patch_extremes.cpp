@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/search/intentions.h"
-
 namespace fiatlux {
 namespace {
 constexpr std::size_t kWitnesses = 12;

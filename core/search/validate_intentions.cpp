@@ -99,17 +99,28 @@ Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quant
 
 Result<Done> checkSets(const Scene& scene, Statistic statistic, const SurfaceSet& surfaces,
                        const SurfaceSet& over, Quantity quantity, const std::string& where) {
-  if (statistic == Statistic::kPower) return Done{};
+  const StatisticTraits& traits = traitsOf(statistic);
+  if (!traits.needsSurfaces) return Done{};
   if (auto ok = checkSurfaces(scene, surfaces, quantity, where); !ok) return ok;
-  if (statistic == Statistic::kContrast) return checkSurfaces(scene, over, quantity, where);
+  if (traits.needsOver) return checkSurfaces(scene, over, quantity, where);
   return Done{};
 }
 
+/// "mean, sigma, power and contrast"
+std::string goalNames() {
+  std::string names, last;
+  for (const StatisticTraits& traits : kStatistics) {
+    if (!traits.mayBeGoal) continue;
+    if (!last.empty()) names += (names.empty() ? "" : ", ") + last;
+    last = traits.name;
+  }
+  return names + " and " + last;
+}
+
 Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, const std::string& where) {
-  if (goal.statistic != Statistic::kMean && goal.statistic != Statistic::kSigma &&
-      goal.statistic != Statistic::kPower && goal.statistic != Statistic::kContrast)
+  if (!traitsOf(goal.statistic).mayBeGoal)
     return Error{where + ": " + statisticName(goal.statistic) +
-                 " cannot be a goal, only a constraint; goals are mean, sigma, power and contrast"};
+                 " cannot be a goal, only a constraint; goals are " + goalNames()};
   if (!(goal.weight > 0) || !std::isfinite(goal.weight))
     return Error{where + ": a weight of " + text(goal.weight) + "; it must be above 0"};
   return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);
@@ -122,7 +133,7 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
     return Error{where + ": no bound; give \"min\", \"max\" or both"};
   if (c.lower > c.upper)
     return Error{where + ": the minimum " + text(c.lower) + " is above the maximum " + text(c.upper)};
-  if (c.statistic == Statistic::kChebyshev && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
+  if (traitsOf(c.statistic).needsAlpha && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
     return Error{where + ": alpha is " + text(c.alpha) + "; it must be 0 or more"};
   return checkSets(scene, c.statistic, c.surfaces, c.over, quantity, where);
 }
@@ -155,28 +166,6 @@ std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces) {
   std::string name;
   for (std::uint32_t s : surfaces) name += (name.empty() ? "" : " + ") + scene.surfaces[s].name;
   return name;
-}
-
-const char* statisticName(Statistic statistic) {
-  switch (statistic) {
-    case Statistic::kMean:
-      return "mean";
-    case Statistic::kSigma:
-      return "sigma";
-    case Statistic::kPower:
-      return "power";
-    case Statistic::kChebyshev:
-      return "chebyshev";
-    case Statistic::kMinimum:
-      return "minimum";
-    case Statistic::kMaximum:
-      return "maximum";
-    case Statistic::kUniformity:
-      return "uniformity";
-    case Statistic::kContrast:
-      return "contrast";
-  }
-  return "";
 }
 
 }  // namespace fiatlux

@@ -14,7 +14,4 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions);
 /// "floor", "floor + desk 1", or "all": a surface set as a person reads it.
 std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces);
 
-/// "mean", "sigma", ...: the names of the statistics in intentions.json.
-const char* statisticName(Statistic statistic);
-
 }  // namespace fiatlux
