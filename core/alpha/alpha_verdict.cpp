@@ -1,8 +1,10 @@
 // The words of the alpha-search; see alpha_verdict.h.
 #include "core/alpha/alpha_verdict.h"
 
+#include <cassert>
+
 #include "core/base/short_number.h"
-#include "core/search/validate_intentions.h"
+#include "core/scene/surface_names.h"
 
 namespace fiatlux {
 namespace {
@@ -42,6 +44,7 @@ std::string cureOf(const AlphaSearch& search, bool minimum, double asked, const 
 
 std::string alphaVerdict(const AlphaSearch& search, const Scene& scene, Quantity quantity,
                          const Constraint& guarantee) {
+  assert(search.done());
   const bool minimum = guarantee.statistic == Statistic::kMinimum;
   const double asked = minimum ? guarantee.lower : guarantee.upper;
   const std::string unit = std::string(" ") + unitName(guarantee.statistic, quantity);

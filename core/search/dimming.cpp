@@ -2,6 +2,7 @@
 #include "core/search/dimming.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace fiatlux {
 namespace {
@@ -56,6 +57,7 @@ double violationAt(const DimmedBound* bounds, std::uint32_t count, double t) {
 
 Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double goalConstant,
                         double low, double high) {
+  assert(0 <= low && low <= high);
   if (low == high) return {violationAt(bounds, count, low), goalConstant + goalSlope * low, low};
   double first = low, last = high, scaleFree = 0;
   for (std::uint32_t i = 0; i < count; ++i) {

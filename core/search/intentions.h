@@ -35,10 +35,26 @@ struct LuminaireRules {
   std::uint32_t count = 6;
   std::vector<double> flux = {1000};       // lm: one value for all, or one per luminaire
   double dimmingLow = 1, dimmingHigh = 1;  // range of the common factor t; equal = no dimming
-  std::vector<std::uint32_t> pinned;       // sites of luminaires 0..pinned.size()-1, kept where they are
+  std::vector<std::uint32_t> pinned;       // site that luminaire i is kept on, kNone: it may move, as may all
+                                           // beyond the end
   std::vector<std::uint32_t> excluded;     // sites that stay free
   double minDistance = 0;                  // m, between the centres of any two luminaires
 };
+
+/// Is luminaire i kept on a site?
+inline bool isPinned(const LuminaireRules& rules, std::uint32_t i) {
+  return i < rules.pinned.size() && rules.pinned[i] != kNone;
+}
+
+/// Flux of luminaire i under the rules, lm.
+inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
+  return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
+}
+
+/// Of each luminaire.
+inline std::vector<double> fluxesOf(const LuminaireRules& rules) {
+  return rules.flux.size() == 1 ? std::vector<double>(rules.count, rules.flux[0]) : rules.flux;
+}
 
 struct Intentions {
   LuminaireRules luminaires;

@@ -2,13 +2,17 @@
 #include "core/search/objective.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "core/search/validate_intentions.h"
 
 namespace fiatlux {
 Objective::Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference)
     : dimmingLow_(intentions.luminaires.dimmingLow), dimmingHigh_(intentions.luminaires.dimmingHigh) {
-  for (std::uint32_t i = 0; i < intentions.luminaires.count; ++i)
-    totalFlux_ += fluxOf(intentions.luminaires, i);
+  assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
+  assert(reference.sites.size() == intentions.luminaires.count);
+  for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;
   for (const Goal& goal : intentions.goals) addGoal(prepared, goal, intentions.quantity);
   for (const Constraint& constraint : intentions.constraints)
     addConstraint(prepared, constraint, intentions.quantity);
@@ -59,16 +63,11 @@ void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quan
 }
 
 void Objective::scaleGoals(const Intentions& intentions, const Layout& reference) {
-  std::vector<double> flux;
-  for (std::uint32_t i = 0; i < intentions.luminaires.count; ++i)
-    flux.push_back(fluxOf(intentions.luminaires, i));
+  const std::vector<double> flux = fluxesOf(intentions.luminaires);
   std::vector<Moments> moments;
-  for (const ObjectiveSet& set : sets_) {
-    const KernelStatistics& s = *set.statistics;
-    const auto count = static_cast<std::uint32_t>(flux.size()), m = static_cast<std::uint32_t>(s.mean.size());
-    moments.push_back({meanOf(s.mean.data(), reference.sites.data(), flux.data(), count),
-                       varianceOf(s.covariance.data(), m, reference.sites.data(), flux.data(), count)});
-  }
+  for (const ObjectiveSet& set : sets_)
+    moments.push_back(momentsOf(*set.statistics, reference.sites.data(), flux.data(),
+                                static_cast<std::uint32_t>(flux.size())));
   const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {
     if (traitsOf(term.statistic).needsExtremes) continue;

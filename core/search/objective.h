@@ -23,10 +23,9 @@ struct ObjectiveSet {
 
 class Objective {
  public:
-  /// Goals are measured against their values for `reference` at the upper end of the dimming.
-  /// Precondition: checkIntentions(scene, intentions) passed. Beyond what that allows to a person, a goal may
-  /// be the true minimum or maximum (with its margin), unscaled: the largest bound that is feasible is found
-  /// that way.
+  /// Goals are measured against their values for `reference` (one site a luminaire) at the upper end of the
+  /// dimming. Precondition: checkIntentions passed, as of a bound search: a true minimum or maximum is a goal
+  /// with its margin, unscaled.
   Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
 
   const std::vector<ObjectiveSet>& sets() const { return sets_; }
@@ -79,10 +78,5 @@ class Objective {
   bool needsExtremes_ = false;
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
 };
-
-/// Flux of luminaire i under the rules, lm.
-inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
-  return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
-}
 
 }  // namespace fiatlux

@@ -53,4 +53,8 @@ class PatchExtremes {
   std::vector<std::uint32_t> dark_, bright_;  // witnesses, latest first
 };
 
+/// Extremes of a surface set under a layout, dimmed, in the unit of `quantity`. O(patches x luminaires).
+Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
+                       const Layout& layout);
+
 }  // namespace fiatlux

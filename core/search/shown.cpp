@@ -2,38 +2,33 @@
 #include "core/search/shown.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 
+#include "core/scene/surface_names.h"
 #include "core/search/patch_extremes.h"
+#include "core/search/validate_intentions.h"
 
 namespace fiatlux {
 namespace {
 
-/// The layout as the kernels read it: dimming folded into the flux.
+/// A layout whose dimming is in its fluxes, and where it hangs.
 struct Lit {
   PreparedScene& prepared;
   Quantity quantity;
-  const std::uint32_t* sites;
-  std::vector<double> flux;  // dimmed, lm
+  Layout layout;  // dimming 1
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(flux.size()); }
-
-  double mean(const SurfaceSet& surfaces) const {
-    return meanOf(prepared.statistics(quantity, surfaces)->mean.data(), sites, flux.data(), count());
-  }
-  double variance(const SurfaceSet& surfaces) const {
-    const auto statistics = prepared.statistics(quantity, surfaces);
-    return varianceOf(statistics->covariance.data(), prepared.siteCount(), sites, flux.data(), count());
+  Moments moments(const SurfaceSet& surfaces, bool withVariance = true) const {
+    return momentsOf(*prepared.statistics(quantity, surfaces), layout.sites.data(), layout.flux.data(),
+                     static_cast<std::uint32_t>(layout.flux.size()), withVariance);
   }
   Extremes extremes(const SurfaceSet& surfaces) const {
-    PatchExtremes patches(prepared.scene(), quantity, surfaces);
-    patches.load(sites, flux.data(), count());
-    return patches.current();
+    return extremesUnder(prepared.scene(), quantity, surfaces, layout);
   }
   double power() const {
     double sum = 0;
-    for (double f : flux) sum += f;
+    for (double f : layout.flux) sum += f;
     return sum;
   }
 };
@@ -48,10 +43,9 @@ Read readFor(const Lit& lit, const StatisticTraits& traits, const SurfaceSet& su
              const SurfaceSet& over) {
   Read read;
   if (!traits.needsSurfaces) return read;
-  read.at.mean = lit.mean(surfaces);
-  if (traits.needsVariance) read.at.variance = lit.variance(surfaces);
+  read.at = lit.moments(surfaces, traits.needsVariance);
   if (traits.needsExtremes) read.extremes = lit.extremes(surfaces);
-  if (traits.needsOver) read.over.mean = lit.mean(over);
+  if (traits.needsOver) read.over = lit.moments(over, false);
   return read;
 }
 
@@ -90,8 +84,7 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
     reading.maximum = std::max(reading.maximum, value);
   }
   SurfaceReading& all = shown.surfaces.back();
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (scene.surfaces[s].measuring) continue;
+  for (std::uint32_t s : leavesOf(scene, {})) {
     all.minimum = std::min(all.minimum, shown.surfaces[s].minimum);
     all.maximum = std::max(all.maximum, shown.surfaces[s].maximum);
   }
@@ -100,7 +93,6 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
 void readSurfaces(const Lit& lit, Shown& shown) {
   const Scene& scene = lit.prepared.scene();
   const auto& leaves = lit.quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
-  const std::size_t m = scene.sites.size();
   shown.surfaces.resize(scene.surfaces.size() + 1);
   readExtremes(scene, lit.quantity, shown);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -109,25 +101,22 @@ void readSurfaces(const Lit& lit, Shown& shown) {
       reading = {};
       continue;
     }
-    double variance = 0;
-    for (std::uint32_t i = 0; i < lit.count(); ++i) {
-      reading.mean += lit.flux[i] * leaves[s].mean[lit.sites[i]];
-      const double* row = leaves[s].covariance.data() + lit.sites[i] * m;
-      for (std::uint32_t j = 0; j < lit.count(); ++j)
-        variance += lit.flux[i] * lit.flux[j] * row[lit.sites[j]];
-    }
-    reading.sigma = std::sqrt(std::max(0.0, variance));
+    const MeanAndSigma light = meanAndSigmaOf(leaves[s], lit.layout);
+    reading.mean = light.mean;
+    reading.sigma = light.sigma;
   }
-  shown.surfaces.back().mean = lit.mean({});
-  shown.surfaces.back().sigma = std::sqrt(std::max(0.0, lit.variance({})));
+  const Moments all = lit.moments({});
+  shown.surfaces.back().mean = all.mean;
+  shown.surfaces.back().sigma = all.sigma();
 }
 
 }  // namespace
 
 Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout) {
-  const Lit full{prepared, intentions.quantity, layout.sites.data(), layout.flux};
+  assert(checkLayout(prepared.scene(), layout) && checkIntentions(prepared.scene(), intentions));
+  const Lit full{prepared, intentions.quantity, {layout.sites, layout.flux, 1}};
   Lit lit = full;
-  for (double& flux : lit.flux) flux *= layout.dimming;
+  for (double& flux : lit.layout.flux) flux *= layout.dimming;
   // A ratio does not change with the dimming: where that leaves no light, it is what it was before.
   const auto litFor = [&](Statistic statistic) -> const Lit& {
     return layout.dimming == 0 && traitsOf(statistic).scaleFree() ? full : lit;

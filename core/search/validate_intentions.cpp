@@ -42,6 +42,7 @@ Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
     excluded[site] = 1;
   }
   for (std::uint32_t site : rules.pinned) {
+    if (site == kNone) continue;
     if (site >= m)
       return Error{"luminaires: pinned site " + text(std::size_t{site}) + " does not exist; sites are 0 to " +
                    text(m - 1)};
@@ -66,8 +67,9 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
   if (!(rules.minDistance >= 0) || !std::isfinite(rules.minDistance))
     return Error{"luminaires: a minimum distance of " + text(rules.minDistance) + " m; it must be 0 or more"};
   if (rules.minDistance == 0) return Done{};
-  for (std::size_t i = 0; i < rules.pinned.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+  for (std::uint32_t i = 0; i < rules.pinned.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j) {
+      if (!isPinned(rules, i) || !isPinned(rules, j)) continue;
       const double distance =
           length(scene.sites[rules.pinned[i]].position - scene.sites[rules.pinned[j]].position);
       if (distance < rules.minDistance)
@@ -117,8 +119,10 @@ std::string goalNames() {
   return names + " and " + last;
 }
 
-Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, const std::string& where) {
-  if (!traitsOf(goal.statistic).mayBeGoal)
+Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, Asking asking,
+                       const std::string& where) {
+  const StatisticTraits& traits = traitsOf(goal.statistic);
+  if (!traits.mayBeGoal && !(asking == Asking::kBoundSearch && traits.needsExtremes))
     return Error{where + ": " + statisticName(goal.statistic) +
                  " cannot be a goal, only a constraint; goals are " + goalNames()};
   if (!(goal.weight > 0) || !std::isfinite(goal.weight))
@@ -140,7 +144,7 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
 
 }  // namespace
 
-Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
+Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, Asking asking) {
   const LuminaireRules& rules = intentions.luminaires;
   if (scene.sites.empty()) return Error{"the scene has no sites, so no luminaire can hang; give it a mount"};
   if (rules.count == 0 || rules.count > kMostLuminaires)
@@ -151,7 +155,7 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
   if (auto ok = checkDistance(scene, rules); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
     const Goal& goal = intentions.goals[g];
-    if (auto ok = checkGoal(scene, goal, intentions.quantity, "goal " + text(g + 1)); !ok) return ok;
+    if (auto ok = checkGoal(scene, goal, intentions.quantity, asking, "goal " + text(g + 1)); !ok) return ok;
   }
   for (std::size_t c = 0; c < intentions.constraints.size(); ++c) {
     const Constraint& constraint = intentions.constraints[c];
@@ -159,13 +163,6 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
     if (auto ok = checkConstraint(scene, constraint, intentions.quantity, where); !ok) return ok;
   }
   return Done{};
-}
-
-std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces) {
-  if (surfaces.empty()) return "all";
-  std::string name;
-  for (std::uint32_t s : surfaces) name += (name.empty() ? "" : " + ") + scene.surfaces[s].name;
-  return name;
 }
 
 }  // namespace fiatlux

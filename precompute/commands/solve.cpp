@@ -6,8 +6,8 @@
 
 #include "core/base/short_number.h"
 #include "core/bound/bound.h"
+#include "core/scene/surface_names.h"
 #include "core/search/start_layout.h"
-#include "core/search/validate_intentions.h"
 #include "core/search/vns.h"
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"

@@ -11,6 +11,7 @@
 #include "core/search/validate_intentions.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
+#include "precompute/files/surface_names.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {

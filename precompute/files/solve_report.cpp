@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/short_number.h"
-#include "core/search/validate_intentions.h"
+#include "core/scene/surface_names.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
