@@ -138,38 +138,71 @@ std::shared_ptr<const std::vector<double>> convexMatrix(std::vector<double> cova
   return std::make_shared<const std::vector<double>>(std::move(covariance));
 }
 
-double largestVariance(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m) {
-  std::vector<char> usable(m, 1);
-  for (std::uint32_t site : rules.excluded) usable[site] = 0;
-  for (std::uint32_t site : rules.pinned) usable[site] = 0;
-  std::vector<double> free;  // fluxes that may hang anywhere, largest first
-  for (std::uint32_t i = static_cast<std::uint32_t>(rules.pinned.size()); i < rules.count; ++i)
-    free.push_back(fluxOf(rules, i));
-  std::sort(free.begin(), free.end(), std::greater<>());
-  // What the pinned ones and the best free partners add to site i.
-  const auto partnersOf = [&](std::uint32_t i, bool isFree) {
-    const double* row = &covariance[std::size_t{i} * m];
+namespace {
+
+/// A luminaire on its site: one term of x.
+struct Placed {
+  std::uint32_t site;
+  double flux;
+};
+
+/// For each site, what the luminaires around one there add at most: the pinned ones and the best free
+/// partners.
+class Partners {
+ public:
+  Partners(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m)
+      : covariance_(covariance), m_(m), usable_(m, 1) {
+    for (std::uint32_t site : rules.excluded) usable_[site] = 0;
+    for (std::uint32_t i = 0; i < rules.count; ++i)
+      if (isPinned(rules, i)) {
+        usable_[rules.pinned[i]] = 0;
+        pinned_.push_back({rules.pinned[i], fluxOf(rules, i)});
+      } else {
+        free_.push_back(fluxOf(rules, i));
+      }
+    std::sort(free_.begin(), free_.end(), std::greater<>());
+  }
+
+  const std::vector<Placed>& pinned() const { return pinned_; }
+  const std::vector<double>& free() const { return free_; }  // fluxes that may hang anywhere, largest first
+  bool usable(std::uint32_t site) const { return usable_[site] != 0; }
+
+  double sumAt(std::uint32_t i, bool isFree) const {
+    const double* row = &covariance_[std::size_t{i} * m_];
     double sum = 0;
-    for (std::uint32_t k = 0; k < rules.pinned.size(); ++k)
-      if (rules.pinned[k] != i) sum += fluxOf(rules, k) * row[rules.pinned[k]];
+    for (const Placed& pin : pinned_)
+      if (pin.site != i) sum += pin.flux * row[pin.site];
     std::vector<double> partners;
-    for (std::uint32_t j = 0; j < m; ++j)
-      if (usable[j] && j != i) partners.push_back(row[j]);
+    for (std::uint32_t j = 0; j < m_; ++j)
+      if (usable_[j] && j != i) partners.push_back(row[j]);
     std::sort(partners.begin(), partners.end(), std::greater<>());
     // Beside a free one, the k-th largest flux of the others lies between free[k + 1] and free[k].
-    for (std::size_t k = 0; k + isFree < free.size(); ++k)
-      sum += partners[k] * free[isFree && partners[k] < 0 ? k + 1 : k];
+    for (std::size_t k = 0; k + isFree < free_.size(); ++k)
+      sum += partners[k] * free_[isFree && partners[k] < 0 ? k + 1 : k];
     return sum;
-  };
-  double total = 0;
-  for (std::uint32_t k = 0; k < rules.pinned.size(); ++k) {
-    const std::uint32_t i = rules.pinned[k];
-    total +=
-        fluxOf(rules, k) * (fluxOf(rules, k) * covariance[std::size_t{i} * m + i] + partnersOf(i, false));
   }
+
+ private:
+  const std::vector<double>& covariance_;
+  std::uint32_t m_;
+  std::vector<char> usable_;
+  std::vector<Placed> pinned_;
+  std::vector<double> free_;
+};
+
+}  // namespace
+
+double largestVariance(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m) {
+  const Partners partners(covariance, rules, m);
+  const std::vector<double>& free = partners.free();
+  double total = 0;
+  for (const Placed& pin : partners.pinned())
+    total += pin.flux *
+             (pin.flux * covariance[std::size_t{pin.site} * m + pin.site] + partners.sumAt(pin.site, false));
   std::vector<double> best;
   for (std::uint32_t i = 0; i < m && !free.empty(); ++i)
-    if (usable[i]) best.push_back(free[0] * covariance[std::size_t{i} * m + i] + partnersOf(i, true));
+    if (partners.usable(i))
+      best.push_back(free[0] * covariance[std::size_t{i} * m + i] + partners.sumAt(i, true));
   std::sort(best.begin(), best.end(), std::greater<>());
   for (std::size_t k = 0; k < free.size(); ++k) total += free[k] * best[k];
   return std::max(total, 0.0) * rules.dimmingHigh * rules.dimmingHigh;
