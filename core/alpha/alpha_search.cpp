@@ -2,6 +2,7 @@
 #include "core/alpha/alpha_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/alpha/alpha_verdict.h"
@@ -13,17 +14,6 @@ namespace {
 
 constexpr double kMet = 1e-9;  // a violation that is none
 
-/// Mean and sigma of a surface set under a layout, dimmed.
-void addMoments(const KernelStatistics& statistics, const Layout& layout, AlphaIteration& result) {
-  std::vector<double> flux = layout.flux;
-  for (double& lumens : flux) lumens *= layout.dimming;
-  const auto count = static_cast<std::uint32_t>(flux.size());
-  const auto m = static_cast<std::uint32_t>(statistics.mean.size());
-  result.mean = meanOf(statistics.mean.data(), layout.sites.data(), flux.data(), count);
-  result.sigma = std::sqrt(
-      std::max(0.0, varianceOf(statistics.covariance.data(), m, layout.sites.data(), flux.data(), count)));
-}
-
 }  // namespace
 
 const char* regionName(Region region) {
@@ -32,6 +22,7 @@ const char* regionName(Region region) {
 
 AlphaSearch::AlphaSearch(PreparedScene& prepared, const Intentions& intentions, const AlphaOptions& options)
     : prepared_(prepared), intentions_(intentions), options_(options) {
+  assert(checkAlphaIntentions(prepared.scene(), intentions));
   options_.runs = std::max(options_.runs, 1u);
   reference_ = {spreadSites(prepared, intentions.luminaires), {}, 1};
   openProblem(0);
@@ -117,7 +108,12 @@ AlphaIteration AlphaSearch::iterationOf(const Layout& layout, bool feasible) {
     first = false;
     result.minimum = extremes.minimumLow;
     result.maximum = extremes.maximumHigh;
-    addMoments(*prepared_.statistics(intentions_.quantity, c.surfaces), layout, result);
+    std::vector<double> flux = layout.flux;
+    for (double& lumens : flux) lumens *= layout.dimming;
+    const Moments moments = momentsOf(*prepared_.statistics(intentions_.quantity, c.surfaces),
+                                      layout.sites.data(), flux.data(), problem_.luminaires.count);
+    result.mean = moments.mean;
+    result.sigma = moments.sigma();
   }
   Evaluator evaluator(prepared_, problem_, &reference_);
   evaluator.load(layout.sites);

@@ -1,8 +1,10 @@
 // The words of the alpha-search; see alpha_verdict.h.
 #include "core/alpha/alpha_verdict.h"
 
+#include <cassert>
+
 #include "core/base/short_number.h"
-#include "core/search/validate_intentions.h"
+#include "core/scene/surface_names.h"
 
 namespace fiatlux {
 namespace {
@@ -42,9 +44,10 @@ std::string cureOf(const AlphaSearch& search, bool minimum, double asked, const 
 
 std::string alphaVerdict(const AlphaSearch& search, const Scene& scene, Quantity quantity,
                          const Constraint& guarantee) {
+  assert(search.done());
   const bool minimum = guarantee.statistic == Statistic::kMinimum;
   const double asked = minimum ? guarantee.lower : guarantee.upper;
-  const std::string unit = quantity == Quantity::kIlluminance ? " lx" : " lm/m2";
+  const std::string unit = std::string(" ") + unitName(guarantee.statistic, quantity);
   const std::string promise = (minimum ? "at least " : "at most ") + text(asked) + unit +
                               " on every patch of " + surfaceSetName(scene, guarantee.surfaces);
   const AlphaIteration* found = search.solution();

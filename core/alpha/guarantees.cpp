@@ -43,15 +43,6 @@ Intentions chebyshevProblem(const Intentions& intentions, double alpha) {
   return problem;
 }
 
-Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
-                       const Layout& layout) {
-  std::vector<double> flux = layout.flux;
-  for (double& lumens : flux) lumens *= layout.dimming;
-  PatchExtremes patches(scene, quantity, surfaces);
-  patches.load(layout.sites.data(), flux.data(), static_cast<std::uint32_t>(flux.size()));
-  return patches.current();
-}
-
 double shortfallOf(const Constraint& guarantee, const Extremes& extremes) {
   const bool minimum = guarantee.statistic == Statistic::kMinimum;
   const double bound = minimum ? guarantee.lower : guarantee.upper;

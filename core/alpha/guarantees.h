@@ -18,11 +18,6 @@ Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentio
 /// The Chebyshev problem of the paper: each guaranteed minimum and maximum replaced by mu -/+ alpha sigma.
 Intentions chebyshevProblem(const Intentions& intentions, double alpha);
 
-/// The light of the guarded patches under a layout, dimmed, in the unit of `quantity`. O(patches x
-/// luminaires).
-Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
-                       const Layout& layout);
-
 /// By how much a guarantee is broken, as a share of its bound; at most 0 where it is kept with its margin.
 double shortfallOf(const Constraint& guarantee, const Extremes& extremes);
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/search/objective.h"
-
 namespace fiatlux {
 namespace {
 
@@ -27,7 +25,7 @@ ConvexRelaxation::ConvexRelaxation(std::uint32_t sites, const LuminaireRules& ru
     : sites_(sites), usable_(sites, 1), low_(rules.dimmingLow), high_(rules.dimmingHigh), x_(sites, 0.0) {
   for (std::uint32_t site : rules.excluded) usable_[site] = 0;
   for (std::uint32_t i = 0; i < rules.count; ++i) {
-    if (i < rules.pinned.size()) {
+    if (isPinned(rules, i)) {
       pinned_.emplace_back(rules.pinned[i], fluxOf(rules, i));
       usable_[rules.pinned[i]] = 0;
     } else {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/bound/diagonal_shift.h"
 #include "core/search/objective.h"
@@ -40,38 +41,10 @@ class Relaxer {
       addGoal(intentions_.goals[g], objective.goalFactor(g));
   }
 
-  /// The convex sides of a constraint; a true minimum or maximum is asked of the mean at least.
+  /// The sides of a constraint that have a convex form.
   void addConstraint(const Constraint& c) {
-    const bool lower = std::isfinite(c.lower), upper = std::isfinite(c.upper);
-    switch (c.statistic) {
-      case Statistic::kMean:
-        if (lower) addSide(meanForm(c.surfaces, -1), -c.lower);
-        if (upper) addSide(meanForm(c.surfaces, 1), c.upper);
-        return;
-      case Statistic::kMinimum:
-        if (lower) addSide(meanForm(c.surfaces, -1), -c.lower);
-        return;
-      case Statistic::kMaximum:
-        if (upper) addSide(meanForm(c.surfaces, 1), c.upper);
-        return;
-      case Statistic::kSigma:
-        if (upper) addSide(withSigma(meanForm(c.surfaces, 0), c.surfaces, 1), c.upper);
-        return;
-      case Statistic::kChebyshev:
-        if (lower) addSide(withSigma(meanForm(c.surfaces, -1), c.surfaces, c.alpha), -c.lower);
-        if (upper) addSide(withSigma(meanForm(c.surfaces, 1), c.surfaces, c.alpha), c.upper);
-        return;
-      case Statistic::kPower:
-        if (lower) addSide(powerForm(-1), -c.lower);
-        if (upper) addSide(powerForm(1), c.upper);
-        return;
-      case Statistic::kContrast:
-        if (lower) addSide(sumOf(meanForm(c.surfaces, -1), meanForm(c.over, c.lower)), 0);
-        if (upper) addSide(sumOf(meanForm(c.surfaces, 1), meanForm(c.over, -c.upper)), 0);
-        return;
-      case Statistic::kUniformity:
-        return;
-    }
+    if (std::isfinite(c.lower)) addSide(c, Side::kLower, c.lower);
+    if (std::isfinite(c.upper)) addSide(c, Side::kUpper, c.upper);
   }
 
   RelaxedIntentions take() { return std::move(result_); }
@@ -81,64 +54,65 @@ class Relaxer {
     return unionStatistics(prepared_.scene(), intentions_.quantity, surfaces).covariance;
   }
 
-  ConvexObjective meanForm(const SurfaceSet& surfaces, double factor) {
-    ConvexObjective form;
-    form.linear = prepared_.statistics(intentions_.quantity, surfaces)->mean;
-    for (double& entry : form.linear) entry *= factor;
-    return form;
-  }
-
-  /// factor x (lm of all luminaires): what the common dimming leaves of them.
-  ConvexObjective powerForm(double factor) const {
-    ConvexObjective form;
-    form.linear.assign(sites_, 0.0);
-    form.perDimming = factor * result_.flux.total / intentions_.luminaires.dimmingHigh;
-    return form;
-  }
-
-  static ConvexObjective sumOf(ConvexObjective a, const ConvexObjective& b) {
-    for (std::size_t j = 0; j < a.linear.size(); ++j) a.linear[j] += b.linear[j];
-    return a;
+  void addMean(ConvexObjective& to, const SurfaceSet& surfaces, double factor) const {
+    const auto statistics = prepared_.statistics(intentions_.quantity, surfaces);
+    for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * statistics->mean[j];
   }
 
   /// + weight sigma, from below: sqrt(x^T (C + ridge I) x) is above sigma by at most sqrt(ridge x^T x).
-  ConvexObjective withSigma(ConvexObjective form, const SurfaceSet& surfaces, double weight) const {
-    if (weight == 0) return form;
+  void addSigma(ConvexObjective& to, const SurfaceSet& surfaces, double weight) const {
     double ridge = 0;
     auto matrix = convexMatrix(covarianceOf(surfaces), sites_, ridge);
-    form.terms.push_back({std::move(matrix), weight, true});
-    form.constant -= weight * std::sqrt(ridge * result_.flux.squares);
-    return form;
+    to.terms.push_back({std::move(matrix), weight, true});
+    to.constant -= weight * std::sqrt(ridge * result_.flux.squares);
   }
 
+  /// + factor x the part of a form that is linear in x and t. Power is what the common dimming leaves of the
+  /// fluxes.
+  void addLinear(ConvexObjective& to, const RelaxedForm& form, const SurfaceSet& surfaces,
+                 const SurfaceSet& over, double factor) const {
+    if (form.mean != 0) addMean(to, surfaces, factor * form.mean);
+    if (form.over != 0) addMean(to, over, factor * form.over);
+    to.perDimming += factor * form.power * result_.flux.total / intentions_.luminaires.dimmingHigh;
+    to.constant += factor * form.constant;
+  }
+
+  /// The goal's value times `factor`, or what is never above that.
   void addGoal(const Goal& goal, double factor) {
-    ConvexObjective& sum = result_.goal;
-    if (goal.statistic == Statistic::kMean) {
-      sum = sumOf(std::move(sum), meanForm(goal.surfaces, factor));
-    } else if (goal.statistic == Statistic::kPower) {
-      sum.perDimming += powerForm(factor).perDimming;
-    } else if (goal.statistic == Statistic::kSigma && factor < 0) {
-      sum.constant +=
-          factor * std::sqrt(largestVariance(covarianceOf(goal.surfaces), intentions_.luminaires, sites_));
-    } else if (goal.statistic == Statistic::kSigma && intentions_.goals.size() == 1) {
-      // Alone, its square serves as well, and takes the diagonal shift.
-      result_.squared = true;
-      result_.covariance = covarianceOf(goal.surfaces);
-      for (double& entry : result_.covariance) entry *= factor * factor;
-      double ridge = 0;
-      sum.terms.push_back({convexMatrix(result_.covariance, sites_, ridge), 1, false});
-      sum.constant -= ridge * result_.flux.squares;
-    } else if (goal.statistic == Statistic::kSigma) {
-      sum = withSigma(std::move(sum), goal.surfaces, factor);
-    } else {
+    const std::optional<RelaxedForm> form = relaxedValue(goal.statistic);
+    if (!form) {
       result_.supported = false;
+      return;
     }
+    addLinear(result_.goal, *form, goal.surfaces, goal.over, factor);
+    if (form->sigma != 0) addSigmaGoal(goal.surfaces, factor * form->sigma);
   }
 
-  /// form <= bound, scaled so that multipliers are of the goal's size.
-  void addSide(ConvexObjective form, double bound) {
-    form.constant -= bound;
-    double scale = std::fabs(bound);
+  void addSigmaGoal(const SurfaceSet& surfaces, double factor) {
+    if (factor < 0) {
+      result_.goal.constant +=
+          factor * std::sqrt(largestVariance(covarianceOf(surfaces), intentions_.luminaires, sites_));
+      return;
+    }
+    if (intentions_.goals.size() > 1) return addSigma(result_.goal, surfaces, factor);
+    // Alone, its square serves as well, and takes the diagonal shift.
+    result_.squared = true;
+    result_.covariance = covarianceOf(surfaces);
+    for (double& entry : result_.covariance) entry *= factor * factor;
+    double ridge = 0;
+    result_.goal.terms.push_back({convexMatrix(result_.covariance, sites_, ridge), 1, false});
+    result_.goal.constant -= ridge * result_.flux.squares;
+  }
+
+  /// What a side says, scaled so that multipliers are of the goal's size.
+  void addSide(const Constraint& c, Side side, double bound) {
+    const std::optional<RelaxedForm> asked = relaxedSide(c.statistic, side, bound, c.alpha);
+    if (!asked) return;
+    ConvexObjective form;
+    form.linear.assign(sites_, 0.0);
+    addLinear(form, *asked, c.surfaces, c.over, 1);
+    if (asked->sigma != 0) addSigma(form, c.surfaces, asked->sigma);
+    double scale = std::fabs(asked->constant);
     if (scale == 0)
       for (double entry : form.linear) scale = std::max(scale, std::fabs(entry) * result_.flux.total);
     if (scale == 0) return;
@@ -164,38 +138,71 @@ std::shared_ptr<const std::vector<double>> convexMatrix(std::vector<double> cova
   return std::make_shared<const std::vector<double>>(std::move(covariance));
 }
 
-double largestVariance(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m) {
-  std::vector<char> usable(m, 1);
-  for (std::uint32_t site : rules.excluded) usable[site] = 0;
-  for (std::uint32_t site : rules.pinned) usable[site] = 0;
-  std::vector<double> free;  // fluxes that may hang anywhere, largest first
-  for (std::uint32_t i = static_cast<std::uint32_t>(rules.pinned.size()); i < rules.count; ++i)
-    free.push_back(fluxOf(rules, i));
-  std::sort(free.begin(), free.end(), std::greater<>());
-  // What the pinned ones and the best free partners add to site i.
-  const auto partnersOf = [&](std::uint32_t i, bool isFree) {
-    const double* row = &covariance[std::size_t{i} * m];
+namespace {
+
+/// A luminaire on its site: one term of x.
+struct Placed {
+  std::uint32_t site;
+  double flux;
+};
+
+/// For each site, what the luminaires around one there add at most: the pinned ones and the best free
+/// partners.
+class Partners {
+ public:
+  Partners(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m)
+      : covariance_(covariance), m_(m), usable_(m, 1) {
+    for (std::uint32_t site : rules.excluded) usable_[site] = 0;
+    for (std::uint32_t i = 0; i < rules.count; ++i)
+      if (isPinned(rules, i)) {
+        usable_[rules.pinned[i]] = 0;
+        pinned_.push_back({rules.pinned[i], fluxOf(rules, i)});
+      } else {
+        free_.push_back(fluxOf(rules, i));
+      }
+    std::sort(free_.begin(), free_.end(), std::greater<>());
+  }
+
+  const std::vector<Placed>& pinned() const { return pinned_; }
+  const std::vector<double>& free() const { return free_; }  // fluxes that may hang anywhere, largest first
+  bool usable(std::uint32_t site) const { return usable_[site] != 0; }
+
+  double sumAt(std::uint32_t i, bool isFree) const {
+    const double* row = &covariance_[std::size_t{i} * m_];
     double sum = 0;
-    for (std::uint32_t k = 0; k < rules.pinned.size(); ++k)
-      if (rules.pinned[k] != i) sum += fluxOf(rules, k) * row[rules.pinned[k]];
+    for (const Placed& pin : pinned_)
+      if (pin.site != i) sum += pin.flux * row[pin.site];
     std::vector<double> partners;
-    for (std::uint32_t j = 0; j < m; ++j)
-      if (usable[j] && j != i) partners.push_back(row[j]);
+    for (std::uint32_t j = 0; j < m_; ++j)
+      if (usable_[j] && j != i) partners.push_back(row[j]);
     std::sort(partners.begin(), partners.end(), std::greater<>());
     // Beside a free one, the k-th largest flux of the others lies between free[k + 1] and free[k].
-    for (std::size_t k = 0; k + isFree < free.size(); ++k)
-      sum += partners[k] * free[isFree && partners[k] < 0 ? k + 1 : k];
+    for (std::size_t k = 0; k + isFree < free_.size(); ++k)
+      sum += partners[k] * free_[isFree && partners[k] < 0 ? k + 1 : k];
     return sum;
-  };
-  double total = 0;
-  for (std::uint32_t k = 0; k < rules.pinned.size(); ++k) {
-    const std::uint32_t i = rules.pinned[k];
-    total +=
-        fluxOf(rules, k) * (fluxOf(rules, k) * covariance[std::size_t{i} * m + i] + partnersOf(i, false));
   }
+
+ private:
+  const std::vector<double>& covariance_;
+  std::uint32_t m_;
+  std::vector<char> usable_;
+  std::vector<Placed> pinned_;
+  std::vector<double> free_;
+};
+
+}  // namespace
+
+double largestVariance(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m) {
+  const Partners partners(covariance, rules, m);
+  const std::vector<double>& free = partners.free();
+  double total = 0;
+  for (const Placed& pin : partners.pinned())
+    total += pin.flux *
+             (pin.flux * covariance[std::size_t{pin.site} * m + pin.site] + partners.sumAt(pin.site, false));
   std::vector<double> best;
   for (std::uint32_t i = 0; i < m && !free.empty(); ++i)
-    if (usable[i]) best.push_back(free[0] * covariance[std::size_t{i} * m + i] + partnersOf(i, true));
+    if (partners.usable(i))
+      best.push_back(free[0] * covariance[std::size_t{i} * m + i] + partners.sumAt(i, true));
   std::sort(best.begin(), best.end(), std::greater<>());
   for (std::size_t k = 0; k < free.size(); ++k) total += free[k] * best[k];
   return std::max(total, 0.0) * rules.dimmingHigh * rules.dimmingHigh;

@@ -5,19 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/surface_names.h"
+
 namespace fiatlux {
-namespace {
-
-SurfaceSet leavesOf(const Scene& scene, const SurfaceSet& surfaces) {
-  if (!surfaces.empty()) return surfaces;
-  SurfaceSet all;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (!scene.surfaces[s].measuring) all.push_back(s);
-  return all;
-}
-
-}  // namespace
-
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces) {
   const auto& leaves = quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
   const SurfaceSet members = leavesOf(scene, surfaces);
@@ -38,6 +28,18 @@ SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const S
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < m; ++j) result.covariance[i * m + j] -= result.mean[i] * result.mean[j];
   return result;
+}
+
+MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& layout) {
+  const std::size_t m = statistics.mean.size(), count = layout.sites.size();
+  double mean = 0, variance = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    mean += layout.flux[i] * statistics.mean[layout.sites[i]];
+    const double* row = statistics.covariance.data() + layout.sites[i] * m;
+    for (std::size_t j = 0; j < count; ++j)
+      variance += layout.flux[i] * layout.flux[j] * row[layout.sites[j]];
+  }
+  return {layout.dimming * mean, layout.dimming * std::sqrt(std::max(0.0, variance))};
 }
 
 std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout) {

@@ -41,6 +41,15 @@ struct Scene {
 /// C = sum w_i (C_i + a_i a_i^T) - a a^T. `surfaces` empty means all leaves that are not measuring planes.
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces);
 
+/// Mean and sigma of the light on a surface set, in the unit of its statistics.
+struct MeanAndSigma {
+  double mean = 0, sigma = 0;
+};
+
+/// mu = a x and sigma^2 = x^T C x of a layout, its dimming included; paper (8), (10). In full and in double:
+/// the search has its own sums (core/search/kernels.h).
+MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& layout);
+
 /// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j.
 std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout);
 

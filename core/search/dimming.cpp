@@ -2,26 +2,24 @@
 #include "core/search/dimming.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cassert>
 
 namespace fiatlux {
 namespace {
 
-double excessOf(const DimmedBound& b, double t) {
-  const double value = b.scaleFree ? b.value : t * b.value;
-  const double excess = b.lower ? b.bound - value : value - b.bound;
-  if (!(excess > 0)) return 0;
-  return b.bound == 0 ? excess : excess / std::fabs(b.bound);
+double excessAt(const DimmedBound& b, double t) {
+  return excessOver(b.bound, b.side, b.scaleFree ? b.value : t * b.value);
 }
 
 /// The part of [low, high] that meets the bound; empty when low > high.
 void narrow(const DimmedBound& b, double& low, double& high) {
+  const bool lower = b.side == Side::kLower;
   if (b.value == 0) {
-    if (b.lower ? b.bound > 0 : b.bound < 0) high = low - 1;
+    if (lower ? b.bound > 0 : b.bound < 0) high = low - 1;
     return;
   }
   const double edge = b.bound / b.value;
-  if ((b.value > 0) == b.lower)
+  if ((b.value > 0) == lower)
     low = std::max(low, edge);
   else
     high = std::min(high, edge);
@@ -53,17 +51,18 @@ double leastViolationAt(const DimmedBound* bounds, std::uint32_t count, double g
 
 double violationAt(const DimmedBound* bounds, std::uint32_t count, double t) {
   double sum = 0;
-  for (std::uint32_t i = 0; i < count; ++i) sum += excessOf(bounds[i], t);
+  for (std::uint32_t i = 0; i < count; ++i) sum += excessAt(bounds[i], t);
   return sum;
 }
 
 Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double goalConstant,
                         double low, double high) {
+  assert(0 <= low && low <= high);
   if (low == high) return {violationAt(bounds, count, low), goalConstant + goalSlope * low, low};
   double first = low, last = high, scaleFree = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (bounds[i].scaleFree)
-      scaleFree += excessOf(bounds[i], 1);
+      scaleFree += excessAt(bounds[i], 1);
     else
       narrow(bounds[i], first, last);
   }

@@ -4,20 +4,22 @@
 
 #include <cstdint>
 
+#include "core/search/statistics.h"
+
 namespace fiatlux {
 
-/// One side of a constraint: t value >= bound when `lower`, else t value <= bound. A bound that does not
+/// One side of a constraint: t value >= bound for Side::kLower, else t value <= bound. A bound that does not
 /// scale with the dimming (a ratio) has `scaleFree` set and reads value >= bound, value <= bound.
 struct DimmedBound {
   double value = 0;  // of the statistic at t = 1
   double bound = 0;
-  bool lower = true;
+  Side side = Side::kLower;
   bool scaleFree = false;
 };
 
 /// What a layout is worth. Violations are compared before goals; both are better when smaller.
 struct Evaluation {
-  double violation = 0;  // sum of max(0, excess) / |bound|
+  double violation = 0;  // sum of excessOver
   double goal = 0;       // sum of weight x signed value / reference value
   double dimming = 1;
 };
@@ -30,7 +32,7 @@ inline bool isBetter(const Evaluation& a, const Evaluation& b) {
   return a.goal < b.goal - kSame;
 }
 
-/// Violation at a given t: sum of max(0, excess) / |bound|, the excess itself where the bound is 0.
+/// Violation at a given t: sum of excessOver.
 double violationAt(const DimmedBound* bounds, std::uint32_t count, double t);
 
 /// The best t in [low, high], 0 <= low <= high, for goal(t) = goalConstant + goalSlope t: within the interval

@@ -2,6 +2,8 @@
 #include "core/search/evaluator.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "core/search/start_layout.h"
 
@@ -9,12 +11,6 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kBlock = 64;
-
-std::vector<double> fluxesOf(const LuminaireRules& rules) {
-  std::vector<double> flux;
-  for (std::uint32_t i = 0; i < rules.count; ++i) flux.push_back(fluxOf(rules, i));
-  return flux;
-}
 
 Layout referenceLayout(const PreparedScene& prepared, const Intentions& intentions, const Layout* reference) {
   if (reference && reference->sites.size() == intentions.luminaires.count) return *reference;
@@ -44,14 +40,11 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
 }
 
 Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
+  assert(sites.size() == flux_.size());
   const auto count = static_cast<std::uint32_t>(sites.size());
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    const KernelStatistics& statistics = *set.statistics;
-    trialMoments_[s].mean = meanOf(statistics.mean.data(), sites.data(), flux_.data(), count);
-    if (set.needsVariance)
-      trialMoments_[s].variance =
-          varianceOf(statistics.covariance.data(), siteCount_, sites.data(), flux_.data(), count);
+    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), flux_.data(), count, set.needsVariance);
     if (!set.needsExtremes) continue;
     patches_[s]->load(sites.data(), flux_.data(), count);
     trialExtremes_[s] = patches_[s]->current();
@@ -61,6 +54,7 @@ Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
 }
 
 void Evaluator::load(const std::vector<std::uint32_t>& sites) {
+  assert(sites.size() == flux_.size());
   sites_ = sites;
   const auto count = static_cast<std::uint32_t>(sites_.size());
   for (std::size_t s = 0; s < rows_.size(); ++s)
@@ -183,6 +177,21 @@ void Evaluator::apply(const Trial& trial) {
   }
   for (std::uint32_t k = 0; k < trial.count; ++k) sites_[trial.moves[k].luminaire] = trial.moves[k].site;
   refresh();
+#ifdef FIATLUX_CHECK_DELTA
+  assert(isExact(trial));
+#endif
+}
+
+/// Do the trial that has just been made, the cached sums and a full evaluation agree?
+bool Evaluator::isExact(const Trial& trial) {
+  // note: patches are lit in float, step by step; a sigma of nearly 0 is a root of rounding.
+  const double tolerance = objective_.needsExtremes() ? 1e-3 : 1e-6;
+  const auto same = [&](double a, double b) {
+    return a == b || std::fabs(a - b) <= tolerance * (1 + std::fabs(a));
+  };
+  const Evaluation full = evaluate(sites_);
+  return same(trial.evaluation.violation, full.violation) && same(trial.evaluation.goal, full.goal) &&
+         same(current_.violation, full.violation) && same(current_.goal, full.goal);
 }
 
 }  // namespace fiatlux

@@ -1,6 +1,6 @@
 // Trial layouts, cheaply: the evaluator stands at one layout, keeps the sums C x of it, and tells what a
-// change of it would be worth in O(1) loads per surface set instead of N (N + 1) / 2. Paper (8), (10);
-// section 7 of the method.
+// change of it would be worth in O(1) loads per surface set instead of N (N + 1) / 2 (paper (8), (10)):
+// (x + d)^T C (x + d) = x^T C x + 2 d^T (C x) + d^T C d, and d has two entries a move.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,11 @@ class Evaluator {
   /// The prepared scene must outlive the evaluator.
   Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference = nullptr);
 
-  /// A full evaluation of any layout of `count` sites, patches included where true extremes are asked for.
+  /// A full evaluation of any layout, one site a luminaire, patches included where true extremes are asked
+  /// for.
   Evaluation evaluate(const std::vector<std::uint32_t>& sites);
 
-  /// Stands at a layout; `current()` is its evaluation.
+  /// Stands at a layout, one site a luminaire; `current()` is its evaluation.
   void load(const std::vector<std::uint32_t>& sites);
   const std::vector<std::uint32_t>& sites() const { return sites_; }
   const std::vector<double>& flux() const { return flux_; }  // lm of each luminaire, before dimming
@@ -50,7 +51,8 @@ class Evaluator {
   /// that break a bound a little. 0 restores the order of `isBetter`.
   void setPenalty(double penalty) { penalty_ = penalty; }
 
-  /// Makes the moves of a trial.
+  /// Makes the moves of a trial. With FIATLUX_CHECK_DELTA (the sanitizer build) it asserts that the trial,
+  /// what the cached sums say afterwards and a full evaluation agree.
   void apply(const Trial& trial);
 
   /// The layout it stands at, with its dimming.
@@ -69,6 +71,7 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  bool isExact(const Trial& trial);
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
   std::uint32_t siteCount_ = 0;

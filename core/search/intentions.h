@@ -3,45 +3,30 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "core/scene/layout.h"
+#include "core/scene/patches.h"
+#include "core/search/statistics.h"
 
 namespace fiatlux {
 
-enum class Statistic : std::uint8_t {
-  kMean,        // mu = a x, paper (8)
-  kSigma,       // sigma = sqrt(x^T C x), paper (10)
-  kPower,       // total flux of the luminaires, lm; no surface
-  kChebyshev,   // lower bound on mu - alpha sigma, upper bound on mu + alpha sigma, paper (14)
-  kMinimum,     // over the patches
-  kMaximum,     // over the patches
-  kUniformity,  // U_o = minimum / mean
-  kContrast,    // mean of `surfaces` / mean of `over`
-};
-
 enum class Sense : std::uint8_t { kMinimize, kMaximize };
-
-inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Part of the objective: weight x (signed value / value of the start layout), summed over the goals and
 /// minimised.
 struct Goal {
-  Statistic statistic = Statistic::kSigma;  // mean, sigma, power or contrast
+  Statistic statistic = Statistic::kSigma;  // one that may be a goal
   Sense sense = Sense::kMinimize;
   double weight = 1;
-  SurfaceSet surfaces, over;  // `over` for contrast only
+  SurfaceSet surfaces, over;  // as the statistic needs them
 };
 
-/// lower <= statistic <= upper; either may be infinite. For kChebyshev: mu - alpha sigma >= lower and
-/// mu + alpha sigma <= upper. Violation = sum of max(0, excess) / |bound| (excess itself where the bound is
-/// 0).
+/// lower <= statistic <= upper; either may be infinite. Violation: sum of excessOver (statistics.h).
 struct Constraint {
   Statistic statistic = Statistic::kMean;
   double lower = -kUnbounded,
          upper = kUnbounded;  // in the unit of the quantity; a ratio for uniformity, contrast
-  double alpha = 1;           // kChebyshev only
+  double alpha = 1;           // where the statistic needs it
   SurfaceSet surfaces, over;
 };
 
@@ -50,10 +35,26 @@ struct LuminaireRules {
   std::uint32_t count = 6;
   std::vector<double> flux = {1000};       // lm: one value for all, or one per luminaire
   double dimmingLow = 1, dimmingHigh = 1;  // range of the common factor t; equal = no dimming
-  std::vector<std::uint32_t> pinned;       // sites of luminaires 0..pinned.size()-1, kept where they are
+  std::vector<std::uint32_t> pinned;       // site that luminaire i is kept on, kNone: it may move, as may all
+                                           // beyond the end
   std::vector<std::uint32_t> excluded;     // sites that stay free
   double minDistance = 0;                  // m, between the centres of any two luminaires
 };
+
+/// Is luminaire i kept on a site?
+inline bool isPinned(const LuminaireRules& rules, std::uint32_t i) {
+  return i < rules.pinned.size() && rules.pinned[i] != kNone;
+}
+
+/// Flux of luminaire i under the rules, lm.
+inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
+  return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
+}
+
+/// Of each luminaire.
+inline std::vector<double> fluxesOf(const LuminaireRules& rules) {
+  return rules.flux.size() == 1 ? std::vector<double>(rules.count, rules.flux[0]) : rules.flux;
+}
 
 struct Intentions {
   LuminaireRules luminaires;

@@ -1,83 +1,93 @@
-// Free sites and shakes; see neighborhood.h.
+// The rows; see neighborhood.h.
 #include "core/search/neighborhood.h"
+
+#include <algorithm>
 
 namespace fiatlux {
 namespace {
-constexpr std::uint32_t kNever = 1u << 30;
+
+constexpr std::uint32_t kNearReach = 12;  // sites tried around a luminaire
+constexpr std::uint32_t kPairReach = 8;   // and around each of two
+
+std::uint32_t countOf(const std::vector<std::uint32_t>& list) {
+  return static_cast<std::uint32_t>(list.size());
 }
 
-Neighborhood::Neighborhood(const PreparedScene& prepared, const LuminaireRules& rules)
-    : prepared_(prepared),
-      minDistance_(rules.minDistance),
-      firstMovable_(static_cast<std::uint32_t>(rules.pinned.size())),
-      excluded_(prepared.siteCount(), 0),
-      blocked_(prepared.siteCount(), 0) {
-  for (std::uint32_t site : rules.excluded) excluded_[site] = 1;
+std::uint32_t everyLuminaire(const Surroundings& at) { return countOf(at.freeSites.movable()); }
+
+std::uint32_t onceForAll(const Surroundings&) { return 1; }
+
+// --- One luminaire to another site: near ones, then any.
+
+void openNear(const Surroundings& at, Scan& scan) {
+  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], kNearReach, scan.candidates);
+  scan.size = countOf(scan.candidates);
 }
 
-void Neighborhood::load(const std::vector<std::uint32_t>& sites) {
-  for (std::size_t site = 0; site < blocked_.size(); ++site) blocked_[site] = excluded_[site] ? kNever : 0;
-  for (std::uint32_t site : sites) block(site, +1);
+void openFar(const Surroundings& at, Scan& scan) {
+  at.freeSites.farMoves(at.evaluator.sites()[scan.luminaire], scan.candidates);
+  scan.size = countOf(scan.candidates);
 }
 
-void Neighborhood::relocate(std::uint32_t from, std::uint32_t to) {
-  block(from, -1);
-  block(to, +1);
+std::uint32_t tryMoves(const Surroundings& at, Scan& scan, std::uint32_t limit) {
+  const std::uint32_t tried = std::min(limit, scan.size - scan.position);
+  at.evaluator.tryMoves(scan.luminaire, scan.candidates.data() + scan.position, tried, scan.found);
+  scan.position += tried;
+  return tried;
 }
 
-void Neighborhood::block(std::uint32_t site, int change) {
-  if (minDistance_ <= 0) {
-    blocked_[site] += static_cast<std::uint32_t>(change);
-    return;
+// --- Two luminaires of different flux change places: all of them in one scan.
+
+void openSwaps(const Surroundings& at, Scan& scan) {
+  scan.size = countOf(at.freeSites.movable()) * countOf(at.freeSites.movable());
+}
+
+std::uint32_t trySwaps(const Surroundings& at, Scan& scan, std::uint32_t limit) {
+  const std::vector<std::uint32_t>&movable = at.freeSites.movable(), &sites = at.evaluator.sites();
+  std::uint32_t tried = 0;
+  for (; scan.position < scan.size && tried < limit; ++scan.position) {
+    const std::uint32_t i = movable[scan.position / movable.size()],
+                        j = movable[scan.position % movable.size()];
+    if (i >= j || at.evaluator.flux()[i] == at.evaluator.flux()[j]) continue;
+    at.evaluator.tryPair({i, sites[j]}, {j, sites[i]}, scan.found);
+    ++tried;
   }
-  for (std::uint32_t other = 0; other < blocked_.size(); ++other)
-    if (conflict(site, other)) blocked_[other] += static_cast<std::uint32_t>(change);
+  return tried;
 }
 
-void Neighborhood::nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const {
-  out.clear();
-  const std::uint32_t* near = prepared_.nearSites(from);
-  for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k)
-    if (mayMove(from, near[k])) out.push_back(near[k]);
+// --- Two luminaires at once, each to a near site.
+
+void openPairs(const Surroundings& at, Scan& scan) {
+  scan.partner = at.freeSites.randomMovable(at.random);
+  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], kPairReach, scan.candidates);
+  at.freeSites.nearMoves(at.evaluator.sites()[scan.partner], kPairReach, scan.partnerCandidates);
+  const bool two = scan.partner != scan.luminaire;
+  scan.size = two ? countOf(scan.candidates) * countOf(scan.partnerCandidates) : 0;
 }
 
-void Neighborhood::farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const {
-  out.clear();
-  for (std::uint32_t site = 0; site < blocked_.size(); ++site)
-    if (site != from && mayMove(from, site)) out.push_back(site);
-}
-
-void Neighborhood::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach,
-                         Random& random) {
-  const auto movable = static_cast<std::uint32_t>(sites.size()) - firstMovable_;
-  for (std::uint32_t k = 0; k < strength && movable > 0; ++k) {
-    const std::uint32_t i = firstMovable_ + random.below(movable);
-    if (reach == 0)
-      farMoves(sites[i], scratch_);
-    else
-      nearMoves(sites[i], reach, scratch_);
-    if (scratch_.empty()) continue;
-    const std::uint32_t to = scratch_[random.below(static_cast<std::uint32_t>(scratch_.size()))];
-    relocate(sites[i], to);
-    sites[i] = to;
+std::uint32_t tryPairs(const Surroundings& at, Scan& scan, std::uint32_t limit) {
+  const std::uint32_t second = countOf(scan.partnerCandidates);
+  std::uint32_t tried = 0;
+  for (; scan.position < scan.size && tried < limit; ++scan.position) {
+    const std::uint32_t a = scan.candidates[scan.position / second],
+                        b = scan.partnerCandidates[scan.position % second];
+    if (at.freeSites.conflict(a, b)) continue;
+    at.evaluator.tryPair({scan.luminaire, a}, {scan.partner, b}, scan.found);
+    ++tried;
   }
+  return tried;
 }
 
-void Neighborhood::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random) {
-  const auto movable = static_cast<std::uint32_t>(sites.size()) - firstMovable_;
-  const std::uint32_t center = random.below(prepared_.siteCount());
-  const std::uint32_t* near = prepared_.nearSites(center);
-  std::uint32_t next = 0;  // 0: the centre itself, then its neighbours
-  for (std::uint32_t k = 0; k < strength && movable > 0; ++k) {
-    const std::uint32_t i = firstMovable_ + random.below(movable);
-    for (; next <= prepared_.nearCount(); ++next) {
-      const std::uint32_t to = next == 0 ? center : near[next - 1];
-      if (to == sites[i] || !mayMove(sites[i], to)) continue;
-      relocate(sites[i], to);
-      sites[i] = to;
-      break;
-    }
-  }
-}
+// name, open, trySome, turn, afterShakes, startsOver, needsDifferentFluxes
+constexpr Neighborhood kNeighborhoods[] = {
+    {"near", openNear, tryMoves, everyLuminaire, true, false, false},
+    {"far", openFar, tryMoves, everyLuminaire, false, false, false},
+    {"swaps", openSwaps, trySwaps, onceForAll, true, false, true},
+    {"pairs", openPairs, tryPairs, everyLuminaire, false, true, false},
+};
+
+}  // namespace
+
+std::span<const Neighborhood> neighborhoods() { return kNeighborhoods; }
 
 }  // namespace fiatlux

@@ -1,58 +1,48 @@
-// Where a luminaire may go next: sites that are free under the rules, near ones first; and the shakes of the
-// search, which throw some luminaires further away the longer it finds nothing.
+// The neighbourhoods of the local search, one row each, in the order in which the search goes through them.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/search/intentions.h"
-#include "core/search/prepared_scene.h"
+#include "core/search/evaluator.h"
+#include "core/search/free_sites.h"
 
 namespace fiatlux {
 
-/// Keeps, for the layout it follows, how many luminaires stand in the way of each site.
-class Neighborhood {
- public:
-  Neighborhood(const PreparedScene& prepared, const LuminaireRules& rules);
-
-  void load(const std::vector<std::uint32_t>& sites);
-  void relocate(std::uint32_t from, std::uint32_t to);
-
-  /// May the luminaire on `from` hang on `to`, the others staying?
-  bool mayMove(std::uint32_t from, std::uint32_t to) const {
-    return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
-  }
-  /// May two luminaires be on a and b at once?
-  bool conflict(std::uint32_t a, std::uint32_t b) const {
-    return a == b || (minDistance_ > 0 && prepared_.distance(a, b) < minDistance_);
-  }
-
-  /// Free sites for the luminaire on `from` among its `reach` nearest, nearest first.
-  void nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const;
-  /// All free sites for the luminaire on `from`.
-  void farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const;
-
-  /// Relocates `strength` random movable luminaires of `sites`, each among its `reach` nearest sites (0:
-  /// anywhere), and follows. A luminaire that finds no free site stays.
-  void shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach, Random& random);
-
-  /// Relocates `strength` random movable luminaires (drawn with repetition) to the sites nearest to a random
-  /// one.
-  void gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random);
-
-  /// Luminaires 0..firstMovable()-1 are pinned.
-  std::uint32_t firstMovable() const { return firstMovable_; }
-
- private:
-  void block(std::uint32_t site, int change);
-
-  const PreparedScene& prepared_;
-  double minDistance_;
-  std::uint32_t firstMovable_;
-  std::vector<char> excluded_;
-  std::vector<std::uint32_t> blocked_;  // per site: luminaires in its way; excluded sites never reach 0 or 1
-  std::vector<std::uint32_t> scratch_;
+/// One look through a neighbourhood from where the evaluator stands: what its row fills in when it opens, and
+/// how far it has got.
+struct Scan {
+  std::uint32_t luminaire = 0;                               // whose turn it is: given before a row opens
+  std::uint32_t partner = 0;                                 // that moves with it
+  std::vector<std::uint32_t> candidates, partnerCandidates;  // sites for the two
+  std::uint32_t position = 0;  // of the trials, those left out included: a row counts it up
+  std::uint32_t size = 0;      // trials in all: the scan ends there
+  Trial found;                 // the best so far; its count is 0 while nothing better was found
 };
+
+/// What a row works on.
+struct Surroundings {
+  Evaluator& evaluator;  // stands at the layout whose neighbours are tried
+  const FreeSites& freeSites;
+  Random& random;
+};
+
+struct Neighborhood {
+  const char* name;
+  /// Prepares a scan and sets its size.
+  void (*open)(const Surroundings& at, Scan& scan);
+  /// Tries at most `limit` > 0 layouts, counts the position up and returns how many it tried.
+  std::uint32_t (*trySome)(const Surroundings& at, Scan& scan, std::uint32_t limit);
+  /// Scans in vain that make a turn: then the search goes on to the next row.
+  std::uint32_t (*turn)(const Surroundings& at);
+  bool afterShakes;  // it is also looked through after a shake, where only a quick search is worth while
+  bool startsOver;   // a success in it leads back to the first row; else its own scans go on
+  bool needsDifferentFluxes;  // it does nothing for luminaires that are all alike
+};
+
+/// Each from small to large.
+std::span<const Neighborhood> neighborhoods();
 
 }  // namespace fiatlux

@@ -2,24 +2,17 @@
 #include "core/search/objective.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "core/search/validate_intentions.h"
+
 namespace fiatlux {
-namespace {
-
-double sigmaOf(const Moments& moments) { return std::sqrt(std::max(0.0, moments.variance)); }
-
-double ratio(double part, double whole) {
-  if (whole > 0) return part / whole;
-  return part > 0 ? 1e30 : 0;  // against darkness every light is a contrast
-}
-
-}  // namespace
-
 Objective::Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference)
     : dimmingLow_(intentions.luminaires.dimmingLow), dimmingHigh_(intentions.luminaires.dimmingHigh) {
-  for (std::uint32_t i = 0; i < intentions.luminaires.count; ++i)
-    totalFlux_ += fluxOf(intentions.luminaires, i);
+  assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
+  assert(reference.sites.size() == intentions.luminaires.count);
+  for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;
   for (const Goal& goal : intentions.goals) addGoal(prepared, goal, intentions.quantity);
   for (const Constraint& constraint : intentions.constraints)
     addConstraint(prepared, constraint, intentions.quantity);
@@ -34,101 +27,81 @@ std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
 
+std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
+                                const SurfaceSet& surfaces) {
+  if (!traits.needsSurfaces) return 0;
+  const std::uint32_t s = setOf(prepared, quantity, surfaces);
+  sets_[s].needsVariance |= traits.needsVariance;
+  sets_[s].needsExtremes |= traits.needsExtremes;
+  needsExtremes_ |= traits.needsExtremes;
+  return s;
+}
+
 void Objective::addConstraint(PreparedScene& prepared, const Constraint& c, Quantity quantity) {
-  Side side{c.statistic, 0, 0, c.alpha, 0, true, false};
-  if (c.statistic != Statistic::kPower) side.set = setOf(prepared, quantity, c.surfaces);
-  if (c.statistic == Statistic::kContrast) side.over = setOf(prepared, quantity, c.over);
-  side.scaleFree = c.statistic == Statistic::kContrast || c.statistic == Statistic::kUniformity;
-  const bool extremes = c.statistic == Statistic::kMinimum || c.statistic == Statistic::kMaximum ||
-                        c.statistic == Statistic::kUniformity;
-  if (extremes) sets_[side.set].needsExtremes = needsExtremes_ = true;
-  if (c.statistic == Statistic::kSigma || c.statistic == Statistic::kChebyshev || extremes)
-    sets_[side.set].needsVariance = true;
-  for (const bool lower : {true, false}) {
-    side.bound = lower ? c.lower : c.upper;
-    side.lower = lower;
-    if (std::isfinite(side.bound)) sides_.push_back(side);
+  const StatisticTraits& traits = traitsOf(c.statistic);
+  Bound bound{c.statistic,       setFor(prepared, quantity, traits, c.surfaces), 0, c.alpha, 0, Side::kLower,
+              traits.scaleFree()};
+  if (traits.needsOver) bound.over = setOf(prepared, quantity, c.over);
+  for (const Side side : {Side::kLower, Side::kUpper}) {
+    bound.side = side;
+    bound.value = side == Side::kLower ? c.lower : c.upper;
+    if (std::isfinite(bound.value)) sides_.push_back(bound);
   }
 }
 
 void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity) {
-  Term term{goal.statistic, 0, 0, goal.sense == Sense::kMinimize ? goal.weight : -goal.weight};
-  if (goal.statistic != Statistic::kPower) term.set = setOf(prepared, quantity, goal.surfaces);
-  if (goal.statistic == Statistic::kContrast) term.over = setOf(prepared, quantity, goal.over);
-  const bool extremes = goal.statistic == Statistic::kMinimum || goal.statistic == Statistic::kMaximum;
-  if (extremes) sets_[term.set].needsExtremes = needsExtremes_ = true;
-  if (goal.statistic == Statistic::kSigma || extremes) sets_[term.set].needsVariance = true;
+  const StatisticTraits& traits = traitsOf(goal.statistic);
+  const bool least = goal.sense == Sense::kMinimize;
+  Term term{goal.statistic,
+            setFor(prepared, quantity, traits, goal.surfaces),
+            0,
+            least ? goal.weight : -goal.weight,
+            least ? Side::kUpper : Side::kLower,
+            traits.scaleFree()};
+  if (traits.needsOver) term.over = setOf(prepared, quantity, goal.over);
   terms_.push_back(term);
 }
 
 void Objective::scaleGoals(const Intentions& intentions, const Layout& reference) {
-  std::vector<double> flux;
-  for (std::uint32_t i = 0; i < intentions.luminaires.count; ++i)
-    flux.push_back(fluxOf(intentions.luminaires, i));
+  const std::vector<double> flux = fluxesOf(intentions.luminaires);
   std::vector<Moments> moments;
-  for (const ObjectiveSet& set : sets_) {
-    const KernelStatistics& s = *set.statistics;
-    const auto count = static_cast<std::uint32_t>(flux.size()), m = static_cast<std::uint32_t>(s.mean.size());
-    moments.push_back({meanOf(s.mean.data(), reference.sites.data(), flux.data(), count),
-                       varianceOf(s.covariance.data(), m, reference.sites.data(), flux.data(), count)});
-  }
+  for (const ObjectiveSet& set : sets_)
+    moments.push_back(momentsOf(*set.statistics, reference.sites.data(), flux.data(),
+                                static_cast<std::uint32_t>(flux.size())));
+  const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {
-    if (term.statistic == Statistic::kMinimum || term.statistic == Statistic::kMaximum) continue;
-    double value = termValue(term, moments.data(), nullptr);
-    if (term.statistic != Statistic::kContrast) value *= dimmingHigh_;
-    if (value > 1e-12) term.factor /= value;
+    if (traitsOf(term.statistic).needsExtremes) continue;
+    double value = termValue(term, moments.data(), none.data());
+    if (!term.scaleFree) value *= dimmingHigh_;
+    if (value > 1e-12 && std::isfinite(value)) term.factor /= value;
   }
 }
 
 double Objective::termValue(const Term& term, const Moments* moments, const Extremes* extremes) const {
-  switch (term.statistic) {
-    case Statistic::kMinimum:
-      return extremes[term.set].minimumLow;
-    case Statistic::kMaximum:
-      return extremes[term.set].maximumHigh;
-    case Statistic::kSigma:
-      return sigmaOf(moments[term.set]);
-    case Statistic::kPower:
-      return totalFlux_;
-    case Statistic::kContrast:
-      return ratio(moments[term.set].mean, moments[term.over].mean);
-    default:
-      return moments[term.set].mean;
-  }
+  return valueOf(term.statistic, {moments + term.set, moments + term.over, extremes + term.set, totalFlux_},
+                 term.side, 0);
 }
 
-double Objective::sideValue(const Side& side, const Moments* moments, const Extremes* extremes) const {
-  const Moments& at = moments[side.set];
-  switch (side.statistic) {
-    case Statistic::kMean:
-      return at.mean;
-    case Statistic::kSigma:
-      return sigmaOf(at);
-    case Statistic::kPower:
-      return totalFlux_;
-    case Statistic::kChebyshev:
-      return at.mean + (side.lower ? -side.alpha : side.alpha) * sigmaOf(at);
-    case Statistic::kMinimum:
-      return side.lower ? extremes[side.set].minimumLow : extremes[side.set].minimumHigh;
-    case Statistic::kMaximum:
-      return side.lower ? extremes[side.set].maximumLow : extremes[side.set].maximumHigh;
-    case Statistic::kUniformity:
-      return ratio(side.lower ? extremes[side.set].minimumLow : extremes[side.set].minimumHigh, at.mean);
-    case Statistic::kContrast:
-      return ratio(at.mean, moments[side.over].mean);
-  }
-  return 0;
+double Objective::boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const {
+  return valueOf(bound.statistic,
+                 {moments + bound.set, moments + bound.over, extremes + bound.set, totalFlux_}, bound.side,
+                 bound.alpha);
 }
 
 Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) const {
   double slope = 0, constant = 0;
   for (const Term& term : terms_) {
-    const double part = term.factor * termValue(term, moments, extremes);
-    (term.statistic == Statistic::kContrast ? constant : slope) += part;
+    const double value = termValue(term, moments, extremes);
+    if (!term.scaleFree)
+      slope += term.factor * value;
+    else if (!std::isnan(value))
+      constant += term.factor * value;
+    else if (term.factor > 0)
+      constant = kUnbounded;  // no value is the worst one: a ratio is 0 or more
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const Side& side = sides_[i];
-    bounds_[i] = {sideValue(side, moments, extremes), side.bound, side.lower, side.scaleFree};
+    const Bound& bound = sides_[i];
+    bounds_[i] = {boundedValue(bound, moments, extremes), bound.value, bound.side, bound.scaleFree};
   }
   return solveDimming(bounds_.data(), static_cast<std::uint32_t>(bounds_.size()), slope, constant,
                       dimmingLow_, dimmingHigh_);
@@ -142,7 +115,7 @@ Extremes Objective::allowedBy(const Moments& moments) {
 
 double Objective::goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const {
   const double value = termValue(terms_[g], moments, extremes);
-  return terms_[g].statistic == Statistic::kContrast ? value : t * value;
+  return terms_[g].scaleFree ? value : t * value;
 }
 
 }  // namespace fiatlux

@@ -13,11 +13,6 @@
 
 namespace fiatlux {
 
-/// Mean and variance of one surface set at t = 1.
-struct Moments {
-  double mean = 0, variance = 0;
-};
-
 /// A surface set that the intentions mention; `needsVariance` and `needsExtremes` say what must be computed
 /// of it.
 struct ObjectiveSet {
@@ -28,10 +23,9 @@ struct ObjectiveSet {
 
 class Objective {
  public:
-  /// Goals are measured against their values for `reference` at the upper end of the dimming.
-  /// Precondition: checkIntentions(scene, intentions) passed. Beyond what that allows to a person, a goal may
-  /// be the true minimum or maximum (with its margin), unscaled: the largest bound that is feasible is found
-  /// that way.
+  /// Goals are measured against their values for `reference` (one site a luminaire) at the upper end of the
+  /// dimming. Precondition: checkIntentions passed, as of a bound search: a true minimum or maximum is a goal
+  /// with its margin, unscaled.
   Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
 
   const std::vector<ObjectiveSet>& sets() const { return sets_; }
@@ -53,36 +47,36 @@ class Objective {
   double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
 
  private:
-  struct Side {  // one finite bound of a constraint
+  struct Bound {  // one finite bound of a constraint
     Statistic statistic;
     std::uint32_t set, over;
-    double alpha, bound;
-    bool lower, scaleFree;
+    double alpha, value;
+    Side side;
+    bool scaleFree;
   };
   struct Term {  // one goal
     Statistic statistic;
     std::uint32_t set, over;
     double factor;  // sign x weight / |reference value|
+    Side side;      // where the worst of what is not known exactly lies
+    bool scaleFree;
   };
 
   std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
+  std::uint32_t setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
+                       const SurfaceSet& surfaces);
   void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(const Intentions& intentions, const Layout& reference);
-  double sideValue(const Side& side, const Moments* moments, const Extremes* extremes) const;
+  double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   std::vector<ObjectiveSet> sets_;
-  std::vector<Side> sides_;
+  std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
   bool needsExtremes_ = false;
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
 };
-
-/// Flux of luminaire i under the rules, lm.
-inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
-  return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
-}
 
 }  // namespace fiatlux

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/search/intentions.h"
+#include "core/scene/surface_names.h"
 
 namespace fiatlux {
 namespace {
@@ -13,15 +13,9 @@ constexpr std::size_t kWitnesses = 12;
 PatchExtremes::PatchExtremes(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces)
     : scene_(scene) {
   std::vector<std::uint32_t> leafOf(scene.surfaces.size(), kNone);
-  const auto include = [&](std::uint32_t s) {
+  for (std::uint32_t s : leavesOf(scene, surfaces)) {
     leafOf[s] = static_cast<std::uint32_t>(leaves_.size());
     leaves_.push_back({s, s < scene.errorBound.size() ? scene.errorBound[s] : 0.0});
-  };
-  if (surfaces.empty()) {
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-      if (!scene.surfaces[s].measuring) include(s);
-  } else {
-    for (std::uint32_t s : surfaces) include(s);
   }
   for (std::uint32_t p = 0; p < scene.responses.rows; ++p) {
     const std::uint32_t leaf = leafOf[scene.patches.surface[p]];
@@ -103,6 +97,15 @@ void PatchExtremes::remember(std::vector<std::uint32_t>& witnesses, std::uint32_
   }
   if (witnesses.size() == kWitnesses) witnesses.pop_back();
   witnesses.insert(witnesses.begin(), k);
+}
+
+Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
+                       const Layout& layout) {
+  std::vector<double> flux = layout.flux;
+  for (double& lumens : flux) lumens *= layout.dimming;
+  PatchExtremes patches(scene, quantity, surfaces);
+  patches.load(layout.sites.data(), flux.data(), static_cast<std::uint32_t>(flux.size()));
+  return patches.current();
 }
 
 }  // namespace fiatlux

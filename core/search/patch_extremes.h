@@ -8,14 +8,9 @@
 
 #include "core/scene/scene.h"
 #include "core/search/kernels.h"
+#include "core/search/statistics.h"
 
 namespace fiatlux {
-
-/// Extremes at full flux (t = 1), each with the margin of the stored responses' error bound on either side:
-/// the true minimum lies in [minimumLow, minimumHigh], the true maximum in [maximumLow, maximumHigh].
-struct Extremes {
-  double minimumLow = 0, minimumHigh = 0, maximumLow = 0, maximumHigh = 0;
-};
 
 class PatchExtremes {
  public:
@@ -24,7 +19,7 @@ class PatchExtremes {
   /// Sets the layout that `changed` starts from; O(patches x count).
   void load(const std::uint32_t* sites, const double* flux, std::uint32_t count);
 
-  /// Extremes of the loaded layout, O(patches).
+  /// Extremes of the loaded layout at full flux (t = 1), O(patches).
   Extremes current() { return changed(nullptr, 0); }
 
   /// Extremes after a change of the loaded layout, O(patches x count). Remembers the extreme patches.
@@ -57,5 +52,9 @@ class PatchExtremes {
   std::vector<double> margin_;    // scratch: errorBound x mean of each leaf after the change
   std::vector<std::uint32_t> dark_, bright_;  // witnesses, latest first
 };
+
+/// Extremes of a surface set under a layout, dimmed, in the unit of `quantity`. O(patches x luminaires).
+Extremes extremesUnder(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces,
+                       const Layout& layout);
 
 }  // namespace fiatlux

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/search/kernels.h"
+
 namespace fiatlux {
 namespace {
 
@@ -22,6 +24,14 @@ std::shared_ptr<const KernelStatistics> kernelStatistics(const Scene& scene, Qua
 }
 
 }  // namespace
+
+Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites, const double* flux,
+                  std::uint32_t count, bool withVariance) {
+  const auto m = static_cast<std::uint32_t>(statistics.mean.size());
+  Moments moments{meanOf(statistics.mean.data(), sites, flux, count), 0};
+  if (withVariance) moments.variance = varianceOf(statistics.covariance.data(), m, sites, flux, count);
+  return moments;
+}
 
 PreparedScene::PreparedScene(const Scene& scene) : scene_(scene) {
   const std::uint32_t m = siteCount();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/search/statistics.h"
 
 namespace fiatlux {
 
@@ -16,6 +17,11 @@ struct KernelStatistics {
   std::vector<double> mean;
   std::vector<float> covariance, diagonal;
 };
+
+/// Mean and variance under a layout of `count` luminaires, by the kernels; the variance only where asked for,
+/// else 0.
+Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites, const double* flux,
+                  std::uint32_t count, bool withVariance = true);
 
 /// Refers to the scene, which must outlive it.
 class PreparedScene {

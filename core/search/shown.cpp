@@ -2,111 +2,74 @@
 #include "core/search/shown.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 
+#include "core/scene/surface_names.h"
 #include "core/search/patch_extremes.h"
+#include "core/search/validate_intentions.h"
 
 namespace fiatlux {
 namespace {
 
-/// The layout as the kernels read it: dimming folded into the flux.
+/// A layout whose dimming is in its fluxes, and where it hangs.
 struct Lit {
   PreparedScene& prepared;
   Quantity quantity;
-  const std::uint32_t* sites;
-  std::vector<double> flux;  // dimmed, lm
+  Layout layout;  // dimming 1
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(flux.size()); }
-
-  double mean(const SurfaceSet& surfaces) const {
-    return meanOf(prepared.statistics(quantity, surfaces)->mean.data(), sites, flux.data(), count());
-  }
-  double sigma(const SurfaceSet& surfaces) const {
-    const auto statistics = prepared.statistics(quantity, surfaces);
-    const double variance =
-        varianceOf(statistics->covariance.data(), prepared.siteCount(), sites, flux.data(), count());
-    return std::sqrt(std::max(0.0, variance));
+  Moments moments(const SurfaceSet& surfaces, bool withVariance = true) const {
+    return momentsOf(*prepared.statistics(quantity, surfaces), layout.sites.data(), layout.flux.data(),
+                     static_cast<std::uint32_t>(layout.flux.size()), withVariance);
   }
   Extremes extremes(const SurfaceSet& surfaces) const {
-    PatchExtremes patches(prepared.scene(), quantity, surfaces);
-    patches.load(sites, flux.data(), count());
-    return patches.current();
+    return extremesUnder(prepared.scene(), quantity, surfaces, layout);
   }
   double power() const {
     double sum = 0;
-    for (double f : flux) sum += f;
+    for (double f : layout.flux) sum += f;
     return sum;
   }
 };
 
-double ratio(double a, double b) { return b > 0 ? a / b : 0; }
-
-/// What a constraint compares with its lower and with its upper bound.
-struct Sides {
-  double low = 0, high = 0;
+/// What one statistic reads of the layout.
+struct Read {
+  Moments at, over;
+  Extremes extremes;
 };
 
-Sides sidesOf(const Lit& lit, const Constraint& constraint) {
-  const auto both = [](double value) { return Sides{value, value}; };
-  switch (constraint.statistic) {
-    case Statistic::kMean:
-      return both(lit.mean(constraint.surfaces));
-    case Statistic::kSigma:
-      return both(lit.sigma(constraint.surfaces));
-    case Statistic::kPower:
-      return both(lit.power());
-    case Statistic::kContrast:
-      return both(ratio(lit.mean(constraint.surfaces), lit.mean(constraint.over)));
-    case Statistic::kChebyshev: {
-      const double mean = lit.mean(constraint.surfaces),
-                   reach = constraint.alpha * lit.sigma(constraint.surfaces);
-      return {mean - reach, mean + reach};
-    }
-    case Statistic::kMinimum: {
-      const Extremes e = lit.extremes(constraint.surfaces);
-      return {e.minimumLow, e.minimumHigh};
-    }
-    case Statistic::kMaximum: {
-      const Extremes e = lit.extremes(constraint.surfaces);
-      return {e.maximumLow, e.maximumHigh};
-    }
-    case Statistic::kUniformity: {
-      const Extremes e = lit.extremes(constraint.surfaces);
-      const double mean = lit.mean(constraint.surfaces);
-      return {ratio(e.minimumLow, mean), ratio(e.minimumHigh, mean)};
-    }
-  }
-  return {};
+Read readFor(const Lit& lit, const StatisticTraits& traits, const SurfaceSet& surfaces,
+             const SurfaceSet& over) {
+  Read read;
+  if (!traits.needsSurfaces) return read;
+  read.at = lit.moments(surfaces, traits.needsVariance);
+  if (traits.needsExtremes) read.extremes = lit.extremes(surfaces);
+  if (traits.needsOver) read.over = lit.moments(over, false);
+  return read;
 }
 
-/// Signed distance to a bound, relative: positive inside.
-double marginOf(double inside, double bound) { return bound != 0 ? inside / std::abs(bound) : inside; }
+double valueOf(const Lit& lit, Statistic statistic, const Read& read, Side side, double alpha) {
+  return valueOf(statistic, {&read.at, &read.over, &read.extremes, lit.power()}, side, alpha);
+}
 
-ConstraintReading readConstraint(const Lit& lit, const Constraint& constraint) {
-  const Sides sides = sidesOf(lit, constraint);
-  const bool below = std::isfinite(constraint.lower), above = std::isfinite(constraint.upper);
-  const double low = below ? marginOf(sides.low - constraint.lower, constraint.lower) : kUnbounded;
-  const double high = above ? marginOf(constraint.upper - sides.high, constraint.upper) : kUnbounded;
+ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
+  const StatisticTraits& traits = traitsOf(c.statistic);
+  const Read read = readFor(lit, traits, c.surfaces, c.over);
+  const double below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha),
+               above = valueOf(lit, c.statistic, read, Side::kUpper, c.alpha);
+  const double low = std::isfinite(c.lower) ? marginTo(c.lower, Side::kLower, below) : kUnbounded;
+  const double high = std::isfinite(c.upper) ? marginTo(c.upper, Side::kUpper, above) : kUnbounded;
   ConstraintReading reading;
-  reading.value = constraint.statistic == Statistic::kChebyshev ? (low <= high ? sides.low : sides.high)
-                                                                : (sides.low + sides.high) / 2;
+  reading.value = traits.needsAlpha ? (low <= high ? below : above) : (below + above) / 2;
   reading.violation = std::max(0.0, -low) + std::max(0.0, -high);
   reading.margin = std::min(low, high);
   return reading;
 }
 
-double goalValue(const Lit& lit, const Goal& goal) {
-  switch (goal.statistic) {
-    case Statistic::kSigma:
-      return lit.sigma(goal.surfaces);
-    case Statistic::kPower:
-      return lit.power();
-    case Statistic::kContrast:
-      return ratio(lit.mean(goal.surfaces), lit.mean(goal.over));
-    default:
-      return lit.mean(goal.surfaces);
-  }
+double readGoal(const Lit& lit, const Goal& goal) {
+  const Read read = readFor(lit, traitsOf(goal.statistic), goal.surfaces, goal.over);
+  return valueOf(lit, goal.statistic, read, Side::kLower, 0);
 }
 
 /// Least and largest light of every leaf and of all of them, in one pass over the patches.
@@ -121,8 +84,7 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
     reading.maximum = std::max(reading.maximum, value);
   }
   SurfaceReading& all = shown.surfaces.back();
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (scene.surfaces[s].measuring) continue;
+  for (std::uint32_t s : leavesOf(scene, {})) {
     all.minimum = std::min(all.minimum, shown.surfaces[s].minimum);
     all.maximum = std::max(all.maximum, shown.surfaces[s].maximum);
   }
@@ -131,7 +93,6 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
 void readSurfaces(const Lit& lit, Shown& shown) {
   const Scene& scene = lit.prepared.scene();
   const auto& leaves = lit.quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
-  const std::size_t m = scene.sites.size();
   shown.surfaces.resize(scene.surfaces.size() + 1);
   readExtremes(scene, lit.quantity, shown);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -140,31 +101,33 @@ void readSurfaces(const Lit& lit, Shown& shown) {
       reading = {};
       continue;
     }
-    double variance = 0;
-    for (std::uint32_t i = 0; i < lit.count(); ++i) {
-      reading.mean += lit.flux[i] * leaves[s].mean[lit.sites[i]];
-      const double* row = leaves[s].covariance.data() + lit.sites[i] * m;
-      for (std::uint32_t j = 0; j < lit.count(); ++j)
-        variance += lit.flux[i] * lit.flux[j] * row[lit.sites[j]];
-    }
-    reading.sigma = std::sqrt(std::max(0.0, variance));
+    const MeanAndSigma light = meanAndSigmaOf(leaves[s], lit.layout);
+    reading.mean = light.mean;
+    reading.sigma = light.sigma;
   }
-  shown.surfaces.back().mean = lit.mean({});
-  shown.surfaces.back().sigma = lit.sigma({});
+  const Moments all = lit.moments({});
+  shown.surfaces.back().mean = all.mean;
+  shown.surfaces.back().sigma = all.sigma();
 }
 
 }  // namespace
 
 Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout) {
-  Lit lit{prepared, intentions.quantity, layout.sites.data(), layout.flux};
-  for (double& flux : lit.flux) flux *= layout.dimming;
+  assert(checkLayout(prepared.scene(), layout) && checkIntentions(prepared.scene(), intentions));
+  const Lit full{prepared, intentions.quantity, {layout.sites, layout.flux, 1}};
+  Lit lit = full;
+  for (double& flux : lit.layout.flux) flux *= layout.dimming;
+  // A ratio does not change with the dimming: where that leaves no light, it is what it was before.
+  const auto litFor = [&](Statistic statistic) -> const Lit& {
+    return layout.dimming == 0 && traitsOf(statistic).scaleFree() ? full : lit;
+  };
   Shown shown;
   shown.layout = layout;
   shown.illuminance = illuminanceOf(prepared.scene(), layout);
   readSurfaces(lit, shown);
-  for (const Goal& goal : intentions.goals) shown.goals.push_back(goalValue(lit, goal));
+  for (const Goal& goal : intentions.goals) shown.goals.push_back(readGoal(litFor(goal.statistic), goal));
   for (const Constraint& constraint : intentions.constraints)
-    shown.constraints.push_back(readConstraint(lit, constraint));
+    shown.constraints.push_back(readConstraint(litFor(constraint.statistic), constraint));
   return shown;
 }
 

@@ -17,20 +17,20 @@ struct SurfaceReading {
   double mean = 0, sigma = 0, minimum = 0, maximum = 0;
 };
 
-/// One constraint as it stands. For kChebyshev `value` is mu - alpha sigma, or mu + alpha sigma where that
-/// side is the tighter one. True minima and maxima are judged with the margin of the stored responses' error
-/// bound.
+/// One constraint as it stands, judged at the less favourable end of what is not known exactly. `value` lies
+/// between the ends; of two sides that read differently (chebyshev) it is the tighter one's. It is infinite
+/// for a contrast against darkness and NaN for one of darkness against darkness, which meets no bound.
 struct ConstraintReading {
   double value = 0;
-  double violation = 0;  // sum of max(0, excess) / |bound|, the excess itself where the bound is 0
-  double margin = 0;     // least signed distance to a bound / |bound|; negative where not met
+  double violation = 0;  // sum of excessOver
+  double margin = 0;     // least marginTo; negative where not met
 };
 
 struct Shown {
   Layout layout;
   std::vector<float> illuminance;        // lx, rows() entries
   std::vector<SurfaceReading> surfaces;  // one a leaf, then "all"
-  std::vector<double> goals;             // value of each, in its unit
+  std::vector<double> goals;             // value of each, in its unit; a contrast as above
   std::vector<ConstraintReading> constraints;
 };
 

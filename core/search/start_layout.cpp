@@ -6,13 +6,14 @@
 namespace fiatlux {
 namespace {
 
-/// Fills a layout site by site, refusing those that the rules forbid.
+/// Fills a layout site by site, pinned ones first, refusing those that the rules forbid.
 class Packer {
  public:
   Packer(const PreparedScene& prepared, const LuminaireRules& rules)
       : prepared_(prepared), rules_(rules), allowed_(prepared.siteCount(), 1) {
     for (std::uint32_t site : rules.excluded) allowed_[site] = 0;
-    for (std::uint32_t site : rules.pinned) sites_.push_back(site);
+    for (std::uint32_t site : rules.pinned)
+      if (site != kNone) sites_.push_back(site);
   }
 
   void offer(std::uint32_t site) {
@@ -22,7 +23,20 @@ class Packer {
     sites_.push_back(site);
   }
   bool full() const { return sites_.size() >= rules_.count; }
-  const std::vector<std::uint32_t>& sites() const { return sites_; }
+  /// Pinned luminaires on their sites, the others on the sites that were taken, in order.
+  std::vector<std::uint32_t> sites() const {
+    std::vector<std::uint32_t> result;
+    std::size_t pinned = 0;
+    for (std::uint32_t i = 0; i < rules_.pinned.size(); ++i) pinned += isPinned(rules_, i);
+    for (std::size_t next = pinned; result.size() < sites_.size();)
+      if (const auto i = static_cast<std::uint32_t>(result.size()); isPinned(rules_, i))
+        result.push_back(rules_.pinned[i]);
+      else if (next < sites_.size())
+        result.push_back(sites_[next++]);
+      else  // too few for its luminaires: only their number counts
+        return sites_;
+    return result;
+  }
 
  private:
   const PreparedScene& prepared_;
@@ -100,6 +114,24 @@ std::vector<std::uint32_t> fittedSites(const PreparedScene& prepared, const Lumi
   order.insert(order.end(), rest.begin(), rest.end());
   std::vector<std::uint32_t> sites = packed(prepared, rules, order);
   return sites.size() == rules.count ? sites : packSites(prepared, rules);
+}
+
+std::vector<std::uint32_t> pinsAsIn(const LuminaireRules& rules, const std::vector<std::uint32_t>& given) {
+  std::vector<std::uint32_t> pins(rules.count, kNone), left;
+  for (std::uint32_t site : rules.pinned) {
+    if (site == kNone) continue;
+    const auto at = std::find(given.begin(), given.end(), site);
+    const auto i = static_cast<std::size_t>(at - given.begin());
+    if (at != given.end() && i < pins.size())
+      pins[i] = site;
+    else
+      left.push_back(site);
+  }
+  for (std::uint32_t site : left) {
+    const auto free = std::find(pins.begin(), pins.end(), kNone);
+    if (free != pins.end()) *free = site;
+  }
+  return pins;
 }
 
 }  // namespace fiatlux

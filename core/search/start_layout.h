@@ -22,9 +22,14 @@ std::vector<std::uint32_t> spreadSites(const PreparedScene& prepared, const Lumi
 std::vector<std::uint32_t> randomSites(const PreparedScene& prepared, const LuminaireRules& rules,
                                        Random& random);
 
-/// `given` as far as the rules allow: pins first, then its sites in order; what is missing is filled from
-/// `spreadSites`' order, what is too many is dropped from the end.
+/// `given` as far as the rules allow: pinned luminaires on their sites, the others on its other sites in
+/// order; what is missing is filled from `spreadSites`' order, what is too many is dropped from the end.
+/// Where all of `given` is allowed and its pinned luminaires hang where they are pinned, it is the result.
 std::vector<std::uint32_t> fittedSites(const PreparedScene& prepared, const LuminaireRules& rules,
                                        const std::vector<std::uint32_t>& given);
+
+/// The sites of `rules.pinned`, each held by the luminaire that hangs there in `given`, or else by the first
+/// one that holds none: for LuminaireRules::pinned.
+std::vector<std::uint32_t> pinsAsIn(const LuminaireRules& rules, const std::vector<std::uint32_t>& given);
 
 }  // namespace fiatlux

@@ -42,6 +42,7 @@ Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
     excluded[site] = 1;
   }
   for (std::uint32_t site : rules.pinned) {
+    if (site == kNone) continue;
     if (site >= m)
       return Error{"luminaires: pinned site " + text(std::size_t{site}) + " does not exist; sites are 0 to " +
                    text(m - 1)};
@@ -66,8 +67,9 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
   if (!(rules.minDistance >= 0) || !std::isfinite(rules.minDistance))
     return Error{"luminaires: a minimum distance of " + text(rules.minDistance) + " m; it must be 0 or more"};
   if (rules.minDistance == 0) return Done{};
-  for (std::size_t i = 0; i < rules.pinned.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+  for (std::uint32_t i = 0; i < rules.pinned.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j) {
+      if (!isPinned(rules, i) || !isPinned(rules, j)) continue;
       const double distance =
           length(scene.sites[rules.pinned[i]].position - scene.sites[rules.pinned[j]].position);
       if (distance < rules.minDistance)
@@ -99,17 +101,30 @@ Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quant
 
 Result<Done> checkSets(const Scene& scene, Statistic statistic, const SurfaceSet& surfaces,
                        const SurfaceSet& over, Quantity quantity, const std::string& where) {
-  if (statistic == Statistic::kPower) return Done{};
+  const StatisticTraits& traits = traitsOf(statistic);
+  if (!traits.needsSurfaces) return Done{};
   if (auto ok = checkSurfaces(scene, surfaces, quantity, where); !ok) return ok;
-  if (statistic == Statistic::kContrast) return checkSurfaces(scene, over, quantity, where);
+  if (traits.needsOver) return checkSurfaces(scene, over, quantity, where);
   return Done{};
 }
 
-Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, const std::string& where) {
-  if (goal.statistic != Statistic::kMean && goal.statistic != Statistic::kSigma &&
-      goal.statistic != Statistic::kPower && goal.statistic != Statistic::kContrast)
+/// "mean, sigma, power and contrast"
+std::string goalNames() {
+  std::string names, last;
+  for (const StatisticTraits& traits : kStatistics) {
+    if (!traits.mayBeGoal) continue;
+    if (!last.empty()) names += (names.empty() ? "" : ", ") + last;
+    last = traits.name;
+  }
+  return names + " and " + last;
+}
+
+Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, Asking asking,
+                       const std::string& where) {
+  const StatisticTraits& traits = traitsOf(goal.statistic);
+  if (!traits.mayBeGoal && !(asking == Asking::kBoundSearch && traits.needsExtremes))
     return Error{where + ": " + statisticName(goal.statistic) +
-                 " cannot be a goal, only a constraint; goals are mean, sigma, power and contrast"};
+                 " cannot be a goal, only a constraint; goals are " + goalNames()};
   if (!(goal.weight > 0) || !std::isfinite(goal.weight))
     return Error{where + ": a weight of " + text(goal.weight) + "; it must be above 0"};
   return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);
@@ -122,14 +137,14 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
     return Error{where + ": no bound; give \"min\", \"max\" or both"};
   if (c.lower > c.upper)
     return Error{where + ": the minimum " + text(c.lower) + " is above the maximum " + text(c.upper)};
-  if (c.statistic == Statistic::kChebyshev && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
+  if (traitsOf(c.statistic).needsAlpha && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
     return Error{where + ": alpha is " + text(c.alpha) + "; it must be 0 or more"};
   return checkSets(scene, c.statistic, c.surfaces, c.over, quantity, where);
 }
 
 }  // namespace
 
-Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
+Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, Asking asking) {
   const LuminaireRules& rules = intentions.luminaires;
   if (scene.sites.empty()) return Error{"the scene has no sites, so no luminaire can hang; give it a mount"};
   if (rules.count == 0 || rules.count > kMostLuminaires)
@@ -140,7 +155,7 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
   if (auto ok = checkDistance(scene, rules); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
     const Goal& goal = intentions.goals[g];
-    if (auto ok = checkGoal(scene, goal, intentions.quantity, "goal " + text(g + 1)); !ok) return ok;
+    if (auto ok = checkGoal(scene, goal, intentions.quantity, asking, "goal " + text(g + 1)); !ok) return ok;
   }
   for (std::size_t c = 0; c < intentions.constraints.size(); ++c) {
     const Constraint& constraint = intentions.constraints[c];
@@ -148,35 +163,6 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions) {
     if (auto ok = checkConstraint(scene, constraint, intentions.quantity, where); !ok) return ok;
   }
   return Done{};
-}
-
-std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces) {
-  if (surfaces.empty()) return "all";
-  std::string name;
-  for (std::uint32_t s : surfaces) name += (name.empty() ? "" : " + ") + scene.surfaces[s].name;
-  return name;
-}
-
-const char* statisticName(Statistic statistic) {
-  switch (statistic) {
-    case Statistic::kMean:
-      return "mean";
-    case Statistic::kSigma:
-      return "sigma";
-    case Statistic::kPower:
-      return "power";
-    case Statistic::kChebyshev:
-      return "chebyshev";
-    case Statistic::kMinimum:
-      return "minimum";
-    case Statistic::kMaximum:
-      return "maximum";
-    case Statistic::kUniformity:
-      return "uniformity";
-    case Statistic::kContrast:
-      return "contrast";
-  }
-  return "";
 }
 
 }  // namespace fiatlux

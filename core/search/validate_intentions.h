@@ -7,14 +7,13 @@
 
 namespace fiatlux {
 
+/// Whose goals they are: a person's, or those of a search for the best bound that is feasible, which may be a
+/// true minimum or maximum too.
+enum class Asking : std::uint8_t { kPerson, kBoundSearch };
+
 /// Done, or the first thing that is wrong with the intentions: what, where, and the cure. Every search and
 /// evaluator requires that this passed.
-Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions);
-
-/// "floor", "floor + desk 1", or "all": a surface set as a person reads it.
-std::string surfaceSetName(const Scene& scene, const SurfaceSet& surfaces);
-
-/// "mean", "sigma", ...: the names of the statistics in intentions.json.
-const char* statisticName(Statistic statistic);
+Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions,
+                             Asking asking = Asking::kPerson);
 
 }  // namespace fiatlux

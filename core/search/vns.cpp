@@ -9,8 +9,6 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kNearReach = 12;      // sites tried around a luminaire in the first neighbourhood
-constexpr std::uint32_t kPairReach = 8;       // and around each of two in the last
 constexpr std::uint32_t kShakeReach = 16;     // how far a near shake throws
 constexpr double kPenalties[3] = {1, 4, 16};  // goals that a violation of 100 % is worth, in a walk
 constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
@@ -27,7 +25,7 @@ std::vector<std::uint32_t> startSites(const PreparedScene& prepared, const Lumin
 Vns::Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const Layout* start,
          const Layout* reference)
     : evaluator_(prepared, intentions, reference),
-      neighborhood_(prepared, intentions.luminaires),
+      freeSites_(prepared, intentions.luminaires),
       random_(seed),
       prepared_(prepared),
       rules_(intentions.luminaires) {
@@ -38,7 +36,7 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t se
 }
 
 void Vns::advance(std::uint32_t evaluations) {
-  if (neighborhood_.firstMovable() >= rules_.count || prepared_.siteCount() <= rules_.count) return;
+  if (freeSites_.movable().empty() || prepared_.siteCount() <= rules_.count) return;
   for (std::uint32_t idle = 0; evaluations > 0 && idle < kIdleSteps;) {
     const std::uint32_t spent = spend(evaluations);
     evaluations -= spent;
@@ -50,115 +48,73 @@ void Vns::advance(std::uint32_t evaluations) {
 /// Starts a local search.
 void Vns::begin(const std::vector<std::uint32_t>& sites) {
   evaluator_.load(sites);
-  neighborhood_.load(sites);
-  enter(Phase::kNear);
+  freeSites_.load(sites);
+  enter(0);
 }
 
-void Vns::enter(Phase phase) {
-  phase_ = phase;
-  if (phase != Phase::kWalk) evaluator_.setPenalty(0);
+void Vns::enter(std::size_t neighborhood) {
+  neighborhood_ = neighborhood;
+  evaluator_.setPenalty(0);
+  gathering_ = walking_ = scanning_ = false;
   fruitless_ = 0;
-  scanning_ = false;
 }
 
 /// Goes on with the running scan for at most `limit` > 0 evaluations; returns how many it took.
 std::uint32_t Vns::spend(std::uint32_t limit) {
-  if (phase_ == Phase::kGather) return tryGatherings(limit);
+  if (gathering_) return tryGatherings(limit);
   if (!scanning_) openScan();
-  std::uint32_t spent = 0;
-  if (phase_ == Phase::kSwap) {
-    spent = trySwaps(limit);
-  } else if (phase_ == Phase::kPairs) {
-    spent = tryPairs(limit);
-  } else {
-    spent = std::min(limit, static_cast<std::uint32_t>(candidates_.size()) - position_);
-    evaluator_.tryMoves(luminaire_, candidates_.data() + position_, spent, found_);
-    position_ += spent;
-    if (position_ == candidates_.size()) closeScan();
-  }
+  const std::uint32_t spent = neighborhoods()[neighborhood_].trySome(here(), scan_, limit);
+  if (scan_.position >= scan_.size) closeScan();
   return spent;
 }
 
 void Vns::openScan() {
-  const std::uint32_t first = neighborhood_.firstMovable(), movable = rules_.count - first;
-  luminaire_ = luminaire_ + 1 >= rules_.count ? first : std::max(first, luminaire_ + 1);
-  found_ = {{}, 0, evaluator_.current()};
-  position_ = 0;
+  const std::vector<std::uint32_t>& movable = freeSites_.movable();
+  const auto next = std::upper_bound(movable.begin(), movable.end(), scan_.luminaire);
+  scan_.luminaire = next == movable.end() ? movable.front() : *next;
+  scan_.found = {{}, 0, evaluator_.current()};
+  scan_.position = 0;
   scanning_ = true;
-  if (phase_ == Phase::kNear || phase_ == Phase::kWalk) {
-    neighborhood_.nearMoves(evaluator_.sites()[luminaire_], kNearReach, candidates_);
-  } else if (phase_ == Phase::kFar) {
-    neighborhood_.farMoves(evaluator_.sites()[luminaire_], candidates_);
-  } else if (phase_ == Phase::kPairs) {
-    partner_ = first + random_.below(movable);
-    neighborhood_.nearMoves(evaluator_.sites()[luminaire_], kPairReach, candidates_);
-    neighborhood_.nearMoves(evaluator_.sites()[partner_], kPairReach, partnerCandidates_);
-    if (partner_ == luminaire_) candidates_.clear();
-  }
+  neighborhoods()[neighborhood_].open(here(), scan_);
 }
 
-/// Takes the best of the scan, or leaves the phase when a whole turn of luminaires found nothing.
+/// Takes the best of the scan, or leaves the neighbourhood when a whole turn found nothing.
 void Vns::closeScan() {
+  const Neighborhood& at = neighborhoods()[neighborhood_];
   scanning_ = false;
-  const std::uint32_t turn = phase_ == Phase::kSwap ? 1 : rules_.count - neighborhood_.firstMovable();
-  if (found_.count == 0) {
-    if (++fruitless_ >= turn) nextPhase();
+  if (scan_.found.count == 0) {
+    if (++fruitless_ >= at.turn(here())) leave();
     return;
   }
-  for (std::uint32_t k = 0; k < found_.count && phase_ != Phase::kSwap; ++k)
-    neighborhood_.relocate(evaluator_.sites()[found_.moves[k].luminaire], found_.moves[k].site);
-  evaluator_.apply(found_);
+  for (std::uint32_t k = 0; k < scan_.found.count; ++k)
+    freeSites_.relocate(evaluator_.sites()[scan_.found.moves[k].luminaire], scan_.found.moves[k].site);
+  evaluator_.apply(scan_.found);
   fruitless_ = 0;
-  if (isBetter(evaluator_.current(), bestEvaluation_)) {
-    best_ = evaluator_.sites();
-    bestEvaluation_ = evaluator_.current();
-    foundAt_ = evaluations_;
-    fruitlessRounds_ = 0;
+  keepBest();
+  if (at.startsOver) enter(0);
+}
+
+void Vns::keepBest() {
+  if (!isBetter(evaluator_.current(), bestEvaluation_)) return;
+  best_ = evaluator_.sites();
+  bestEvaluation_ = evaluator_.current();
+  foundAt_ = evaluations_;
+  fruitlessRounds_ = 0;
+}
+
+/// To the next neighbourhood that is worth while; after the last one the local search has ended.
+void Vns::leave() {
+  if (walking_) return enter(0);
+  for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
+    const Neighborhood& row = neighborhoods()[next];
+    if ((thorough_ || row.afterShakes) && (differentFluxes_ || !row.needsDifferentFluxes)) return enter(next);
   }
-  if (phase_ == Phase::kPairs) enter(Phase::kNear);
+  changeBase();
 }
 
-void Vns::nextPhase() {
-  if (phase_ == Phase::kWalk) return enter(Phase::kNear);
-  if (phase_ == Phase::kNear && thorough_) return enter(Phase::kFar);
-  if (phase_ != Phase::kSwap && phase_ != Phase::kPairs && differentFluxes_) return enter(Phase::kSwap);
-  if (phase_ != Phase::kPairs && thorough_) return enter(Phase::kPairs);
-  changeNeighborhood();
-}
-
-/// Exchanges of the sites of two luminaires of different flux: one scan over all of them.
-std::uint32_t Vns::trySwaps(std::uint32_t limit) {
-  const std::uint32_t first = neighborhood_.firstMovable(), movable = rules_.count - first;
-  const std::vector<std::uint32_t>& sites = evaluator_.sites();
-  std::uint32_t spent = 0;
-  for (; position_ < movable * movable && spent < limit; ++position_) {
-    const std::uint32_t i = first + position_ / movable, j = first + position_ % movable;
-    if (i >= j || evaluator_.flux()[i] == evaluator_.flux()[j]) continue;
-    evaluator_.tryPair({i, sites[j]}, {j, sites[i]}, found_);
-    ++spent;
-  }
-  if (position_ == movable * movable) closeScan();
-  return spent;
-}
-
-/// Two luminaires moved at once, each to a near site.
-std::uint32_t Vns::tryPairs(std::uint32_t limit) {
-  const auto second = static_cast<std::uint32_t>(partnerCandidates_.size());
-  const std::uint32_t total = static_cast<std::uint32_t>(candidates_.size()) * second;
-  std::uint32_t spent = 0;
-  for (; position_ < total && spent < limit; ++position_) {
-    const std::uint32_t a = candidates_[position_ / second], b = partnerCandidates_[position_ % second];
-    if (neighborhood_.conflict(a, b)) continue;
-    evaluator_.tryPair({luminaire_, a}, {partner_, b}, found_);
-    ++spent;
-  }
-  if (position_ >= total) closeScan();
-  return spent;
-}
-
-/// After a local search: keep the better layout and the first neighbourhood, or go to the next one.
-void Vns::changeNeighborhood() {
-  const std::uint32_t movable = rules_.count - neighborhood_.firstMovable();
+/// After a local search: keep the better layout and the weakest shake, or go to the next one.
+void Vns::changeBase() {
+  const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
   if (isBetter(evaluator_.current(), baseEvaluation_)) {
     base_ = evaluator_.sites();
     baseEvaluation_ = evaluator_.current();
@@ -181,40 +137,40 @@ void Vns::changeNeighborhood() {
 /// Levels alternate between near shakes, far shakes and gatherings, of growing strength.
 void Vns::shake() {
   if (level_ % 3 == 2) {
-    enter(Phase::kGather);
-    position_ = 0;
+    enter(0);
+    gathering_ = true;
+    gatherings_ = 0;
     return;
   }
   std::vector<std::uint32_t> sites = base_;
-  neighborhood_.load(sites);
-  neighborhood_.shake(sites, 1 + level_ / 3, level_ % 3 == 0 ? kShakeReach : 0, random_);
+  freeSites_.load(sites);
+  freeSites_.shake(sites, 1 + level_ / 3, level_ % 3 == 0 ? kShakeReach : 0, random_);
   beginShaken(sites);
 }
 
 /// Luminaires thrown together around a site, at several sites: the best of these is worth a local search.
 std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
-  const std::uint32_t movable = rules_.count - neighborhood_.firstMovable();
+  const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
   std::uint32_t spent = 0;
-  for (; position_ < kGatherings && spent < limit; ++position_, ++spent) {
+  for (; gatherings_ < kGatherings && spent < limit; ++gatherings_, ++spent) {
     std::vector<std::uint32_t> sites = base_;
-    neighborhood_.load(sites);
-    neighborhood_.gather(sites, 2 + random_.below(2 * movable), random_);
+    freeSites_.load(sites);
+    freeSites_.gather(sites, 2 + random_.below(2 * movable), random_);
     evaluator_.load(sites);
-    if (position_ > 0 && !isBetter(evaluator_.current(), gatheredEvaluation_)) continue;
+    if (gatherings_ > 0 && !isBetter(evaluator_.current(), gatheredEvaluation_)) continue;
     gathered_ = sites;
     gatheredEvaluation_ = evaluator_.current();
   }
-  if (position_ == kGatherings) beginShaken(gathered_);
+  if (gatherings_ == kGatherings) beginShaken(gathered_);
   return spent;
 }
 
-/// A local search from a shaken layout: near moves only, after a walk over broken bounds where there are
-/// some.
+/// A local search from a shaken layout: a quick one, after a walk over broken bounds where there are some.
 void Vns::beginShaken(const std::vector<std::uint32_t>& sites) {
   thorough_ = false;
   begin(sites);
   if (!evaluator_.objective().hasConstraints() || baseEvaluation_.violation > 0) return;
-  enter(Phase::kWalk);
+  walking_ = true;
   evaluator_.setPenalty(std::abs(baseEvaluation_.goal) * kPenalties[random_.below(3)]);
 }
 

@@ -4,6 +4,7 @@
 // without changing its path.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -36,24 +37,22 @@ class Vns {
   std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
 
  private:
-  enum class Phase : std::uint8_t { kGather, kWalk, kNear, kFar, kSwap, kPairs };
-
   void begin(const std::vector<std::uint32_t>& sites);
   std::uint32_t spend(std::uint32_t limit);
   void openScan();
   void closeScan();
-  void enter(Phase phase);
-  void nextPhase();
-  std::uint32_t trySwaps(std::uint32_t limit);
-  std::uint32_t tryPairs(std::uint32_t limit);
-  std::uint32_t tryGatherings(std::uint32_t limit);
-  void changeNeighborhood();
+  void keepBest();
+  void enter(std::size_t neighborhood);
+  void leave();
+  void changeBase();
   void shake();
+  std::uint32_t tryGatherings(std::uint32_t limit);
   void beginShaken(const std::vector<std::uint32_t>& sites);
+  Surroundings here() { return {evaluator_, freeSites_, random_}; }
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
   Evaluator evaluator_;
-  Neighborhood neighborhood_;
+  FreeSites freeSites_;
   Random random_;
   PreparedScene& prepared_;
   LuminaireRules rules_;
@@ -63,18 +62,19 @@ class Vns {
   Evaluation baseEvaluation_, bestEvaluation_;
   std::uint32_t level_ = 0, fruitlessRounds_ = 0, roundsOnBase_ = 0;
 
-  // The running local search: which luminaire's moves are being tried, and how far.
-  Phase phase_ = Phase::kNear;
-  bool thorough_ = true;         // far and pair phases too
-  std::uint32_t luminaire_ = 0;  // whose turn it is
-  std::uint32_t fruitless_ = 0;  // luminaires in a row that found nothing
-  std::uint32_t position_ = 0;   // in candidates_
+  // The running local search: which neighbourhood is looked through, and how far.
+  std::size_t neighborhood_ = 0;  // row of neighborhoods()
+  bool thorough_ = true;          // all rows, not only those after shakes
+  bool walking_ = false;          // over broken bounds first, in the first row
+  std::uint32_t fruitless_ = 0;   // scans in a row that found nothing
   bool scanning_ = false;
-  std::vector<std::uint32_t> candidates_, partnerCandidates_;
-  std::uint32_t partner_ = 0;
-  std::vector<std::uint32_t> gathered_;  // the best gathering so far of those tried
+  Scan scan_;
+
+  // Gatherings that are being tried.
+  bool gathering_ = false;
+  std::uint32_t gatherings_ = 0;
+  std::vector<std::uint32_t> gathered_;  // the best so far of those tried
   Evaluation gatheredEvaluation_;
-  Trial found_;  // best of the current scan
 };
 
 }  // namespace fiatlux

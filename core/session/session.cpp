@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/search/start_layout.h"
 #include "core/search/validate_intentions.h"
 
 namespace fiatlux {
@@ -67,8 +68,14 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   Result<Done> can = ready();
   if (!can) return can;
   bound_.reset();
+  if (start) pinAsIn(*start);
   search_ = std::make_unique<Vns>(*prepared_, intentions_, seed, start);
   return Done{};
+}
+
+/// Whoever hangs on a pinned site is the luminaire that is pinned.
+void Session::pinAsIn(const Layout& layout) {
+  intentions_.luminaires.pinned = pinsAsIn(intentions_.luminaires, layout.sites);
 }
 
 SearchProgress Session::advance(std::uint32_t evaluations) {
@@ -90,9 +97,10 @@ Result<Shown> Session::show(const Layout& layout) {
   return shownOf(*prepared_, intentions_, layout);
 }
 
-Result<Done> Session::startAlpha(std::uint64_t seed) {
+Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
   Result<Done> can = ready();
   if (!can) return can;
+  if (held) pinAsIn(*held);
   Result<Done> checked = checkAlphaIntentions(*scene_, intentions_);
   if (!checked) return checked;
   AlphaOptions options;

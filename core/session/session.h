@@ -51,7 +51,9 @@ class Session {
 
   // --- The search. Each of the next four is an Error without scene or intentions.
 
-  /// Begins a search, from `start` where given (fitted to the rules), at random otherwise.
+  /// Begins a search, from `start` where given (fitted to the rules), at random otherwise. A luminaire of
+  /// `start` that hangs on a pinned site is the one that is pinned there, and keeps its number; without a
+  /// start the first ones are.
   Result<Done> start(std::uint64_t seed, const Layout* start);
   /// Spends that many evaluations. Nothing happens before start().
   SearchProgress advance(std::uint32_t evaluations);
@@ -61,8 +63,8 @@ class Session {
   Result<Shown> show(const Layout& layout);
 
   /// The alpha-search of paper section 4 for the true minima and maxima that are asked for: nullptr before
-  /// startAlpha succeeded.
-  Result<Done> startAlpha(std::uint64_t seed);
+  /// startAlpha succeeded. `held`: whose luminaires are pinned, as for start(); nothing else is read of it.
+  Result<Done> startAlpha(std::uint64_t seed, const Layout* held = nullptr);
   AlphaSearch* alpha() { return alpha_.get(); }
 
   /// A provable bound on the goal of the search that runs or has run; nullptr before startBound succeeded. An
@@ -74,6 +76,7 @@ class Session {
 
  private:
   Result<Done> ready() const;
+  void pinAsIn(const Layout& layout);
 
   std::optional<SceneReader> reader_;
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.

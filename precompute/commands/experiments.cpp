@@ -12,8 +12,8 @@
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
 #include "precompute/files/files_on_disk.h"
-#include "precompute/files/intentions_json.h"
 #include "precompute/files/scene_io.h"
+#include "precompute/files/surface_names.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {

@@ -6,8 +6,8 @@
 
 #include "core/base/short_number.h"
 #include "core/bound/bound.h"
+#include "core/scene/surface_names.h"
 #include "core/search/start_layout.h"
-#include "core/search/validate_intentions.h"
 #include "core/search/vns.h"
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"
@@ -65,12 +65,11 @@ Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& r
 
 std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
   const Goal& goal = intentions.goals[g];
-  std::string line =
-      std::string(goal.sense == Sense::kMinimize ? "least " : "most ") + statisticName(goal.statistic);
-  if (goal.statistic != Statistic::kPower) line += " of " + surfaceSetName(scene, goal.surfaces);
-  if (goal.statistic == Statistic::kContrast) line += " over " + surfaceSetName(scene, goal.over);
-  return line + ": " + shortNumber(shown.goals[g], kReportDigits) +
-         unitOf(goal.statistic, intentions.quantity);
+  const StatisticTraits& traits = traitsOf(goal.statistic);
+  std::string line = std::string(goal.sense == Sense::kMinimize ? "least " : "most ") + traits.name;
+  if (traits.needsSurfaces) line += " of " + surfaceSetName(scene, goal.surfaces);
+  if (traits.needsOver) line += " over " + surfaceSetName(scene, goal.over);
+  return line + ": " + valueText(shown.goals[g], goal.statistic, intentions.quantity);
 }
 
 void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& run) {

@@ -11,6 +11,7 @@
 #include "core/search/validate_intentions.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
+#include "precompute/files/surface_names.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -68,8 +69,7 @@ const Json& listOf(const Json& value, const std::string& where) {
 }
 
 template <class T>
-T oneOf(const Json& value, const std::string& where,
-        std::initializer_list<std::pair<const char*, T>> choices) {
+T oneOf(const Json& value, const std::string& where, const std::vector<std::pair<const char*, T>>& choices) {
   if (!value.is_string()) fail(where, std::string("expected a text, found ") + typeOf(value));
   std::string list;
   for (const auto& [name, choice] : choices) {
@@ -132,29 +132,33 @@ LuminaireRules rulesOf(const Json& json) {
   return rules;
 }
 
+/// A statistic by its name in the table.
+Statistic statisticOf(const Json& json, const std::string& where, bool asGoal) {
+  if (!json.contains("statistic")) fail(where, "no \"statistic\"");
+  std::vector<std::pair<const char*, Statistic>> choices;
+  for (const StatisticTraits& traits : kStatistics)
+    if (traits.mayBeGoal || !asGoal) choices.emplace_back(traits.name, traits.statistic);
+  return oneOf(json["statistic"], where + ".statistic", choices);
+}
+
 /// The surfaces (and what they are compared with) of a goal or a constraint.
 template <class Intention>
 void readSurfaces(const Scene& scene, const Json& json, const std::string& where, Intention& intention) {
-  const bool power = intention.statistic == Statistic::kPower,
-             contrast = intention.statistic == Statistic::kContrast;
-  if (power && json.contains("surface")) fail(where, "power belongs to the luminaires: drop \"surface\"");
-  if (!power && !json.contains("surface")) fail(where, "no \"surface\"; name one, or \"all\"");
-  if (contrast != json.contains("over"))
-    fail(where, contrast ? "a contrast needs \"over\", the surface to compare with"
-                         : "\"over\" belongs to a contrast only");
-  if (!power) intention.surfaces = surfacesOf(scene, json["surface"], where + ".surface");
-  if (contrast) intention.over = surfacesOf(scene, json["over"], where + ".over");
+  const StatisticTraits& traits = traitsOf(intention.statistic);
+  if (!traits.needsSurfaces && json.contains("surface"))
+    fail(where, std::string(traits.name) + " belongs to the luminaires: drop \"surface\"");
+  if (traits.needsSurfaces && !json.contains("surface")) fail(where, "no \"surface\"; name one, or \"all\"");
+  if (traits.needsOver && !json.contains("over"))
+    fail(where, "a " + std::string(traits.name) + " needs \"over\", the surface to compare with");
+  if (!traits.needsOver && json.contains("over")) fail(where, "\"over\" belongs to a contrast only");
+  if (traits.needsSurfaces) intention.surfaces = surfacesOf(scene, json["surface"], where + ".surface");
+  if (traits.needsOver) intention.over = surfacesOf(scene, json["over"], where + ".over");
 }
 
 Goal goalOf(const Scene& scene, const Json& json, const std::string& where) {
   requireKeys(json, where, {"surface", "statistic", "sense", "weight", "over"});
   Goal goal;
-  if (!json.contains("statistic")) fail(where, "no \"statistic\"");
-  goal.statistic = oneOf<Statistic>(json["statistic"], where + ".statistic",
-                                    {{"mean", Statistic::kMean},
-                                     {"sigma", Statistic::kSigma},
-                                     {"power", Statistic::kPower},
-                                     {"contrast", Statistic::kContrast}});
+  goal.statistic = statisticOf(json, where, true);
   if (!json.contains("sense")) fail(where, "no \"sense\"; say \"min\" or \"max\"");
   goal.sense =
       oneOf<Sense>(json["sense"], where + ".sense", {{"min", Sense::kMinimize}, {"max", Sense::kMaximize}});
@@ -166,20 +170,11 @@ Goal goalOf(const Scene& scene, const Json& json, const std::string& where) {
 Constraint constraintOf(const Scene& scene, const Json& json, const std::string& where) {
   requireKeys(json, where, {"surface", "statistic", "min", "max", "alpha", "over"});
   Constraint constraint;
-  if (!json.contains("statistic")) fail(where, "no \"statistic\"");
-  constraint.statistic = oneOf<Statistic>(json["statistic"], where + ".statistic",
-                                          {{"mean", Statistic::kMean},
-                                           {"sigma", Statistic::kSigma},
-                                           {"power", Statistic::kPower},
-                                           {"chebyshev", Statistic::kChebyshev},
-                                           {"minimum", Statistic::kMinimum},
-                                           {"maximum", Statistic::kMaximum},
-                                           {"uniformity", Statistic::kUniformity},
-                                           {"contrast", Statistic::kContrast}});
+  constraint.statistic = statisticOf(json, where, false);
   if (json.contains("min")) constraint.lower = numberOf(json["min"], where + ".min");
   if (json.contains("max")) constraint.upper = numberOf(json["max"], where + ".max");
   if (json.contains("alpha")) {
-    if (constraint.statistic != Statistic::kChebyshev) fail(where, "\"alpha\" belongs to chebyshev only");
+    if (!traitsOf(constraint.statistic).needsAlpha) fail(where, "\"alpha\" belongs to chebyshev only");
     constraint.alpha = numberOf(json["alpha"], where + ".alpha");
   }
   readSurfaces(scene, json, where, constraint);

@@ -35,18 +35,11 @@ class Moments {
   double area_ = 0, mean_ = 0, squares_ = 0, least_ = kInfinity, largest_ = -kInfinity;
 };
 
-/// mu = a x and sigma^2 = x^T C x at the layout's sites.
+/// Mean and sigma by the statistics; the extremes stay those of the patches.
 void setMeanAndSigma(const SurfaceStatistics& statistics, const Layout& layout, ExplicitStatistics& result) {
-  const std::size_t m = statistics.mean.size();
-  double mean = 0, variance = 0;
-  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
-    mean += layout.flux[i] * statistics.mean[layout.sites[i]];
-    for (std::size_t j = 0; j < layout.sites.size(); ++j)
-      variance +=
-          layout.flux[i] * layout.flux[j] * statistics.covariance[layout.sites[i] * m + layout.sites[j]];
-  }
-  result.mean = layout.dimming * mean;
-  result.sigma = layout.dimming * std::sqrt(std::max(0.0, variance));
+  const MeanAndSigma light = meanAndSigmaOf(statistics, layout);
+  result.mean = light.mean;
+  result.sigma = light.sigma;
 }
 
 nlohmann::ordered_json statisticsJson(const ExplicitStatistics& s) {

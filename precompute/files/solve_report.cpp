@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/short_number.h"
-#include "core/search/validate_intentions.h"
+#include "core/scene/surface_names.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -24,10 +24,11 @@ std::string boundsText(const Constraint& c) {
 
 }  // namespace
 
-std::string unitOf(Statistic statistic, Quantity quantity) {
-  if (statistic == Statistic::kPower) return " lm";
-  if (statistic == Statistic::kUniformity || statistic == Statistic::kContrast) return "";
-  return quantity == Quantity::kIlluminance ? " lx" : " lm/m2";
+std::string valueText(double value, Statistic statistic, Quantity quantity) {
+  if (std::isnan(value)) return "undefined";
+  if (std::isinf(value)) return "infinite";
+  const std::string unit = unitName(statistic, quantity);
+  return shortNumber(value, kReportDigits) + (unit.empty() ? "" : " " + unit);
 }
 
 Json layoutJson(const Layout& layout) {
@@ -44,7 +45,7 @@ Json violationsJson(const Scene& scene, const Intentions& intentions, const Show
     const Constraint& constraint = intentions.constraints[c];
     if (reading.violation <= kMet) continue;
     Json entry = {{"constraint", c + 1}, {"statistic", statisticName(constraint.statistic)}};
-    if (constraint.statistic != Statistic::kPower)
+    if (traitsOf(constraint.statistic).needsSurfaces)
       entry["surface"] = surfaceSetName(scene, constraint.surfaces);
     entry["value"] = reading.value;
     if (std::isfinite(constraint.lower)) entry["min"] = constraint.lower;
@@ -64,14 +65,12 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
                            std::size_t c) {
   const Constraint& constraint = intentions.constraints[c];
   const ConstraintReading& reading = shown.constraints[c];
-  std::string line = statisticName(constraint.statistic);
-  if (constraint.statistic == Statistic::kChebyshev)
-    line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
-  if (constraint.statistic != Statistic::kPower)
-    line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
-  return line + " " + shortNumber(reading.value, kReportDigits) +
-         unitOf(constraint.statistic, intentions.quantity) + " (" + boundsText(constraint) +
-         "): " + (reading.violation <= kMet ? "met" : "NOT met");
+  const StatisticTraits& traits = traitsOf(constraint.statistic);
+  std::string line = traits.name;
+  if (traits.needsAlpha) line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
+  if (traits.needsSurfaces) line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
+  return line + " " + valueText(reading.value, constraint.statistic, intentions.quantity) + " (" +
+         boundsText(constraint) + "): " + (reading.violation <= kMet ? "met" : "NOT met");
 }
 
 }  // namespace fiatlux

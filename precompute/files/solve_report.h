@@ -11,8 +11,8 @@ namespace fiatlux {
 /// {"dimming", "luminaires": [{"site", "flux"}]}: a layout.json.
 nlohmann::ordered_json layoutJson(const Layout& layout);
 
-/// The constraints that are not met (by more than a millionth): number, statistic, surface, value, bounds,
-/// violation.
+/// The constraints that are not met (by more than a millionth): number, statistic, surface, value (null where
+/// it is infinite or undefined), bounds, violation.
 nlohmann::ordered_json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown);
 
 /// The goal's value in its own unit; of several goals the list of theirs; null without one.
@@ -22,8 +22,8 @@ nlohmann::ordered_json goalJson(const Shown& shown);
 std::string constraintLine(const Scene& scene, const Intentions& intentions, const Shown& shown,
                            std::size_t c);
 
-/// " lx" or " lm/m2" where the statistic has the quantity's unit, " lm" for power, nothing for ratios.
-std::string unitOf(Statistic statistic, Quantity quantity);
+/// "42.1 lx", "0.4", "infinite", "undefined" (a contrast of darkness against darkness).
+std::string valueText(double value, Statistic statistic, Quantity quantity);
 
 inline constexpr int kReportDigits = 6;  // of a number in a report
 

@@ -1,27 +1,17 @@
-// Surface names to leaves, and what a misspelt one may have meant; see intentions_json.h.
+// Surfaces by name, and what a misspelt name may have meant; see surface_names.h.
+#include "precompute/files/surface_names.h"
+
 #include <set>
 
+#include "core/scene/surface_names.h"
 #include "precompute/base/names.h"
-#include "precompute/files/intentions_json.h"
 
 namespace fiatlux {
 namespace {
 
-/// Every name that can be asked for: leaves and inner nodes.
-std::set<std::string> knownNames(const Scene& scene) {
-  std::set<std::string> names;
-  for (const Surface& surface : scene.surfaces) {
-    names.insert(surface.name);
-    for (std::size_t slash = surface.name.find('/'); slash != std::string::npos;
-         slash = surface.name.find('/', slash + 1))
-      names.insert(surface.name.substr(0, slash));
-  }
-  return names;
-}
-
 std::string suggestions(const Scene& scene, const std::string& name) {
-  std::vector<std::string> known;
-  for (const std::string& one : knownNames(scene)) known.push_back(cleanText(one));
+  std::vector<std::string> known = knownSurfaceNames(scene);
+  for (std::string& one : known) one = cleanText(one);
   const std::string closest = closestNames(name, known, '"');
   return closest.empty() ? " The scene has none." : " The closest are " + closest + "; or \"all\".";
 }
@@ -29,27 +19,14 @@ std::string suggestions(const Scene& scene, const std::string& name) {
 }  // namespace
 
 Result<SurfaceSet> surfacesNamed(const Scene& scene, const std::vector<std::string>& names) {
-  const auto leaves = static_cast<std::uint32_t>(scene.surfaces.size());
   std::set<std::uint32_t> members;
   for (const std::string& name : names) {
-    bool found = name == "all";
-    for (std::uint32_t s = 0; s < leaves; ++s) {
-      const Surface& surface = scene.surfaces[s];
-      const bool meant =
-          name == "all" ? !surface.measuring
-                        : surface.name == name || surface.name.compare(0, name.size() + 1, name + "/") == 0;
-      if (meant) members.insert(s);
-      found = found || meant;
-    }
-    if (!found)
+    const SurfaceSet leaves = leavesNamed(scene, name);
+    if (leaves.empty() && name != "all")
       return Error{"no surface is called \"" + name.substr(0, 80) + "\"." + suggestions(scene, name)};
+    members.insert(leaves.begin(), leaves.end());
   }
-  SurfaceSet all;
-  for (std::uint32_t s = 0; s < leaves; ++s)
-    if (!scene.surfaces[s].measuring) all.push_back(s);
-  SurfaceSet set(members.begin(), members.end());
-  if (set == all) set.clear();  // "all" has one form
-  return set;
+  return setOfLeaves(scene, {members.begin(), members.end()});
 }
 
 }  // namespace fiatlux

@@ -21,23 +21,17 @@ double relative(double stored, double exact) {
   return std::abs(stored - exact) / std::max(std::abs(exact), 1e-300);
 }
 
-/// Widens `errors` by what a layout on `sites` shows of one surface.
-void compare(const SurfaceStatistics& exact, const SurfaceStatistics& stored,
-             const std::vector<std::uint32_t>& sites, FileErrors& errors) {
-  const std::size_t m = exact.mean.size();
-  double mean[2] = {0, 0}, variance[2] = {0, 0}, squares = 0;
-  for (std::uint32_t i : sites) {
-    mean[0] += exact.mean[i], mean[1] += stored.mean[i];
-    squares += exact.mean[i] * exact.mean[i];
-    for (std::uint32_t j : sites)
-      variance[0] += exact.covariance[i * m + j], variance[1] += stored.covariance[i * m + j];
-  }
-  if (!(mean[0] > 0)) return;
-  errors.mean = std::max(errors.mean, relative(mean[1], mean[0]));
+/// Widens `errors` by what a layout shows of one surface.
+void compare(const SurfaceStatistics& exact, const SurfaceStatistics& stored, const Layout& layout,
+             FileErrors& errors) {
+  const MeanAndSigma truth = meanAndSigmaOf(exact, layout), read = meanAndSigmaOf(stored, layout);
+  if (!(truth.mean > 0)) return;
+  errors.mean = std::max(errors.mean, relative(read.mean, truth.mean));
   // note: a surface that is evenly lit to rounding (a single patch, say) has no sigma to be wrong about.
-  if (variance[0] < 1e-18 * squares) return;
-  errors.sigma =
-      std::max(errors.sigma, relative(std::sqrt(std::max(0.0, variance[1])), std::sqrt(variance[0])));
+  double squares = 0;
+  for (std::uint32_t i : layout.sites) squares += exact.mean[i] * exact.mean[i];
+  if (truth.sigma * truth.sigma < 1e-18 * squares) return;
+  errors.sigma = std::max(errors.sigma, relative(read.sigma, truth.sigma));
 }
 
 /// Of statistics by random layouts, of patch light by the encoder's own report.
@@ -45,12 +39,13 @@ FileErrors errorsOf(const Scene& exact, const Scene& stored, std::vector<float> 
   FileErrors errors;
   Random random(kTrialSeed);
   const auto m = static_cast<std::uint32_t>(exact.sites.size());
-  std::vector<std::uint32_t> sites(std::min(kTrialLuminaires, m));
+  const std::uint32_t count = std::min(kTrialLuminaires, m);
+  Layout layout{std::vector<std::uint32_t>(count), std::vector<double>(count, 1.0), 1};
   for (std::uint32_t trial = 0; trial < kTrialLayouts; ++trial) {
-    for (std::uint32_t& site : sites) site = random.below(m);
+    for (std::uint32_t& site : layout.sites) site = random.below(m);
     for (std::size_t s = 0; s < exact.surfaces.size(); ++s) {
-      compare(exact.illuminance[s], stored.illuminance[s], sites, errors);
-      if (!exact.surfaces[s].measuring) compare(exact.exitance[s], stored.exitance[s], sites, errors);
+      compare(exact.illuminance[s], stored.illuminance[s], layout, errors);
+      if (!exact.surfaces[s].measuring) compare(exact.exitance[s], stored.exitance[s], layout, errors);
     }
   }
   std::sort(responseRms.begin(), responseRms.end());

@@ -21,7 +21,7 @@ double bruteForceVariance(const std::vector<double>& c, const LuminaireRules& ru
     double sum = 0;
     bool allowed = true;
     for (std::uint32_t a = 0; a < rules.count; ++a) {
-      allowed = allowed && (a >= rules.pinned.size() || order[a] == rules.pinned[a]);
+      allowed = allowed && (!isPinned(rules, a) || order[a] == rules.pinned[a]);
       allowed = allowed && std::count(rules.excluded.begin(), rules.excluded.end(), order[a]) == 0;
       for (std::uint32_t b = 0; b < rules.count; ++b)
         sum += rules.flux[a] * rules.flux[b] * c[order[a] * m + order[b]];
@@ -65,7 +65,8 @@ TEST(RelaxedIntentions, LargestVarianceIsNeverBelowBruteForce) {
     for (std::uint32_t i = 0; i < rules.count; ++i) rules.flux.push_back(0.05 + random.unit());
     if (random.below(2)) rules.excluded = {random.below(m)};
     if (const std::uint32_t site = random.below(m); rules.excluded != std::vector<std::uint32_t>{site})
-      rules.pinned = {site};
+      rules.pinned =
+          random.below(2) ? std::vector<std::uint32_t>{site} : std::vector<std::uint32_t>{kNone, site};
     rules.dimmingHigh = 0.5;
     const double truth = bruteForceVariance(c, rules, m);
     EXPECT_GE(largestVariance(c, rules, m), truth * (1 - 1e-12)) << "trial " << trial;

@@ -11,7 +11,8 @@ namespace fiatlux {
 namespace {
 
 TEST(Dimming, TakesTheEndOfTheIntervalThatTheGoalPrefers) {
-  const DimmedBound bounds[2] = {{100, 30, true, false}, {200, 120, false, false}};  // 0.3 <= t <= 0.6
+  const DimmedBound bounds[2] = {{100, 30, Side::kLower, false},
+                                 {200, 120, Side::kUpper, false}};  // 0.3 <= t <= 0.6
   EXPECT_DOUBLE_EQ(solveDimming(bounds, 2, 1, 0, 0.1, 1).dimming, 0.3);
   EXPECT_DOUBLE_EQ(solveDimming(bounds, 2, -1, 0, 0.1, 1).dimming, 0.6);
   EXPECT_DOUBLE_EQ(solveDimming(bounds, 2, 0, 0, 0.1, 1).dimming, 0.6);
@@ -21,14 +22,14 @@ TEST(Dimming, TakesTheEndOfTheIntervalThatTheGoalPrefers) {
 TEST(Dimming, EmptyIntervalTakesTheLeastViolation) {
   // At least 80 of 100 t (t >= 0.8), at most 50 of 100 t (t <= 0.5): excess shares fall by 1/80, rise by 1/50
   // a unit.
-  const DimmedBound bounds[2] = {{100, 80, true, false}, {100, 50, false, false}};
+  const DimmedBound bounds[2] = {{100, 80, Side::kLower, false}, {100, 50, Side::kUpper, false}};
   const Evaluation evaluation = solveDimming(bounds, 2, 1, 0, 0.1, 1);
   EXPECT_DOUBLE_EQ(evaluation.dimming, 0.5);
   EXPECT_NEAR(evaluation.violation, 30.0 / 80, 1e-12);
 }
 
 TEST(Dimming, RatiosViolateAlikeAtAnyDimming) {
-  const DimmedBound bounds[2] = {{0.4, 0.5, true, true}, {100, 30, true, false}};
+  const DimmedBound bounds[2] = {{0.4, 0.5, Side::kLower, true}, {100, 30, Side::kLower, false}};
   const Evaluation evaluation = solveDimming(bounds, 2, 1, 0, 0.1, 1);
   EXPECT_DOUBLE_EQ(evaluation.dimming, 0.3);
   EXPECT_NEAR(evaluation.violation, 0.2, 1e-12);
@@ -39,7 +40,8 @@ TEST(Dimming, EqualsAFineScanOnRandomProblems) {
   for (int problem = 0; problem < 300; ++problem) {
     DimmedBound bounds[4];
     for (DimmedBound& b : bounds)
-      b = {200 * random.unit() - 40, 100 * random.unit() - 5, random.below(2) == 0, random.below(5) == 0};
+      b = {200 * random.unit() - 40, 100 * random.unit() - 5,
+           random.below(2) == 0 ? Side::kLower : Side::kUpper, random.below(5) == 0};
     const double slope = 2 * random.unit() - 1;
     const Evaluation exact = solveDimming(bounds, 4, slope, 0, 0.1, 1);
     for (int step = 0; step <= 2000; ++step) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/search/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
@@ -82,6 +83,27 @@ TEST(Vns, RespectsPinsExclusionsAndDistance) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(prepared.distance(sites[i], sites[j]), 2.0);
       }
     }
+  }
+}
+
+TEST(Vns, PinnedLuminairesKeepTheirNumbers) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = ask(Statistic::kSigma, Sense::kMinimize, 5, {2});
+  intentions.luminaires.flux = {500, 900, 1300, 1700, 2100};
+  intentions.luminaires.pinned = {kNone, 40, kNone, kNone, 7};
+  ASSERT_TRUE(checkIntentions(longCorridor(), intentions));
+  const Layout start{{250, 40, 3, 99, 7}, {}, 1};
+  for (const Layout* from : {&start, static_cast<const Layout*>(nullptr)}) {
+    Vns vns(prepared, intentions, 3, from);
+    if (from) EXPECT_EQ(vns.incumbent().sites, start.sites);
+    for (int slice = 0; slice < 30; ++slice) {  // restarts on the way
+      vns.advance(2000);
+      const std::vector<std::uint32_t> sites = vns.incumbent().sites;
+      EXPECT_EQ(sites[1], 40u);
+      EXPECT_EQ(sites[4], 7u);
+      EXPECT_EQ(std::set<std::uint32_t>(sites.begin(), sites.end()).size(), 5u);
+    }
+    if (from) EXPECT_NE(vns.incumbent().sites, start.sites);
   }
 }
 

@@ -111,6 +111,27 @@ TEST(Session, ConstraintsAreReadInTheirOwnUnits) {
   EXPECT_NEAR(shown.constraints[5].violation, 1, 1e-9);
 }
 
+TEST(Session, APinnedLuminaireKeepsItsNumber) {
+  Session session;
+  session.adopt(syntheticScene(32, 16));
+  Intentions intentions = evenLight();
+  intentions.luminaires.pinned = {14};
+  intentions.constraints = {{Statistic::kMinimum, 1, kUnbounded, 1, {0}, {}}};
+  const Layout held{{2, 9, 14}, {1000, 1000, 1000}, 1};
+  ASSERT_TRUE(session.setIntentions(intentions));
+  ASSERT_TRUE(session.start(1, &held));
+  session.advance(3000);
+  EXPECT_EQ(session.incumbent()->layout.sites[2], 14u);
+  ASSERT_TRUE(session.setIntentions(intentions));
+  ASSERT_TRUE(session.startAlpha(1, &held));
+  while (!session.alpha()->done()) session.alpha()->advance(10000);
+  for (const AlphaIteration& iteration : session.alpha()->iterations())
+    EXPECT_EQ(iteration.layout.sites[2], 14u);
+  ASSERT_TRUE(session.setIntentions(intentions));
+  ASSERT_TRUE(session.start(1, nullptr));
+  EXPECT_EQ(session.incumbent()->layout.sites[0], 14u) << "without a layout the first one is pinned";
+}
+
 TEST(Session, RefusesLayoutsThatCannotBe) {
   Session session;
   session.adopt(syntheticScene(16, 8));

@@ -1,0 +1,82 @@
+// Free sites and shakes; see free_sites.h.
+#include "core/search/free_sites.h"
+
+namespace fiatlux {
+namespace {
+constexpr std::uint32_t kNever = 1u << 30;
+}
+
+FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules)
+    : prepared_(prepared),
+      minDistance_(rules.minDistance),
+      excluded_(prepared.siteCount(), 0),
+      blocked_(prepared.siteCount(), 0) {
+  for (std::uint32_t site : rules.excluded) excluded_[site] = 1;
+  for (std::uint32_t i = 0; i < rules.count; ++i)
+    if (!isPinned(rules, i)) movable_.push_back(i);
+}
+
+void FreeSites::load(const std::vector<std::uint32_t>& sites) {
+  for (std::size_t site = 0; site < blocked_.size(); ++site) blocked_[site] = excluded_[site] ? kNever : 0;
+  for (std::uint32_t site : sites) block(site, +1);
+}
+
+void FreeSites::relocate(std::uint32_t from, std::uint32_t to) {
+  block(from, -1);
+  block(to, +1);
+}
+
+void FreeSites::block(std::uint32_t site, int change) {
+  if (minDistance_ <= 0) {
+    blocked_[site] += static_cast<std::uint32_t>(change);
+    return;
+  }
+  for (std::uint32_t other = 0; other < blocked_.size(); ++other)
+    if (conflict(site, other)) blocked_[other] += static_cast<std::uint32_t>(change);
+}
+
+void FreeSites::nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const {
+  out.clear();
+  const std::uint32_t* near = prepared_.nearSites(from);
+  for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k)
+    if (mayMove(from, near[k])) out.push_back(near[k]);
+}
+
+void FreeSites::farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const {
+  out.clear();
+  for (std::uint32_t site = 0; site < blocked_.size(); ++site)
+    if (site != from && mayMove(from, site)) out.push_back(site);
+}
+
+void FreeSites::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach,
+                      Random& random) {
+  for (std::uint32_t k = 0; k < strength && !movable_.empty(); ++k) {
+    const std::uint32_t i = randomMovable(random);
+    if (reach == 0)
+      farMoves(sites[i], scratch_);
+    else
+      nearMoves(sites[i], reach, scratch_);
+    if (scratch_.empty()) continue;
+    const std::uint32_t to = scratch_[random.below(static_cast<std::uint32_t>(scratch_.size()))];
+    relocate(sites[i], to);
+    sites[i] = to;
+  }
+}
+
+void FreeSites::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random) {
+  const std::uint32_t center = random.below(prepared_.siteCount());
+  const std::uint32_t* near = prepared_.nearSites(center);
+  std::uint32_t next = 0;  // 0: the centre itself, then its neighbours
+  for (std::uint32_t k = 0; k < strength && !movable_.empty(); ++k) {
+    const std::uint32_t i = randomMovable(random);
+    for (; next <= prepared_.nearCount(); ++next) {
+      const std::uint32_t to = next == 0 ? center : near[next - 1];
+      if (to == sites[i] || !mayMove(sites[i], to)) continue;
+      relocate(sites[i], to);
+      sites[i] = to;
+      break;
+    }
+  }
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,64 @@
+// Where a luminaire may go next: sites that are free under the rules, near ones first; and the shakes of the
+// search, which throw some luminaires further away the longer it finds nothing.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/search/intentions.h"
+#include "core/search/prepared_scene.h"
+
+namespace fiatlux {
+
+/// Follows one layout: keeps how many luminaires stand in the way of each site.
+class FreeSites {
+ public:
+  FreeSites(const PreparedScene& prepared, const LuminaireRules& rules);
+
+  void load(const std::vector<std::uint32_t>& sites);
+  void relocate(std::uint32_t from, std::uint32_t to);
+
+  /// May the luminaire on `from` hang on `to`, the others staying?
+  bool mayMove(std::uint32_t from, std::uint32_t to) const {
+    return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
+  }
+  /// May two luminaires be on a and b at once?
+  bool conflict(std::uint32_t a, std::uint32_t b) const {
+    return a == b || (minDistance_ > 0 && prepared_.distance(a, b) < minDistance_);
+  }
+
+  /// Free sites for the luminaire on `from` among its `reach` nearest, nearest first.
+  void nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const;
+  /// All free sites for the luminaire on `from`.
+  void farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const;
+
+  /// Relocates `strength` random movable luminaires of `sites`, each among its `reach` nearest sites (0:
+  /// anywhere), and follows. A luminaire that finds no free site stays.
+  void shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach, Random& random);
+
+  /// Relocates `strength` random movable luminaires (drawn with repetition) to the sites nearest to a random
+  /// one.
+  void gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random);
+
+  /// The luminaires that are not pinned, in order.
+  const std::vector<std::uint32_t>& movable() const { return movable_; }
+  /// One of them. Precondition: there is one.
+  std::uint32_t randomMovable(Random& random) const {
+    assert(!movable_.empty());
+    return movable_[random.below(static_cast<std::uint32_t>(movable_.size()))];
+  }
+
+ private:
+  void block(std::uint32_t site, int change);
+
+  const PreparedScene& prepared_;
+  double minDistance_;
+  std::vector<std::uint32_t> movable_;
+  std::vector<char> excluded_;
+  std::vector<std::uint32_t> blocked_;  // per site: luminaires in its way; excluded sites never reach 0 or 1
+  std::vector<std::uint32_t> scratch_;
+};
+
+}  // namespace fiatlux
