@@ -182,7 +182,7 @@ class RoomViewer implements Viewer {
     this.#emphasis.setRoom(room.lit);
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
-    this.#cutAway.setRoom(room.box, room.meshes);
+    this.#cutAway.setRoom(room.box, room.hanging);
     this.#rig.setRoom(room.box, room.facing);
     this.#applyDisplay();
     this.#loop.invalidate();
@@ -202,7 +202,7 @@ class RoomViewer implements Viewer {
     this.#hand.setSites(null);
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
-    this.#cutAway.setRoom(null, []);
+    this.#cutAway.setRoom(null, new Map());
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
     this.#room = null;

@@ -4,8 +4,7 @@
  */
 import {
   Box3,
-  BufferAttribute,
-  BufferGeometry,
+  type BufferGeometry,
   Color,
   DoubleSide,
   FrontSide,
@@ -22,7 +21,8 @@ import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../../document/types.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from '../light/light-material.ts';
-import { splitBySide } from './cut-away.ts';
+import { splitHungMeshes } from './hung-meshes.ts';
+import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
@@ -35,7 +35,7 @@ export interface LitMesh {
 export interface RoomMesh {
   readonly root: Group;
   readonly lit: readonly LitMesh[];
-  readonly meshes: readonly Mesh[]; // all but measuring planes
+  readonly hanging: ReadonlyMap<Object3D, Side>; // on the walls and the ceiling
   readonly box: Box;
   /** How much of the surfaces faces an eye at azimuth 45, 135, 225 and 315 degrees; every surface counts 1. */
   readonly facing: readonly number[];
@@ -57,6 +57,9 @@ function surfaceIndex(mesh: Mesh, scene: SceneInfo | null): number {
   const name = extra(mesh, 'surface');
   return scene ? scene.surfaces.findIndex((surface) => surface.name === name) : -1;
 }
+
+const isMeasuring = (mesh: Mesh, scene: SceneInfo): boolean =>
+  extra(mesh, 'measuring') === true || scene.surfaces[surfaceIndex(mesh, scene)]?.measuring === true;
 
 function albedoOf(material: MeshStandardMaterial): Albedo {
   return {
@@ -128,41 +131,6 @@ function boundsOf(root: Object3D): Box {
   return { min: box.min.toArray(), max: box.max.toArray() };
 }
 
-const splittable = 60_000; // triangles; finer meshes are left whole
-
-/** The triangles of `index` alone, with the vertices that they use. */
-function indexedPart(geometry: BufferGeometry, index: readonly number[]): BufferGeometry {
-  const part = new BufferGeometry();
-  const used = [...new Set(index)];
-  const place = new Map(used.map((vertex, i) => [vertex, i]));
-  for (const [name, source] of Object.entries(geometry.attributes)) {
-    const attribute = source as BufferAttribute;
-    const size = attribute.itemSize;
-    const values = new (attribute.array.constructor as Float32ArrayConstructor)(size * used.length);
-    used.forEach((vertex, i) => {
-      for (let c = 0; c < size; c++) values[size * i + c] = attribute.array[size * vertex + c]!;
-    });
-    part.setAttribute(name, new BufferAttribute(values, size, attribute.normalized));
-  }
-  return part.setIndex(index.map((vertex) => place.get(vertex)!));
-}
-
-/** Gives things that hang on several walls a mesh for each wall, so that they can be cut away with it. */
-function splitHungMeshes(root: Object3D, room: Box): void {
-  for (const mesh of meshesOf(root)) {
-    const { geometry } = mesh;
-    if (!geometry.index || geometry.index.count > 3 * splittable) continue;
-    const world = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-    const sides = splitBySide(room, geometry.index.array, world.array);
-    sides?.forEach((index, i) => {
-      const part = i === 0 ? mesh : mesh.clone();
-      part.geometry = indexedPart(geometry, index);
-      if (i > 0) mesh.parent?.add(part);
-    });
-    if (sides) geometry.dispose();
-  }
-}
-
 const meshesOf = (root: Object3D): Mesh[] => {
   const meshes: Mesh[] = [];
   root.traverse((object) => object instanceof Mesh && meshes.push(object));
@@ -193,7 +161,8 @@ export function loadRoomMesh(
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
-  splitHungMeshes(root, box);
+  const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
+  const hanging = splitHungMeshes(solid, box);
   const meshes = meshesOf(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
@@ -206,18 +175,17 @@ export function loadRoomMesh(
       continue;
     }
     const surface = surfaceIndex(mesh, scene);
-    const measuring = extra(mesh, 'measuring') === true || scene.surfaces[surface]?.measuring === true;
+    const measuring = isMeasuring(mesh, scene);
     const reflectance = scene.surfaces[surface]?.reflectance ?? 0;
     const material = createLightMaterial(shared, { albedo: albedoOf(source), measuring, reflectance });
     mesh.material = material;
     if (measuring) [mesh.visible, mesh.renderOrder] = [false, 2];
     lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring });
   }
-  const planes = new Set<Mesh>(lit.filter(({ measuring }) => measuring).map(({ mesh }) => mesh));
   return {
     root,
     lit,
-    meshes: meshes.filter((mesh) => !planes.has(mesh)),
+    hanging,
     box,
     facing: facingShares(lit),
     dispose: () => freeMeshes(root, sources),
@@ -231,7 +199,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
   const box = boundsOf(root);
-  splitHungMeshes(root, box);
+  const hanging = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], meshes: meshesOf(root), box, facing: [0, 0, 0, 0], dispose };
+  return { root, lit: [], hanging, box, facing: [0, 0, 0, 0], dispose };
 }
