@@ -36,6 +36,10 @@ export interface Viewer {
   setSelection(surface: number | null, luminaire: number | null): void;
   setExcluded(sites: readonly number[]): void;
   setDisplay(display: Display): void;
+  /** True while a person drags: the exposure stays as it is, so that more light looks brighter. */
+  holdExposure(active: boolean): void;
+  /** The light that the exposure is made for, lx: what a lock keeps. */
+  exposureLevel(): number;
   setCamera(camera: Camera): void;
   camera(): Camera;
   view(name: ViewName): void;

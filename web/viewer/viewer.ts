@@ -135,6 +135,14 @@ class RoomViewer implements Viewer {
     this.#loop.invalidate();
   }
 
+  holdExposure(active: boolean): void {
+    this.#light.hold(active);
+  }
+
+  exposureLevel(): number {
+    return this.#light.level;
+  }
+
   setCamera(camera: Camera): void {
     this.#rig.set(camera);
   }
