@@ -162,6 +162,13 @@ const view: readonly Action[] = [
     keys: ['M'],
     run: toggle('measuringPlanes'),
   },
+  {
+    id: 'luminaires',
+    title: 'Show luminaires and their tags',
+    group: 'View',
+    keys: ['L'],
+    run: (app) => app.setDisplay({ luminaires: app.store.display.peek().luminaires === false }),
+  },
 ];
 
 const file: readonly Action[] = [

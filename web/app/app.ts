@@ -98,6 +98,14 @@ export class App {
     this.store.display.value = { ...this.store.display.peek(), ...change };
   }
 
+  /** Keeps the exposure as it is now, or lets it follow the light again. */
+  lockExposure(on: boolean): void {
+    const { exposureLevel: _, ...display } = this.store.display.peek();
+    this.store.display.value = on
+      ? { ...display, exposureLevel: Math.max(0.001, this.viewer.exposureLevel()) }
+      : display;
+  }
+
   /** Searches from nowhere, with another seed. */
   reseed(): void {
     this.store.edit(
@@ -158,6 +166,7 @@ export class App {
   #tellViewer(): void {
     const { store, viewer } = this;
     effect(() => viewer.setDisplay(store.display.value));
+    effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
     effect(() => viewer.setExcluded(store.document.value.luminaires.excluded));
   }

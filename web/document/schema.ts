@@ -106,6 +106,7 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   quantity: quantitySchema,
   cutAway: v.boolean(),
   measuringPlanes: v.boolean(),
+  luminaires: v.exactOptional(v.boolean()),
 });
 
 /** "cards.0.mean: Invalid type ..." -> one short clause about the first fault. */

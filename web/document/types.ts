@@ -152,4 +152,5 @@ export interface Display {
   readonly quantity: Quantity;
   readonly cutAway: boolean; // do not draw walls between the eye and the room
   readonly measuringPlanes: boolean; // draw them
+  readonly luminaires?: boolean; // draw them and their tags; absent = yes
 }

@@ -1,6 +1,6 @@
 /** How the room is looked at: realistic or false colour, what belongs to each, and where from. */
 import type { ColorMap, Display } from '../document/types.ts';
-import { Box, House, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
+import { Box, House, Lock, LockOpen, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import type { ViewName } from '../viewer/types.ts';
@@ -44,6 +44,7 @@ export function ViewToolbar() {
       <Popover label="Picture settings" icon={SlidersHorizontal}>
         <DisplaySettings />
       </Popover>
+      {mode === 'realistic' && <ExposureLock />}
       <Popover label="Views" icon={Box}>
         <div class="view-grid">
           {views.map(([name, title]) => (
@@ -60,6 +61,24 @@ export function ViewToolbar() {
         <House size={16} aria-hidden />
       </button>
     </div>
+  );
+}
+
+/** The padlock: from now on light and picture keep their ratio, whatever the luminaires do. */
+function ExposureLock() {
+  const app = useApp();
+  const locked = app.store.display.value.exposureLevel !== undefined;
+  const label = locked ? 'Let the exposure adapt again' : 'Hold the exposure';
+  return (
+    <button
+      class="icon-button"
+      aria-label={label}
+      title={label}
+      aria-pressed={locked}
+      onClick={() => app.lockExposure(!locked)}
+    >
+      {locked ? <Lock size={16} aria-hidden /> : <LockOpen size={16} aria-hidden />}
+    </button>
   );
 }
 
@@ -104,19 +123,26 @@ function DisplaySettings() {
   return (
     <div class="settings">
       {display.mode === 'realistic' ? (
-        <label class="setting-row">
-          <span>Exposure</span>
-          <Slider
-            label="Exposure"
-            value={display.exposure}
-            min={-4}
-            max={4}
-            step={0.1}
-            text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
-            onInput={(exposure) => app.setDisplay({ exposure })}
+        <>
+          <label class="setting-row">
+            <span>Exposure</span>
+            <Slider
+              label="Exposure"
+              value={display.exposure}
+              min={-4}
+              max={4}
+              step={0.1}
+              text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
+              onInput={(exposure) => app.setDisplay({ exposure })}
+            />
+            <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
+          </label>
+          <Check
+            label="As the eye sees"
+            checked={display.adaptation === 'eye'}
+            set={(on) => app.setDisplay({ adaptation: on ? 'eye' : 'camera' })}
           />
-          <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
-        </label>
+        </>
       ) : (
         <>
           <label class="setting-row">

@@ -131,6 +131,8 @@ class RoomViewer implements Viewer {
   setDisplay(display: Display): void {
     this.#display = display;
     this.#light.setDisplay(display);
+    this.#luminaires.root.visible = display.luminaires !== false;
+    this.#tags.setVisible(display.luminaires !== false);
     this.#applyDisplay();
     this.#loop.invalidate();
   }
@@ -224,6 +226,7 @@ class RoomViewer implements Viewer {
     for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = side;
     if (!this.#info) this.#setPreviewSide(side);
     this.#outlines.showAll(display.mode === 'falseColor');
+    this.#outlines.showRim(display.cutAway && display.mode === 'realistic');
     this.#showPlanes();
   }
 

@@ -3,7 +3,7 @@ import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
 import type { Box } from '../../../web/viewer/eye/framing.ts';
 import { connectedParts } from '../../../web/viewer/room/mesh-parts.ts';
 import { surfaceEdges } from '../../../web/viewer/room/surface-edges.ts';
-import { spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
+import { crowdedTags, spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
 
 /** Index and positions of several axis-aligned boxes in one mesh. */
 function boxes(...list: readonly Box[]) {
@@ -85,4 +85,14 @@ describe('tags', () => {
       expect(Math.abs(y - 10)).toBeLessThanOrEqual(26);
     }
   });
+});
+
+test('tags that find no place of their own become dots, those that matter never', () => {
+  const places = [
+    { x: 0, y: 0 },
+    { x: 4, y: 2 },
+    { x: 100, y: 0 },
+  ];
+  expect(crowdedTags(places, 32, 19, () => false)).toEqual([false, true, false]);
+  expect(crowdedTags(places, 32, 19, (index) => index === 1)).toEqual([true, false, false]);
 });

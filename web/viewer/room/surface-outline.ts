@@ -2,13 +2,23 @@
  * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
  * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
  */
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Vector3,
+} from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { surfaceEdges } from './surface-edges.ts';
 import type { LitMesh } from './room-mesh.ts';
 
+const level = 0.02; // m of height that a ceiling may have
+const hand = 0.1; // m
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
 
 function edgesOfMesh(
@@ -30,6 +40,26 @@ function edgesOf(meshes: readonly LitMesh[]): Float32Array {
   return all;
 }
 
+/** Meshes that close the room above: level, facing down, within a hand of its highest point. */
+function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
+  const boxed = room
+    .filter(({ measuring }) => !measuring)
+    .map((lit) => ({ lit, box: new Box3().setFromObject(lit.mesh) }));
+  const top = boxed.reduce((most, { box }) => Math.max(most, box.max.y), -Infinity);
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  const facesDown = ({ mesh }: LitMesh) => {
+    const position = mesh.geometry.getAttribute('position');
+    const corner = (i: number) => mesh.geometry.index?.getX(i) ?? i;
+    a.fromBufferAttribute(position, corner(0));
+    b.fromBufferAttribute(position, corner(1)).sub(a);
+    c.fromBufferAttribute(position, corner(2)).sub(a);
+    return b.cross(c).transformDirection(mesh.matrixWorld).y < -0.9;
+  };
+  return boxed
+    .filter(({ lit, box }) => box.max.y - box.min.y < level && top - box.max.y < hand && facesDown(lit))
+    .map(({ lit }) => lit);
+}
+
 export class SurfaceOutlines {
   readonly root = new Group();
   #room: readonly LitMesh[] = [];
@@ -40,6 +70,8 @@ export class SurfaceOutlines {
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
   #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
   #drawing: LineSegments[] = [];
+  #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
+  #ceiling: LineSegments | null = null;
 
   constructor() {
     this.#through.depthTest = false;
@@ -53,6 +85,9 @@ export class SurfaceOutlines {
       lines.geometry.dispose();
     }
     this.#drawing = [];
+    this.#ceiling?.removeFromParent();
+    this.#ceiling?.geometry.dispose();
+    this.#ceiling = null;
     this.#room = room;
     this.#edges.clear();
   }
@@ -92,9 +127,22 @@ export class SurfaceOutlines {
     for (const lines of this.#drawing) lines.visible = visible;
   }
 
+  /** The edge of the ceiling, which itself is cut away: where the room ends above. */
+  showRim(visible: boolean): void {
+    if (visible && !this.#ceiling) {
+      const ends = edgesOf(ceilingOf(this.#room));
+      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
+      this.#ceiling = new LineSegments(geometry, this.#rim);
+      this.#ceiling.renderOrder = 2;
+      this.root.add(this.#ceiling);
+    }
+    if (this.#ceiling) this.#ceiling.visible = visible;
+  }
+
   dispose(): void {
     this.setRoom([]);
-    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin]) material.dispose();
+    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin, this.#rim])
+      material.dispose();
   }
 
   #edgesOfSurface(surface: number): Float32Array {
