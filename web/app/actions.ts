@@ -163,6 +163,17 @@ const view: readonly Action[] = [
     run: toggle('measuringPlanes'),
   },
   {
+    id: 'plane-values',
+    title: 'Numbers on the measuring planes',
+    group: 'View',
+    keys: ['V'],
+    run(app) {
+      const { values, measuringPlanes } = app.store.display.peek();
+      app.setDisplay({ values: values !== true, measuringPlanes: measuringPlanes || values !== true });
+      if (values !== true) app.setMode('falseColor');
+    },
+  },
+  {
     id: 'luminaires',
     title: 'Show luminaires and their tags',
     group: 'View',

@@ -98,6 +98,13 @@ export class App {
     this.store.display.value = { ...this.store.display.peek(), ...change };
   }
 
+  /** Another kind of scale: its ends follow, unless they are locked. */
+  setScale(change: Pick<Partial<Display>, 'steps' | 'logarithmic'>): void {
+    this.setDisplay(change);
+    const shown = this.store.shown.peek();
+    if (shown && !this.store.legendLocked.peek()) fitLegend(this.store, shown);
+  }
+
   /** Keeps the exposure as it is now, or lets it follow the light again. */
   lockExposure(on: boolean): void {
     const { exposureLevel: _, ...display } = this.store.display.peek();

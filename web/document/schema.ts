@@ -106,6 +106,7 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   quantity: quantitySchema,
   cutAway: v.boolean(),
   measuringPlanes: v.boolean(),
+  values: v.exactOptional(v.boolean()),
   luminaires: v.exactOptional(v.boolean()),
 });
 

@@ -152,5 +152,6 @@ export interface Display {
   readonly quantity: Quantity;
   readonly cutAway: boolean; // do not draw walls between the eye and the room
   readonly measuringPlanes: boolean; // draw them
+  readonly values?: boolean; // false colour: readings on measuring planes; absent = none
   readonly luminaires?: boolean; // draw them and their tags; absent = yes
 }

@@ -112,13 +112,22 @@ function Popover({ label, icon: Icon, children }: PopoverProps) {
   );
 }
 
+/** A part of the picture that is drawn or not: its word, and whether it is where nothing is said. */
+type Toggle = [
+  keyof Display & ('isolux' | 'cutAway' | 'measuringPlanes' | 'values' | 'luminaires'),
+  string,
+  boolean,
+];
+
 function DisplaySettings() {
   const app = useApp();
   const display = app.store.display.value;
-  const toggles: readonly [keyof Display & ('isolux' | 'cutAway' | 'measuringPlanes'), string][] = [
-    ['isolux', 'Isolux lines'],
-    ['cutAway', 'Cut away walls in front'],
-    ['measuringPlanes', 'Measuring planes'],
+  const toggles: readonly Toggle[] = [
+    ['isolux', 'Isolux lines', false],
+    ['cutAway', 'Cut away walls in front', true],
+    ['measuringPlanes', 'Measuring planes', false],
+    ...(display.mode === 'falseColor' ? [['values', 'Numbers on the planes', false] satisfies Toggle] : []),
+    ['luminaires', 'Luminaires and tags', true],
   ];
   return (
     <div class="settings">
@@ -160,7 +169,7 @@ function DisplaySettings() {
             <span>Steps</span>
             <select
               value={String(display.steps)}
-              onChange={(event) => app.setDisplay({ steps: Number(event.currentTarget.value) })}
+              onChange={(event) => app.setScale({ steps: Number(event.currentTarget.value) })}
             >
               {[0, 5, 8, 10, 12, 16].map((steps) => (
                 <option key={steps} value={String(steps)}>
@@ -172,12 +181,17 @@ function DisplaySettings() {
           <Check
             label="Logarithmic scale"
             checked={display.logarithmic}
-            set={(logarithmic) => app.setDisplay({ logarithmic })}
+            set={(logarithmic) => app.setScale({ logarithmic })}
           />
         </>
       )}
-      {toggles.map(([key, label]) => (
-        <Check key={key} label={label} checked={display[key]} set={(on) => app.setDisplay({ [key]: on })} />
+      {toggles.map(([key, label, usual]) => (
+        <Check
+          key={key}
+          label={label}
+          checked={display[key] ?? usual}
+          set={(on) => app.setDisplay({ [key]: on })}
+        />
       ))}
     </div>
   );

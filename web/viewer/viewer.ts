@@ -11,6 +11,7 @@ import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { Picking } from './hand/picking.ts';
 import { freeGpu } from './stage/free-gpu.ts';
+import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
@@ -31,6 +32,7 @@ class RoomViewer implements Viewer {
   #luminaires = new LuminaireObjects(this.#loop);
   #marks = new SiteMarks();
   #tags: LuminaireTags;
+  #planeLabels: PlaneLabels;
   #emphasis: Emphasis;
   #hand: LuminaireHand;
   #input: ViewInput;
@@ -38,6 +40,7 @@ class RoomViewer implements Viewer {
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
   #display: Display | null = null;
+  #planes: number[] = []; // leaves of the measuring planes that are drawn
   #opening = 0; // the latest open or preview wins
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
@@ -57,6 +60,7 @@ class RoomViewer implements Viewer {
       schemeChanged: () => this.#loop.invalidate(),
     });
     this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root);
+    this.#planeLabels = new PlaneLabels(labels);
     this.#tags = new LuminaireTags(
       labels,
       (luminaire, event) => this.#input.grabTag(luminaire, event),
@@ -179,6 +183,7 @@ class RoomViewer implements Viewer {
     this.#clearRoom();
     this.#cool();
     this.#tags.dispose();
+    this.#planeLabels.dispose();
     for (const part of [this.#outlines, this.#luminaires, this.#marks, this.#light, this.#rig, this.#stage])
       part.dispose();
   }
@@ -188,6 +193,7 @@ class RoomViewer implements Viewer {
     this.#room = room;
     this.#info = info;
     this.#light.setScene(info);
+    this.#planeLabels.setScene(info);
     this.#hand.setSites(info?.sites ?? null);
     this.#emphasis.setRoom(room.lit);
     this.#stage.daylight.visible = info === null;
@@ -225,7 +231,6 @@ class RoomViewer implements Viewer {
     const side = display.cutAway ? FrontSide : DoubleSide;
     for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = side;
     if (!this.#info) this.#setPreviewSide(side);
-    this.#outlines.showAll(display.mode === 'falseColor');
     this.#outlines.showRim(display.cutAway && display.mode === 'realistic');
     this.#showPlanes();
   }
@@ -233,8 +238,20 @@ class RoomViewer implements Viewer {
   /** Measuring planes are seen when they are wished for, and the selected one always. */
   #showPlanes(): void {
     const wished = this.#display?.measuringPlanes ?? false;
-    for (const { mesh, surface, measuring } of this.#room?.lit ?? [])
-      if (measuring) mesh.visible = wished || surface === this.#emphasis.surface;
+    const falseColor = this.#display?.mode === 'falseColor';
+    this.#planes = [];
+    for (const { mesh, surface, measuring } of this.#room?.lit ?? []) {
+      if (!measuring) continue;
+      mesh.visible = wished || surface === this.#emphasis.surface;
+      if (mesh.visible) this.#planes.push(surface);
+      mesh.material.depthWrite = falseColor;
+    }
+    // Over an opaque plane furniture is drawn as thin lines: what is read there is the light on the plane.
+    const covered = falseColor && this.#planes.length > 0;
+    this.#light.uniforms.planesShown.value = covered;
+    for (const { mesh } of this.#room?.lit ?? [])
+      if (this.#room?.standing.has(mesh)) mesh.material.visible = !covered;
+    this.#outlines.showAll(falseColor, covered ? (this.#room?.standing ?? null) : null);
   }
 
   /** What a pointer can hit: the veil of a plane that is only selected lets it through to what lies below. */
@@ -255,6 +272,16 @@ class RoomViewer implements Viewer {
     this.#rig.update();
     this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
     this.#stage.draw(this.#rig.active);
+    const { width, height, ratio } = this.#stage;
+    const display = this.#display;
+    const falseColor = display?.mode === 'falseColor' && display.quantity === 'illuminance';
+    this.#planeLabels.draw(
+      this.#rig.active,
+      { width, height, ratio },
+      this.#light.light,
+      falseColor ? this.#planes : [],
+      { values: display?.values ?? false, levels: display?.isolux ?? false },
+    );
     this.#tags.follow(this.#luminaires.objects, this.#rig.active, this.#stage.width, this.#stage.height);
   }
 

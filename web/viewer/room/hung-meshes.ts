@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, Mesh, type Object3D } from 'three';
 import type { Box } from '../eye/framing.ts';
 import { connectedParts } from './mesh-parts.ts';
-import { hangingSides, type Side } from './standing.ts';
+import { hangingSides, isRoomItself, type Side } from './standing.ts';
 
 const splittable = 60_000; // triangles; finer meshes are left whole
 
@@ -78,8 +78,14 @@ function splitMesh(mesh: Mesh, parts: readonly { part: Part; side: Side | null }
   return meshes;
 }
 
-/** What hangs on the room's sides, each a mesh of its own from now on. `meshes` have their world matrices. */
-export function splitHungMeshes(meshes: readonly Mesh[], room: Box): Map<Object3D, Side> {
+/** What hangs on the room's sides, each a mesh of its own from now on, and what stands in it. */
+export interface SortedMeshes {
+  readonly hanging: ReadonlyMap<Object3D, Side>;
+  readonly standing: ReadonlySet<Object3D>;
+}
+
+/** `meshes` have their world matrices. */
+export function splitHungMeshes(meshes: readonly Mesh[], room: Box): SortedMeshes {
   const parts = meshes.flatMap(partsOf);
   const sides = hangingSides(
     room,
@@ -92,7 +98,11 @@ export function splitHungMeshes(meshes: readonly Mesh[], room: Box): Map<Object3
     list.push({ part, side: sides[i] ?? null });
   });
   const hanging = new Map<Object3D, Side>();
+  const standing = new Set<Object3D>();
   for (const [mesh, own] of perMesh)
-    for (const [piece, side] of splitMesh(mesh, own)) if (side) hanging.set(piece, side);
-  return hanging;
+    for (const [piece, side] of splitMesh(mesh, own))
+      if (side) hanging.set(piece, side);
+      else if (own.every(({ part, side: of }) => of !== null || !isRoomItself(room, part.box)))
+        standing.add(piece);
+  return { hanging, standing };
 }

@@ -36,6 +36,7 @@ export interface RoomMesh {
   readonly root: Group;
   readonly lit: readonly LitMesh[];
   readonly hanging: ReadonlyMap<Object3D, Side>; // on the walls and the ceiling
+  readonly standing: ReadonlySet<Object3D>; // furniture
   readonly box: Box;
   /** How much of the surfaces faces an eye at azimuth 45, 135, 225 and 315 degrees; every surface counts 1. */
   readonly facing: readonly number[];
@@ -162,7 +163,7 @@ export function loadRoomMesh(
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
   const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
-  const hanging = splitHungMeshes(solid, box);
+  const { hanging, standing } = splitHungMeshes(solid, box);
   const meshes = meshesOf(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
@@ -186,6 +187,7 @@ export function loadRoomMesh(
     root,
     lit,
     hanging,
+    standing,
     box,
     facing: facingShares(lit),
     dispose: () => freeMeshes(root, sources),
@@ -199,7 +201,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
   const box = boundsOf(root);
-  const hanging = splitHungMeshes(meshesOf(root), box);
+  const { hanging, standing } = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], hanging, box, facing: [0, 0, 0, 0], dispose };
+  return { root, lit: [], hanging, standing, box, facing: [0, 0, 0, 0], dispose };
 }

@@ -42,13 +42,14 @@ function touches(a: Box, b: Box): boolean {
   );
 }
 
+/** Floor, walls, ceiling: what spans most of the room along two axes. */
+export const isRoomItself = (room: Box, part: Box): boolean =>
+  ([0, 1, 2] as const).filter((axis) => extent(part, axis) > wide * extent(room, axis)).length > 1;
+
 /** For each part (its box in world space) the side that it hangs on; null = it stands in the room. */
 export function hangingSides(room: Box, parts: readonly Box[]): (Side | null)[] {
   const sides = parts.map((part) => nearSide(room, part));
-  const isRoom = parts.map(
-    (part) =>
-      ([0, 1, 2] as const).filter((axis) => extent(part, axis) > wide * extent(room, axis)).length > 1,
-  );
+  const isRoom = parts.map((part) => isRoomItself(room, part));
   const onFloor = parts.map((part) => part.min[1] - room.min[1] < raised);
   const isBoard = parts.map((part, i) => onFloor[i]! && sides[i] && extent(part, sides[i]!.axis) < board);
   const stands = parts.map((_, i) => onFloor[i]! && !isRoom[i] && !isBoard[i]);

@@ -9,6 +9,7 @@ import {
   Group,
   LineBasicMaterial,
   LineSegments,
+  type Object3D,
   Vector3,
 } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
@@ -68,6 +69,7 @@ export class SurfaceOutlines {
   #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
   #hovered = this.#material('#ffffff', 1.25, 0.6);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
+  #over = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.3, depthTest: false });
   #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
   #drawing: LineSegments[] = [];
   #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
@@ -111,8 +113,11 @@ export class SurfaceOutlines {
     this.#shown.set(which, objects);
   }
 
-  /** Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it. */
-  showAll(visible: boolean): void {
+  /**
+   * Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it.
+   * `through`: meshes whose lines are seen through everything.
+   */
+  showAll(visible: boolean, through: ReadonlySet<Object3D> | null): void {
     if (visible && this.#drawing.length === 0) {
       for (const { mesh, measuring } of this.#room) {
         if (measuring) continue;
@@ -124,7 +129,12 @@ export class SurfaceOutlines {
         this.#drawing.push(lines);
       }
     }
-    for (const lines of this.#drawing) lines.visible = visible;
+    for (const lines of this.#drawing) {
+      lines.visible = visible;
+      const isThrough = lines.parent !== null && through?.has(lines.parent) === true;
+      lines.material = isThrough ? this.#over : this.#thin;
+      lines.renderOrder = isThrough ? 3 : 1;
+    }
   }
 
   /** The edge of the ceiling, which itself is cut away: where the room ends above. */
@@ -141,7 +151,7 @@ export class SurfaceOutlines {
 
   dispose(): void {
     this.setRoom([]);
-    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin, this.#rim])
+    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin, this.#over, this.#rim])
       material.dispose();
   }
 

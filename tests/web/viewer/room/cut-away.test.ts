@@ -55,12 +55,13 @@ describe('what hangs on a wall', () => {
     const geometry = new BufferGeometry().setIndex(index);
     geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
     const root = new Group().add(new Mesh(geometry));
-    const hanging = splitHungMeshes([root.children[0] as Mesh], room);
+    const { hanging, standing } = splitHungMeshes([root.children[0] as Mesh], room);
     expect([...hanging.values()]).toEqual([
       { axis: 2, sign: -1 },
       { axis: 0, sign: 1 },
     ]);
     expect(root.children.length).toBe(3);
+    expect(root.children.filter((mesh) => standing.has(mesh))).toHaveLength(1); // the table
     const triangles = root.children.map((mesh) => (mesh as Mesh<BufferGeometry>).geometry.index!.count / 3);
     expect(triangles).toEqual([12, 12, 12]);
   });
