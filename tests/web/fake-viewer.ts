@@ -31,6 +31,8 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
         viewer.pinned = pinned;
       },
       setSelection: () => {},
+      setAims: () => {},
+      reveal: () => {},
       setExcluded: () => {},
       setDisplay: () => {},
       holdExposure: (active) => void (viewer.held = active),

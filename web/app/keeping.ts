@@ -41,10 +41,10 @@ export class Keeping {
 
   /** The whole address of the present layout. Throws one readable line where it does not fit a link. */
   link(): string {
-    const { scene, camera, display, document } = this.#store;
+    const { scene, display, document } = this.#store;
     const sites = scene.peek()?.sites;
     if (!sites) throw new Error('No room is open yet.');
-    const view = { camera: camera.peek() ?? this.#viewer.camera(), display: display.peek() };
+    const view = { camera: this.#viewer.camera(), display: display.peek() };
     const hash = encodeLink(linkOf(document.peek(), this.layout(), sites, view));
     return `${location.href.split('#')[0]}${hash}`;
   }

@@ -13,6 +13,7 @@ import { Picking } from './hand/picking.ts';
 import { freeGpu } from './stage/free-gpu.ts';
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
+import { betterQuadrant, quadrantShares } from './room/facing.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
@@ -40,6 +41,7 @@ class RoomViewer implements Viewer {
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
   #display: Display | null = null;
+  #aims: readonly number[] = [];
   #planes: number[] = []; // leaves of the measuring planes that are drawn
   #opening = 0; // the latest open or preview wins
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
@@ -127,6 +129,17 @@ class RoomViewer implements Viewer {
     this.#showPlanes();
   }
 
+  setAims(surfaces: readonly number[]): void {
+    this.#aims = surfaces;
+  }
+
+  reveal(surfaces: readonly number[]): void {
+    const present = this.#rig.quadrant;
+    if (present === null || !this.#room) return;
+    const better = betterQuadrant(this.#room.facing, surfaces, present);
+    if (better !== null) this.#rig.lookFrom(better);
+  }
+
   setExcluded(sites: readonly number[]): void {
     this.#hand.setExcluded(sites);
     this.#loop.invalidate();
@@ -154,6 +167,7 @@ class RoomViewer implements Viewer {
   }
 
   camera(): Camera {
+    this.#rig.rest();
     return this.#rig.get();
   }
 
@@ -199,7 +213,7 @@ class RoomViewer implements Viewer {
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
-    this.#rig.setRoom(room.box, room.facing);
+    this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims));
     this.#applyDisplay();
     this.#loop.invalidate();
   }

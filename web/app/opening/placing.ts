@@ -5,6 +5,7 @@ import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts
 import type { Viewer } from '../../viewer/types.ts';
 import type { Rooms } from '../rooms/rooms.ts';
 import { Superseded, type Solving } from '../solving.ts';
+import { leavesOf } from '../state/statistics.ts';
 import { firstDisplay, type Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { rememberRoom } from './first-scene.ts';
@@ -20,6 +21,13 @@ export interface Placement {
   readonly document: FiatLuxDocument;
   readonly view?: Pick<Link, 'camera' | 'display'>;
 }
+
+/** Leaves that the intentions name, but for those about the whole room. */
+const aimsOf = ({ cards }: FiatLuxDocument, { surfaces }: SceneInfo): number[] =>
+  leavesOf(
+    cards.flatMap((card) => card.surfaces.filter((name) => name !== 'all')),
+    surfaces,
+  );
 
 export class Placing {
   readonly #store: Store;
@@ -69,6 +77,7 @@ export class Placing {
     let placement: Placement;
     try {
       placement = make(scene);
+      this.#viewer.setAims(aimsOf(placement.document, scene));
       await this.#viewer.open(room, scene);
     } catch (error) {
       // The solver has the new scene by now, the screen still the old one.

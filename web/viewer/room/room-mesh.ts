@@ -11,7 +11,6 @@ import {
   Mesh,
   MeshBasicMaterial,
   ShaderMaterial,
-  Vector3,
   type Group,
   type Material,
   type MeshStandardMaterial,
@@ -21,6 +20,7 @@ import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../../document/types.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from '../light/light-material.ts';
+import { facingOf, type Facing } from './facing.ts';
 import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
@@ -38,8 +38,7 @@ export interface RoomMesh {
   readonly hanging: ReadonlyMap<Object3D, Side>; // on the walls and the ceiling
   readonly standing: ReadonlySet<Object3D>; // furniture
   readonly box: Box;
-  /** How much of the surfaces faces an eye at azimuth 45, 135, 225 and 315 degrees; every surface counts 1. */
-  readonly facing: readonly number[];
+  readonly facing: Facing;
   dispose(): void;
 }
 
@@ -82,36 +81,6 @@ function translucent(material: MeshStandardMaterial): MeshBasicMaterial {
     depthWrite: false,
     side: DoubleSide,
   });
-}
-
-/** Adds up, for each surface, what share of its upright area faces each of the four corners. */
-function facingShares(lit: readonly LitMesh[]): number[] {
-  const perSurface = new Map<number, [number, number, number, number, number]>();
-  const [a, b, c, normal] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
-  for (const { mesh, surface, measuring } of lit) {
-    const index = mesh.geometry.index;
-    if (measuring || !index) continue;
-    const sums = perSurface.get(surface) ?? [0, 0, 0, 0, 0];
-    perSurface.set(surface, sums);
-    const position = mesh.geometry.getAttribute('position');
-    for (let i = 0; i + 2 < index.count; i += 3) {
-      a.fromBufferAttribute(position, index.getX(i));
-      b.fromBufferAttribute(position, index.getX(i + 1)).sub(a);
-      c.fromBufferAttribute(position, index.getX(i + 2)).sub(a);
-      normal.crossVectors(b, c).transformDirection(mesh.matrixWorld);
-      const area = b.cross(c).length();
-      if (!(area > 0)) continue;
-      sums[4] += area;
-      if (normal.x + normal.z > 0.1) sums[0] += area;
-      if (normal.x - normal.z > 0.1) sums[1] += area;
-      if (-normal.x - normal.z > 0.1) sums[2] += area;
-      if (normal.z - normal.x > 0.1) sums[3] += area;
-    }
-  }
-  const shares = [0, 0, 0, 0];
-  for (const sums of perSurface.values())
-    for (let q = 0; q < 4; q++) shares[q]! += sums[4] > 0 ? sums[q]! / sums[4] : 0;
-  return shares;
 }
 
 /** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
@@ -189,7 +158,7 @@ export function loadRoomMesh(
     hanging,
     standing,
     box,
-    facing: facingShares(lit),
+    facing: facingOf(lit),
     dispose: () => freeMeshes(root, sources),
   };
 }
@@ -203,5 +172,5 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   const box = boundsOf(root);
   const { hanging, standing } = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], hanging, standing, box, facing: [0, 0, 0, 0], dispose };
+  return { root, lit: [], hanging, standing, box, facing: new Map(), dispose };
 }
