@@ -37,7 +37,7 @@ const editing: readonly Action[] = [
     title: 'Undo',
     group: 'Edit',
     keys: ['Mod+Z'],
-    enabled: ({ store }) => store.history.value.past.length > 0,
+    enabled: ({ store }) => store.undoes.value !== null,
     run: (app) => app.undo(),
   },
   {
@@ -45,7 +45,7 @@ const editing: readonly Action[] = [
     title: 'Redo',
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
-    enabled: ({ store }) => store.history.value.future.length > 0,
+    enabled: ({ store }) => store.redoes.value !== null,
     run: (app) => app.redo(),
   },
 ];
@@ -184,6 +184,13 @@ const view: readonly Action[] = [
 
 const file: readonly Action[] = [
   { id: 'gallery', title: 'Rooms and experiments', group: 'File', keys: ['G'], run: show('gallery') },
+  {
+    id: 'afresh',
+    title: 'Start this room afresh',
+    group: 'File',
+    enabled: hasRoom,
+    run: ({ opening }) => opening.restart(),
+  },
   {
     id: 'open',
     title: 'Open a .flux, .glb or project file',

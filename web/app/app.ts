@@ -36,8 +36,8 @@ export class App {
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
-    this.opening = new Opening(store, this.rooms, this.solving, this.viewer);
     this.keeping = new Keeping(store, this.solving, this.viewer);
+    this.opening = new Opening(store, this.rooms, this.solving, this.viewer, this.keeping);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room));
   }
@@ -134,11 +134,13 @@ export class App {
   }
 
   undo(): void {
-    this.#announce('Undone', this.store.undo());
+    if (this.store.undoes.peek() === 'room') globalThis.history.back();
+    else this.#announce('Undone', this.store.undo());
   }
 
   redo(): void {
-    this.#announce('Redone', this.store.redo());
+    if (this.store.redoes.peek() === 'room') globalThis.history.forward();
+    else this.#announce('Redone', this.store.redo());
   }
 
   #announce(done: string, label: string | undefined): void {
