@@ -50,7 +50,10 @@ export class Placing {
     this.#keeping = keeping;
   }
 
-  /** Runs one opening; errors become one message, and what was on the screen stays. Resolves to its success. */
+  /**
+   * Runs one opening; errors become one message with a button to try again, and what was on the screen stays. Resolves to
+   * its success.
+   */
   async attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean> {
     const turn = ++this.#turn;
     const isCurrent = () => turn === this.#turn;
@@ -59,8 +62,10 @@ export class Placing {
       await action(isCurrent);
       return true;
     } catch (error) {
-      if (isCurrent() && !(error instanceof Superseded))
-        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      if (isCurrent() && !(error instanceof Superseded)) {
+        const again = { label: 'Try again', run: () => void this.attempt(what, action) };
+        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)), again);
+      }
       return false;
     } finally {
       if (isCurrent()) this.#store.loading.value = null;
