@@ -25,7 +25,7 @@ test('a link holds the view that is on the screen, even while a turn runs out', 
   const turned = await linkOf(page);
   const camera = (link: string) => {
     const payload = /#f\d+\.([\w-]+)\./.exec(link)![1]!;
-    return JSON.parse(inflateRawSync(fromBase64Url(payload)!).toString()).c;
+    return JSON.parse(inflateRawSync(fromBase64Url(payload)!).toString()).k;
   };
   expect(camera(turned)).not.toEqual(camera(still));
   await page.waitForTimeout(1500); // longer than a turn runs on: it must have ended with the link
