@@ -84,7 +84,7 @@ export class Keeping {
   keepSaved(isOurs: (room: string) => boolean): () => void {
     const isKept = () => isOurs(this.#store.document.peek().room) && !hasLink();
     const leave = () => {
-      if (this.#store.shown.peek() !== null && isKept()) keepForReload(this.#left());
+      if (this.#store.scene.peek() !== null && isKept()) keepForReload(this.#left());
     };
     let timer: ReturnType<typeof setTimeout> | undefined;
     const stop = effect(() => {
