@@ -20,4 +20,4 @@ const room = likelyRoom(location.hash);
 const ahead = startWorkerEarly(room && sceneAddress(room));
 if (room && ahead) expectScene(room, ahead);
 expectCatalog();
-void import('./start.tsx');
+import('./start.tsx').catch(() => document.getElementById('app')?.classList.add('is-stuck'));

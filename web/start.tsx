@@ -6,5 +6,6 @@ import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
 
 const root = document.getElementById('app');
+root?.replaceChildren();
 if (root)
   render(<Shell store={new Store()} createViewer={createViewer} createWorker={createSolverWorker} />, root);

@@ -15,6 +15,24 @@ async function linkOf(page: Page): Promise<string> {
   return link;
 }
 
+test('a link holds the view that is on the screen, even while a turn runs out', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const still = await linkOf(page);
+  const box = (await page.getByRole('application').boundingBox())!;
+  await page.mouse.move(box.x + 300, box.y + 300);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 420, box.y + 320, { steps: 4 });
+  await page.mouse.up();
+  const turned = await linkOf(page);
+  const camera = (link: string) => {
+    const payload = /#f\d+\.([\w-]+)\./.exec(link)![1]!;
+    return JSON.parse(inflateRawSync(fromBase64Url(payload)!).toString()).k;
+  };
+  expect(camera(turned)).not.toEqual(camera(still));
+  await page.waitForTimeout(1500); // longer than a turn runs on: it must have ended with the link
+  expect(camera(await linkOf(page))).toEqual(camera(turned));
+});
+
 /** The link with its contents changed and a checksum that fits again. */
 function forged(link: string, change: (contents: Record<string, any>) => void): string {
   const [address, version, payload] = /^(.*#)(f\d+)\.([\w-]+)\./.exec(link)!.slice(1) as [

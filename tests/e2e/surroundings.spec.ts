@@ -214,3 +214,35 @@ test('a browser without 3D graphics is told what to do', async ({ page, watched 
   await expect(page.getByRole('alert')).toContainText(/no 3D graphics.*hardware acceleration/);
   watched.faults.length = 0; // three reports it to the console, too
 });
+
+const broken: readonly [string, string, number | null, RegExp][] = [
+  ['the worker is blocked', '**/assets/worker*.js', null, /script cannot be loaded/],
+  ['the module is missing', '**/*.wasm', 404, /core\.wasm cannot be loaded/],
+  ['the room does not arrive', '**/*.flux', null, /no connection/],
+  ['there is no list of rooms', '**/catalog.json', 404, /list of rooms could not be loaded/],
+];
+
+for (const [what, pattern, status, words] of broken)
+  plain(`a start where ${what} ends in one sentence and a button that mends it`, async ({ page }) => {
+    await page.route(pattern, (route) =>
+      status === null ? route.abort() : route.fulfill({ status, body: '' }),
+    );
+    await page.goto('./');
+    const alert = page.getByRole('alert').filter({ hasText: words });
+    await expect(alert).toBeVisible();
+    await expect(page.getByRole('alert')).toHaveCount(1);
+    await expect(page.locator('.spinner')).toHaveCount(0);
+    await page.unroute(pattern);
+    await alert.getByRole('button', { name: 'Try again' }).click();
+    await settled(page);
+    await expectLit(page);
+  });
+
+plain('a start without the app says so and offers to try again', async ({ page }) => {
+  await page.route('**/assets/start*.js', (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByText('Fiat Lux could not be started')).toBeVisible();
+  await page.unroute('**/assets/start*.js');
+  await page.getByRole('link', { name: 'Try again' }).click();
+  await settled(page);
+});

@@ -8,6 +8,7 @@ export interface FakeViewer extends Viewer {
   layout: Layout | null;
   pinned: readonly number[];
   opened: number;
+  held: boolean;
 }
 
 export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer } {
@@ -20,6 +21,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       layout: null,
       pinned: [],
       opened: 0,
+      held: false,
       prepare: () => {},
       open: async () => void viewer.opened++,
       preview: async () => {},
@@ -29,8 +31,12 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
         viewer.pinned = pinned;
       },
       setSelection: () => {},
+      setAims: () => {},
+      reveal: () => {},
       setExcluded: () => {},
       setDisplay: () => {},
+      holdExposure: (active) => void (viewer.held = active),
+      exposureLevel: () => 250,
       setCamera: () => {},
       camera: () => camera,
       view: () => {},

@@ -37,7 +37,7 @@ const editing: readonly Action[] = [
     title: 'Undo',
     group: 'Edit',
     keys: ['Mod+Z'],
-    enabled: ({ store }) => store.history.value.past.length > 0,
+    enabled: ({ store }) => store.undoes.value !== null,
     run: (app) => app.undo(),
   },
   {
@@ -45,7 +45,7 @@ const editing: readonly Action[] = [
     title: 'Redo',
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
-    enabled: ({ store }) => store.history.value.future.length > 0,
+    enabled: ({ store }) => store.redoes.value !== null,
     run: (app) => app.redo(),
   },
 ];
@@ -162,10 +162,35 @@ const view: readonly Action[] = [
     keys: ['M'],
     run: toggle('measuringPlanes'),
   },
+  {
+    id: 'plane-values',
+    title: 'Numbers on the measuring planes',
+    group: 'View',
+    keys: ['V'],
+    run(app) {
+      const { values, measuringPlanes } = app.store.display.peek();
+      app.setDisplay({ values: values !== true, measuringPlanes: measuringPlanes || values !== true });
+      if (values !== true) app.setMode('falseColor');
+    },
+  },
+  {
+    id: 'luminaires',
+    title: 'Show luminaires and their tags',
+    group: 'View',
+    keys: ['L'],
+    run: (app) => app.setDisplay({ luminaires: app.store.display.peek().luminaires === false }),
+  },
 ];
 
 const file: readonly Action[] = [
   { id: 'gallery', title: 'Rooms and experiments', group: 'File', keys: ['G'], run: show('gallery') },
+  {
+    id: 'afresh',
+    title: 'Start this room afresh',
+    group: 'File',
+    enabled: hasRoom,
+    run: ({ opening }) => opening.restart(),
+  },
   {
     id: 'open',
     title: 'Open a .flux, .glb or project file',

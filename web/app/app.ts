@@ -36,8 +36,8 @@ export class App {
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
-    this.opening = new Opening(store, this.rooms, this.solving, this.viewer);
     this.keeping = new Keeping(store, this.solving, this.viewer);
+    this.opening = new Opening(store, this.rooms, this.solving, this.viewer, this.keeping);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room));
   }
@@ -98,6 +98,21 @@ export class App {
     this.store.display.value = { ...this.store.display.peek(), ...change };
   }
 
+  /** Another kind of scale: its ends follow, unless they are locked. */
+  setScale(change: Pick<Partial<Display>, 'steps' | 'logarithmic'>): void {
+    this.setDisplay(change);
+    const shown = this.store.shown.peek();
+    if (shown && !this.store.legendLocked.peek()) fitLegend(this.store, shown);
+  }
+
+  /** Keeps the exposure as it is now, or lets it follow the light again. */
+  lockExposure(on: boolean): void {
+    const { exposureLevel: _, ...display } = this.store.display.peek();
+    this.store.display.value = on
+      ? { ...display, exposureLevel: Math.max(0.001, this.viewer.exposureLevel()) }
+      : display;
+  }
+
   /** Searches from nowhere, with another seed. */
   reseed(): void {
     this.store.edit(
@@ -119,11 +134,13 @@ export class App {
   }
 
   undo(): void {
-    this.#announce('Undone', this.store.undo());
+    if (this.store.undoes.peek() === 'room') globalThis.history.back();
+    else this.#announce('Undone', this.store.undo());
   }
 
   redo(): void {
-    this.#announce('Redone', this.store.redo());
+    if (this.store.redoes.peek() === 'room') globalThis.history.forward();
+    else this.#announce('Redone', this.store.redo());
   }
 
   #announce(done: string, label: string | undefined): void {
@@ -158,6 +175,7 @@ export class App {
   #tellViewer(): void {
     const { store, viewer } = this;
     effect(() => viewer.setDisplay(store.display.value));
+    effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
     effect(() => viewer.setExcluded(store.document.value.luminaires.excluded));
   }

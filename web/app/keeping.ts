@@ -1,6 +1,7 @@
 /** The work as it can be kept: as a project, as a link, and in the browser's own storage. */
 import { effect } from '@preact/signals';
 import type { Project } from '../document/project-file.ts';
+import type { Work } from '../document/work.ts';
 import { keepForReload } from '../document/reload.ts';
 import { encodeLink } from '../document/share-link.ts';
 import { linkOf } from '../document/sites.ts';
@@ -10,12 +11,20 @@ import { hasLink } from './opening/address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 
+/** A room that was open: what was done in it, and the bytes of one that the site does not have. */
+export interface Visited {
+  readonly work: Work;
+  readonly title: string;
+  readonly bytes: ArrayBuffer | null;
+}
+
 const quiet = 1200; // ms without a change before the work is stored
 
 export class Keeping {
   readonly #store: Store;
   readonly #solving: Solving;
   readonly #viewer: Viewer;
+  readonly #visited = new Map<string, Visited>(); // by room, since the page was opened
   #isRefusalTold = false;
 
   constructor(store: Store, solving: Solving, viewer: Viewer) {
@@ -39,12 +48,30 @@ export class Keeping {
     };
   }
 
+  /** Takes note of the work in the room that is open, before another one takes its place. */
+  remember(bytes: ArrayBuffer | null): void {
+    const { room, scene } = this.#store.document.peek();
+    if (scene !== '')
+      this.#visited.set(room, { work: this.#left(), title: this.#store.roomTitle.peek(), bytes });
+  }
+
+  /** A room that was open since the page was. */
+  visited(room: string): Visited | null {
+    return this.#visited.get(room) ?? null;
+  }
+
+  /** The last work in a room, from this visit or an earlier one; null where there is none for this very scene. */
+  async kept(room: string, scene: string): Promise<Work | null> {
+    const work = this.#visited.get(room)?.work ?? (await loadWork(room));
+    return work?.project.document.scene === scene ? work : null;
+  }
+
   /** The whole address of the present layout. Throws one readable line where it does not fit a link. */
   link(): string {
-    const { scene, camera, display, document } = this.#store;
+    const { scene, display, document } = this.#store;
     const sites = scene.peek()?.sites;
     if (!sites) throw new Error('No room is open yet.');
-    const view = { camera: camera.peek() ?? this.#viewer.camera(), display: display.peek() };
+    const view = { camera: this.#viewer.camera(), display: display.peek() };
     const hash = encodeLink(linkOf(document.peek(), this.layout(), sites, view));
     return `${location.href.split('#')[0]}${hash}`;
   }
@@ -57,7 +84,7 @@ export class Keeping {
   keepSaved(isOurs: (room: string) => boolean): () => void {
     const isKept = () => isOurs(this.#store.document.peek().room) && !hasLink();
     const leave = () => {
-      if (this.#store.shown.peek() !== null && isKept()) keepForReload(this.#left());
+      if (this.#store.scene.peek() !== null && isKept()) keepForReload(this.#left());
     };
     let timer: ReturnType<typeof setTimeout> | undefined;
     const stop = effect(() => {
@@ -76,17 +103,19 @@ export class Keeping {
   }
 
   /** The work as a reload finds it; while a search runs its layout does not answer what is asked. */
-  #left(): Project {
-    const work = this.project();
+  #left(): Work {
+    const { past, future } = this.#store.history.peek();
+    const project = this.project();
     const isSearching = this.#store.progress.peek().state === 'improving';
-    return isSearching ? { ...work, document: { ...work.document, layout: null } } : work;
+    const layout = isSearching ? null : project.document.layout;
+    return { project: { ...project, document: { ...project.document, layout } }, past, future };
   }
 
   async #save(): Promise<void> {
     const { saving } = this.#store;
     try {
       const { save } = await import('../document/autosave.ts');
-      saving.value = { state: 'saved', at: await save(this.project()) };
+      saving.value = { state: 'saved', at: await save(this.#left()) };
     } catch (error) {
       saving.value = { state: 'refused', why: error instanceof Error ? error.message : String(error) };
       this.#tellRefusal();
@@ -100,5 +129,14 @@ export class Keeping {
       'warning',
       'This browser refuses to store the work. Save a project file or a link to keep it.',
     );
+  }
+}
+
+async function loadWork(room: string): Promise<Work | null> {
+  try {
+    const { load } = await import('../document/autosave.ts');
+    return await load(room);
+  } catch {
+    return null; // no storage: the room opens as if nothing had been kept
   }
 }

@@ -259,6 +259,8 @@ export class Solving {
 
   #failed({ message, fatal }: Answer<'failed'>): void {
     const wasOpening = this.#opening !== null;
+    // A solver that does not start is told with the first room, which asks for another one and offers to try again.
+    if (fatal && !wasOpening && !this.#file) return;
     if (this.#opening) this.#opening.reject(new Error(message));
     else if (this.#probing) this.#probing.reject(new Error(message));
     else {

@@ -1,14 +1,11 @@
-/** The last state of the work in the browser's own storage. It may be refused (private windows, full disk): that is told. */
+/** The last work in each room, in the browser's own storage. It may be refused (private windows, full disk): that is told. */
 import { openDB, type IDBPDatabase } from 'idb';
-import { readProject, writeProject, type Project } from './project-file.ts';
+import { readWork, writeWork, type Work } from './work.ts';
 
 const store = 'work';
-const key = 'latest';
+const latest = 'latest'; // the key under which the room of the last work stands; before rooms had keys, the work itself
 
-export interface Saved {
-  readonly project: Project;
-  readonly at: number; // ms since 1970
-}
+const keyOf = (room: string) => `room ${room}`;
 
 let database: Promise<IDBPDatabase> | null = null;
 
@@ -23,22 +20,32 @@ function open(): Promise<IDBPDatabase> {
   return database;
 }
 
-export async function save(project: Project): Promise<number> {
+/** When it was kept, ms since 1970. */
+export async function save(work: Work): Promise<number> {
   const at = Date.now();
-  await (await open()).put(store, { text: writeProject(project), at }, key);
+  const { room } = work.project.document;
+  const transaction = (await open()).transaction(store, 'readwrite');
+  await Promise.all([
+    transaction.store.put({ text: writeWork(work), at }, keyOf(room)),
+    transaction.store.put({ room, at }, latest),
+    transaction.done,
+  ]);
   return at;
 }
 
-/** null where nothing (or nothing readable) is stored. */
-export async function load(): Promise<Saved | null> {
-  const entry: unknown = await (await open()).get(store, key);
-  if (typeof entry !== 'object' || entry === null) return null;
-  const { text, at } = entry as { text?: unknown; at?: unknown };
-  if (typeof text !== 'string' || typeof at !== 'number') return null;
-  const project = readProject(text);
-  return typeof project === 'string' ? null : { project, at };
+/** null where nothing (or nothing readable) is stored for this room. */
+export async function load(room: string): Promise<Work | null> {
+  return workIn(await (await open()).get(store, keyOf(room)));
 }
 
-export async function clear(): Promise<void> {
-  await (await open()).delete(store, key);
+/** The work that was kept last, in whichever room. */
+export async function loadLatest(): Promise<Work | null> {
+  const entry: unknown = await (await open()).get(store, latest);
+  const { room } = (entry ?? {}) as { room?: unknown };
+  return typeof room === 'string' ? load(room) : workIn(entry);
+}
+
+function workIn(entry: unknown): Work | null {
+  const { text } = (entry ?? {}) as { text?: unknown };
+  return typeof text === 'string' ? readWork(text) : null;
 }

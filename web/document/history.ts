@@ -7,7 +7,7 @@ import type { FiatLuxDocument, Layout } from './types.ts';
 
 enablePatches();
 
-interface Step {
+export interface Step {
   readonly label: string;
   readonly gesture: string | null;
   readonly forward: readonly Patch[];

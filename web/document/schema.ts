@@ -96,6 +96,8 @@ export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
 export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   mode: v.picklist(['realistic', 'falseColor']),
   exposure: number(-20, 20),
+  exposureLevel: v.exactOptional(number(1e-3, 1e6)),
+  adaptation: v.exactOptional(v.picklist(['camera', 'eye'])),
   colorMap: v.picklist(['viridis', 'cividis', 'inferno', 'turbo']),
   steps: whole(0, 64),
   logarithmic: v.boolean(),
@@ -104,6 +106,8 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   quantity: quantitySchema,
   cutAway: v.boolean(),
   measuringPlanes: v.boolean(),
+  values: v.exactOptional(v.boolean()),
+  luminaires: v.exactOptional(v.boolean()),
 });
 
 /** "cards.0.mean: Invalid type ..." -> one short clause about the first fault. */

@@ -135,10 +135,15 @@ export interface SceneInfo {
 
 export type ColorMap = 'viridis' | 'cividis' | 'inferno' | 'turbo';
 
+/** Who looks: a camera evens most of a change of light out, an eye adapts about half-way. */
+export type Adaptation = 'camera' | 'eye';
+
 /** How the light is drawn. */
 export interface Display {
   readonly mode: 'realistic' | 'falseColor';
   readonly exposure: number; // EV, realistic mode; 0 = automatic
+  readonly exposureLevel?: number; // lx: the exposure is locked at this level of light; absent = it adapts
+  readonly adaptation?: Adaptation; // absent = camera
   readonly colorMap: ColorMap;
   readonly steps: number; // 0 = continuous
   readonly logarithmic: boolean;
@@ -147,4 +152,6 @@ export interface Display {
   readonly quantity: Quantity;
   readonly cutAway: boolean; // do not draw walls between the eye and the room
   readonly measuringPlanes: boolean; // draw them
+  readonly values?: boolean; // false colour: readings on measuring planes; absent = none
+  readonly luminaires?: boolean; // draw them and their tags; absent = yes
 }

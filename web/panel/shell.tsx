@@ -1,7 +1,7 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { forgetLink } from '../app/opening/address.ts';
+import { forgetLink, roomOfState } from '../app/opening/address.ts';
 import { AppContext, App, type Parts } from '../app/app.ts';
 import { actions } from '../app/actions.ts';
 import { listenToKeys } from '../app/keyboard.ts';
@@ -42,7 +42,12 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     const listen = () => {
       if (location.hash.length > 1) void app.opening.link(location.hash);
     };
+    const travel = ({ state }: PopStateEvent) => {
+      const room = roomOfState(state);
+      if (room !== null && location.hash.length <= 1) void app.opening.return(room);
+    };
     window.addEventListener('hashchange', listen);
+    window.addEventListener('popstate', travel);
     // A link stays in the address until something is changed: then it no longer tells what is on the screen.
     const forget = effect(() => {
       if (store.history.value.past.length > 0) forgetLink();
@@ -50,6 +55,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     const deaf = listenToKeys(app, actions, () => store.dialog.peek() !== null);
     return () => {
       window.removeEventListener('hashchange', listen);
+      window.removeEventListener('popstate', travel);
       deaf();
       forget();
     };
@@ -74,8 +80,8 @@ async function lastWork() {
   const left = takeFromReload();
   if (left) return left;
   try {
-    const { load } = await import('../document/autosave.ts');
-    return (await load())?.project ?? null;
+    const { loadLatest } = await import('../document/autosave.ts');
+    return await loadLatest();
   } catch {
     return null; // no storage: the app starts as if nothing had been saved
   }

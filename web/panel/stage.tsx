@@ -1,6 +1,6 @@
 /** The view: canvas and its labels, and what floats over it. The lists of the panel are its twin for the keyboard. */
 import type { RefObject } from 'preact';
-import { useContext, useState } from 'preact/hooks';
+import { useContext, useRef, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
 import { likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
@@ -47,18 +47,23 @@ function Overlays() {
   );
 }
 
+/** What is on its way. Before the first room its picture stands there, blurred, until the lit one is drawn. */
 function Loading() {
   const { store } = useApp();
   const what = store.loading.value;
-  if (!what) return null;
-  const isFirst = !store.scene.value;
+  const wasLit = useRef(false);
+  if (store.shown.value || store.preview.value) wasLit.current = true;
+  const isFirst = !wasLit.current;
+  if (!what && !(isFirst && store.scene.value)) return null;
   return (
     <>
       {isFirst && <Placeholder />}
-      <div class={isFirst ? 'loading first' : 'loading'} role="status">
-        <span class="spinner" aria-hidden="true" />
-        {what} …
-      </div>
+      {what && (
+        <div class={isFirst ? 'loading first' : 'loading'} role="status">
+          <span class="spinner" aria-hidden="true" />
+          {what} …
+        </div>
+      )}
     </>
   );
 }

@@ -1,6 +1,6 @@
 /** How the room is looked at: realistic or false colour, what belongs to each, and where from. */
 import type { ColorMap, Display } from '../document/types.ts';
-import { Box, House, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
+import { Box, House, Lock, LockOpen, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import type { ViewName } from '../viewer/types.ts';
@@ -44,6 +44,7 @@ export function ViewToolbar() {
       <Popover label="Picture settings" icon={SlidersHorizontal}>
         <DisplaySettings />
       </Popover>
+      {mode === 'realistic' && <ExposureLock />}
       <Popover label="Views" icon={Box}>
         <div class="view-grid">
           {views.map(([name, title]) => (
@@ -60,6 +61,24 @@ export function ViewToolbar() {
         <House size={16} aria-hidden />
       </button>
     </div>
+  );
+}
+
+/** The padlock: from now on light and picture keep their ratio, whatever the luminaires do. */
+function ExposureLock() {
+  const app = useApp();
+  const locked = app.store.display.value.exposureLevel !== undefined;
+  const label = locked ? 'Let the exposure adapt again' : 'Hold the exposure';
+  return (
+    <button
+      class="icon-button"
+      aria-label={label}
+      title={label}
+      aria-pressed={locked}
+      onClick={() => app.lockExposure(!locked)}
+    >
+      {locked ? <Lock size={16} aria-hidden /> : <LockOpen size={16} aria-hidden />}
+    </button>
   );
 }
 
@@ -93,30 +112,46 @@ function Popover({ label, icon: Icon, children }: PopoverProps) {
   );
 }
 
+/** A part of the picture that is drawn or not: its word, and whether it is where nothing is said. */
+type Toggle = [
+  keyof Display & ('isolux' | 'cutAway' | 'measuringPlanes' | 'values' | 'luminaires'),
+  string,
+  boolean,
+];
+
 function DisplaySettings() {
   const app = useApp();
   const display = app.store.display.value;
-  const toggles: readonly [keyof Display & ('isolux' | 'cutAway' | 'measuringPlanes'), string][] = [
-    ['isolux', 'Isolux lines'],
-    ['cutAway', 'Cut away walls in front'],
-    ['measuringPlanes', 'Measuring planes'],
+  const toggles: readonly Toggle[] = [
+    ['isolux', 'Isolux lines', false],
+    ['cutAway', 'Cut away walls in front', true],
+    ['measuringPlanes', 'Measuring planes', false],
+    ...(display.mode === 'falseColor' ? [['values', 'Numbers on the planes', false] satisfies Toggle] : []),
+    ['luminaires', 'Luminaires and tags', true],
   ];
   return (
     <div class="settings">
       {display.mode === 'realistic' ? (
-        <label class="setting-row">
-          <span>Exposure</span>
-          <Slider
-            label="Exposure"
-            value={display.exposure}
-            min={-4}
-            max={4}
-            step={0.1}
-            text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
-            onInput={(exposure) => app.setDisplay({ exposure })}
+        <>
+          <label class="setting-row">
+            <span>Exposure</span>
+            <Slider
+              label="Exposure"
+              value={display.exposure}
+              min={-4}
+              max={4}
+              step={0.1}
+              text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
+              onInput={(exposure) => app.setDisplay({ exposure })}
+            />
+            <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
+          </label>
+          <Check
+            label="As the eye sees"
+            checked={display.adaptation === 'eye'}
+            set={(on) => app.setDisplay({ adaptation: on ? 'eye' : 'camera' })}
           />
-          <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
-        </label>
+        </>
       ) : (
         <>
           <label class="setting-row">
@@ -134,7 +169,7 @@ function DisplaySettings() {
             <span>Steps</span>
             <select
               value={String(display.steps)}
-              onChange={(event) => app.setDisplay({ steps: Number(event.currentTarget.value) })}
+              onChange={(event) => app.setScale({ steps: Number(event.currentTarget.value) })}
             >
               {[0, 5, 8, 10, 12, 16].map((steps) => (
                 <option key={steps} value={String(steps)}>
@@ -146,12 +181,17 @@ function DisplaySettings() {
           <Check
             label="Logarithmic scale"
             checked={display.logarithmic}
-            set={(logarithmic) => app.setDisplay({ logarithmic })}
+            set={(logarithmic) => app.setScale({ logarithmic })}
           />
         </>
       )}
-      {toggles.map(([key, label]) => (
-        <Check key={key} label={label} checked={display[key]} set={(on) => app.setDisplay({ [key]: on })} />
+      {toggles.map(([key, label, usual]) => (
+        <Check
+          key={key}
+          label={label}
+          checked={display[key] ?? usual}
+          set={(on) => app.setDisplay({ [key]: on })}
+        />
       ))}
     </div>
   );

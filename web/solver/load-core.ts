@@ -42,7 +42,7 @@ type InstantiateWasm = (
 /** Compiles while downloading, where the host says application/wasm; otherwise after. */
 async function instantiate(address: URL, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`the solver cannot be loaded (${response.status}); reload the page`);
+  if (!response.ok) throw new Error(`core.wasm cannot be loaded: status ${response.status}`);
   try {
     if (response.headers.get('content-type')?.startsWith('application/wasm'))
       return (await WebAssembly.instantiateStreaming(response, imports)).instance;

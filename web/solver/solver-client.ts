@@ -46,6 +46,7 @@ export class SolverClient {
   #worker: WorkerLike;
   #revision = 0;
   #deaths = 0;
+  #isGone = false; // no worker is left
   #opening: OpenFile | null = null; // asked for, not answered
   #opened: OpenFile | null = null; // what the page shows
   #wish: Wish | null = null; // what a new worker has to do again
@@ -63,6 +64,7 @@ export class SolverClient {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = null;
     this.#opening = { bytes, revision };
+    if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
     const copy = bytes.slice(0);
     this.#worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
@@ -117,6 +119,13 @@ export class SolverClient {
     return this.#searched?.intentions === intentions ? this.#searched.revision : null;
   }
 
+  /** One more try, because a person asked for it. */
+  #revive(): void {
+    this.#isGone = false;
+    this.#deaths = hopeless - 1;
+    this.#worker = this.#start();
+  }
+
   #start(): WorkerLike {
     const worker = this.#createWorker();
     worker.onmessage = ({ data }) => this.#take(data);
@@ -128,10 +137,12 @@ export class SolverClient {
     return worker;
   }
 
-  #restart(reason: string): void {
+  /** note: a worker whose script cannot be loaded tells no reason. */
+  #restart(reason: string | undefined): void {
     this.#worker.terminate();
     if (++this.#deaths >= hopeless) {
-      const why = reason.replace(/^(Uncaught )?(\w*Error: )?/, '');
+      this.#isGone = true;
+      const why = (reason ?? 'its script cannot be loaded').replace(/^(Uncaught )?(\w*Error: )?/, '');
       const message = `the solver stopped (${why}); reload the page to go on`;
       this.#receive({ type: 'failed', revision: this.#revision, message, fatal: true });
       return;

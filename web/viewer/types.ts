@@ -34,9 +34,18 @@ export interface Viewer {
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
   setSelection(surface: number | null, luminaire: number | null): void;
+  /** The leaf surfaces that the intentions name: the room is first looked at from where they are seen. */
+  setAims(surfaces: readonly number[]): void;
+  /** Flies to where these leaf surfaces are seen, unless they are. */
+  reveal(surfaces: readonly number[]): void;
   setExcluded(sites: readonly number[]): void;
   setDisplay(display: Display): void;
+  /** True while a person drags: the exposure stays as it is, so that more light looks brighter. */
+  holdExposure(active: boolean): void;
+  /** The light that the exposure is made for, lx: what a lock keeps. */
+  exposureLevel(): number;
   setCamera(camera: Camera): void;
+  /** The view that is on the screen; a movement that is still running out ends there. */
   camera(): Camera;
   view(name: ViewName): void;
   fit(): void;

@@ -11,7 +11,9 @@ import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { Picking } from './hand/picking.ts';
 import { freeGpu } from './stage/free-gpu.ts';
+import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
+import { betterQuadrant, quadrantShares } from './room/facing.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
@@ -31,6 +33,7 @@ class RoomViewer implements Viewer {
   #luminaires = new LuminaireObjects(this.#loop);
   #marks = new SiteMarks();
   #tags: LuminaireTags;
+  #planeLabels: PlaneLabels;
   #emphasis: Emphasis;
   #hand: LuminaireHand;
   #input: ViewInput;
@@ -38,6 +41,8 @@ class RoomViewer implements Viewer {
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
   #display: Display | null = null;
+  #aims: readonly number[] = [];
+  #planes: number[] = []; // leaves of the measuring planes that are drawn
   #opening = 0; // the latest open or preview wins
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
@@ -57,6 +62,7 @@ class RoomViewer implements Viewer {
       schemeChanged: () => this.#loop.invalidate(),
     });
     this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root);
+    this.#planeLabels = new PlaneLabels(labels);
     this.#tags = new LuminaireTags(
       labels,
       (luminaire, event) => this.#input.grabTag(luminaire, event),
@@ -123,6 +129,17 @@ class RoomViewer implements Viewer {
     this.#showPlanes();
   }
 
+  setAims(surfaces: readonly number[]): void {
+    this.#aims = surfaces;
+  }
+
+  reveal(surfaces: readonly number[]): void {
+    const present = this.#rig.quadrant;
+    if (present === null || !this.#room) return;
+    const better = betterQuadrant(this.#room.facing, surfaces, present);
+    if (better !== null) this.#rig.lookFrom(better);
+  }
+
   setExcluded(sites: readonly number[]): void {
     this.#hand.setExcluded(sites);
     this.#loop.invalidate();
@@ -131,8 +148,18 @@ class RoomViewer implements Viewer {
   setDisplay(display: Display): void {
     this.#display = display;
     this.#light.setDisplay(display);
+    this.#luminaires.root.visible = display.luminaires !== false;
+    this.#tags.setVisible(display.luminaires !== false);
     this.#applyDisplay();
     this.#loop.invalidate();
+  }
+
+  holdExposure(active: boolean): void {
+    this.#light.hold(active);
+  }
+
+  exposureLevel(): number {
+    return this.#light.level;
   }
 
   setCamera(camera: Camera): void {
@@ -140,6 +167,7 @@ class RoomViewer implements Viewer {
   }
 
   camera(): Camera {
+    this.#rig.rest();
     return this.#rig.get();
   }
 
@@ -169,6 +197,7 @@ class RoomViewer implements Viewer {
     this.#clearRoom();
     this.#cool();
     this.#tags.dispose();
+    this.#planeLabels.dispose();
     for (const part of [this.#outlines, this.#luminaires, this.#marks, this.#light, this.#rig, this.#stage])
       part.dispose();
   }
@@ -178,12 +207,13 @@ class RoomViewer implements Viewer {
     this.#room = room;
     this.#info = info;
     this.#light.setScene(info);
+    this.#planeLabels.setScene(info);
     this.#hand.setSites(info?.sites ?? null);
     this.#emphasis.setRoom(room.lit);
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
-    this.#cutAway.setRoom(room.box, room.meshes);
-    this.#rig.setRoom(room.box, room.facing);
+    this.#cutAway.setRoom(room.box, room.hanging);
+    this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims));
     this.#applyDisplay();
     this.#loop.invalidate();
   }
@@ -202,7 +232,7 @@ class RoomViewer implements Viewer {
     this.#hand.setSites(null);
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
-    this.#cutAway.setRoom(null, []);
+    this.#cutAway.setRoom(null, new Map());
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
     this.#room = null;
@@ -215,15 +245,27 @@ class RoomViewer implements Viewer {
     const side = display.cutAway ? FrontSide : DoubleSide;
     for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = side;
     if (!this.#info) this.#setPreviewSide(side);
-    this.#outlines.showAll(display.mode === 'falseColor');
+    this.#outlines.showRim(display.cutAway && display.mode === 'realistic');
     this.#showPlanes();
   }
 
   /** Measuring planes are seen when they are wished for, and the selected one always. */
   #showPlanes(): void {
     const wished = this.#display?.measuringPlanes ?? false;
-    for (const { mesh, surface, measuring } of this.#room?.lit ?? [])
-      if (measuring) mesh.visible = wished || surface === this.#emphasis.surface;
+    const falseColor = this.#display?.mode === 'falseColor';
+    this.#planes = [];
+    for (const { mesh, surface, measuring } of this.#room?.lit ?? []) {
+      if (!measuring) continue;
+      mesh.visible = wished || surface === this.#emphasis.surface;
+      if (mesh.visible) this.#planes.push(surface);
+      mesh.material.depthWrite = falseColor;
+    }
+    // Over an opaque plane furniture is drawn as thin lines: what is read there is the light on the plane.
+    const covered = falseColor && this.#planes.length > 0;
+    this.#light.uniforms.planesShown.value = covered;
+    for (const { mesh } of this.#room?.lit ?? [])
+      if (this.#room?.standing.has(mesh)) mesh.material.visible = !covered;
+    this.#outlines.showAll(falseColor, covered ? (this.#room?.standing ?? null) : null);
   }
 
   /** What a pointer can hit: the veil of a plane that is only selected lets it through to what lies below. */
@@ -244,6 +286,16 @@ class RoomViewer implements Viewer {
     this.#rig.update();
     this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
     this.#stage.draw(this.#rig.active);
+    const { width, height, ratio } = this.#stage;
+    const display = this.#display;
+    const falseColor = display?.mode === 'falseColor' && display.quantity === 'illuminance';
+    this.#planeLabels.draw(
+      this.#rig.active,
+      { width, height, ratio },
+      this.#light.light,
+      falseColor ? this.#planes : [],
+      { values: display?.values ?? false, levels: display?.isolux ?? false },
+    );
     this.#tags.follow(this.#luminaires.objects, this.#rig.active, this.#stage.width, this.#stage.height);
   }
 

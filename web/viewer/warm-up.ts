@@ -13,7 +13,11 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { createLightMaterial, type SharedUniforms } from './light/light-material.ts';
-import { createHaloMaterial, createPanelMaterial } from './luminaires/luminaire-materials.ts';
+import {
+  createHaloMaterial,
+  createHousingMaterial,
+  createPanelMaterial,
+} from './luminaires/luminaire-materials.ts';
 
 /** As most meshes of a room are: opaque, with and without a texture. */
 function roomMaterials(shared: SharedUniforms): Material[] {
@@ -41,7 +45,12 @@ interface Program {
 
 /** Starts the linking and returns at once; the programs last until what it returns is called. */
 export function warmUp(renderer: WebGLRenderer, camera: Camera, shared: SharedUniforms): () => void {
-  const materials = [...roomMaterials(shared), createPanelMaterial(), createHaloMaterial()];
+  const materials = [
+    ...roomMaterials(shared),
+    createPanelMaterial(),
+    createHousingMaterial(),
+    createHaloMaterial(),
+  ];
   const geometry = new PlaneGeometry(); // positions and normals, as everything here has
   const scene = new Scene();
   for (const material of materials) scene.add(new Mesh(geometry, material));

@@ -121,6 +121,27 @@ describe('the search that a bound or a check is about', () => {
   });
 });
 
+describe('a worker that cannot be had', () => {
+  const blocked = () => worker().onerror?.({ preventDefault: () => undefined } as ErrorEvent);
+
+  test('is told without its reason, and another file is another try', () => {
+    for (let death = 0; death < 3; death++) blocked();
+    expect(received).toMatchObject([
+      { type: 'failed', fatal: true, message: expect.stringContaining('its script cannot be loaded') },
+    ]);
+    expect(workers).toHaveLength(3);
+    const revision = client.open(file());
+    expect(workers).toHaveLength(4);
+    expect(worker().sent).toMatchObject([{ type: 'open', revision }]);
+    blocked();
+    expect(received).toHaveLength(2);
+    expect(received[1]).toMatchObject({ type: 'failed', fatal: true });
+    client.open(file());
+    worker().answer(opened(client.open(file())));
+    expect(received.at(-1)).toMatchObject({ type: 'opened' });
+  });
+});
+
 describe('a worker that dies', () => {
   test('is replaced; file and wish are sent again, and the page sees no second "opened"', () => {
     const revision = client.open(file());

@@ -1,12 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
-import { hangingSide, isOutside, leavesPlan, splitBySide } from '../../../web/viewer/room/cut-away.ts';
 import type { Box } from '../../../web/viewer/eye/framing.ts';
 import { connectedParts } from '../../../web/viewer/room/mesh-parts.ts';
 import { surfaceEdges } from '../../../web/viewer/room/surface-edges.ts';
-import { spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
-
-const room: Box = { min: [0, 0, 0], max: [8, 3, 6] };
+import { crowdedTags, spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
 
 /** Index and positions of several axis-aligned boxes in one mesh. */
 function boxes(...list: readonly Box[]) {
@@ -24,42 +21,6 @@ function boxes(...list: readonly Box[]) {
 
 const picture: Box = { min: [2, 1, 0], max: [3, 2, 0.05] };
 const board: Box = { min: [7.9, 1, 1], max: [8, 2, 4] };
-const table: Box = { min: [3, 0, 2], max: [5, 0.75, 3] };
-
-describe('what hangs on a wall', () => {
-  test('is flat and near a side of the room', () => {
-    expect(hangingSide(room, picture)).toEqual({ axis: 2, sign: -1 });
-    expect(hangingSide(room, board)).toEqual({ axis: 0, sign: 1 });
-    expect(hangingSide(room, { min: [1, 2.9, 1], max: [2, 3, 2] })).toEqual({ axis: 1, sign: 1 });
-    expect(hangingSide(room, table)).toBeNull();
-    expect(hangingSide(room, { min: [0, 0, 0], max: [8, 0, 6] })).toBeNull(); // the floor
-    expect(hangingSide(room, { min: [3, 0, 3], max: [5, 2, 3.1] })).toBeNull(); // a partition in the middle
-  });
-
-  test('is cut away when the eye stands outside that side', () => {
-    expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, -3])).toBe(true);
-    expect(isOutside(room, { axis: 2, sign: -1 }, [4, 2, 9])).toBe(false);
-    expect(isOutside(room, { axis: 0, sign: 1 }, [9, 2, 1])).toBe(true);
-  });
-
-  test('leaves the plan with its wall, which a shelf that stands there does not', () => {
-    const side = { axis: 0, sign: 1 } as const;
-    expect(leavesPlan(room, { min: [7.9, 0.9, 1], max: [8.1, 1.2, 3] }, side)).toBe(true); // a sill
-    expect(leavesPlan(room, { min: [7.92, 0, 1], max: [8, 2.1, 2] }, side)).toBe(true); // a door
-    expect(leavesPlan(room, { min: [7.72, 0, 1], max: [8, 2, 2] }, side)).toBe(false); // a shelf
-    expect(leavesPlan(room, { min: [1, 2.9, 1], max: [2, 3, 2] }, { axis: 1, sign: 1 })).toBe(true);
-  });
-
-  test('is split from what hangs elsewhere', () => {
-    const { index, positions } = boxes(picture, board, table);
-    const groups = splitBySide(room, index, positions)!;
-    expect(groups.map((group) => group.length)).toEqual([36, 36, 36]);
-    const ordered = (list: number[]) => Uint32Array.from(list).sort();
-    expect(ordered(groups.flat())).toEqual(ordered(index));
-    const one = boxes(picture, { min: [5, 1, 0], max: [6, 2, 0.05] });
-    expect(splitBySide(room, one.index, one.positions)).toBeNull();
-  });
-});
 
 test('connected parts hang together through vertices at the same place', () => {
   const { index, positions } = boxes(picture, board);
@@ -124,4 +85,14 @@ describe('tags', () => {
       expect(Math.abs(y - 10)).toBeLessThanOrEqual(26);
     }
   });
+});
+
+test('tags that find no place of their own become dots, those that matter never', () => {
+  const places = [
+    { x: 0, y: 0 },
+    { x: 4, y: 2 },
+    { x: 100, y: 0 },
+  ];
+  expect(crowdedTags(places, 32, 19, () => false)).toEqual([false, true, false]);
+  expect(crowdedTags(places, 32, 19, (index) => index === 1)).toEqual([true, false, false]);
 });

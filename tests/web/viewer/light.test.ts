@@ -1,6 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { adaptationLevel, automaticExposure } from '../../../web/viewer/light/exposure.ts';
 import { LightTexture } from '../../../web/viewer/light/light-texture.ts';
+import { RoomLight } from '../../../web/viewer/light/room-light.ts';
+import type { FrameLoop } from '../../../web/viewer/stage/frame-loop.ts';
+import type { Display, SceneInfo } from '../../../web/document/types.ts';
 import { barycentric, lightAtVertex } from '../../../web/viewer/light/probe.ts';
 
 describe('the probe', () => {
@@ -42,6 +45,71 @@ describe('the light texture', () => {
     texture.set(new Float32Array(600).fill(9));
     expect(texture.light[511]).toBe(9);
     expect(texture.texture.version).toBe(version + 1);
+  });
+});
+
+describe('who looks', () => {
+  const brightness = (lux: number, adaptation: 'camera' | 'eye') =>
+    lux * automaticExposure(lux, 0, adaptation);
+
+  test('a camera evens light out, an eye half-way', () => {
+    expect(brightness(600, 'camera') / brightness(300, 'camera')).toBeCloseTo(2 ** 0.13);
+    expect(brightness(600, 'eye') / brightness(300, 'eye')).toBeCloseTo(Math.SQRT2);
+    expect(brightness(300, 'eye')).toBeCloseTo(brightness(300, 'camera'));
+  });
+});
+
+/** The exposure of a RoomLight in a frame loop that is stepped by hand. */
+function exposed() {
+  const animations = new Set<(now: number) => boolean>();
+  const loop = { invalidate() {}, animate: (step: (now: number) => boolean) => void animations.add(step) };
+  const light = new RoomLight(loop as unknown as FrameLoop);
+  const patches = 100;
+  light.setScene({
+    patches,
+    receivers: 0,
+    patchArea: new Float32Array(patches).fill(1),
+    patchReflectance: new Float32Array(patches).fill(0.5),
+  } as unknown as SceneInfo);
+  const step = (now: number) => {
+    for (const animation of animations) if (!animation(now)) animations.delete(animation);
+  };
+  return {
+    light,
+    shine: (lux: number) => light.set(new Float32Array(patches).fill(lux)),
+    settle: () => {
+      for (let now = 1; now < 20_000; now += 50) step(now);
+    },
+  };
+}
+
+describe('the exposure of a room', () => {
+  test('stays while a person drags and adapts afterwards', () => {
+    const { light, shine, settle } = exposed();
+    shine(300);
+    const before = light.uniforms.exposure.value;
+    light.hold(true);
+    shine(3000);
+    settle();
+    expect(light.uniforms.exposure.value).toBe(before);
+    light.hold(false);
+    settle();
+    expect(light.uniforms.exposure.value).toBeCloseTo(before / 10 ** 0.87, 3);
+    light.dispose();
+  });
+
+  test('locked stays for good, and a new room starts adapted', () => {
+    const { light, shine, settle } = exposed();
+    shine(300);
+    const display = { mode: 'realistic', exposure: 0, colorMap: 'viridis', steps: 0, range: [0, 500] };
+    light.setDisplay({ ...display, exposureLevel: light.level } as unknown as Display);
+    const locked = light.uniforms.exposure.value;
+    shine(3000);
+    settle();
+    expect(light.uniforms.exposure.value).toBe(locked);
+    light.setDisplay(display as unknown as Display);
+    expect(light.uniforms.exposure.value).toBeCloseTo(locked / 10 ** 0.87, 3);
+    light.dispose();
   });
 });
 

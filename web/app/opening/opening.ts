@@ -1,11 +1,14 @@
 /** Everything that puts another room on the screen: gallery, links, dropped files, projects, the last work. */
 import { intentionsOf } from '../../document/intentions.ts';
+import { edit } from '../../document/history.ts';
 import type { Project } from '../../document/project-file.ts';
+import type { Work } from '../../document/work.ts';
 import { cleanName } from '../../document/schema.ts';
 import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/sites.ts';
-import type { SceneInfo } from '../../document/types.ts';
+import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import type { Keeping } from '../keeping.ts';
 import type { GalleryEntry } from '../rooms/catalog-file.ts';
 import {
   askedOfUnknown,
@@ -29,22 +32,24 @@ export class Opening {
   readonly #rooms: Rooms;
   readonly #placing: Placing;
   readonly #files: FileOpening;
+  readonly #keeping: Keeping;
 
-  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer, keeping: Keeping) {
     this.#store = store;
     this.#solving = solving;
     this.#rooms = rooms;
-    this.#placing = new Placing(store, rooms, solving, viewer);
+    this.#keeping = keeping;
+    this.#placing = new Placing(store, rooms, solving, viewer, keeping);
     this.#files = new FileOpening(store, viewer, this.#placing, (project) => this.#openProject(project));
   }
 
   /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
-  async start(hash: string, lastWork: () => Promise<Project | null>): Promise<void> {
+  async start(hash: string, lastWork: () => Promise<Work | null>): Promise<void> {
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
     if (this.#isTaken()) return;
     if (!(await this.#hasRooms(() => void this.start(hash, async () => last))) || this.#isTaken()) return;
-    if (last && this.#rooms.has(last.document.room) && (await this.#openProject(last))) return;
+    if (last && this.#rooms.has(last.project.document.room) && (await this.#openWork(last))) return;
     await this.#openFirst();
   }
 
@@ -52,6 +57,31 @@ export class Opening {
   async entry(id: string): Promise<void> {
     this.#store.messages.value = [];
     await this.#openEntry(id);
+  }
+
+  /** A room that was on the screen before, as it was left: the browser's Back and Forward. */
+  async return(room: string): Promise<void> {
+    if (room === this.#store.document.peek().room) return;
+    const visited = this.#keeping.visited(room);
+    this.#store.messages.value = [];
+    if (this.#rooms.has(room)) await this.#openEntry(room, true);
+    else if (visited?.bytes) await this.#openVisited(visited.bytes, visited.title, visited.work);
+    else this.#store.say('warning', `“${room}” is not here any more: open its file again.`);
+  }
+
+  /** What is asked of the room at first, as a step that can be undone. */
+  restart(): void {
+    const scene = this.#store.scene.peek();
+    const { room } = this.#store.document.peek();
+    if (!scene) return;
+    const entry = this.#rooms.roomOf(room);
+    const asked = entry ? askedOf(entry, scene) : askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    const document = documentFrom(asked, scene.identity, room);
+    this.#store.edit('Start afresh', (draft) => void Object.assign(draft, document), null, {
+      by: 'search',
+      from: null,
+    });
+    this.#store.card.value = document.cards[0]?.id ?? null;
   }
 
   async file(file: File): Promise<void> {
@@ -109,18 +139,31 @@ export class Opening {
     if (first) await this.#openEntry(first.id);
   }
 
-  #openEntry(id: string): Promise<boolean> {
+  /** A room opens as it was left; an experiment anew, as a step after the work that is in its room. */
+  #openEntry(id: string, isReturn = false): Promise<boolean> {
     return this.#placing.attempt('Opening the room', async (isCurrent) => {
       const entry = this.#rooms.entryOf(id);
       if (!entry) throw new Error(`there is no room "${cleanName(id)}"`);
-      await this.#place(entry.room, entry.title, isCurrent, (scene) => ({
-        document: documentFrom(askedOf(entry, scene), scene.identity, entry.room),
-      }));
+      let isAsLeft = false;
+      const make = async (scene: SceneInfo): Promise<Placement> => {
+        const document = documentFrom(askedOf(entry, scene), scene.identity, entry.room);
+        const kept = await this.#keeping.kept(entry.room, scene.identity);
+        isAsLeft = kept !== null && entry.id === entry.room;
+        if (!kept) return { document };
+        return isAsLeft ? placementOf(kept) : { document, history: afterWork(kept, entry.title, document) };
+      };
+      await this.#place(entry.room, entry.title, isCurrent, make, isReturn);
       const scene = this.#store.scene.peek();
       if (!isCurrent() || !scene) return;
       forgetLink();
-      await this.#settleBounds(entry, scene);
+      if (!isAsLeft) await this.#settleBounds(entry, scene);
     });
+  }
+
+  #openVisited(bytes: ArrayBuffer, title: string, work: Work): Promise<boolean> {
+    return this.#placing.attempt('Going back', (isCurrent) =>
+      this.#placing.place(bytes, title, isCurrent, () => placementOf(work), { isReturn: true }),
+    );
   }
 
   /** An experiment's bounds are shares of what can be had in this room: find that out first. */
@@ -132,7 +175,8 @@ export class Opening {
       const { goals } = await this.#solving.probe(intentionsOf(probe).intentions);
       return goals[0]?.value ?? 0;
     });
-    this.#store.reset(documentFrom(asked, scene.identity, room));
+    const { past, future } = this.#store.history.peek();
+    this.#store.reset(documentFrom(asked, scene.identity, room), { past, future });
     this.#store.card.value = asked.cards[0]?.id ?? null;
   }
 
@@ -172,8 +216,12 @@ export class Opening {
   }
 
   #openProject(project: Project): Promise<boolean> {
+    return this.#openWork({ project, past: [], future: [] });
+  }
+
+  #openWork(work: Work): Promise<boolean> {
     return this.#placing.attempt('Opening the project', async (isCurrent) => {
-      const { document } = project;
+      const { document } = work.project;
       if (!this.#rooms.has(document.room))
         throw new Error(
           `this project is about “${document.room}”, which is not part of this site; open its .flux file first`,
@@ -181,7 +229,7 @@ export class Opening {
       await this.#place(document.room, this.#rooms.titleOf(document.room), isCurrent, (scene) => {
         if (scene.identity !== document.scene)
           throw new Error('the room has changed since this project was saved; its places no longer fit');
-        return { document, view: project };
+        return placementOf(work);
       });
       if (isCurrent()) forgetLink();
     });
@@ -192,16 +240,34 @@ export class Opening {
     room: string,
     title: string,
     isCurrent: () => boolean,
-    make: (scene: SceneInfo) => Placement,
+    make: (scene: SceneInfo) => Placement | Promise<Placement>,
+    isReturn = false,
   ): Promise<void> {
     const entry = this.#rooms.roomOf(room);
     const waiting = entry && progressText(entry);
     if (waiting) throw new Error(`“${title}” is not ready yet: ${waiting}`);
-    await this.#placing.place(await requestScene(room), title, isCurrent, make);
+    await this.#placing.place(await requestScene(room), title, isCurrent, make, { isReturn });
   }
 }
 
 /** What an entry asks at first, as far as that is known before anything is searched. */
 function askedOf({ opening }: GalleryEntry, { surfaces, sites }: SceneInfo): Asked {
   return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length);
+}
+
+const placementOf = ({ project, past, future }: Work): Placement => ({
+  document: project.document,
+  history: { past, future },
+  view: project,
+});
+
+/** The history of an experiment: the work that was in its room, and the step that replaced it. */
+function afterWork({ project, past, future }: Work, title: string, document: FiatLuxDocument) {
+  const before = { document: project.document, past, future };
+  return edit(
+    before,
+    `Open “${title}”`,
+    (draft) => void Object.assign(draft, document),
+    project.document.layout,
+  );
 }

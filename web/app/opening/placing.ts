@@ -3,10 +3,14 @@ import { batch } from '@preact/signals';
 import type { Link } from '../../document/share-link.ts';
 import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import type { History } from '../../document/history.ts';
+import type { Keeping } from '../keeping.ts';
 import type { Rooms } from '../rooms/rooms.ts';
 import { Superseded, type Solving } from '../solving.ts';
+import { leavesOf } from '../../document/surface-names.ts';
 import { firstDisplay, type Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
+import { tellRoom } from './address.ts';
 import { rememberRoom } from './first-scene.ts';
 
 /** What is on the screen: its file, and what the solver made of it. */
@@ -18,25 +22,38 @@ interface Placed {
 
 export interface Placement {
   readonly document: FiatLuxDocument;
+  readonly history?: Pick<History, 'past' | 'future'>;
   readonly view?: Pick<Link, 'camera' | 'display'>;
 }
+
+/** Leaves that the intentions name, but for those about the whole room. */
+const aimsOf = ({ cards }: FiatLuxDocument, { surfaces }: SceneInfo): number[] =>
+  leavesOf(
+    cards.flatMap((card) => card.surfaces.filter((name) => name !== 'all')),
+    surfaces,
+  );
 
 export class Placing {
   readonly #store: Store;
   readonly #rooms: Rooms;
   readonly #solving: Solving;
   readonly #viewer: Viewer;
+  readonly #keeping: Keeping;
   #turn = 0; // the latest wish to open something wins
   #placed: Placed | null = null;
 
-  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer) {
+  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer, keeping: Keeping) {
     this.#store = store;
     this.#rooms = rooms;
     this.#solving = solving;
     this.#viewer = viewer;
+    this.#keeping = keeping;
   }
 
-  /** Runs one opening; errors become one message, and what was on the screen stays. Resolves to its success. */
+  /**
+   * Runs one opening; errors become one message with a button to try again, and what was on the screen stays. Resolves to
+   * its success.
+   */
   async attempt(what: string, action: (isCurrent: () => boolean) => Promise<void>): Promise<boolean> {
     const turn = ++this.#turn;
     const isCurrent = () => turn === this.#turn;
@@ -45,8 +62,10 @@ export class Placing {
       await action(isCurrent);
       return true;
     } catch (error) {
-      if (isCurrent() && !(error instanceof Superseded))
-        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      if (isCurrent() && !(error instanceof Superseded)) {
+        const again = { label: 'Try again', run: () => void this.attempt(what, action) };
+        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)), again);
+      }
       return false;
     } finally {
       if (isCurrent()) this.#store.loading.value = null;
@@ -58,9 +77,11 @@ export class Placing {
     bytes: ArrayBuffer,
     title: string,
     isCurrent: () => boolean,
-    make: (scene: SceneInfo) => Placement,
+    make: (scene: SceneInfo) => Placement | Promise<Placement>,
+    options: { readonly isReturn?: boolean } = {},
   ): Promise<void> {
     if (!isCurrent()) return;
+    this.#remember();
     const layout = this.#solving.layout();
     performance.mark('scene fetched');
     const { scene, room } = await this.#solving.open(bytes);
@@ -68,7 +89,8 @@ export class Placing {
     if (!isCurrent()) return;
     let placement: Placement;
     try {
-      placement = make(scene);
+      placement = await make(scene);
+      this.#viewer.setAims(aimsOf(placement.document, scene));
       await this.#viewer.open(room, scene);
     } catch (error) {
       // The solver has the new scene by now, the screen still the old one.
@@ -78,7 +100,8 @@ export class Placing {
     if (!isCurrent()) return;
     performance.mark('room displayed');
     this.#placed = { bytes, room, scene };
-    this.#show(scene, title, placement);
+    this.#show(scene, title, placement, options.isReturn ?? false);
+    tellRoom(placement.document.room);
   }
 
   /** Shows the room that was open before a preview, as it was; false where there was none. */
@@ -94,7 +117,8 @@ export class Placing {
   }
 
   /** The app's whole state in one step; the new document then asks the solver by itself. */
-  #show(scene: SceneInfo, title: string, { document, view }: Placement): void {
+  #show(scene: SceneInfo, title: string, placement: Placement, isReturn: boolean): void {
+    const { document, history, view } = placement;
     const store = this.#store;
     if (this.#rooms.has(document.room)) rememberRoom(document.room);
     batch(() => {
@@ -104,13 +128,21 @@ export class Placing {
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = store.check.value = null;
-      store.reset(document);
+      const isFirst = store.document.peek().scene === '';
+      store.reset(document, history);
+      const { past } = store.history.peek();
+      store.arrival.value = isFirst ? null : { past, by: isReturn ? 'return' : 'opening' };
       const display = view?.display ?? { ...firstDisplay, mode: store.display.peek().mode };
       store.legendLocked.value = Boolean(view?.display);
       store.display.value = { ...display, quantity: document.quantity };
     });
     if (view?.camera) this.#viewer.setCamera(view.camera);
     else this.#viewer.home();
+  }
+
+  #remember(): void {
+    const { room } = this.#store.document.peek();
+    this.#keeping.remember(this.#rooms.has(room) ? null : (this.#placed?.bytes ?? null));
   }
 
   /** Gives the solver the scene and the layout back that are on the screen. */

@@ -85,6 +85,12 @@ const blank: FiatLuxDocument = {
   layout: null,
 };
 
+/** Undo right after a change of rooms returns to the room before, and redo goes there again. */
+export interface Arrival {
+  readonly by: 'opening' | 'return';
+  readonly past: History['past']; // as it was on arrival: another one means that something was done since
+}
+
 export class Store {
   readonly history = signal<History>(startHistory(blank));
   readonly document = computed(() => this.history.value.document);
@@ -110,10 +116,25 @@ export class Store {
   readonly loading = signal<string | null>(null);
   readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
+  readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
   readonly efficacy = signal(120); // lm/W
   #answering: Answering = { by: 'nothing' };
   #nextMessage = 1;
+
+  /** What undo and redo would do: a step of the document, a change of rooms, or nothing. */
+  readonly undoes = computed(() => {
+    const { past } = this.history.value;
+    const arrival = this.arrival.value;
+    if (arrival?.by === 'opening' && arrival.past === past) return 'room';
+    return past.length > 0 ? 'step' : null;
+  });
+  readonly redoes = computed(() => {
+    const { past, future } = this.history.value;
+    const arrival = this.arrival.value;
+    if (future.length > 0) return 'step';
+    return arrival?.by === 'return' && arrival.past === past ? 'room' : null;
+  });
 
   /** How the latest change of the document is to be answered. */
   get answering(): Answering {
@@ -147,11 +168,18 @@ export class Store {
     return this.#travel(redo(this.history.peek()));
   }
 
-  /** A new document: nothing to undo before it. */
-  reset(document: FiatLuxDocument): void {
+  /** Another document, with the history that leads to it; without one there is nothing to undo before it. */
+  reset(
+    document: FiatLuxDocument,
+    history: Pick<History, 'past' | 'future'> = { past: [], future: [] },
+  ): void {
     const { layout } = document;
+    const { past, future } = history;
     batch(() => {
-      this.#change(startHistory(document), layout ? { by: 'layout', layout } : { by: 'search', from: null });
+      this.#change(
+        { document, past, future },
+        layout ? { by: 'layout', layout } : { by: 'search', from: null },
+      );
       this.shown.value = null;
     });
   }

@@ -25,8 +25,10 @@ export function IntentionCard({ card }: CardProps) {
   const unit = unitOf(store.document.value.quantity);
   const toggle = () => {
     store.card.value = isOpen ? null : card.id;
-    const leaf = leavesOf(card.surfaces, store.scene.value?.surfaces ?? [])[0];
-    if (!isOpen && leaf !== undefined && !card.surfaces.includes('all')) store.surface.value = leaf;
+    const leaves = leavesOf(card.surfaces, store.scene.value?.surfaces ?? []);
+    if (isOpen || leaves[0] === undefined || card.surfaces.includes('all')) return;
+    store.surface.value = leaves[0];
+    app.viewer.reveal(leaves);
   };
   return (
     <article class={isOpen ? 'card open' : 'card'}>

@@ -58,6 +58,19 @@ export class CameraRig {
     this.#atHome = true;
   }
 
+  /** In which quadrant the eye is; null in a plan, which has none. */
+  get quadrant(): number | null {
+    if (this.plan) return null;
+    const { x, z } = this.#perspective.position.clone().sub(this.controls.target);
+    return x >= 0 ? (z >= 0 ? 0 : 1) : z < 0 ? 2 : 3;
+  }
+
+  /** Flies to the corner view from a quadrant. */
+  lookFrom(quadrant: number): void {
+    this.#atHome = false;
+    this.#fly(this.#poses.corner(quadrant));
+  }
+
   /** What is covered is drawn, too, but the room is framed in what is left between. */
   resize(width: number, height: number, { top, bottom }: Covered): void {
     const free = Math.max(1, height - top - bottom);
@@ -84,6 +97,13 @@ export class CameraRig {
       ? new Vector3(0, this.#planHeight() / (2 * tangent), 0).add(target)
       : this.#perspective.position;
     return { position: eye.toArray(), target: target.toArray(), plan: this.plan };
+  }
+
+  /** Ends what is left of a turn or a flight: the view that is on the screen stays. */
+  rest(): void {
+    this.#stop();
+    this.#apply(this.#present());
+    this.#loop.invalidate();
   }
 
   set(camera: Camera): void {
@@ -182,6 +202,9 @@ export class CameraRig {
   #apply({ target, spherical, plan }: CameraPose): void {
     const camera = plan ? this.#orthographic : this.#perspective;
     const controls = this.controls;
+    const damping = controls.enableDamping;
+    controls.enableDamping = false;
+    controls.update(); // spends what is left of an old movement, before the pose is set
     controls.object = camera;
     controls.enableRotate = !plan;
     controls.mouseButtons.LEFT = plan ? MOUSE.PAN : MOUSE.ROTATE;
@@ -195,8 +218,6 @@ export class CameraRig {
     camera.position.setFromSpherical(spherical).add(target);
     camera.lookAt(target);
     this.#project();
-    const damping = controls.enableDamping;
-    controls.enableDamping = false; // forgets what is left of an old movement
     controls.update();
     controls.enableDamping = damping;
     this.#unreported = true;

@@ -29,6 +29,13 @@ export class RoomPoses {
     return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.#box, this.aspect)), 0.07);
   }
 
+  /** As home, from one quadrant (0..3: azimuths 45, 135, 225, 315). */
+  corner(quadrant: number): CameraPose {
+    const only = [0, 1, 2, 3].map((q) => (q === quadrant ? 1 : 0));
+    const azimuth = framing.cornerAzimuth(this.#box, this.aspect, only);
+    return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.#box, this.aspect)), 0.07);
+  }
+
   /** The nearest eye on a direction that sees the whole room; `margin`: share of the frame left free. */
   framed(direction: framing.Vec, margin: number): CameraPose {
     const pose = framing.framePose(this.#box, direction, fov, this.aspect, margin);

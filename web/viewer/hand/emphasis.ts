@@ -73,7 +73,7 @@ export class Emphasis {
   refresh(): void {
     this.#luminaires.objects.forEach((_, i) => {
       const rim = this.#rimOf(i);
-      this.#luminaires.mark(i, rim);
+      this.#luminaires.mark(i, rim, i === this.overLuminaire);
     });
     this.#tags.setState({ pinned: this.pinned, selected: this.luminaire, hovered: this.overLuminaire });
     this.#loop.invalidate();

@@ -1,11 +1,14 @@
 /**
- * Automatic exposure: how bright the picture of a room is. The eye adapts, but not wholly: exposure falls with the
- * 0.87th power of the light, so that twice the light still looks a little brighter.
+ * Automatic exposure: how bright the picture of a room is. A camera takes nearly all of a change of light back, an eye
+ * about half of it: exposure falls with a power of the light, so that twice the light looks brighter, a little to the
+ * camera and plainly to the eye.
  */
+import type { Adaptation } from '../../document/types.ts';
 
 const samples = 6000; // patches looked at, about: the level is asked for at every answer of the solver
 const reference = 300; // lx, a usual office
-const adaptation = 0.87;
+/** The power: what of a change of light, in stops, the exposure takes back. */
+const takenBack: Record<Adaptation, number> = { camera: 0.87, eye: 0.5 };
 /** Light that a white surface of albedo 1 sends to the camera at the reference level, before the tone curve. */
 const key = 1.05;
 
@@ -37,7 +40,8 @@ export function adaptationLevel(illuminance: Float32Array, area: Float32Array, p
 }
 
 /** Factor from albedo x illuminance (lx) to what the tone curve takes. 0 lx gives the exposure of the faintest light. */
-export function automaticExposure(level: number, ev = 0): number {
+export function automaticExposure(level: number, ev = 0, adaptation: Adaptation = 'camera'): number {
   const light = Math.max(level, 0.05);
-  return (key / (Math.pow(reference, 1 - adaptation) * Math.pow(light, adaptation))) * Math.pow(2, ev);
+  const power = takenBack[adaptation];
+  return (key / (Math.pow(reference, 1 - power) * Math.pow(light, power))) * Math.pow(2, ev);
 }

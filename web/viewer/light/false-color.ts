@@ -24,7 +24,7 @@ export function legendEnds(scale: Pick<Scale, 'range' | 'logarithmic'>): [number
   if (!(high > low)) high = low + 1;
   if (scale.logarithmic) {
     high = Math.max(high, 1e-3);
-    low = Math.min(Math.max(low, high / 1e4), high / 1.0001);
+    low = low > 0 ? Math.min(Math.max(low, high / 1e4), high / 1.0001) : high / 100; // zero: two decades
   }
   return [low, high];
 }
@@ -112,12 +112,36 @@ export function legendTicks(scale: Omit<Scale, 'colorMap'>, count = 6): LegendTi
     const step = roundStep(high - low, count);
     for (let i = Math.ceil(low / step - 1e-9); i * step <= high * (1 + 1e-9); i++) values.push(i * step + 0); // + 0: never -0
   }
-  return values.map((value) => ({ value, at: legendPosition(scale, value), label: formatLight(value) }));
+  const ticks = values.map((value) => ({
+    value,
+    at: legendPosition(scale, value),
+    label: formatLight(value),
+  }));
+  return apartTicks(ticks, count);
 }
 
-/** Round ends of a legend for light up to `high`: from zero (logarithmic: two decades below) to a round value above. */
-export function roundRange(high: number, logarithmic: boolean): [number, number] {
+/** Ticks whose labels would touch give way to their neighbours; both ends stay. */
+function apartTicks(ticks: readonly LegendTick[], count: number): LegendTick[] {
+  const widthOf = ({ label }: LegendTick) => (0.16 * (label.length + 1.5)) / (count + 1); // of the legend
+  const kept: LegendTick[] = [];
+  const last = ticks.at(-1);
+  for (const tick of ticks) {
+    const before = kept.at(-1);
+    const free = (other: LegendTick) => Math.abs(tick.at - other.at) >= (widthOf(tick) + widthOf(other)) / 2;
+    if ((!before || free(before)) && (tick === last || !last || free(last))) kept.push(tick);
+    else if (tick === last && kept.length > 1) kept.splice(-1, 1, tick);
+    else if (tick === last) kept.push(tick);
+  }
+  return kept;
+}
+
+/**
+ * Round ends of a legend for light up to `high`: from zero (logarithmic: two decades below) to a round value above; with
+ * steps, one that makes every step round.
+ */
+export function roundRange(high: number, logarithmic: boolean, steps = 0): [number, number] {
   if (!(high > 0)) return logarithmic ? [1, 100] : [0, 100];
+  if (steps > 0 && !logarithmic) return [0, Number((steps * roundStep(high, steps)).toPrecision(9))];
   const step = roundStep(high, 5);
   const top = Math.ceil(high / step - 1e-9) * step;
   return logarithmic ? [Math.pow(10, Math.floor(Math.log10(top) - 2 + 1e-9)), top] : [0, top];

@@ -3,7 +3,8 @@
  *   realistic:    albedo x light x exposure, through the tone curve
  *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
  *                 colour table
- * A measuring plane, which nobody could see, is a faint veil in the realistic picture and coloured in the other.
+ * A measuring plane, which nobody could see, is a faint veil in the realistic picture; in the other it is opaque, for
+ * it is what is measured there, and isolux lines are drawn on it alone.
  * One program family; what is common to all meshes lives in shared uniforms, so a change of light, exposure or
  * legend touches no mesh.
  */
@@ -70,6 +71,7 @@ uniform vec2 legend;      // low, high; logarithms on a logarithmic scale
 uniform bool logarithmic;
 uniform float steps;
 uniform bool isolux;
+uniform bool planesShown;
 uniform float reflectance;
 uniform float pixelRatio;
 uniform vec3 accent;
@@ -121,8 +123,8 @@ void main() {
   vec3 color = falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
                           : toneCurve(surface.rgb * vLight * exposure);
-  float alpha = !measuring ? surface.a : falseColor ? 0.72 : veil + tint;
-  if (isolux) {
+  float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
+  if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
     float line = isoluxLine(vQuantity, 0.7 * pixelRatio);
     // By the surface and not by its texture, so that a line does not flicker on a pattern.
     float bright = falseColor ? dot(color, vec3(0.2126, 0.7152, 0.0722)) : 0.8 * reflectance * vLight * exposure;
@@ -146,6 +148,7 @@ export function sharedUniforms() {
     logarithmic: { value: false },
     steps: { value: 0 },
     isolux: { value: false },
+    planesShown: { value: false }, // measuring planes are drawn
     exitance: { value: false },
     pixelRatio: { value: 1 },
     accent: { value: new Color('#4f9dff') },

@@ -1,6 +1,6 @@
 /** How the room's light is shown: shared uniforms, light texture, colour table and the exposure that follows the light. */
 import { Color, DataTexture, LinearFilter, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
-import type { ColorMap, Display, SceneInfo } from '../../document/types.ts';
+import type { Adaptation, ColorMap, Display, SceneInfo } from '../../document/types.ts';
 import { colorTable, tableSize } from './color-maps.ts';
 import { adaptationLevel, automaticExposure } from './exposure.ts';
 import { legendEnds } from './false-color.ts';
@@ -8,7 +8,8 @@ import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
 import { sharedUniforms } from './light-material.ts';
 import { LightTexture } from './light-texture.ts';
 
-const settling = 160; // ms in which the exposure makes 63 % of its way
+const settling = 700; // ms in which the exposure makes 63 % of its way: slow enough to be seen
+const longestHold = 3000; // ms after the last sign of a gesture
 
 export class RoomLight {
   readonly uniforms = sharedUniforms();
@@ -17,9 +18,12 @@ export class RoomLight {
   #reflectances: LightTexture | null = null;
   #tables = new Map<ColorMap, DataTexture>();
   #scene: SceneInfo | null = null;
-  #level = 0; // lx that the eye is adapted to
+  #level = 0; // lx that the exposure is adapted to
   #wanted = 0;
   #ev = 0;
+  #adaptation: Adaptation = 'camera';
+  #locked: number | null = null; // lx
+  #hold: ReturnType<typeof setTimeout> | null = null; // while a person drags
   #last = 0;
   #adapting = false;
 
@@ -53,20 +57,29 @@ export class RoomLight {
     if (!this.#scene || !this.#texture) return;
     this.#texture.set(illuminance);
     this.#wanted = adaptationLevel(this.#texture.light, this.#scene.patchArea, this.#scene.patches);
-    if (this.#level === 0 || reducedMotion()) this.#level = this.#wanted;
-    else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > 0.003) {
-      this.#adapting = true;
-      this.#last = 0;
-      this.#loop.animate(this.#adapt);
-    }
+    this.#follow();
     this.#expose();
     this.#loop.invalidate();
+  }
+
+  /** The light that the exposure is made for, lx. */
+  get level(): number {
+    return this.#locked ?? this.#level;
+  }
+
+  /** While a person drags, the exposure stays, so that more light looks brighter; afterwards it adapts, visibly. */
+  hold(active: boolean): void {
+    if (this.#hold !== null) clearTimeout(this.#hold);
+    this.#hold = active ? setTimeout(() => this.hold(false), longestHold) : null;
+    if (!active && this.#level !== 0) this.#follow();
   }
 
   setDisplay(display: Display): void {
     const uniforms = this.uniforms;
     const [low, high] = legendEnds(display);
     this.#ev = display.exposure;
+    this.#adaptation = display.adaptation ?? 'camera';
+    this.#locked = display.exposureLevel ?? null;
     uniforms.falseColor.value = display.mode === 'falseColor';
     uniforms.colorTable.value = this.#table(display.colorMap);
     uniforms.logarithmic.value = display.logarithmic;
@@ -90,12 +103,28 @@ export class RoomLight {
   }
 
   dispose(): void {
+    if (this.#hold !== null) clearTimeout(this.#hold);
     this.setScene(null);
     for (const table of this.#tables.values()) table.dispose();
     this.#tables.clear();
   }
 
+  #follow(): void {
+    if (this.#level === 0) this.#level = this.#wanted;
+    if (this.#hold !== null) return;
+    if (reducedMotion()) {
+      this.#level = this.#wanted;
+      this.#expose();
+      this.#loop.invalidate();
+    } else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > 0.003) {
+      this.#adapting = true;
+      this.#last = 0;
+      this.#loop.animate(this.#adapt);
+    }
+  }
+
   #adapt = (now: number): boolean => {
+    if (this.#hold !== null) return (this.#adapting = false);
     const passed = this.#last === 0 ? 16 : now - this.#last;
     this.#last = now;
     const way = Math.log(Math.max(this.#wanted, 0.05) / Math.max(this.#level, 0.05));
@@ -107,7 +136,7 @@ export class RoomLight {
   };
 
   #expose(): void {
-    this.uniforms.exposure.value = automaticExposure(this.#level, this.#ev);
+    this.uniforms.exposure.value = automaticExposure(this.level, this.#ev, this.#adaptation);
   }
 
   #table(map: ColorMap): DataTexture {

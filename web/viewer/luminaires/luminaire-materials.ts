@@ -1,5 +1,5 @@
-/** What a luminaire is drawn with: the shining square (and its glowing back), and the soft halo around it. */
-import { AdditiveBlending, Color, DoubleSide, ShaderMaterial } from 'three';
+/** What a luminaire is drawn with: the shining square, its housing, and the soft halo around it. */
+import { AdditiveBlending, Color, ShaderMaterial } from 'three';
 
 const panelShader = {
   vertexShader: /* glsl */ `
@@ -20,11 +20,40 @@ const panelShader = {
       float shape = 1.0 - smoothstep(0.12 - soft, 0.12, corner);
       if (shape < 0.01) discard;
       float edge = smoothstep(-soft, soft, corner - mix(0.055, -0.02, marked));
-      vec3 lit = gl_FrontFacing ? vec3(1.0, 0.975, 0.92) : vec3(1.0, 0.85, 0.52);
-      float centre = 1.0 - 0.1 * dot(vPlace, vPlace);
-      vec3 color = lit * mix(0.3, 1.0, output_) * (gl_FrontFacing ? 1.0 : centre);
+      vec3 color = vec3(1.0, 0.975, 0.92) * mix(0.3, 1.0, output_);
       color = mix(color, mix(vec3(0.16, 0.17, 0.19), rim, marked), edge);
       gl_FragColor = linearToOutputTexel(vec4(color, shape));
+    }`,
+};
+
+/** Sheet metal, lit from the eye; a rim along the edges of its back, which a mark colours, and a warm glimmer of the light. */
+const housingShader = {
+  vertexShader: /* glsl */ `
+    varying vec3 vNormal;
+    varying vec2 vPlace;
+    varying float vBack;
+    void main() {
+      vNormal = normalize(normalMatrix * normal);
+      vPlace = 2.0 * position.xy;
+      vBack = step(0.5, -normal.z);
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    }`,
+  fragmentShader: /* glsl */ `
+    uniform vec3 rim;
+    uniform float marked;
+    uniform float output_;
+    uniform float opacity;
+    varying vec3 vNormal;
+    varying vec2 vPlace;
+    varying float vBack;
+    void main() {
+      float edge = max(abs(vPlace.x), abs(vPlace.y));
+      float soft = max(fwidth(edge), 1e-4);
+      float border = vBack * smoothstep(0.86 - soft, 0.86, edge);
+      vec3 metal = vec3(0.5, 0.515, 0.54) * (0.55 + 0.45 * abs(normalize(vNormal).z));
+      metal = mix(metal, vec3(0.95, 0.75, 0.42), 0.16 * vBack * output_);
+      vec3 color = mix(metal, mix(vec3(0.19, 0.2, 0.22), rim, marked), border);
+      gl_FragColor = linearToOutputTexel(vec4(color, opacity));
     }`,
 };
 
@@ -55,7 +84,20 @@ export function createPanelMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     ...panelShader,
     uniforms: { rim: { value: new Color('#ffffff') }, marked: { value: 0 }, output_: { value: 1 } },
-    side: DoubleSide,
+    transparent: true,
+    toneMapped: false,
+  });
+}
+
+export function createHousingMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    ...housingShader,
+    uniforms: {
+      rim: { value: new Color('#ffffff') },
+      marked: { value: 0 },
+      output_: { value: 1 },
+      opacity: { value: 1 },
+    },
     transparent: true,
     toneMapped: false,
   });

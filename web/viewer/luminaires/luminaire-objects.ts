@@ -1,19 +1,33 @@
 /**
  * Luminaires as things in the room: a shining square the size of its site with a soft halo, and seen from behind
- * (through a cut-away ceiling) the square's glowing back. A luminaire that gets another site walks there.
+ * (through a cut-away ceiling) its housing, which fades under the pointer so that what lies below can be seen. A
+ * luminaire that gets another site walks there.
  */
-import { Color, Group, Matrix4, Mesh, PlaneGeometry, Quaternion, type ShaderMaterial, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  Color,
+  Group,
+  Matrix4,
+  Mesh,
+  PlaneGeometry,
+  Quaternion,
+  type ShaderMaterial,
+  Vector3,
+} from 'three';
 import type { Layout, SceneInfo } from '../../document/types.ts';
-import { createHaloMaterial, createPanelMaterial } from './luminaire-materials.ts';
+import { createHaloMaterial, createHousingMaterial, createPanelMaterial } from './luminaire-materials.ts';
 import { easeOut, reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
 
 const walk = 200; // ms
 const gap = 0.012; // m between the mount and the luminaire
+const depth = 0.07; // m, of the housing, which is let into the mount
+const faded = 0.25; // opacity of the housing under the pointer
 
 /** One luminaire in the room. */
 export interface LuminaireObject {
   readonly group: Group;
   readonly panel: Mesh<PlaneGeometry, ShaderMaterial>;
+  readonly housing: Mesh<BoxGeometry, ShaderMaterial>;
   readonly halo: Mesh<PlaneGeometry, ShaderMaterial>;
   site: number;
 }
@@ -45,6 +59,7 @@ export class LuminaireObjects {
   #loop: FrameLoop;
   #walks: Walk[] = [];
   #plane = new PlaneGeometry(1, 1);
+  #box = new BoxGeometry(1, 1, 1);
 
   constructor(loop: FrameLoop) {
     this.#loop = loop;
@@ -69,34 +84,40 @@ export class LuminaireObjects {
       if (!known) this.#place(object, site);
       else if (object.site !== site) this.#walkTo(object, site);
       const output = Math.sqrt((layout.flux[i]! / strongest) * Math.min(1, layout.dimming));
-      for (const part of [object.panel, object.halo]) part.material.uniforms['output_']!.value = output;
+      for (const part of [object.panel, object.housing, object.halo])
+        part.material.uniforms['output_']!.value = output;
     });
   }
 
   /** Gives a luminaire a rim of this colour, or none. */
-  mark(luminaire: number, color: Color | null): void {
-    const uniforms = this.objects[luminaire]?.panel.material.uniforms;
-    if (!uniforms) return;
-    uniforms['marked']!.value = color ? 1 : 0;
-    if (color) (uniforms['rim']!.value as Color).copy(color);
+  mark(luminaire: number, color: Color | null, isHovered: boolean): void {
+    const object = this.objects[luminaire];
+    if (!object) return;
+    for (const { uniforms } of [object.panel.material, object.housing.material]) {
+      uniforms['marked']!.value = color ? 1 : 0;
+      if (color) (uniforms['rim']!.value as Color).copy(color);
+    }
+    object.housing.material.uniforms['opacity']!.value = isHovered ? faded : 1;
   }
 
   dispose(): void {
     this.#clear();
     this.#plane.dispose();
+    this.#box.dispose();
   }
 
   #add(): LuminaireObject {
     const object: LuminaireObject = {
       group: new Group(),
       panel: new Mesh(this.#plane, createPanelMaterial()),
+      housing: new Mesh(this.#box, createHousingMaterial()),
       halo: new Mesh(this.#plane, createHaloMaterial()),
       site: -1,
     };
     object.halo.renderOrder = 4;
-    object.panel.renderOrder = 3;
+    object.panel.renderOrder = object.housing.renderOrder = 3;
     object.halo.frustumCulled = false;
-    object.group.add(object.panel, object.halo);
+    object.group.add(object.panel, object.housing, object.halo);
     this.root.add(object.group);
     this.objects.push(object);
     return object;
@@ -109,6 +130,8 @@ export class LuminaireObjects {
     object.group.position.copy(sitePosition(sites, site));
     object.group.quaternion.copy(siteRotation(sites, site));
     object.panel.scale.setScalar(0.94 * size);
+    object.housing.scale.set(0.94 * size, 0.94 * size, depth);
+    object.housing.position.z = -gap - depth / 2;
     object.halo.scale.setScalar(3.4 * size);
   }
 
@@ -136,8 +159,7 @@ export class LuminaireObjects {
   #remove(object: LuminaireObject): void {
     this.#walks = this.#walks.filter((other) => other.object !== object);
     this.root.remove(object.group);
-    object.panel.material.dispose();
-    object.halo.material.dispose();
+    for (const part of [object.panel, object.housing, object.halo]) part.material.dispose();
   }
 
   #clear(): void {

@@ -1,7 +1,7 @@
 /** Names of luminaires over the picture: small HTML tags L1, L2, ... that can be clicked and dragged like the luminaire. */
 import { Vector3, type Camera } from 'three';
 import type { LuminaireObject } from './luminaire-objects.ts';
-import { spreadTags } from './tag-layout.ts';
+import { crowdedTags, spreadTags } from './tag-layout.ts';
 
 const svg = 'http://www.w3.org/2000/svg';
 /** A pin, 10 x 10. */
@@ -43,6 +43,10 @@ export class LuminaireTags {
     while (this.#tags.length < count) this.#tags.push(this.#create(this.#tags.length));
   }
 
+  setVisible(visible: boolean): void {
+    this.#labels.classList.toggle('are-hidden', !visible);
+  }
+
   setState(state: { pinned: readonly number[]; selected: number | null; hovered: number | null }): void {
     this.#tags.forEach((tag, i) => {
       tag.classList.toggle('is-pinned', state.pinned.includes(i));
@@ -62,10 +66,15 @@ export class LuminaireTags {
       return this.#placeOf(object, camera, width, height);
     });
     const compact = width < 600;
-    spreadTags(places, compact ? 24 : 32, compact ? 15 : 19).forEach(({ x, y }, i) => {
+    const [wide, high] = compact ? [24, 15] : [32, 19];
+    const spread = spreadTags(places, wide, high);
+    const dots = crowdedTags(spread, wide, high, (i) => this.#tags[i]!.matches('.is-pinned, .is-selected'));
+    spread.forEach(({ x, y }, i) => {
       const tag = this.#tags[i]!;
-      if (!tag.hidden)
-        tag.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -50%)`;
+      if (tag.hidden) return;
+      const at = dots[i] ? places[i]! : { x, y };
+      tag.classList.toggle('is-dot', dots[i]);
+      tag.style.transform = `translate(${Math.round(at.x)}px, ${Math.round(at.y)}px) translate(-50%, -50%)`;
     });
   }
 

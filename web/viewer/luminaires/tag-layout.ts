@@ -23,6 +23,29 @@ export function spreadTags(
   return moved;
 }
 
+/**
+ * Which tags find no place of their own beside those before them: they are drawn as dots. `first`: tags that are never
+ * dots and take their places before all others.
+ */
+export function crowdedTags(
+  places: readonly { readonly x: number; readonly y: number }[],
+  width: number,
+  height: number,
+  first: (index: number) => boolean,
+): boolean[] {
+  const overlap = 0.35; // of a tag's size, which still can be read
+  const kept: number[] = [];
+  const covers = (a: number, b: number) =>
+    Math.abs(places[a]!.x - places[b]!.x) < (1 - overlap) * width &&
+    Math.abs(places[a]!.y - places[b]!.y) < (1 - overlap) * height;
+  const dots = places.map(() => false);
+  const order = [...places.keys()].sort((a, b) => Number(first(b)) - Number(first(a)) || a - b);
+  for (const i of order)
+    if (!first(i) && kept.some((k) => covers(i, k))) dots[i] = true;
+    else kept.push(i);
+  return dots;
+}
+
 /** Moves two overlapping tags apart along the way that is shorter. */
 function push(a: { x: number; y: number }, b: { x: number; y: number }, width: number, height: number): void {
   const [dx, dy] = [b.x - a.x, b.y - a.y];

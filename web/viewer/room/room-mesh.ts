@@ -4,15 +4,13 @@
  */
 import {
   Box3,
-  BufferAttribute,
-  BufferGeometry,
+  type BufferGeometry,
   Color,
   DoubleSide,
   FrontSide,
   Mesh,
   MeshBasicMaterial,
   ShaderMaterial,
-  Vector3,
   type Group,
   type Material,
   type MeshStandardMaterial,
@@ -22,7 +20,9 @@ import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../../document/types.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from '../light/light-material.ts';
-import { splitBySide } from './cut-away.ts';
+import { facingOf, type Facing } from './facing.ts';
+import { splitHungMeshes } from './hung-meshes.ts';
+import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
@@ -35,10 +35,10 @@ export interface LitMesh {
 export interface RoomMesh {
   readonly root: Group;
   readonly lit: readonly LitMesh[];
-  readonly meshes: readonly Mesh[]; // all but measuring planes
+  readonly hanging: ReadonlyMap<Object3D, Side>; // on the walls and the ceiling
+  readonly standing: ReadonlySet<Object3D>; // furniture
   readonly box: Box;
-  /** How much of the surfaces faces an eye at azimuth 45, 135, 225 and 315 degrees; every surface counts 1. */
-  readonly facing: readonly number[];
+  readonly facing: Facing;
   dispose(): void;
 }
 
@@ -57,6 +57,9 @@ function surfaceIndex(mesh: Mesh, scene: SceneInfo | null): number {
   const name = extra(mesh, 'surface');
   return scene ? scene.surfaces.findIndex((surface) => surface.name === name) : -1;
 }
+
+const isMeasuring = (mesh: Mesh, scene: SceneInfo): boolean =>
+  extra(mesh, 'measuring') === true || scene.surfaces[surfaceIndex(mesh, scene)]?.measuring === true;
 
 function albedoOf(material: MeshStandardMaterial): Albedo {
   return {
@@ -80,36 +83,6 @@ function translucent(material: MeshStandardMaterial): MeshBasicMaterial {
   });
 }
 
-/** Adds up, for each surface, what share of its upright area faces each of the four corners. */
-function facingShares(lit: readonly LitMesh[]): number[] {
-  const perSurface = new Map<number, [number, number, number, number, number]>();
-  const [a, b, c, normal] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
-  for (const { mesh, surface, measuring } of lit) {
-    const index = mesh.geometry.index;
-    if (measuring || !index) continue;
-    const sums = perSurface.get(surface) ?? [0, 0, 0, 0, 0];
-    perSurface.set(surface, sums);
-    const position = mesh.geometry.getAttribute('position');
-    for (let i = 0; i + 2 < index.count; i += 3) {
-      a.fromBufferAttribute(position, index.getX(i));
-      b.fromBufferAttribute(position, index.getX(i + 1)).sub(a);
-      c.fromBufferAttribute(position, index.getX(i + 2)).sub(a);
-      normal.crossVectors(b, c).transformDirection(mesh.matrixWorld);
-      const area = b.cross(c).length();
-      if (!(area > 0)) continue;
-      sums[4] += area;
-      if (normal.x + normal.z > 0.1) sums[0] += area;
-      if (normal.x - normal.z > 0.1) sums[1] += area;
-      if (-normal.x - normal.z > 0.1) sums[2] += area;
-      if (normal.z - normal.x > 0.1) sums[3] += area;
-    }
-  }
-  const shares = [0, 0, 0, 0];
-  for (const sums of perSurface.values())
-    for (let q = 0; q < 4; q++) shares[q]! += sums[4] > 0 ? sums[q]! / sums[4] : 0;
-  return shares;
-}
-
 /** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
 export async function readGlb(glb: ArrayBuffer): Promise<Group> {
   try {
@@ -126,41 +99,6 @@ function boundsOf(root: Object3D): Box {
   const box = new Box3().setFromObject(root);
   if (box.isEmpty()) throw new Error('The room has no geometry to display.');
   return { min: box.min.toArray(), max: box.max.toArray() };
-}
-
-const splittable = 60_000; // triangles; finer meshes are left whole
-
-/** The triangles of `index` alone, with the vertices that they use. */
-function indexedPart(geometry: BufferGeometry, index: readonly number[]): BufferGeometry {
-  const part = new BufferGeometry();
-  const used = [...new Set(index)];
-  const place = new Map(used.map((vertex, i) => [vertex, i]));
-  for (const [name, source] of Object.entries(geometry.attributes)) {
-    const attribute = source as BufferAttribute;
-    const size = attribute.itemSize;
-    const values = new (attribute.array.constructor as Float32ArrayConstructor)(size * used.length);
-    used.forEach((vertex, i) => {
-      for (let c = 0; c < size; c++) values[size * i + c] = attribute.array[size * vertex + c]!;
-    });
-    part.setAttribute(name, new BufferAttribute(values, size, attribute.normalized));
-  }
-  return part.setIndex(index.map((vertex) => place.get(vertex)!));
-}
-
-/** Gives things that hang on several walls a mesh for each wall, so that they can be cut away with it. */
-function splitHungMeshes(root: Object3D, room: Box): void {
-  for (const mesh of meshesOf(root)) {
-    const { geometry } = mesh;
-    if (!geometry.index || geometry.index.count > 3 * splittable) continue;
-    const world = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-    const sides = splitBySide(room, geometry.index.array, world.array);
-    sides?.forEach((index, i) => {
-      const part = i === 0 ? mesh : mesh.clone();
-      part.geometry = indexedPart(geometry, index);
-      if (i > 0) mesh.parent?.add(part);
-    });
-    if (sides) geometry.dispose();
-  }
 }
 
 const meshesOf = (root: Object3D): Mesh[] => {
@@ -193,7 +131,8 @@ export function loadRoomMesh(
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
-  splitHungMeshes(root, box);
+  const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
+  const { hanging, standing } = splitHungMeshes(solid, box);
   const meshes = meshesOf(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
@@ -206,20 +145,20 @@ export function loadRoomMesh(
       continue;
     }
     const surface = surfaceIndex(mesh, scene);
-    const measuring = extra(mesh, 'measuring') === true || scene.surfaces[surface]?.measuring === true;
+    const measuring = isMeasuring(mesh, scene);
     const reflectance = scene.surfaces[surface]?.reflectance ?? 0;
     const material = createLightMaterial(shared, { albedo: albedoOf(source), measuring, reflectance });
     mesh.material = material;
     if (measuring) [mesh.visible, mesh.renderOrder] = [false, 2];
     lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring });
   }
-  const planes = new Set<Mesh>(lit.filter(({ measuring }) => measuring).map(({ mesh }) => mesh));
   return {
     root,
     lit,
-    meshes: meshes.filter((mesh) => !planes.has(mesh)),
+    hanging,
+    standing,
     box,
-    facing: facingShares(lit),
+    facing: facingOf(lit),
     dispose: () => freeMeshes(root, sources),
   };
 }
@@ -231,7 +170,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   for (const mesh of meshesOf(root))
     for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
   const box = boundsOf(root);
-  splitHungMeshes(root, box);
+  const { hanging, standing } = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], meshes: meshesOf(root), box, facing: [0, 0, 0, 0], dispose };
+  return { root, lit: [], hanging, standing, box, facing: new Map(), dispose };
 }

@@ -2,13 +2,24 @@
  * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
  * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
  */
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  type Object3D,
+  Vector3,
+} from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { surfaceEdges } from './surface-edges.ts';
 import type { LitMesh } from './room-mesh.ts';
 
+const level = 0.02; // m of height that a ceiling may have
+const hand = 0.1; // m
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
 
 function edgesOfMesh(
@@ -30,6 +41,26 @@ function edgesOf(meshes: readonly LitMesh[]): Float32Array {
   return all;
 }
 
+/** Meshes that close the room above: level, facing down, within a hand of its highest point. */
+function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
+  const boxed = room
+    .filter(({ measuring }) => !measuring)
+    .map((lit) => ({ lit, box: new Box3().setFromObject(lit.mesh) }));
+  const top = boxed.reduce((most, { box }) => Math.max(most, box.max.y), -Infinity);
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  const facesDown = ({ mesh }: LitMesh) => {
+    const position = mesh.geometry.getAttribute('position');
+    const corner = (i: number) => mesh.geometry.index?.getX(i) ?? i;
+    a.fromBufferAttribute(position, corner(0));
+    b.fromBufferAttribute(position, corner(1)).sub(a);
+    c.fromBufferAttribute(position, corner(2)).sub(a);
+    return b.cross(c).transformDirection(mesh.matrixWorld).y < -0.9;
+  };
+  return boxed
+    .filter(({ lit, box }) => box.max.y - box.min.y < level && top - box.max.y < hand && facesDown(lit))
+    .map(({ lit }) => lit);
+}
+
 export class SurfaceOutlines {
   readonly root = new Group();
   #room: readonly LitMesh[] = [];
@@ -38,8 +69,11 @@ export class SurfaceOutlines {
   #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
   #hovered = this.#material('#ffffff', 1.25, 0.6);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
+  #over = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.3, depthTest: false });
   #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
   #drawing: LineSegments[] = [];
+  #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
+  #ceiling: LineSegments | null = null;
 
   constructor() {
     this.#through.depthTest = false;
@@ -53,6 +87,9 @@ export class SurfaceOutlines {
       lines.geometry.dispose();
     }
     this.#drawing = [];
+    this.#ceiling?.removeFromParent();
+    this.#ceiling?.geometry.dispose();
+    this.#ceiling = null;
     this.#room = room;
     this.#edges.clear();
   }
@@ -76,8 +113,11 @@ export class SurfaceOutlines {
     this.#shown.set(which, objects);
   }
 
-  /** Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it. */
-  showAll(visible: boolean): void {
+  /**
+   * Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it.
+   * `through`: meshes whose lines are seen through everything.
+   */
+  showAll(visible: boolean, through: ReadonlySet<Object3D> | null): void {
     if (visible && this.#drawing.length === 0) {
       for (const { mesh, measuring } of this.#room) {
         if (measuring) continue;
@@ -89,12 +129,30 @@ export class SurfaceOutlines {
         this.#drawing.push(lines);
       }
     }
-    for (const lines of this.#drawing) lines.visible = visible;
+    for (const lines of this.#drawing) {
+      lines.visible = visible;
+      const isThrough = lines.parent !== null && through?.has(lines.parent) === true;
+      lines.material = isThrough ? this.#over : this.#thin;
+      lines.renderOrder = isThrough ? 3 : 1;
+    }
+  }
+
+  /** The edge of the ceiling, which itself is cut away: where the room ends above. */
+  showRim(visible: boolean): void {
+    if (visible && !this.#ceiling) {
+      const ends = edgesOf(ceilingOf(this.#room));
+      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
+      this.#ceiling = new LineSegments(geometry, this.#rim);
+      this.#ceiling.renderOrder = 2;
+      this.root.add(this.#ceiling);
+    }
+    if (this.#ceiling) this.#ceiling.visible = visible;
   }
 
   dispose(): void {
     this.setRoom([]);
-    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin]) material.dispose();
+    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin, this.#over, this.#rim])
+      material.dispose();
   }
 
   #edgesOfSurface(surface: number): Float32Array {
