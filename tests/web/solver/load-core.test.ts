@@ -54,5 +54,7 @@ test('a module that wants what the glue does not have is refused with the same l
 
 test('a host without the module is named by its answer', async () => {
   globalThis.fetch = async () => new Response('', { status: 404 });
-  await expect(loadCore(new URL('http://host/core.wasm'))).rejects.toThrow(/core\.wasm cannot be loaded: status 404/);
+  await expect(loadCore(new URL('http://host/core.wasm'))).rejects.toThrow(
+    /core\.wasm cannot be loaded: status 404/,
+  );
 });

@@ -109,24 +109,6 @@ describe('the legend', () => {
     for (const tick of narrow) expect(tick.at).toBeGreaterThanOrEqual(-1e-9);
   });
 
-  test('labels of ticks never touch', () => {
-    for (const range of [
-      [0, 20_000],
-      [310, 390],
-      [0.01, 20_000],
-    ] as const)
-      for (const logarithmic of [false, true])
-        for (const steps of [0, 5, 8, 10, 16]) {
-          const ticks = falseColor.legendTicks({ range, logarithmic, steps }, 5);
-          const width = (label: string) => label.length / 42; // at 5.7 px a character on 240 px
-          ticks.slice(1).forEach((tick, i) => {
-            const before = ticks[i]!;
-            expect(tick.at - before.at).toBeGreaterThan((width(tick.label) + width(before.label)) / 2);
-          });
-          expect(ticks.length).toBeGreaterThan(1);
-        }
-  });
-
   test('values are written with three digits', () => {
     expect([0.123, 1.5, 20, 12.34, 999.6, 12345].map(falseColor.formatLight)).toEqual([
       '0.12',
@@ -145,6 +127,24 @@ describe('the legend', () => {
     expect(falseColor.roundRange(870, false, 8)).toEqual([0, 1600]); // steps of 200
     expect(falseColor.roundRange(870, false, 5)).toEqual([0, 1000]);
   });
+});
+
+test('labels of ticks never touch', () => {
+  for (const range of [
+    [0, 20_000],
+    [310, 390],
+    [0.01, 20_000],
+  ] as const)
+    for (const logarithmic of [false, true])
+      for (const steps of [0, 5, 8, 10, 16]) {
+        const ticks = falseColor.legendTicks({ range, logarithmic, steps }, 5);
+        const width = (label: string) => label.length / 42; // at 5.7 px a character on 240 px
+        ticks.slice(1).forEach((tick, i) => {
+          const before = ticks[i]!;
+          expect(tick.at - before.at).toBeGreaterThan((width(tick.label) + width(before.label)) / 2);
+        });
+        expect(ticks.length).toBeGreaterThan(1);
+      }
 });
 
 test('the shader draws every isolux level', () => {
