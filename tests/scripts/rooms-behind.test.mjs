@@ -144,7 +144,7 @@ test('the stages are called what the command calls them', () => {
   const texts = ['precompute/light', 'precompute/pipeline'].flatMap((library) =>
     sourcesOf(root, library).map((file) => readFileSync(path.join(root, file), 'utf8')),
   );
-  for (const stage of Object.keys(stages)) expect(texts.join('\n')).toContain(`begin("${stage}"`);
+  for (const stage of Object.keys(stages)) expect(texts.join('\n')).toContain(`"${stage}")`);
 });
 
 test('the quickest room goes first where there is none to show, else the order is that of the list', () => {
