@@ -1,7 +1,7 @@
 # One static library a folder, named after it (core/scene -> core_scene). USES names the folders that its sources may
 # include, LINKS the libraries of others. The direction is held twice: each library must link with what it uses and
 # nothing else (the *_stands targets of the native build), and tests/scripts/directions.test.mjs reads the same lines and follows
-# every include. Sources are compiled several at a time (FIATLUX_UNITY), for most of a compiler's work is the headers that
+# every include. Sources are compiled several at a time (FIATLUX_TOGETHER), for most of a compiler's work is the headers that
 # they share; APART says that names inside them clash. The sanitize build compiles each on its own, so that none leans on
 # another's includes.
 function(fiatlux_library folder)
@@ -18,7 +18,7 @@ function(fiatlux_library folder)
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${uses} PRIVATE ${ARG_LINKS})
-  if(FIATLUX_UNITY AND NOT ARG_APART)
+  if(FIATLUX_TOGETHER AND NOT ARG_APART)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
   endif()
   if(FIATLUX_TESTS AND NOT EMSCRIPTEN AND NOT FIATLUX_SANITIZE)

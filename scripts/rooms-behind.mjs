@@ -11,6 +11,7 @@ export class RoomsBehind {
   #make;
   #filesOf;
   #tell;
+  #now;
   #states = {};
   #toldAt = -Infinity;
   #writing = Promise.resolve();
@@ -18,13 +19,14 @@ export class RoomsBehind {
 
   /**
    * `folder`: the scenes that are served. `make(room, { onProgress, signal })` makes a room, its files are then
-   * `filesOf(room)`. `tell(line)` is for who started the server.
+   * `filesOf(room)`. `tell(line)` is for who started the server, `now()` in ms.
    */
-  constructor({ folder, make, filesOf, tell }) {
+  constructor({ folder, make, filesOf, tell, now = () => performance.now() }) {
     this.#folder = folder;
     this.#make = make;
     this.#filesOf = filesOf;
     this.#tell = tell;
+    this.#now = now;
   }
 
   /** Says in the list which rooms are not ready yet. */
@@ -45,13 +47,13 @@ export class RoomsBehind {
 
   async #makeOne(room) {
     const { id } = room;
-    const start = Date.now();
+    const begin = this.#now();
     const { signal } = this.#stopping;
     try {
       await this.#make(room, { signal, onProgress: (share) => this.#progress(id, share) });
       for (const file of this.#filesOf(room)) await this.#serve(file);
       delete this.#states[id];
-      this.#tell(`${id} is ready, after ${Math.round((Date.now() - start) / 1000)} s`);
+      this.#tell(`${id} is ready, after ${Math.round((this.#now() - begin) / 1000)} s`);
     } catch (error) {
       if (signal.aborted) return;
       this.#states[id] = { state: 'failed' };
@@ -69,8 +71,8 @@ export class RoomsBehind {
 
   #progress(id, progress) {
     this.#states[id] = { state: 'computing', progress };
-    if (performance.now() - this.#toldAt < pause) return;
-    this.#toldAt = performance.now();
+    if (this.#now() - this.#toldAt < pause) return;
+    this.#toldAt = this.#now();
     void this.#write();
   }
 
