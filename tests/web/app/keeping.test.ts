@@ -44,6 +44,7 @@ afterEach(() => {
 function show(room: string): void {
   const scene = fakeScene();
   const document = sampleDocument(scene.identity, room);
+  store.scene.value = scene;
   store.reset(document);
   const intentions = { ...store.traced.value.intentions, constraints: [] };
   store.shown.value = fakeShown(scene, layout, intentions);
@@ -79,10 +80,10 @@ test.each([
 
 test('a page that is left keeps its work for a reload, with the layout only where it answers', () => {
   page.dispatchEvent(new Event('pagehide'));
-  expect(takeFromReload()?.document.layout).toEqual(layout);
+  expect(takeFromReload()?.project.document.layout).toEqual(layout);
   store.progress.value = { ...store.progress.value, state: 'improving' };
   page.dispatchEvent(new Event('pagehide'));
-  expect(takeFromReload()?.document.layout).toBeNull();
+  expect(takeFromReload()?.project.document.layout).toBeNull();
   show('mine.flux');
   page.dispatchEvent(new Event('pagehide'));
   expect(takeFromReload()).toBeNull();
