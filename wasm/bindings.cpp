@@ -144,31 +144,10 @@ val info(const Session& session) {
 
 // --- intentions
 
-// note: an enumerator without a name here is an error, so that the page cannot take one number for another.
+// note: an enumerator without a name is an error, so that the page cannot take one number for another; those
+// of the statistics are in the core's own table.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
-const char* nameOf(Statistic statistic) {
-  switch (statistic) {
-    case Statistic::kMean:
-      return "mean";
-    case Statistic::kSigma:
-      return "sigma";
-    case Statistic::kPower:
-      return "power";
-    case Statistic::kChebyshev:
-      return "chebyshev";
-    case Statistic::kMinimum:
-      return "minimum";
-    case Statistic::kMaximum:
-      return "maximum";
-    case Statistic::kUniformity:
-      return "uniformity";
-    case Statistic::kContrast:
-      return "contrast";
-  }
-  return nullptr;
-}
-
 const char* nameOf(Sense sense) {
   switch (sense) {
     case Sense::kMinimize:
@@ -199,9 +178,16 @@ val namesOf() {
   return names;
 }
 
+val statisticNames() {
+  val names = val::array();
+  for (const StatisticTraits& traits : kStatistics)
+    names.set(static_cast<unsigned>(traits.statistic), std::string(traits.name));
+  return names;
+}
+
 val codes() {
   val result = val::object();
-  result.set("statistic", namesOf<Statistic>());
+  result.set("statistic", statisticNames());
   result.set("sense", namesOf<Sense>());
   result.set("quantity", namesOf<Quantity>());
   return result;

@@ -44,6 +44,7 @@ afterEach(() => {
 function show(room: string): void {
   const scene = fakeScene();
   const document = sampleDocument(scene.identity, room);
+  store.scene.value = scene;
   store.reset(document);
   const intentions = { ...store.traced.value.intentions, constraints: [] };
   store.scene.value = scene;

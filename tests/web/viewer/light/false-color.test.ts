@@ -57,10 +57,10 @@ describe('colour maps', () => {
   });
 });
 
-describe('the legend', () => {
-  const linear = { range: [0, 500], logarithmic: false, steps: 0, colorMap: 'viridis' } as const;
-  const log = { ...linear, range: [1, 1000], logarithmic: true } as const;
+const linear = { range: [0, 500], logarithmic: false, steps: 0, colorMap: 'viridis' } as const;
+const log = { ...linear, range: [1, 1000], logarithmic: true } as const;
 
+describe('the legend', () => {
   test('positions and values are inverse to each other', () => {
     expect(falseColor.legendPosition(linear, 250)).toBeCloseTo(0.5);
     expect(falseColor.legendPosition(log, 10)).toBeCloseTo(1 / 3);
@@ -92,7 +92,9 @@ describe('the legend', () => {
     expect(stops[1]!.color).not.toBe(stops[2]!.color);
     expect(falseColor.legendStops({ steps: 0, colorMap: 'turbo' }, 10)).toHaveLength(11);
   });
+});
 
+describe('ticks of the legend', () => {
   test('ticks stand at round values inside the ends', () => {
     expect(falseColor.legendTicks(linear).map((tick) => tick.value)).toEqual([0, 100, 200, 300, 400, 500]);
     expect(falseColor.legendTicks(log, 4).map((tick) => tick.label)).toEqual([
