@@ -1,5 +1,5 @@
-// Form factors: F ~ U V^T between patches and clusters, and F itself through the rays cast nearby.
-// Paper equations (1) and (3), section 2.4.
+// Form factors: F ~ U V^T between patches and clusters, corrected where the light's spread within a cluster
+// matters: by slopes, and nearby by the factors of single patches. Paper equations (1) and (3), section 2.4.
 #pragma once
 
 #include <cstdint>

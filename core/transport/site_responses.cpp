@@ -1,6 +1,8 @@
-// The low-rank inverse as a preconditioner of the radiosity system whose F is the cast rays themselves.
+// The low-rank inverse as a preconditioner of the radiosity system whose F holds slopes and near patches, too
+// (form_factors.h).
 #include "core/transport/site_responses.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace fiatlux {
@@ -30,6 +32,8 @@ void solveResponses(const FormFactors& factors, const Patches& patches, const Lo
                     std::uint32_t refine, double tolerance, ResponseBlock& block) {
   const std::uint32_t n = patches.count, width = block.width;
   const std::size_t size = std::size_t{n} * width;
+  assert(block.direct.size() == std::size_t{patches.rows()} * width);
+  assert(block.emission.empty() || block.emission.size() == size);
   std::vector<float> e(size);
   for (std::size_t at = 0; at < size; ++at) e[at] = patches.reflectance[at / width] * block.direct[at];
   for (std::size_t at = 0; at < block.emission.size(); ++at) e[at] += block.emission[at];

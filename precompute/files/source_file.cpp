@@ -21,9 +21,8 @@ Result<std::vector<std::uint8_t>> readPlainFile(const fs::path& path) {
   if (!fs::is_regular_file(path, error)) return Error{"is not a file; name a .glb or .gltf file"};
   const auto size = fs::file_size(path, error);
   if (error || size > GltfBudget::kBytes)
-    return Error{"has " + std::to_string(size >> 20) + " MB, and " +
-                 std::to_string(GltfBudget::kBytes >> 20) +
-                 " MB are accepted; make the textures or meshes smaller"};
+    return Error{"has " + megabytes(size) + ", and " + megabytes(GltfBudget::kBytes) +
+                 " are accepted; make the textures or meshes smaller"};
   try {
     return readFileBytes(path.string(), GltfBudget::kBytes);
   } catch (const CommandError&) {

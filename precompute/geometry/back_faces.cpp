@@ -12,6 +12,9 @@
 namespace fiatlux {
 namespace {
 
+constexpr double kRoomLike = 0.5;    // of the scene's diagonal: a room rather than a thing in it
+constexpr std::size_t kProbes = 64;  // of other things, which may stand within a room
+
 /// A connected piece of double-sided triangles.
 struct Sheet {
   bool open = false;
@@ -31,6 +34,8 @@ struct Sheets {
 Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
   const std::size_t n = mesh.triangles.size();
   Sheets sheets{DisjointSets(n), std::vector<Sheet>(n), std::vector<bool>(n)};
+
+  // Edges of double-sided triangles, equal ones of a node side by side.
   struct Edge {
     std::uint32_t node, a, b, triangle;
     bool forward;
@@ -50,6 +55,8 @@ Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
   std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
     return std::tie(x.node, x.a, x.b, x.triangle) < std::tie(y.node, y.a, y.b, y.triangle);
   });
+
+  // What shares an edge is one sheet; it is open where an edge is not run along once in each direction.
   std::vector<bool> open(n, false);
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     int balance = 0;
@@ -61,6 +68,8 @@ Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
     }
     if (balance != 0 || j - i != 2) open[edges[i].triangle] = true;
   }
+
+  // Volume and extent, by the divergence theorem.
   for (std::uint32_t t = 0; t < n; ++t) {
     if (!sheets.isMember[t]) continue;
     Sheet& sheet = sheets.ofRoot[sheets.sets.find(t)];
@@ -82,7 +91,7 @@ double solidAngle(const WeldedMesh& mesh, const WeldedTriangle& t, const Vec3& p
 
 /// About as large as the scene: a room rather than a thing in it.
 bool isLarge(const Sheet& sheet, const WeldedMesh& mesh) {
-  return sheet.bounds.diagonal() > 0.5 * mesh.diagonal;
+  return sheet.bounds.diagonal() > kRoomLike * mesh.diagonal;
 }
 
 /// Whether a closed sheet that looks outward is a room drawn from outside: as large as the scene, and other
@@ -94,7 +103,6 @@ bool isRoomFromOutside(const WeldedMesh& mesh, Sheets& sheets, std::uint32_t roo
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     (sheets.isMember[t] && sheets.sets.find(t) == root ? own : others).push_back(t);
   if (others.empty()) return true;
-  constexpr std::size_t kProbes = 64;
   const std::size_t step = std::max<std::size_t>(1, others.size() / kProbes);
   for (std::size_t i = 0; i < others.size(); i += step) {
     const auto& v = mesh.triangles[others[i]].vertex;

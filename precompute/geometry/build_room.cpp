@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <set>
 
 #include "core/base/short_number.h"
@@ -23,6 +22,22 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kMostClusters = 3000;
+constexpr std::size_t kMostNames = 8;                    // of transparent materials, in warnings
+constexpr double kTooWide = 100, kInMillimetres = 2000;  // m: what no room is, and what no building is
+constexpr double kTooNarrow = 0.5;                       // m
+constexpr double kRegionShare = 0.01;                    // of the area: such a plane is a surface of its own
+constexpr double kPieces = 40;                           // on the diagonal: how fine a first look round is
+constexpr double kNearCorner = 0.4;               // of a side, from the centre: where its light is tried
+constexpr double kFloorLike = 0.7;                // cos 45 degrees: a measuring plane that lies
+constexpr double kMostRoomOption = 1e6;           // m
+constexpr std::uint32_t kMostClusterEdge = 4096;  // patches
+
+// The patch size that is chosen where none is given.
+constexpr double kUsualPatches = 25000, kManyPatches = 100000;  // of a room, of a huge one
+constexpr double kFinestPatch = 0.05, kCoarsestPatch = 0.5;     // m
+constexpr double kFewMore = 1.15;                               // times as many are fine
+constexpr double kSnaps = 0.25;  // e to this: how much a patch may change to divide the sites' spacing
+constexpr int kCoarsenings = 3;
 
 /// The source's meshes by what they are to the light.
 struct Roles {
@@ -50,22 +65,40 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
     }
   }
   for (const std::string& name : transparent)
-    if (transparent.size() <= 8 || name == *transparent.begin())
-      warnings.push_back(
-          "material '" + name + "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
-          (transparent.size() <= 8 ? "" : "; so are " + std::to_string(transparent.size() - 1) + " more"));
+    if (transparent.size() <= kMostNames || name == *transparent.begin())
+      warnings.push_back("material '" + name +
+                         "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
+                         (transparent.size() <= kMostNames
+                              ? ""
+                              : "; so are " + std::to_string(transparent.size() - 1) + " more"));
   return roles;
 }
 
 void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
   const double width = boundsOf(mesh.positions).longestEdge();
-  if (width > 100)
+  if (width > kTooWide)
     warnings.push_back("the room is " + shortNumber(width) + " m wide: the file is probably in " +
-                       (width > 2000 ? "millimetres: pass --scale 0.001"
-                                     : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
-  if (width < 0.5)
+                       (width > kInMillimetres ? "millimetres: pass --scale 0.001"
+                                               : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
+  if (width < kTooNarrow)
     warnings.push_back("the room is only " + shortNumber(width) +
                        " m wide: pass --scale with the metres of one unit of the file");
+}
+
+/// The reflectors on common vertices; refuses what is no room, and warns of what was dropped.
+WeldedMesh weldReflectors(const SourceScene& source, const Roles& roles, std::vector<std::string>& warnings) {
+  WeldedMesh mesh = weld(source, roles.reflectors);
+  if (mesh.triangles.empty())
+    throw CommandError(
+        roles.reflectors.empty()
+            ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
+            : "no surfaces: every triangle has zero area; check the scale of the nodes");
+  if (mesh.withoutArea > 0)
+    warnings.push_back("triangles without area are left out: " + std::to_string(mesh.withoutArea));
+  if (mesh.duplicates > 0)
+    warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
+  warnOfScale(mesh, warnings);
+  return mesh;
 }
 
 RayTracer tracerOf(const WeldedMesh& mesh) {
@@ -84,6 +117,7 @@ std::vector<Face> frontFaces(const WeldedMesh& mesh) {
 /// The room's surfaces without its outside, and where luminaires may hang.
 struct Inside {
   SurfaceTree tree;
+  UniqueNames names;  // those that are taken
   std::vector<Mount> mounts;
   Outside outside;
 };
@@ -94,7 +128,7 @@ std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
   for (const Luminaire& l : luminaires) {
     const bool isotropic = l.distribution == Luminaire::Distribution::kIsotropic;
     const Vec3 normal = isotropic ? Vec3{} : l.normal;
-    const Vec3 u = 0.4 * l.width * l.axis, v = 0.4 * l.height * cross(l.normal, l.axis);
+    const Vec3 u = kNearCorner * l.width * l.axis, v = kNearCorner * l.height * cross(l.normal, l.axis);
     for (const Vec3& from : {Vec3{}, u + v, u - v, v - u, -u - v})
       places.push_back({l.position + from + kLuminaireClearance * normal, normal});
   }
@@ -103,19 +137,19 @@ std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
 
 /// Finds surfaces and mounts; turns sheets that look outward; leaves out what no light can reach.
 Inside findInside(const SourceScene& source, const RoomOptions& options, const RayTracer& tracer,
-                  WeldedMesh& mesh, UniqueNames& names, std::vector<std::string>& warnings) {
+                  WeldedMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Face> faces = frontFaces(mesh);
   const std::vector<Face> backs = backFaces(source, mesh);
   faces.insert(faces.end(), backs.begin(), backs.end());
   UniqueNames firstNames;
   Inside inside;
-  inside.tree = findSurfaces(source, mesh, faces, 0.01, firstNames);
-  Outlook outlook(mesh, tracer, makeCharts(mesh, inside.tree, mesh.diagonal / 40, 0));
+  inside.tree = findSurfaces(source, mesh, faces, kRegionShare, firstNames);
+  Outlook outlook(mesh, tracer, makeCharts(mesh, inside.tree, mesh.diagonal / kPieces, 0));
   if (turnOutwardSheets(mesh, faces, outlook)) {
-    names = {};
-    inside.tree = findSurfaces(source, mesh, faces, 0.01, names);
+    // What is turned over has other planes and other names: found anew, which is rare.
+    inside.tree = findSurfaces(source, mesh, faces, kRegionShare, inside.names);
   } else {
-    names = std::move(firstNames);
+    inside.names = std::move(firstNames);
   }
   inside.mounts = findMounts(source, mesh, inside.tree, faces, outlook, options, warnings);
   const Outlook::Unlit unlit =
@@ -126,26 +160,34 @@ Inside findInside(const SourceScene& source, const RoomOptions& options, const R
   return inside;
 }
 
+/// A patch size and the charts for it.
+struct Cut {
+  double patch = 0;  // m
+  std::vector<ChartDraft> charts;
+};
+
 /// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000
 /// patches), and where a mount's site spacing is known a whole fraction of it, so that squares of light end
 /// where patches do.
-double fittingPatchSize(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
-                        double area) {
+Cut fittingCut(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree) {
   double spacing = 0;
   for (const SourceMesh& from : source.meshes)
     if (from.extras.mount && from.extras.siteSpacing && spacing == 0) spacing = *from.extras.siteSpacing;
   const auto snapped = [&](double patch) {
     const double fraction = spacing > 0 ? spacing / std::max(1.0, std::round(spacing / patch)) : patch;
-    return std::abs(std::log(fraction / patch)) < 0.25 ? fraction : patch;
+    return std::abs(std::log(fraction / patch)) < kSnaps ? fraction : patch;
   };
-  double patch = std::clamp(std::sqrt(area / 25000), 0.05, std::max(0.5, std::sqrt(area / 100000)));
+  const double area = areaOf(tree);
+  double patch = std::clamp(std::sqrt(area / kUsualPatches), kFinestPatch,
+                            std::max(kCoarsestPatch, std::sqrt(area / kManyPatches)));
+
   // Thin and small things get more patches than their area says: coarsen until the number fits.
-  for (int i = 0; i < 3; ++i) {
-    const double count = foreseenPatches(makeCharts(mesh, tree, snapped(patch), 0));
-    if (count < 1.15 * 25000 || snapped(patch) >= 0.5) break;
-    patch = std::min(patch * std::sqrt(count / 25000), 0.5);
+  for (int i = 0;; ++i) {
+    Cut cut{snapped(patch), makeCharts(mesh, tree, snapped(patch), 0)};
+    const double count = foreseenPatches(cut.charts);
+    if (i == kCoarsenings || count < kFewMore * kUsualPatches || cut.patch >= kCoarsestPatch) return cut;
+    patch = std::min(patch * std::sqrt(count / kUsualPatches), kCoarsestPatch);
   }
-  return snapped(patch);
 }
 
 void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
@@ -187,6 +229,7 @@ void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts,
       (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
 }
 
+/// Measuring planes: what lies looks up, whichever way it was drawn.
 void addMeasuringPlanes(const SourceScene& source, const Roles& roles, const RoomOptions& options,
                         UniqueNames& names, Room& room) {
   if (roles.measures.empty()) return;
@@ -195,7 +238,7 @@ void addMeasuringPlanes(const SourceScene& source, const Roles& roles, const Roo
   std::vector<Face> faces = frontFaces(mesh);
   for (Face& face : faces) {
     const Vec3 normal = normalized(areaVector(mesh.positions, face.vertex));
-    if (normal.y < -0.7) std::swap(face.vertex[1], face.vertex[2]);
+    if (normal.y < -kFloorLike) std::swap(face.vertex[1], face.vertex[2]);
   }
   const auto first = static_cast<std::uint32_t>(room.surfaces.size());
   const SurfaceTree tree = findSurfaces(source, mesh, faces, 0, names);
@@ -209,11 +252,11 @@ void checkOptions(const RoomOptions& options) {
   const auto refuse = [](const char* what) {
     throw CommandError(std::string(what) + " must be positive and finite");
   };
-  if (!(options.patch >= 0 && options.patch < 1e6)) refuse("--patch");
-  if (options.cluster < 1 || options.cluster > 4096)
-    throw CommandError("--cluster must be between 1 and 4096");
-  if (!(options.siteSpacing >= 0 && options.siteSpacing < 1e6)) refuse("--site-spacing");
-  if (!(options.siteSize >= 0 && options.siteSize < 1e6)) refuse("--site-size");
+  if (!(options.patch >= 0 && options.patch < kMostRoomOption)) refuse("--patch");
+  if (options.cluster < 1 || options.cluster > kMostClusterEdge)
+    throw CommandError("--cluster must be between 1 and " + std::to_string(kMostClusterEdge));
+  if (!(options.siteSpacing >= 0 && options.siteSpacing < kMostRoomOption)) refuse("--site-spacing");
+  if (!(options.siteSize >= 0 && options.siteSize < kMostRoomOption)) refuse("--site-size");
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
 
@@ -223,37 +266,27 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   room.sourceHash = source.hash;
   room.warnings = source.warnings;
   const Roles roles = assignRoles(source, options, room.warnings);
-  WeldedMesh mesh = weld(source, roles.reflectors);
-  if (mesh.triangles.empty())
-    throw CommandError(
-        roles.reflectors.empty()
-            ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
-            : "no surfaces: every triangle has zero area; check the scale of the nodes");
-  if (mesh.withoutArea > 0)
-    room.warnings.push_back("triangles without area are left out: " + std::to_string(mesh.withoutArea));
-  if (mesh.duplicates > 0)
-    room.warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
-  warnOfScale(mesh, room.warnings);
+  WeldedMesh mesh = weldReflectors(source, roles, room.warnings);
 
   // note: built before sheets are turned over, for a ray does not mind which side it meets
   RayTracer tracer = tracerOf(mesh);
-  UniqueNames names;
-  const Inside inside = findInside(source, options, tracer, mesh, names, room.warnings);
-  const SurfaceTree& tree = inside.tree;
-  room.patchSize = options.patch > 0 ? options.patch : fittingPatchSize(source, mesh, tree, areaOf(tree));
-  std::vector<ChartDraft> charts = makeCharts(mesh, tree, room.patchSize, 0);
-  checkGrids(charts, options, room.patchSize, kMostClusters);
+  Inside inside = findInside(source, options, tracer, mesh, room.warnings);
+  auto [patch, charts] = options.patch > 0
+                             ? Cut{options.patch, makeCharts(mesh, inside.tree, options.patch, 0)}
+                             : fittingCut(source, mesh, inside.tree);
+  room.patchSize = patch;
+  checkGrids(charts, options, patch, kMostClusters);
 
-  addSurfaces(tree, false, room);
+  addSurfaces(inside.tree, false, room);
   const ReflectanceMap reflectance(source);
-  appendPatches(mesh, charts, room.patchSize, &reflectance, room);
+  appendPatches(mesh, charts, patch, &reflectance, room);
   room.patches.count = room.patches.rows();
   addTriangles(mesh, charts, inside.outside, room);
   const std::uint32_t edge = assignClusters(room, options.cluster, kMostClusters, options.paper);
   if (edge != options.cluster)
     room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
-                            " patches, so that there are at most 3000");
-  addMeasuringPlanes(source, roles, options, names, room);
+                            " patches, so that there are at most " + std::to_string(kMostClusters));
+  addMeasuringPlanes(source, roles, options, inside.names, room);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, options, room);
   orThrow(checkMemory(countsOf(options, room), options.memory));

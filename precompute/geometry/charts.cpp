@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
@@ -14,6 +13,15 @@ namespace {
 constexpr double kCone = 0.819;    // cos 35 degrees: how far a face may turn from its chart
 constexpr double kCrease = 0.707;  // cos 45 degrees: a sharper edge ends a chart
 
+// A plane stands alone from this area on (in patches), where it is this wide (its mean width in patches).
+constexpr double kAloneArea = 0.5, kAloneWidth = 0.7;
+
+constexpr double kRounding = 1e-6;     // of a patch: extents that are whole but for it
+constexpr double kMostCells = 1e9;     // along a side: beyond, checkGrids refuses it anyway
+constexpr double kNearlyAlong = 0.9;   // a component of a unit vector that leaves too little across
+constexpr double kCellBytes = 24;      // while a grid is being cut
+constexpr double kLeastInCluster = 4;  // patches, so few as crumbs leave them
+
 /// Frame and grid of a set of faces: u along the longest straight side, cells a side = max(1, round(length /
 /// patch)).
 void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::uint32_t>& faces,
@@ -21,8 +29,8 @@ void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::
   Chart& chart = draft.chart;
   Vec3 u = outline.longestDirection;
   u = u - dot(u, chart.normal) * chart.normal;
-  if (length(u) < 1e-6) {
-    const Vec3 axis = std::abs(chart.normal.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+  if (length(u) < kRounding) {
+    const Vec3 axis = std::abs(chart.normal.x) < kNearlyAlong ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
     u = axis - dot(axis, chart.normal) * chart.normal;
   }
   chart.uAxis = normalized(u);
@@ -37,7 +45,8 @@ void layGrid(const WeldedMesh& mesh, const FaceSet& set, const std::vector<std::
     }
   chart.origin = low[0] * chart.uAxis + low[1] * chart.vAxis + w * chart.normal;
   const auto cells = [&](double extent) {
-    return static_cast<std::uint32_t>(std::clamp(std::floor(extent / patch + 0.5 - 1e-6), 1.0, 1e9));
+    return static_cast<std::uint32_t>(
+        std::clamp(std::floor(extent / patch + 0.5 - kRounding), 1.0, kMostCells));
   };
   chart.columns = cells(high[0] - low[0]), chart.rows = cells(high[1] - low[1]);
   chart.cellU = std::max(high[0] - low[0], mesh.tolerance) / chart.columns;
@@ -69,6 +78,7 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
   for (std::uint32_t r = 0; r < n; ++r)
     for (const std::uint32_t f : group.regions[r].faces) regionOfFace[f] = r;
 
+  // Large ones first.
   std::vector<bool> taken(n, false);
   std::vector<std::uint32_t> order(n);
   for (std::uint32_t r = 0; r < n; ++r) order[r] = r;
@@ -78,8 +88,9 @@ void chartsOfGroup(const WeldedMesh& mesh, const SurfaceGroup& group, double pat
   // Planes that are about a patch wide or more stand alone.
   for (const std::uint32_t r : order) {
     const Region& region = group.regions[r];
-    if (region.area < 0.5 * patch * patch && n > 1) break;
-    if (n > 1 && 4 * region.area < 0.7 * patch * region.outline.perimeter) continue;
+    if (region.area < kAloneArea * patch * patch && n > 1) break;
+    // note: a strip of perimeter p and area a is 2 a / p wide, a square twice that
+    if (n > 1 && 4 * region.area < kAloneWidth * patch * region.outline.perimeter) continue;
     taken[r] = true;
     charts.push_back(chartOf(mesh, group, {r}, region.normal, patch, firstSurface + group.leafOfRegion[r]));
   }
@@ -130,7 +141,6 @@ double foreseenPatches(const std::vector<ChartDraft>& charts) {
 
 void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& options, double patch,
                 std::uint32_t mostClusters) {
-  constexpr double kCellBytes = 24;  // while a grid is being cut
   double cells = 0;
   for (const ChartDraft& draft : charts) cells += static_cast<double>(draft.chart.columns) * draft.chart.rows;
   if (cells * kCellBytes > options.memory * 1e9)
@@ -139,7 +149,7 @@ void checkGrids(const std::vector<ChartDraft>& charts, const RoomOptions& option
   RunCounts counts = countsOf(options);
   counts.patches = counts.rows = foreseenPatches(charts);
   counts.clusters = options.paper ? counts.patches / (options.cluster * options.cluster)
-                                  : std::min<double>(counts.patches / 4, mostClusters);
+                                  : std::min<double>(counts.patches / kLeastInCluster, mostClusters);
   orThrow(checkMemory(counts, options.memory));
 }
 

@@ -6,15 +6,18 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/short_number.h"
 #include "precompute/geometry/clusters.h"
 #include "precompute/room/grid_cut.h"
 
 namespace fiatlux {
 namespace {
 
-constexpr double kSliver = 0.05;      // of a cell's area: smaller pieces join a neighbour
-constexpr double kSmallChart = 0.25;  // of a patch's area: smaller charts share patches
-constexpr int kSamples = 128;         // points per patch at which a texture is read
+constexpr double kSliver = 0.05;       // of a cell's area: smaller pieces join a neighbour
+constexpr double kSmallChart = 0.25;   // of a patch's area: smaller charts share patches
+constexpr int kSamples = 128;          // points per patch at which a texture is read
+constexpr std::size_t kMostNames = 8;  // of materials, in warnings
+constexpr double kFullCell = 1e-6;     // of a cell: how nearly its chart must fill it to be called whole
 
 /// A triangle of a patch, with the source it came from.
 struct Piece {
@@ -74,11 +77,11 @@ bool wholeCell(const ChartDraft& draft, std::uint32_t cell, double area, const s
                const std::vector<std::uint32_t>& members, std::array<Fragment, 2>& fragments) {
   const Chart& chart = draft.chart;
   const double full = chart.cellU * chart.cellV;
-  if (!draft.flat || std::abs(area - full) > 1e-6 * full) return false;
+  if (!draft.flat || std::abs(area - full) > kFullCell * full) return false;
   const std::uint32_t r = cell / chart.columns, c = cell % chart.columns;
   for (const std::uint32_t m : members)
     for (const Vec3& p : pieces[m].fragment.corner)
-      if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-6 * std::min(chart.cellU, chart.cellV))
+      if (std::abs(dot(p - chart.origin, chart.normal)) > kFullCell * std::min(chart.cellU, chart.cellV))
         return false;
   const auto at = [&](int i, int j) {
     return chart.origin + (c + i) * chart.cellU * chart.uAxis + (r + j) * chart.cellV * chart.vAxis;
@@ -154,6 +157,8 @@ void numberPatches(ChartDraft& draft, std::uint32_t index, double patch, std::ve
                    std::uint32_t firstRow, Patches& patches) {
   Chart& chart = draft.chart;
   const std::size_t cells = std::size_t{chart.columns} * chart.rows;
+
+  // Cells with area become patches, slivers of a neighbour's; a chart far smaller than a patch shares one.
   std::vector<double> area(cells, 0);
   for (const Piece& piece : pieces) area[piece.cell] += piece.area;
   const std::vector<std::uint32_t> target = joinSlivers(chart, area);
@@ -179,6 +184,8 @@ void numberPatches(ChartDraft& draft, std::uint32_t index, double patch, std::ve
     for (std::uint32_t c = 0; c < cells; ++c)
       if (area[c] > 0) chart.patchOfCell[c] = chart.patchOfCell[target[c]];
   }
+
+  // From here on a piece belongs to its patch.
   for (Piece& piece : pieces) piece.cell = chart.patchOfCell[piece.cell];
   patches.left.resize(patches.rows(), kNone), patches.up.resize(patches.rows(), kNone);
   if (small) return;
@@ -224,15 +231,16 @@ void addFragments(const ChartDraft& draft, const Home& home, double area, const 
 }
 
 void warnOfClamped(const std::map<std::string, double>& clamped, Room& room) {
+  const std::string most = shortNumber(kMostReflectance);
   std::size_t listed = 0;
   for (const auto& [name, value] : clamped) {
-    if (++listed > 8) {
-      room.warnings.push_back(std::to_string(clamped.size() - 8) +
-                              " more materials reflect more than 0.95 and are taken as 0.95");
+    if (++listed > kMostNames) {
+      room.warnings.push_back(std::to_string(clamped.size() - kMostNames) +
+                              " more materials reflect more than " + most + " and are taken as " + most);
       break;
     }
     room.warnings.push_back(name + " reflects " + std::to_string(value).substr(0, 4) +
-                            " of the light: taken as 0.95");
+                            " of the light: taken as " + most);
   }
 }
 

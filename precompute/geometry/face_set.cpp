@@ -10,6 +10,13 @@
 namespace fiatlux {
 namespace {
 
+// The search for T-junctions: the lattice's cells are no finer than this part of the mean open edge, and it
+// is given up after so many steps.
+constexpr double kFinestOfMean = 16;
+constexpr std::size_t kLeastWork = 20'000'000, kWorkOfEdge = 500;
+
+constexpr std::size_t kManyFaces = 16;  // on one edge: each is then the neighbour of the next alone
+
 bool edgeLess(const SubEdge& x, const SubEdge& y) {
   return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
 }
@@ -18,16 +25,15 @@ SubEdge makeEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face) {
   return {std::min(from, to), std::max(from, to), face, from < to};
 }
 
-/// Replaces open edges by their pieces between the open vertices that lie on them.
-void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
-  std::vector<SubEdge> closed, open;
-  for (std::size_t i = 0, j; i < edges.size(); i = j) {
-    for (j = i + 1; j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b; ++j) {
-    }
-    auto& target = j - i == 1 ? open : closed;
-    target.insert(target.end(), edges.begin() + i, edges.begin() + j);
-  }
-  if (open.size() < 4) return;
+/// One past the last edge that runs between the same vertices as edges[i].
+std::size_t endOfEqual(const std::vector<SubEdge>& edges, std::size_t i) {
+  std::size_t j = i + 1;
+  while (j < edges.size() && edges[j].a == edges[i].a && edges[j].b == edges[i].b) ++j;
+  return j;
+}
+
+/// The open vertices, in a lattice about as fine as open edges are long.
+VertexLattice latticeOf(const WeldedMesh& mesh, const std::vector<SubEdge>& open) {
   std::vector<std::uint32_t> vertices;
   std::vector<double> lengths;
   double total = 0;
@@ -39,11 +45,24 @@ void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-  const double cell = std::max(
-      {lengths[lengths.size() / 2], total / (16.0 * static_cast<double>(open.size())), 4 * mesh.tolerance});
-  const VertexLattice lattice(mesh.positions, vertices, cell);
+  const double mean = total / static_cast<double>(open.size());
+  return {mesh.positions, vertices,
+          std::max({lengths[lengths.size() / 2], mean / kFinestOfMean, 4 * mesh.tolerance})};
+}
 
-  const std::size_t budget = 20'000'000 + 500 * open.size();
+/// Replaces open edges by their pieces between the open vertices that lie on them.
+void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
+  std::vector<SubEdge> closed, open;
+  for (std::size_t i = 0, j; i < edges.size(); i = j) {
+    j = endOfEqual(edges, i);
+    auto& target = j - i == 1 ? open : closed;
+    target.insert(target.end(), edges.begin() + i, edges.begin() + j);
+  }
+  if (open.size() < 4) return;
+  const VertexLattice lattice = latticeOf(mesh, open);
+
+  // Find what lies on each open edge, until it becomes too much work: what is left stays whole.
+  const std::size_t budget = kLeastWork + kWorkOfEdge * open.size();
   std::size_t work = 0;
   std::vector<std::pair<double, std::uint32_t>> cuts;
   const double margin = 2 * mesh.tolerance;
@@ -60,16 +79,16 @@ void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
       });
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+
+    // Put its pieces in its place, each in its direction.
+    cuts.emplace_back(l, edge.b);
     std::uint32_t from = edge.a;
-    for (const auto& cut : cuts) {
-      SubEdge piece = makeEdge(from, cut.second, edge.face);
+    for (const auto& [at, to] : cuts) {
+      SubEdge piece = makeEdge(from, to, edge.face);
       piece.forward = piece.forward == edge.forward;
       closed.push_back(piece);
-      from = cut.second;
+      from = to;
     }
-    SubEdge piece = makeEdge(from, edge.b, edge.face);
-    piece.forward = piece.forward == edge.forward;
-    closed.push_back(piece);
   }
   edges = std::move(closed);
   std::sort(edges.begin(), edges.end(), edgeLess);
@@ -80,6 +99,8 @@ void splitAtJunctions(const WeldedMesh& mesh, std::vector<SubEdge>& edges) {
 FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   FaceSet set;
   set.faces = std::move(faces);
+
+  // Edges, and which belong to a face.
   set.edges.reserve(3 * set.faces.size());
   for (std::uint32_t f = 0; f < set.faces.size(); ++f)
     for (int i = 0; i < 3; ++i)
@@ -96,12 +117,9 @@ FaceSet makeFaceSet(const WeldedMesh& mesh, std::vector<Face> faces) {
   // Neighbours: all pairs on an edge; where very many faces meet, each with the next.
   const auto eachPair = [&](auto visit) {
     for (std::size_t i = 0, j; i < set.edges.size(); i = j) {
-      for (j = i + 1;
-           j < set.edges.size() && set.edges[j].a == set.edges[i].a && set.edges[j].b == set.edges[i].b;
-           ++j) {
-      }
+      j = endOfEqual(set.edges, i);
       for (std::size_t k = i + 1; k < j; ++k)
-        for (std::size_t m = j - i < 16 ? i : k - 1; m < k; ++m)
+        for (std::size_t m = j - i < kManyFaces ? i : k - 1; m < k; ++m)
           visit(set.edges[k].face, set.edges[m].face), visit(set.edges[m].face, set.edges[k].face);
     }
   };

@@ -110,6 +110,8 @@ WeldedMesh weld(const SourceScene& source, const std::vector<std::uint32_t>& mes
     triangles += source.meshes[m].triangles.size();
   }
   if (vertices == 0) return result;
+
+  // Vertices closer than rounding are one; triangles that this leaves without area go.
   result.diagonal = bounds.diagonal();
   result.tolerance = std::max(1e-5 * result.diagonal, 1e-12);
   result.triangles.reserve(triangles);

@@ -3,71 +3,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fiatlux {
 namespace {
 
-constexpr double kSameNormal = 0.9986;  // cos 3 degrees
+constexpr double kSameNormal = 0.9986;   // cos 3 degrees
+constexpr double kNarrowNormal = 0.5;    // cos 60 degrees
+constexpr double kNarrow = 40;           // in tolerances of the mesh: a face less high has no sure direction
+constexpr double kPlaneTolerances = 10;  // of the mesh: as far from a plane as rounding takes a vertex
+constexpr double kBent = 0.01;           // of a region's size: how far a hand-made wall may leave its plane
+
+/// Grows planar regions over the faces of a set.
+class RegionGrower {
+ public:
+  RegionGrower(const WeldedMesh& mesh, const FaceSet& set, bool strict)
+      : mesh_(mesh), set_(set), strict_(strict), taken_(set.faces.size(), false) {
+    for (const Face& face : set.faces) {
+      vectors_.push_back(areaVector(mesh.positions, face.vertex));
+      areas_.push_back(length(vectors_.back()));
+    }
+  }
+
+  /// Faces from the largest to the smallest.
+  std::vector<std::uint32_t> seeds() const {
+    std::vector<std::uint32_t> order(areas_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return areas_[a] > areas_[b]; });
+    return order;
+  }
+  bool taken(std::uint32_t face) const { return taken_[face]; }
+
+  Region grow(std::uint32_t seed) {
+    region_ = {};
+    sum_ = moment_ = {};
+    take(seed);
+    for (std::size_t next = 0; next < region_.faces.size(); ++next) {
+      const std::uint32_t at = region_.faces[next];
+      for (std::uint32_t i = set_.neighborOffset[at]; i < set_.neighborOffset[at + 1]; ++i) {
+        const std::uint32_t f = set_.neighbors[i];
+        if (!taken_[f] && fits(f)) take(f);
+      }
+    }
+    region_.normal = normalized(sum_);
+    region_.centroid = (1 / region_.area) * moment_;
+    region_.outline = outlineOf(mesh_, set_, region_.faces);
+    return std::move(region_);
+  }
+
+ private:
+  void take(std::uint32_t f) {
+    const auto& v = set_.faces[f].vertex;
+    taken_[f] = true;
+    region_.faces.push_back(f);
+    sum_ += vectors_[f];
+    moment_ +=
+        areas_[f] * ((1.0 / 3) * (mesh_.positions[v[0]] + mesh_.positions[v[1]] + mesh_.positions[v[2]]));
+    region_.area += areas_[f];
+  }
+
+  /// Whether a face lies in the plane of the region so far and looks the same way.
+  bool fits(std::uint32_t f) const {
+    const Vec3 normal = normalized(sum_), center = (1 / region_.area) * moment_;
+    const auto& v = set_.faces[f].vertex;
+    double off = 0, longest = 0;
+    for (int c = 0; c < 3; ++c) {
+      off = std::max(off, std::abs(dot(mesh_.positions[v[c]] - center, normal)));
+      longest = std::max(longest, length(mesh_.positions[v[(c + 1) % 3]] - mesh_.positions[v[c]]));
+    }
+    // The direction of a narrow face is known only as well as its vertices are.
+    const double height = 2 * areas_[f] / longest;
+    const bool narrow = height <= kNarrow * mesh_.tolerance;
+    const double planar = kPlaneTolerances * mesh_.tolerance;
+    const double most = strict_ || narrow ? planar : std::max(planar, kBent * std::sqrt(region_.area));
+    return off <= most && dot(vectors_[f], normal) >= (narrow ? kNarrowNormal : kSameNormal) * areas_[f];
+  }
+
+  const WeldedMesh& mesh_;
+  const FaceSet& set_;
+  const bool strict_;
+  std::vector<Vec3> vectors_;  // of faces: normal x area, m2
+  std::vector<double> areas_;  // m2
+  std::vector<bool> taken_;
+  Region region_;      // so far
+  Vec3 sum_, moment_;  // of its vectors; of its centroids, by area
+};
 
 }  // namespace
 
 std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict) {
-  const std::size_t n = set.faces.size();
-  const double planeTolerance = 10 * mesh.tolerance;
-  std::vector<Vec3> vectors(n);
-  std::vector<double> areas(n);
-  std::vector<std::uint32_t> order(n);
-  for (std::uint32_t f = 0; f < n; ++f) {
-    vectors[f] = areaVector(mesh.positions, set.faces[f].vertex);
-    areas[f] = length(vectors[f]);
-    order[f] = f;
-  }
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return areas[a] > areas[b]; });
-  const auto centroidOf = [&](std::uint32_t f) {
-    const auto& v = set.faces[f].vertex;
-    return (1.0 / 3) * (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]);
-  };
-
-  std::vector<bool> taken(n, false);
+  RegionGrower grower(mesh, set, strict);
   std::vector<Region> regions;
-  for (const std::uint32_t seed : order) {
-    if (taken[seed]) continue;
-    Region region;
-    Vec3 sum{}, moment{};
-    const auto take = [&](std::uint32_t f) {
-      taken[f] = true;
-      region.faces.push_back(f);
-      sum += vectors[f];
-      moment += areas[f] * centroidOf(f);
-      region.area += areas[f];
-    };
-    take(seed);
-    for (std::size_t next = 0; next < region.faces.size(); ++next) {
-      const std::uint32_t at = region.faces[next];
-      for (std::uint32_t i = set.neighborOffset[at]; i < set.neighborOffset[at + 1]; ++i) {
-        const std::uint32_t f = set.neighbors[i];
-        if (taken[f]) continue;
-        const Vec3 normal = normalized(sum), center = (1 / region.area) * moment;
-        const auto& v = set.faces[f].vertex;
-        double off = 0, longest = 0;
-        for (int c = 0; c < 3; ++c) {
-          off = std::max(off, std::abs(dot(mesh.positions[v[c]] - center, normal)));
-          longest = std::max(longest, length(mesh.positions[v[(c + 1) % 3]] - mesh.positions[v[c]]));
-        }
-        // The direction of a narrow face is known only as well as its vertices are.
-        const double height = 2 * areas[f] / longest;
-        const bool narrow = height <= 40 * mesh.tolerance;
-        const double least = narrow ? 0.5 : kSameNormal;
-        const double most =
-            strict || narrow ? planeTolerance : std::max(planeTolerance, 0.01 * std::sqrt(region.area));
-        if (off <= most && dot(vectors[f], normal) >= least * areas[f]) take(f);
-      }
-    }
-    region.normal = normalized(sum);
-    region.centroid = (1 / region.area) * moment;
-    region.outline = outlineOf(mesh, set, region.faces);
-    regions.push_back(std::move(region));
-  }
+  for (const std::uint32_t seed : grower.seeds())
+    if (!grower.taken(seed)) regions.push_back(grower.grow(seed));
   return regions;
 }
 

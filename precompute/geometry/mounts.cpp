@@ -19,6 +19,17 @@ bool within(const std::string& path, const std::string& name) {
          (path.size() > name.size() && path.compare(0, name.size(), name) == 0 && path[name.size()] == '/');
 }
 
+// What is proposed as a mount: planes that look down and lie high, of some size beside the largest one and
+// about as high.
+constexpr double kDown = 0.9;                         // cos 26 degrees
+constexpr double kBeside = 0.1, kAsHigh = 0.3;        // of its area; m
+constexpr double kHidden = 0.5;                       // share of lost rays: it looks into the void
+constexpr double kNamedWeight = 16, kWordWeight = 4;  // of the author's "ceiling", of ours
+
+// The spacing of sites where none is said.
+constexpr double kUsualSites = 256, kManySites = 1000;          // in all, of a usual and of a huge room
+constexpr double kStep = 0.05, kFinest = 0.3, kCoarsest = 1.5;  // m
+
 std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Face>& faces) {
   std::vector<Mount> mounts;
   std::unordered_map<std::uint32_t, std::size_t> ofNode;
@@ -60,7 +71,7 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
 std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
                                   const Outlook& outlook, std::vector<std::string>& warnings) {
   const Bounds bounds = boundsOf(mesh.positions);
-  const double low = bounds.low.y, high = bounds.high.y;
+  const double low = bounds.low.y, middle = 0.5 * (low + bounds.high.y);
   struct Candidate {
     const SurfaceGroup* group;
     const Region* region;
@@ -70,13 +81,15 @@ std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& m
   const Candidate* best = nullptr;
   const auto isHidden = [&](const SurfaceGroup& group, const Region& region) {
     const Face& face = group.set.faces[region.faces[0]];
-    return outlook.lost(face.triangle, face.back) >= 0.5;
+    return outlook.lost(face.triangle, face.back) >= kHidden;
   };
+
+  // What looks into the void only where there is nothing else.
   for (const bool evenHidden : {false, true}) {
     if (!candidates.empty()) break;
     for (const SurfaceGroup& group : tree.groups)
       for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (group.regions[r].normal.y < -0.9 && group.regions[r].centroid.y > 0.5 * (low + high) &&
+        if (group.regions[r].normal.y < -kDown && group.regions[r].centroid.y > middle &&
             (evenHidden || !isHidden(group, group.regions[r])))
           candidates.push_back({&group, &group.regions[r], group.leafOfRegion[r]});
   }
@@ -86,17 +99,19 @@ std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& m
     const auto saysCeiling = [](const std::string& name) { return name.find("eiling") != std::string::npos; };
     const bool named = saysCeiling(from.node) || saysCeiling(from.extras.surface) ||
                        (from.material >= 0 && saysCeiling(source.materials[from.material].name));
-    return c.region->area * (named ? 16 : saysCeiling(tree.names[c.leaf]) ? 4 : 1);
+    return c.region->area * (named ? kNamedWeight : saysCeiling(tree.names[c.leaf]) ? kWordWeight : 1);
   };
   for (const Candidate& c : candidates)
     if (!best || weight(c) > weight(*best)) best = &c;
   std::vector<Mount> mounts;
   if (!best) return mounts;
+
+  // The best one, and what lies about as high.
   mounts.push_back({tree.names[best->leaf], {}, 0});
   double area = 0;
   for (const Candidate& c : candidates) {
-    if (c.region->area < 0.1 * best->region->area ||
-        std::abs(c.region->centroid.y - best->region->centroid.y) > 0.3)
+    if (c.region->area < kBeside * best->region->area ||
+        std::abs(c.region->centroid.y - best->region->centroid.y) > kAsHigh)
       continue;
     area += c.region->area;
     for (const std::uint32_t f : c.region->faces) mounts[0].faces.push_back(c.group->set.faces[f]);
@@ -151,8 +166,8 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ro
               Room& room) {
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
-  const double sensible =
-      std::clamp(std::round(std::sqrt(area / 256) / 0.05) * 0.05, 0.3, std::max(1.5, std::sqrt(area / 1000)));
+  const double sensible = std::clamp(std::round(std::sqrt(area / kUsualSites) / kStep) * kStep, kFinest,
+                                     std::max(kCoarsest, std::sqrt(area / kManySites)));
   for (const Mount& mount : mounts) {
     const double spacing = options.siteSpacing > 0 ? options.siteSpacing
                            : mount.spacing > 0     ? mount.spacing

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -68,6 +69,7 @@ class BoundaryWalk {
   /// `steps` sorted.
   BoundaryWalk(const WeldedMesh& mesh, std::vector<Step> steps)
       : mesh_(mesh), steps_(std::move(steps)), used_(steps_.size(), false), firstFree_(steps_.size()) {
+    assert(std::is_sorted(steps_.begin(), steps_.end()));
     for (std::size_t s = 0; s < steps_.size(); ++s) firstFree_[s] = s;
   }
 

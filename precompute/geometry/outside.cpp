@@ -1,6 +1,7 @@
 #include "precompute/geometry/outside.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "core/base/short_number.h"
@@ -39,6 +40,7 @@ bool liesOn(const std::vector<std::array<bool, 2>>& sides, const SurfaceGroup& g
 }  // namespace
 
 bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook) {
+  assert(faces.size() >= mesh.triangles.size());
   bool turned = false;
   for (std::size_t f = mesh.triangles.size(); f < faces.size(); ++f) {
     Face& back = faces[f];
@@ -57,6 +59,8 @@ Outside leaveOut(const std::vector<std::array<bool, 2>>& sides, SurfaceTree& tre
   Outside outside;
   outside.nameOfTriangle.assign(sides.size(), kNone);
   const double total = areaOf(tree);
+
+  // Take the regions out, and note what they were called.
   std::map<std::uint32_t, std::uint32_t> nameOfLeaf;
   std::map<std::string, double> areas;
   std::vector<bool> stays(tree.names.size(), false);
@@ -83,6 +87,7 @@ Outside leaveOut(const std::vector<std::array<bool, 2>>& sides, SurfaceTree& tre
   }
   if (outside.names.empty()) return outside;
 
+  // Leaves without a region go, the others move up.
   std::vector<std::uint32_t> newLeaf(tree.names.size(), kNone);
   std::vector<std::string> names;
   for (std::uint32_t leaf = 0; leaf < newLeaf.size(); ++leaf) {

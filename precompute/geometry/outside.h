@@ -11,7 +11,7 @@
 namespace fiatlux {
 
 /// Turns over the triangles of double-sided sheets whose front looks into the void while their back looks
-/// into the room; `faces` (fronts first, one a triangle) and `outlook` follow. False where there were none.
+/// into the room; `faces` (fronts first, one per triangle) and `outlook` follow. False where there were none.
 bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook);
 
 /// What was left out of a room.

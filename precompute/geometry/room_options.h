@@ -1,4 +1,5 @@
-// What a person may say about how a glTF becomes a room; one to one with the options of `fiatlux precompute`.
+// What a person may say about how a glTF becomes a room: the room's share of the options of `fiatlux
+// precompute` and `fiatlux light`, and what those foresee of the light.
 #pragma once
 
 #include <cstdint>

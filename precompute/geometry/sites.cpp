@@ -9,6 +9,10 @@
 namespace fiatlux {
 namespace {
 
+constexpr std::size_t kMostSquares = 4'000'000;  // of a grid: no plane has so many sites
+constexpr double kDown = 0.5;                    // cos 60 degrees
+constexpr double kSlack = 1e-3;                  // m, and of a spacing above 1 m
+constexpr double kMostInRow = 1e6;
 constexpr double kCovered = 0.996;  // of a square's area: a millimetre of quantisation is not missing
 
 struct MountPlanes {
@@ -20,7 +24,7 @@ MountPlanes planesOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
   MountPlanes planes;
   planes.set = makeFaceSet(mesh, faces);
   planes.regions = flatRegions(mesh, planes.set, true);
-  const auto down = [](const Region& r) { return r.normal.y < -0.5; };
+  const auto down = [](const Region& r) { return r.normal.y < -kDown; };
   if (std::any_of(planes.regions.begin(), planes.regions.end(), down))
     planes.regions.erase(std::remove_if(planes.regions.begin(), planes.regions.end(),
                                         [&](const Region& r) { return !down(r); }),
@@ -60,10 +64,10 @@ struct Axis {
 
   Axis(double low, double high, double spacing, double side) : pitch(spacing), size(side) {
     // A millimetre is what quantised vertices may lack; it must not cost a row of squares.
-    const double length = high - low, slack = 1e-3 * std::max(spacing, 1.0);
-    count = static_cast<int>(std::min(1e6, std::floor((length + slack) / spacing)));
+    const double length = high - low, slack = kSlack * std::max(spacing, 1.0);
+    count = static_cast<int>(std::min(kMostInRow, std::floor((length + slack) / spacing)));
     if (side > spacing)
-      count = static_cast<int>(std::min(1e6, std::floor((length - side + slack) / spacing))) +
+      count = static_cast<int>(std::min(kMostInRow, std::floor((length - side + slack) / spacing))) +
               (length + slack >= side);
     if (count <= 0 && length + slack >= side) count = 1;
     count = std::max(count, 0);
@@ -81,6 +85,8 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
   u = normalized(u - dot(u, region.normal) * region.normal);
   if (length(u) == 0) return;
   const Vec3 v = cross(region.normal, u);
+
+  // The plane's triangles in its own coordinates, and the grid over them.
   double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
   std::vector<std::array<std::array<double, 2>, 3>> flat;
   for (const std::uint32_t f : region.faces) {
@@ -93,7 +99,9 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
     }
   }
   const Axis columns(low[0], high[0], spacing, size), rows(low[1], high[1], spacing, size);
-  if (std::size_t{1} * columns.count * rows.count > 4'000'000) return;
+  if (std::size_t{1} * columns.count * rows.count > kMostSquares) return;
+
+  // How much of each square the triangles cover.
   std::vector<double> covered(std::size_t{1} * columns.count * rows.count, 0);
   for (const auto& triangle : flat) {
     const auto [u0, u1] = std::minmax({triangle[0][0], triangle[1][0], triangle[2][0]});
@@ -108,6 +116,8 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
         covered[std::size_t{1} * r * columns.count + c] += areaOf(polygon);
       }
   }
+
+  // Squares that are covered wholly are sites.
   const double height = dot(region.centroid, region.normal);
   for (int r = 0; r < rows.count; ++r)
     for (int c = 0; c < columns.count; ++c) {

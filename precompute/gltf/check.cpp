@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "precompute/base/names.h"
+#include "precompute/gltf/codes.h"
 #include "precompute/gltf/fields.h"
 
 namespace fiatlux {
@@ -18,18 +19,18 @@ constexpr std::array kAcceptedExtensions = {"KHR_mesh_quantization", "KHR_materi
                                             "KHR_texture_transform", "KHR_lights_punctual",
                                             "KHR_materials_emissive_strength"};
 
-void checkAssetAndExtensions(const json& gltf) {
-  const json* asset = gltf.contains("asset") && gltf["asset"].is_object() ? &gltf["asset"] : nullptr;
+void checkAssetAndExtensions(const json& file) {
+  const json* asset = file.contains("asset") && file["asset"].is_object() ? &file["asset"] : nullptr;
   if (!asset || !asset->contains("version") || !(*asset)["version"].is_string())
     throw GltfError("it does not say which glTF version it is ('asset.version'); export as glTF 2.0");
   const std::string version = (*asset)["version"];
   if (version.compare(0, 2, "2.") != 0)
     throw GltfError("glTF version '" + cleanText(version.substr(0, 200)) +
                     "' is not 2.0; export as glTF 2.0");
-  if (!gltf.contains("extensionsRequired")) return;
-  if (!gltf["extensionsRequired"].is_array())
+  if (!file.contains("extensionsRequired")) return;
+  if (!file["extensionsRequired"].is_array())
     throw GltfError(std::string("'extensionsRequired' is not a list") + kAgain);
-  for (const json& name : gltf["extensionsRequired"]) {
+  for (const json& name : file["extensionsRequired"]) {
     const std::string text = name.is_string() ? name.get<std::string>() : "?";
     bool accepted = false;
     for (const char* known : kAcceptedExtensions) accepted = accepted || text == known;
@@ -40,10 +41,11 @@ void checkAssetAndExtensions(const json& gltf) {
   }
 }
 
+constexpr std::size_t kLargestCode = 65535;  // of those that WebGL has for a sampler
+
 /// Checks that an accessor holds unsigned whole numbers.
 void checkUnsigned(const json& accessor, const std::string& place, const std::string& what) {
-  const auto type = accessor["componentType"].get<std::size_t>();
-  if (type != 5121 && type != 5123 && type != 5125)
+  if (!isUnsigned(accessor["componentType"].get<std::size_t>()))
     throw GltfError(place + ": " + what + " are not unsigned whole numbers" + kAgain);
 }
 
@@ -57,19 +59,19 @@ void checkAttributes(const json& attributes, const json& accessors, const std::s
       throw GltfError(place + ": its attributes have different counts" + kAgain);
     count = accessor["count"].get<std::size_t>();
     if ((name == "POSITION" || name == "NORMAL") && accessor["type"] != "VEC3")
-      throw GltfError(place + ": " + name + " is not three numbers a vertex" + kAgain);
+      throw GltfError(place + ": " + name + " is not three numbers per vertex" + kAgain);
     const bool skins = name.rfind("JOINTS_", 0) == 0 || name.rfind("WEIGHTS_", 0) == 0;
     if (skins && accessor["type"] != "VEC4")
-      throw GltfError(place + ": " + cleanText(name) + " is not four numbers a vertex" + kAgain);
+      throw GltfError(place + ": " + cleanText(name) + " is not four numbers per vertex" + kAgain);
     if (name.rfind("JOINTS_", 0) == 0) checkUnsigned(accessor, place, cleanText(name));
   }
 }
 
-void checkSkins(const json& gltf) {
-  const json& accessors = arrayOf(gltf, "accessors");
-  const std::size_t nodes = arrayOf(gltf, "nodes").size();
+void checkSkins(const json& file) {
+  const json& accessors = arrayOf(file, "accessors");
+  const std::size_t nodes = arrayOf(file, "nodes").size();
   std::size_t index = 0;
-  for (const json& skin : arrayOf(gltf, "skins")) {
+  for (const json& skin : arrayOf(file, "skins")) {
     const std::string place = placeOf("skin", index++);
     if (!skin.contains("joints") || !skin["joints"].is_array() || skin["joints"].empty())
       throw GltfError(place + " has no joints" + kAgain);
@@ -80,23 +82,23 @@ void checkSkins(const json& gltf) {
     checkIndex(skin, "skeleton", place, nodes);
     if (!skin.contains("inverseBindMatrices")) continue;
     const json& accessor = accessors[skin["inverseBindMatrices"].get<std::size_t>()];
-    if (accessor["type"] != "MAT4" || accessor["componentType"] != 5126 ||
+    if (accessor["type"] != "MAT4" || accessor["componentType"] != gltf::kFloat ||
         accessor["count"].get<std::size_t>() < skin["joints"].size())
       throw GltfError(place + ": it has not a matrix for every joint" + kAgain);
   }
 }
 
-void checkMeshes(const json& gltf) {
-  const json& accessors = arrayOf(gltf, "accessors");
-  const std::size_t materials = arrayOf(gltf, "materials").size();
+void checkMeshes(const json& file) {
+  const json& accessors = arrayOf(file, "accessors");
+  const std::size_t materials = arrayOf(file, "materials").size();
   std::size_t index = 0;
-  for (const json& mesh : arrayOf(gltf, "meshes")) {
+  for (const json& mesh : arrayOf(file, "meshes")) {
     const std::string place = placeOf("mesh", index++);
     checkString(mesh, "name", place);
     checkNumbers(mesh, "weights", place);
     if (!mesh.contains("primitives")) throw GltfError(place + " lacks its 'primitives'" + kAgain);
     for (const json& primitive : arrayOf(mesh, "primitives")) {
-      whole(primitive, "mode", place, 6);
+      whole(primitive, "mode", place, gltf::kTriangleFan);
       checkIndex(primitive, "material", place, materials);
       checkIndex(primitive, "indices", place, accessors.size());
       checkObject(primitive, "attributes", place);
@@ -114,30 +116,30 @@ void checkMeshes(const json& gltf) {
   }
 }
 
-void checkTextures(const json& gltf) {
-  const std::size_t images = arrayOf(gltf, "images").size(), samplers = arrayOf(gltf, "samplers").size();
+void checkTextures(const json& file) {
+  const std::size_t images = arrayOf(file, "images").size(), samplers = arrayOf(file, "samplers").size();
   std::size_t index = 0;
-  for (const json& image : arrayOf(gltf, "images")) {
+  for (const json& image : arrayOf(file, "images")) {
     const std::string place = placeOf("image", index++);
     checkString(image, "uri", place), checkString(image, "mimeType", place);
-    checkIndex(image, "bufferView", place, arrayOf(gltf, "bufferViews").size());
+    checkIndex(image, "bufferView", place, arrayOf(file, "bufferViews").size());
   }
   index = 0;
-  for (const json& sampler : arrayOf(gltf, "samplers")) {
+  for (const json& sampler : arrayOf(file, "samplers")) {
     const std::string place = placeOf("sampler", index++);
-    whole(sampler, "wrapS", place, 65535), whole(sampler, "wrapT", place, 65535);
+    whole(sampler, "wrapS", place, kLargestCode), whole(sampler, "wrapT", place, kLargestCode);
   }
   index = 0;
-  for (const json& texture : arrayOf(gltf, "textures")) {
+  for (const json& texture : arrayOf(file, "textures")) {
     const std::string place = placeOf("texture", index++);
     checkIndex(texture, "source", place, images), checkIndex(texture, "sampler", place, samplers);
   }
 }
 
-void checkMaterials(const json& gltf) {
-  const std::size_t textures = arrayOf(gltf, "textures").size();
+void checkMaterials(const json& file) {
+  const std::size_t textures = arrayOf(file, "textures").size();
   std::size_t index = 0;
-  for (const json& material : arrayOf(gltf, "materials")) {
+  for (const json& material : arrayOf(file, "materials")) {
     const std::string place = placeOf("material", index++);
     checkString(material, "name", place), checkString(material, "alphaMode", place);
     checkNumbers(material, "emissiveFactor", place, 3);
@@ -148,18 +150,19 @@ void checkMaterials(const json& gltf) {
     checkObject(pbr, "baseColorTexture", place);
     if (!pbr.contains("baseColorTexture")) continue;
     checkIndex(pbr["baseColorTexture"], "index", place, textures, true);
-    whole(pbr["baseColorTexture"], "texCoord", place, 63);
+    whole(pbr["baseColorTexture"], "texCoord", place, kMostTexCoords - 1);
     checkObject(pbr["baseColorTexture"], "extensions", place);
   }
 }
 
 /// Every node has at most one parent, so that a walk from the roots meets each node once and ends.
-void checkNodes(const json& gltf) {
-  const json& nodes = arrayOf(gltf, "nodes");
+void checkNodes(const json& file) {
+  const json& nodes = arrayOf(file, "nodes");
   if (nodes.size() > GltfBudget::kNodes)
-    throw GltfError("more than a million nodes; join meshes before export");
+    throw GltfError("more than " + std::to_string(GltfBudget::kNodes / 1'000'000) +
+                    " million nodes; join meshes before export");
   std::vector<std::uint32_t> parent(nodes.size(), UINT32_MAX);
-  const std::size_t meshes = arrayOf(gltf, "meshes").size(), skins = arrayOf(gltf, "skins").size();
+  const std::size_t meshes = arrayOf(file, "meshes").size(), skins = arrayOf(file, "skins").size();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const json& node = nodes[i];
     const std::string place = placeOf("node", i);
@@ -191,7 +194,7 @@ void checkNodes(const json& gltf) {
                         " is its own ancestor; untie the cycle in the modelling program");
     }
   std::size_t index = 0;
-  for (const json& scene : arrayOf(gltf, "scenes")) {
+  for (const json& scene : arrayOf(file, "scenes")) {
     const std::string place = placeOf("scene", index++);
     if (!scene.contains("nodes")) continue;
     if (!scene["nodes"].is_array()) throw GltfError(place + ": 'nodes' is not a list" + kAgain);
@@ -199,20 +202,20 @@ void checkNodes(const json& gltf) {
       if (!root.is_number_unsigned() || root.get<std::size_t>() >= nodes.size())
         throw GltfError(place + " names a node that is not there" + kAgain);
   }
-  checkIndex(gltf, "scene", "the file", arrayOf(gltf, "scenes").size());
+  checkIndex(file, "scene", "the file", arrayOf(file, "scenes").size());
 }
 
 }  // namespace
 
-void checkGltf(const json& gltf) {
-  if (!gltf.is_object()) throw GltfError(std::string("the JSON is not an object") + kAgain);
-  checkAssetAndExtensions(gltf);
-  checkGltfData(gltf);
-  checkTextures(gltf);
-  checkMaterials(gltf);
-  checkMeshes(gltf);
-  checkSkins(gltf);
-  checkNodes(gltf);
+void checkGltf(const json& file) {
+  if (!file.is_object()) throw GltfError(std::string("the JSON is not an object") + kAgain);
+  checkAssetAndExtensions(file);
+  checkGltfData(file);
+  checkTextures(file);
+  checkMaterials(file);
+  checkMeshes(file);
+  checkSkins(file);
+  checkNodes(file);
 }
 
 }  // namespace fiatlux

@@ -5,10 +5,10 @@
 
 namespace fiatlux {
 
-/// Checks every count, index, extent and reference. Throws GltfError (gltf_refusal.h).
-void checkGltf(const nlohmann::json& json);
+/// Checks every count, index, extent and reference. Throws GltfError (refusal.h).
+void checkGltf(const nlohmann::json& file);
 
-/// The part of it that is about bytes: buffers, their views and accessors (gltf_check_data.cpp).
-void checkGltfData(const nlohmann::json& json);
+/// The part of it that is about bytes: buffers, their views and accessors (check_data.cpp).
+void checkGltfData(const nlohmann::json& file);
 
 }  // namespace fiatlux

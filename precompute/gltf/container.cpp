@@ -3,12 +3,15 @@
 #include <cstring>
 #include <string>
 
+#include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
 
 namespace fiatlux {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kLeastGlb = gltf::kGlbHeaderBytes + gltf::kChunkHeaderBytes;
 
 /// Thrown out of the parser by its guard.
 struct BeyondBudget {
@@ -36,28 +39,31 @@ std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
 }
 
 GltfContainer openGlb(const std::vector<std::uint8_t>& bytes) {
-  if (bytes.size() < 20) throw GltfError("the GLB is cut off; export it again");
-  if (word(bytes, 4) != 2)
+  if (bytes.size() < kLeastGlb) throw GltfError("the GLB is cut off; export it again");
+  if (word(bytes, 4) != gltf::kGlbVersion)
     throw GltfError("GLB version " + std::to_string(word(bytes, 4)) + " is not 2; export as glTF 2.0");
   const std::size_t total = word(bytes, 8);
-  if (total > bytes.size() || total < 20)
+  if (total > bytes.size() || total < kLeastGlb)
     throw GltfError("the GLB says it has " + std::to_string(total) + " bytes but the file has " +
                     std::to_string(bytes.size()) + "; it is cut off or damaged, copy it again");
   GltfContainer found;
-  for (std::size_t at = 12; at + 8 <= total;) {
+  for (std::size_t at = gltf::kGlbHeaderBytes; at + gltf::kChunkHeaderBytes <= total;) {
     const std::size_t size = word(bytes, at), type = word(bytes, at + 4);
-    if (size > total - at - 8)
+    const std::size_t begin = at + gltf::kChunkHeaderBytes;
+    const bool first = at == gltf::kGlbHeaderBytes;
+    if (size > total - begin)
       throw GltfError("the GLB chunk at byte " + std::to_string(at) +
                       " is longer than the file; it is damaged, export it again");
-    if (at == 12 && type != 0x4e4f534a) throw GltfError("the GLB does not start with JSON; export it again");
-    if (at == 12) {
-      found.text = reinterpret_cast<const char*>(bytes.data()) + 20;
+    if (first && type != gltf::kJsonChunk)
+      throw GltfError("the GLB does not start with JSON; export it again");
+    if (first) {
+      found.text = reinterpret_cast<const char*>(bytes.data()) + begin;
       found.textSize = size;
-    } else if (type == 0x004e4942 && found.binOffset == 0) {
-      found.binOffset = at + 8;
+    } else if (type == gltf::kBinaryChunk && found.binOffset == 0) {
+      found.binOffset = begin;
       found.binSize = size;
     }
-    at += 8 + size;
+    at = begin + size;
   }
   return found;
 }

@@ -98,7 +98,7 @@ struct Fnv {
 
 GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const Resolve& resolve) {
   if (bytes.size() > GltfBudget::kBytes)
-    throw GltfError("more than 256 MB; make the textures or meshes smaller");
+    throw GltfError("more than " + megabytes(GltfBudget::kBytes) + "; make the textures or meshes smaller");
   const GltfContainer container = openContainer(bytes);
   GltfDocument document;
   document.json = parseGltfJson(container);

@@ -6,9 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
 
 namespace fiatlux {
+
+/// Whether indices and joints may be of this component type.
+constexpr bool isUnsigned(std::size_t componentType) {
+  return componentType == gltf::kUnsignedByte || componentType == gltf::kUnsignedShort ||
+         componentType == gltf::kUnsignedInt;
+}
 
 inline constexpr const char* kAgain = "; export the file again";  // the cure of what an exporter got wrong
 

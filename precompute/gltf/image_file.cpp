@@ -1,12 +1,14 @@
 // The only file that includes stb_image.
 #include "precompute/gltf/image_file.h"
 
+#include "precompute/gltf/refusal.h"
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS 8192
+#define STBI_MAX_DIMENSIONS 8192  // GltfBudget::kImageEdge
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wsign-compare"
@@ -14,6 +16,8 @@
 #pragma GCC diagnostic pop
 
 namespace fiatlux {
+
+static_assert(STBI_MAX_DIMENSIONS == GltfBudget::kImageEdge);
 
 bool decodeImage(SourceImage& image, std::string& why) {
   const auto* bytes = image.encoded.data();
@@ -23,8 +27,9 @@ bool decodeImage(SourceImage& image, std::string& why) {
     why = "is neither PNG nor JPEG";
     return false;
   }
-  if (width < 1 || height < 1 || width > 8192 || height > 8192) {
-    why = "is larger than 8192 x 8192 pixels";
+  const int most = GltfBudget::kImageEdge;
+  if (width < 1 || height < 1 || width > most || height > most) {
+    why = "is larger than " + std::to_string(most) + " x " + std::to_string(most) + " pixels";
     return false;
   }
   stbi_uc* pixels = stbi_load_from_memory(bytes, size, &width, &height, &channels, 4);

@@ -10,7 +10,7 @@
 namespace fiatlux {
 
 /// Fills width, height and rgba from `image.encoded`. False, with `why` as a short clause, when it is not a
-/// PNG or JPEG of at most 8192 x 8192 pixels that decodes.
+/// PNG or JPEG of at most GltfBudget::kImageEdge squared pixels that decodes.
 bool decodeImage(SourceImage& image, std::string& why);
 
 }  // namespace fiatlux

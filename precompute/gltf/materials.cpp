@@ -9,6 +9,8 @@
 namespace fiatlux {
 namespace {
 
+constexpr std::uint8_t kPngByte = 0x89;  // the first of every PNG; what decodes and is none is JPEG
+
 double numberOf(const tinygltf::Value& value, double fallback) {
   return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
 }
@@ -25,7 +27,7 @@ void readTextureTransform(const tinygltf::ExtensionMap& extensions, SourceMateri
   pair("offset", 0), pair("scale", 2);
   material.uvTransform[4] = numberOf(value.Get("rotation"), 0);
   const double set = numberOf(value.Get("texCoord"), material.texCoord);
-  if (set >= 0 && set < 64) material.texCoord = static_cast<int>(set);
+  if (set >= 0 && set < kMostTexCoords) material.texCoord = static_cast<int>(set);
 }
 
 }  // namespace
@@ -36,6 +38,8 @@ std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::s
     SourceMaterial to;
     to.name = cleanName(from.name);
     if (to.name.empty()) to.name = "material " + std::to_string(materials.size());
+
+    // What counts for the light: the base colour.
     const auto& pbr = from.pbrMetallicRoughness;
     bool odd = false;
     for (std::size_t c = 0; c < pbr.baseColorFactor.size() && c < 4; ++c) {
@@ -44,6 +48,8 @@ std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::s
     }
     if (odd)
       warnings.push_back("material '" + to.name + "': its base colour lies outside 0..1 and is clamped");
+
+    // What counts for the picture alone.
     to.roughness = pbr.roughnessFactor, to.metallic = pbr.metallicFactor;
     to.doubleSided = from.doubleSided;
     to.unlit = from.extensions.count("KHR_materials_unlit") != 0;
@@ -77,9 +83,10 @@ std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::str
       continue;
     }
     pixels += images[i].rgba.size() / 4;
-    if (pixels > std::size_t{256} << 20)
-      throw GltfError("its textures exceed 256 million pixels together; make them smaller");
-    images[i].mimeType = images[i].encoded[0] == 0x89 ? "image/png" : "image/jpeg";
+    if (pixels > GltfBudget::kPixels)
+      throw GltfError("its textures exceed " + std::to_string(GltfBudget::kPixels >> 20) +
+                      " million pixels together; make them smaller");
+    images[i].mimeType = images[i].encoded[0] == kPngByte ? "image/png" : "image/jpeg";
   }
   return images;
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "precompute/base/names.h"
+#include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
 
 namespace fiatlux {
@@ -18,15 +19,15 @@ double componentAt(const unsigned char* at, int type, bool normalized) {
     return static_cast<double>(value);
   };
   switch (type) {
-    case 5120:
+    case gltf::kByte:
       return normalized ? std::max(read(std::int8_t{}) / 127, -1.0) : read(std::int8_t{});
-    case 5121:
+    case gltf::kUnsignedByte:
       return read(std::uint8_t{}) / (normalized ? 255 : 1);
-    case 5122:
+    case gltf::kShort:
       return normalized ? std::max(read(std::int16_t{}) / 32767, -1.0) : read(std::int16_t{});
-    case 5123:
+    case gltf::kUnsignedShort:
       return read(std::uint16_t{}) / (normalized ? 65535 : 1);
-    case 5125:
+    case gltf::kUnsignedInt:
       return read(std::uint32_t{});
     default:
       return read(float{});
@@ -60,6 +61,8 @@ Model parseModel(GltfDocument& document) {
     return false;
   };
 
+  // note: tinygltf takes text alone. It gets our checked tree, in which no address is left, and not the
+  // file's own.
   const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(files);
@@ -86,10 +89,14 @@ std::vector<T> readAccessor(const Model& model, int index) {
       values[target * width + c] =
           static_cast<T>(componentAt(at + c * bytes, accessor.componentType, accessor.normalized));
   };
+
+  // Its own elements.
   if (accessor.bufferView >= 0)
     for (std::size_t i = 0; i < accessor.count; ++i)
       copy(model.bufferViews[accessor.bufferView], accessor.byteOffset, i, i);
   if (!accessor.sparse.isSparse) return values;
+
+  // Those that sparse storage puts in their place.
   const auto& sparse = accessor.sparse;
   const tinygltf::BufferView& view = model.bufferViews[sparse.indices.bufferView];
   const int indexBytes = tinygltf::GetComponentSizeInBytes(sparse.indices.componentType);

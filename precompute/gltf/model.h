@@ -1,5 +1,5 @@
-// The only door to tinygltf, which gets checked JSON (gltf_document.h) and virtual buffers, so that it opens
-// nothing and trusts nothing new. Only gltf_*.cpp include this: beyond them there is SourceScene.
+// The only door to tinygltf, which gets checked JSON (document.h) and virtual buffers, so that it opens
+// nothing and trusts nothing new. Only this folder includes it: beyond them there is SourceScene.
 #pragma once
 
 #include <vector>

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/short_number.h"
 #include "precompute/base/names.h"
 #include "precompute/gltf/reflectance.h"
 
 namespace fiatlux {
 namespace {
+
+constexpr double kLeastSpacing = 1e-3, kMostSpacing = 1e3;  // m, of sites
 
 /// The nodes below `roots`, parents first, each once; without recursion.
 std::vector<int> nodesBelow(const Model& model, const std::vector<int>& roots) {
@@ -59,18 +62,21 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
     if (!(value >= least && value <= most)) return wrong(key, cure), std::nullopt;
     return value;
   };
+
+  // Each member by itself: what is wrong does not spoil the others.
   if (own.Has("surface")) {
     if (own.Get("surface").IsString()) extras.surface = cleanName(own.Get("surface").Get<std::string>());
     if (extras.surface.empty()) wrong("surface", "write a name");
   }
   extras.mount = flag("mount");
   extras.measure = flag("measure");
-  extras.siteSpacing = number("siteSpacing", 1e-3, 1e3, "write metres");
-  extras.reflectance = number("reflectance", 0, 1, "write a number from 0 to 0.95");
-  if (extras.reflectance && *extras.reflectance > 0.95) {
+  extras.siteSpacing = number("siteSpacing", kLeastSpacing, kMostSpacing, "write metres");
+  const std::string most = shortNumber(kMostReflectance);
+  extras.reflectance = number("reflectance", 0, 1, ("write a number from 0 to " + most).c_str());
+  if (extras.reflectance && *extras.reflectance > kMostReflectance) {
     warnings.push_back("node '" + name + "': reflectance " +
-                       std::to_string(*extras.reflectance).substr(0, 4) + " is taken as 0.95");
-    extras.reflectance = 0.95;
+                       std::to_string(*extras.reflectance).substr(0, 4) + " is taken as " + most);
+    extras.reflectance = kMostReflectance;
   }
   return extras;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
 
 namespace fiatlux {
@@ -100,9 +101,9 @@ std::vector<std::array<std::uint32_t, 3>> readTriangles(const Model& model,
   std::vector<std::array<std::uint32_t, 3>> corners;
   corners.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
-    if (primitive.mode == 5) {  // strip: every other triangle is turned over
+    if (primitive.mode == gltf::kTriangleStrip) {  // strip: every other triangle is turned over
       corners.push_back({indices[t], indices[t + 1 + t % 2], indices[t + 2 - t % 2]});
-    } else if (primitive.mode == 6) {
+    } else if (primitive.mode == gltf::kTriangleFan) {
       corners.push_back({indices[t + 1], indices[t + 2], indices[0]});
     } else {
       corners.push_back({indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]});
@@ -117,8 +118,8 @@ std::size_t triangleCount(const Model& model, const tinygltf::Primitive& primiti
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) return 0;
   const std::size_t n = model.accessors[primitive.indices >= 0 ? primitive.indices : position->second].count;
-  if (primitive.mode == 4 || primitive.mode == -1) return n / 3;
-  return primitive.mode >= 5 && n >= 3 ? n - 2 : 0;
+  if (primitive.mode == gltf::kTriangles || primitive.mode == -1) return n / 3;
+  return primitive.mode >= gltf::kTriangleStrip && n >= 3 ? n - 2 : 0;
 }
 
 LocalPrimitive readPrimitive(const Model& model, const tinygltf::Primitive& primitive, int texCoord,

@@ -8,13 +8,11 @@
 namespace fiatlux {
 namespace {
 
-constexpr int kClamp = 33071, kMirror = 33648;  // wrap modes of a glTF sampler; all others repeat
-
-/// Texel of coordinate x in an image of `size` under a glTF wrap mode.
+/// Texel of coordinate x in an image of `size` under a wrap mode of glTF; those unknown repeat.
 std::uint32_t wrapped(double x, std::uint32_t size, int mode) {
-  if (mode == kClamp)
+  if (mode == gltf::kClampToEdge)
     x = std::clamp(x, 0.0, 1.0);
-  else if (mode == kMirror)
+  else if (mode == gltf::kMirroredRepeat)
     x = 1 - std::abs(x - 2 * std::floor(x / 2) - 1);
   else
     x -= std::floor(x);

@@ -56,8 +56,9 @@ void checkTriangles(const Model& model, const std::vector<int>& nodes) {
       for (const auto& primitive : model.meshes[mesh].primitives)
         triangles += triangleCount(model, primitive);
   if (triangles > GltfBudget::kTriangles)
-    throw GltfError(std::to_string(triangles) +
-                    " triangles after instancing, and 5 million are accepted; simplify the meshes");
+    throw GltfError(std::to_string(triangles) + " triangles after instancing, and " +
+                    std::to_string(GltfBudget::kTriangles / 1'000'000) +
+                    " million are accepted; simplify the meshes");
   if (triangles == 0)
     throw GltfError("no surfaces: it holds no triangles; export meshes, not points or lines");
 }

@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/base/vec3.h"
+#include "precompute/gltf/codes.h"
 
 namespace fiatlux {
 
@@ -29,7 +30,7 @@ struct SourceMaterial {
   int texCoord = 0;
   // Offset u, v, scale u, v, rotation (KHR_texture_transform).
   std::array<double, 5> uvTransform{0, 0, 1, 1, 0};
-  int wrapS = 10497, wrapT = 10497;  // glTF sampler codes
+  int wrapS = gltf::kRepeat, wrapT = gltf::kRepeat;
   bool doubleSided = false, unlit = false;
   double roughness = 1, metallic = 0;  // for display only: all surfaces are diffuse to the solver
   enum class Alpha { kOpaque, kMask, kBlend } alpha = Alpha::kOpaque;

@@ -97,8 +97,8 @@ std::vector<std::uint8_t> bytesBehind(const std::string& uri, const Resolve& res
   auto bytes = uri.compare(0, 5, "data:") == 0 ? decodeDataUri(uri, place, mimeType)
                                                : readSibling(uri, resolve, place);
   if (bytes.size() > budget)
-    throw GltfError(place +
-                    ": the file and what it names exceed 256 MB; make the textures or meshes smaller");
+    throw GltfError(place + ": the file and what it names exceed " + megabytes(GltfBudget::kBytes) +
+                    "; make the textures or meshes smaller");
   budget -= bytes.size();
   return bytes;
 }

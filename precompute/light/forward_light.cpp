@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 #include "core/transport/low_rank_radiosity.h"
 #include "core/transport/site_responses.h"
 #include "precompute/base/error.h"
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/direct_light.h"
-#include "precompute/rays/hemisphere.h"
+#include "precompute/light/emission.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
@@ -46,22 +45,12 @@ std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
 double lostShare(const Room& room, const RayTracer& tracer, const Luminaire& luminaire,
                  const RaySequence& sequence, std::uint64_t seed) {
   const auto scramble = RaySequence::scramble(seed);
-  const Frame frame(luminaire.normal);
-  const Vec3 halfU = 0.5 * luminaire.width * luminaire.axis;
-  const Vec3 halfV = 0.5 * luminaire.height * cross(luminaire.normal, luminaire.axis);
-  const bool isPoint = !(luminaire.width > 0 && luminaire.height > 0);
-  const bool isotropic = isPoint && luminaire.distribution == Luminaire::Distribution::kIsotropic;
+  const Emission source(luminaire);
   std::uint32_t lost = 0;
   for (std::uint32_t i = 0; i < sequence.count(); ++i) {
     const auto sample = sequence.point(i, scramble);
-    const Vec3 origin = luminaire.position + (2 * sample[2] - 1) * halfU + (2 * sample[3] - 1) * halfV +
-                        kLuminaireClearance * luminaire.normal;
-    Vec3 direction = cosineDirection(frame, sample[0], sample[1]);
-    if (isotropic) {
-      const double z = 1 - 2 * sample[0], r = std::sqrt(std::max(0.0, 1 - z * z));
-      const double angle = 2 * std::numbers::pi * sample[1];
-      direction = {r * std::cos(angle), r * std::sin(angle), z};
-    }
+    const Vec3 origin = source.startAt(sample[2], sample[3]),
+               direction = source.direction(sample[0], sample[1]);
     RayPacket packet;
     tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
     HitPacket hit;

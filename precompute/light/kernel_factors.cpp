@@ -1,6 +1,7 @@
 #include "precompute/light/kernel_factors.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -132,6 +133,8 @@ void KernelFactors::castShadows(std::uint64_t seed, std::uint32_t rays, const Pa
     }
     packet.count = 0;
   };
+
+  // Eight rays go together, of whichever candidates they are.
   for (std::size_t i = first; i < last; ++i) {
     Candidate& candidate = candidates[i];
     const auto scramble = RaySequence::scramble(mixBits(seed ^ candidate.item));
@@ -178,6 +181,7 @@ void KernelFactors::write(const Candidate* first, const Candidate* last, std::ui
 }
 
 void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const {
+  assert(effort >= 1 && effort <= kMostEffort);
   row.u.assign(room_.patches.clusterCount, 0.0f);
   row.slopes.clear();
   row.near.clear();

@@ -21,6 +21,10 @@ namespace {
 constexpr std::uint32_t kPatches = 4096, kRays = 16;  // the sample
 constexpr double kMuch = 0.005;                       // share of its rays
 constexpr std::size_t kMostNames = 8;
+constexpr double kNear = 0.01;   // of the room's diagonal: a back that is met there hides what lies under it
+constexpr double kMostly = 0.5;  // of what a back swallows
+constexpr double kFacesOut = 0.9;  // of a surface's rays: it has no part in the room
+constexpr double kMainWay = 0.15;  // of the rays that leave: a way worth its name
 
 std::string percent(double share) {
   char text[32];
@@ -74,7 +78,7 @@ std::string namesOf(const Ways& ways) {
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return ways[a] > ways[b]; });
   std::string text;
   for (const std::size_t way : order)
-    if (ways[way] >= 0.15 * sumOf(ways))
+    if (ways[way] >= kMainWay * sumOf(ways))
       text += (text.empty() ? "" : ", ") + std::string(kWays[way]) + " (" +
               std::to_string(std::lround(100 * ways[way] / sumOf(ways))) + " %)";
   return text.empty() ? "in all directions" : text;
@@ -84,13 +88,14 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
   const std::size_t surfaces = room.surfaces.size();
   Sample sample{0, std::vector<double>(surfaces), std::vector<Ways>(surfaces, Ways{}), {}};
   const Bounds bounds = boundsOf(room.positions);
-  const double near = 0.01 * bounds.diagonal();
+  const double near = kNear * bounds.diagonal();
   const RaySequence sequence(kRays);
   const std::uint32_t step = std::max(1u, room.patches.count / kPatches);
   for (std::uint32_t p = 0; p < room.patches.count; p += step) {
     const PatchSampler sampler(room, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
     for (std::uint32_t i = 0; i < kRays; ++i) {
+      // Cast one ray.
       const auto random = sequence.point(i, scramble);
       const auto [position, normal, weight] = sampler.at(random[2], random[3]);
       const Vec3 origin = position + tracer.offset() * normal;
@@ -99,6 +104,8 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
       tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
       HitPacket hit;
       tracer.intersect(packet, hit);
+
+      // See what became of it.
       sample.rays += 1;
       sample.cast[room.patches.surface[p]] += 1;
       if (hit.triangle[0] == kNone)
@@ -114,6 +121,8 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
 
 std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& tracer) {
   const Sample sample = sampleOf(room, tracer);
+
+  // Backs that swallow much.
   std::vector<std::pair<double, std::string>> order;  // most first
   for (const auto& [name, swallowed] : sample.swallowed) order.emplace_back(-swallowed.rays, name);
   std::sort(order.begin(), order.end());
@@ -125,17 +134,18 @@ std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& t
     if (swallowed.rays < kMuch * sample.rays) break;
     const std::string what =
         "'" + name + "' swallows " + percent(swallowed.rays / sample.rays) + " of the light by its back: ";
-    if (swallowed.near > 0.5 * swallowed.rays)
+    if (swallowed.near > kMostly * swallowed.rays)
       warnings.push_back(what +
                          "it lies close over something and hides it; cut away what is hidden, or it "
                          "counts as dark");
     else
       warnings.push_back(what + "turn its faces, or make its material double-sided");
   }
-  // A surface that faces outward (of a house, of a flipped wall) has no part in the room.
+
+  // Openings. A surface that faces outward (of a house, of a flipped wall) has no part in the room.
   Ways left{};
   for (std::size_t s = 0; s < sample.left.size(); ++s)
-    for (std::size_t way = 0; way < left.size() && sumOf(sample.left[s]) < 0.9 * sample.cast[s]; ++way)
+    for (std::size_t way = 0; way < left.size() && sumOf(sample.left[s]) < kFacesOut * sample.cast[s]; ++way)
       left[way] += sample.left[s][way];
   if (sumOf(left) >= kMuch * sample.rays)
     warnings.push_back("the room is open: " + percent(sumOf(left) / sample.rays) +

@@ -1,6 +1,7 @@
 #include "precompute/light/paper_transport.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "core/transport/surface_statistics.h"
@@ -91,6 +92,7 @@ SurfaceStatistics clusterStatistics(const Patches& patches, const std::vector<fl
 PaperTransport paperTransport(const Room& room, const RayTracer& tracer, const FormFactors& factors,
                               const LowRankRadiosity& lowRank, unsigned threads, Responses& responses,
                               const std::function<void(double)>& progress) {
+  assert(responses.illuminance.size() == std::size_t{responses.rows} * responses.sites);
   PaperTransport paper;
   paper.siteClusters = clustersUnderSites(room, tracer);
   paper.y = lowRank.y();

@@ -40,7 +40,7 @@ std::vector<PointReading> readPoints(const Room& room, const RayTracer& tracer,
 /// error names the line.
 Result<std::vector<MeasuringPoint>> parsePoints(const std::string& csv);
 
-/// x,y,z,nx,ny,nz,direct,total,cylindrical,vertical_+x,vertical_-x,vertical_+z,vertical_-z; a row a point.
+/// x,y,z,nx,ny,nz,direct,total,cylindrical,vertical_+x,vertical_-x,vertical_+z,vertical_-z; a row per point.
 std::string pointsCsv(const std::vector<MeasuringPoint>& points, const std::vector<PointReading>& readings);
 
 }  // namespace fiatlux

@@ -153,7 +153,7 @@ Vertex between(const Vertex& a, const Vertex& b, double along, const Vec3& place
   normal = {mixed(a.normal[0], b.normal[0]), mixed(a.normal[1], b.normal[1]),
             mixed(a.normal[2], b.normal[2])};
   v.normal = packedNormal(normalized(normal));
-  for (int i = 0; i < 2; ++i) v.uv[i] = tidy(mixed(a.uv[i], b.uv[i]), 65536);
+  for (int i = 0; i < 2; ++i) v.uv[i] = tidy(mixed(a.uv[i], b.uv[i]), kUvSteps);
   for (int i = 0; i < 4; ++i)
     v.color[i] = static_cast<std::uint8_t>(std::lround(mixed(a.color[i], b.color[i])));
   return v;

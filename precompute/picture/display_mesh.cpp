@@ -14,6 +14,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// Of a cell's edge or area, unless said otherwise.
+constexpr double kSmall = 1.2;      // a triangle of at most this size carries the light well enough uncut
+constexpr double kNoArea = 1e-7;    // rounding's crumbs of a cut
+constexpr double kWhole = 1e-5;     // how nearly its pieces must fill a cell to be called whole
+constexpr double kFlat = 1e-3;      // how far they may leave its plane
+constexpr double kSameUv = 2e-4;    // of a texture's edge: the same texture coordinates
+constexpr double kPlausible = 0.1;  // cosine between a face and the file's smooth normal of it
+
 /// Attributes of the source at points of one of its triangles.
 class Shader {
  public:
@@ -40,13 +48,13 @@ class Shader {
         return Vec3{mesh_.normals[v_[i]][0], mesh_.normals[v_[i]][1], mesh_.normals[v_[i]][2]};
       };
       const Vec3 smooth = normalized((turned_ ? -1.0 : 1.0) * (w0 * vec(0) + w1 * vec(1) + w2 * vec(2)));
-      if (dot(smooth, faceNormal_) > 0.1) normal = smooth;
+      if (dot(smooth, faceNormal_) > kPlausible) normal = smooth;
     }
     vertex.normal = packedNormal(normal);
     if (textured_)
       for (int c = 0; c < 2; ++c)
         vertex.uv[c] =
-            tidy(w0 * mesh_.uv[v_[0]][c] + w1 * mesh_.uv[v_[1]][c] + w2 * mesh_.uv[v_[2]][c], 65536);
+            tidy(w0 * mesh_.uv[v_[0]][c] + w1 * mesh_.uv[v_[1]][c] + w2 * mesh_.uv[v_[2]][c], kUvSteps);
     if (!mesh_.colors.empty())
       for (int c = 0; c < 4; ++c) {
         const double tint =
@@ -86,6 +94,7 @@ class Mesher {
 
   /// Draws all faces of one chart.
   void addChart(std::uint32_t index, const std::vector<DrawnFace>& faces) {
+    // Small triangles are drawn as they are, the others cut along the grid.
     const Chart& chart = room_.charts[index];
     pieces_.clear();
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
@@ -107,15 +116,17 @@ class Mesher {
           const GridCorner& b = polygon[(i + 1) % polygon.size()];
           piece.area += 0.5 * (a.u * b.v - a.v * b.u);
         }
-        if (piece.area > 1e-7) pieces_.push_back(std::move(piece));
+        if (piece.area > kNoArea) pieces_.push_back(std::move(piece));
       });
     }
+
+    // Cell by cell: a rectangle where the pieces agree, else the pieces.
     std::stable_sort(pieces_.begin(), pieces_.end(),
                      [](const CellPiece& a, const CellPiece& b) { return a.cell < b.cell; });
     for (std::size_t i = 0, j; i < pieces_.size(); i = j) {
       double area = 0;
       for (j = i; j < pieces_.size() && pieces_[j].cell == pieces_[i].cell; ++j) area += pieces_[j].area;
-      if (std::abs(area - 1) > 1e-5 || !drawRectangle(index, faces, i, j)) drawPieces(index, faces, i, j);
+      if (std::abs(area - 1) > kWhole || !drawRectangle(index, faces, i, j)) drawPieces(index, faces, i, j);
     }
   }
 
@@ -154,7 +165,7 @@ class Mesher {
       low[0] = std::min(low[0], c.u), high[0] = std::max(high[0], c.u);
       low[1] = std::min(low[1], c.v), high[1] = std::max(high[1], c.v);
     }
-    return high[0] - low[0] < 1.2 && high[1] - low[1] < 1.2;
+    return high[0] - low[0] < kSmall && high[1] - low[1] < kSmall;
   }
 
   /// A cell that is covered wholly by triangles that agree on material and texture coordinates: two
@@ -171,7 +182,7 @@ class Mesher {
       Part& own = partOf(chart, face, shader);
       if (part && part != &own) return false;
       for (const Vec3& p : pieces_[i].polygon)
-        if (std::abs(dot(p - chart.origin, chart.normal)) > 1e-3 * std::min(chart.cellU, chart.cellV))
+        if (std::abs(dot(p - chart.origin, chart.normal)) > kFlat * std::min(chart.cellU, chart.cellV))
           return false;
       for (int k = 0; k < 4; ++k) {
         const Vec3 p = chart.origin + (c + (k == 1 || k == 2)) * chart.cellU * chart.uAxis +
@@ -179,9 +190,9 @@ class Mesher {
         const Vertex vertex = shader.at(p, part ? corners[k].blend : blender_.inChart(index, p));
         if (!part) {
           corners[k] = vertex;
-        } else if (std::abs(vertex.uv[0] - corners[k].uv[0]) > 2e-4 ||
-                   std::abs(vertex.uv[1] - corners[k].uv[1]) > 2e-4 || vertex.normal != corners[k].normal ||
-                   vertex.color != corners[k].color) {
+        } else if (std::abs(vertex.uv[0] - corners[k].uv[0]) > kSameUv ||
+                   std::abs(vertex.uv[1] - corners[k].uv[1]) > kSameUv ||
+                   vertex.normal != corners[k].normal || vertex.color != corners[k].color) {
           return false;
         }
       }
@@ -256,6 +267,7 @@ void addUnlit(const SourceScene& source, std::uint32_t m, Part& part) {
 }  // namespace
 
 std::vector<std::uint8_t> displayMesh(const SourceScene& source, const Room& room) {
+  // What is lit: the faces of every chart, measuring planes, and no cracks between them.
   Mesher mesher(source, room);
   std::vector<std::vector<DrawnFace>> facesOfChart(room.charts.size());
   for (std::uint32_t t = 0; t < room.triangles.size(); ++t) {
@@ -277,6 +289,8 @@ std::vector<std::uint8_t> displayMesh(const SourceScene& source, const Room& roo
     if (room.surfaces[surface].measuring) extras["measuring"] = true;
     packPart(glb, part, material, room.patches.rows(), room.surfaces[surface].name, std::move(extras));
   }
+
+  // What is shown only.
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
     if (mesh.extras.measure || mesh.material < 0 ||

@@ -6,23 +6,26 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::size_t kMostShort = 65535;  // that 16 bits hold
+
 template <class T, class Get>
 int packAttribute(GlbWriter& glb, const Part& part, int componentType, bool normalized, const char* type,
                   Get get) {
   std::vector<T> values;
   values.reserve(part.vertices.size());
   for (const Vertex& vertex : part.vertices) values.push_back(get(vertex));
-  const int view = glb.addView(values.data(), values.size() * sizeof(T), sizeof(T), 34962);
+  const int view = glb.addView(values.data(), values.size() * sizeof(T), sizeof(T), gltf::kArrayBuffer);
   return glb.addAccessor(view, componentType, normalized, part.vertices.size(), type);
 }
 
 int packIndices(GlbWriter& glb, const Part& part) {
   const std::size_t count = part.indices.size();
-  if (part.vertices.size() > 65535)
-    return glb.addAccessor(glb.addView(part.indices.data(), 4 * count, 0, 34963), 5125, false, count,
-                           "SCALAR");
+  if (part.vertices.size() > kMostShort)
+    return glb.addAccessor(glb.addView(part.indices.data(), 4 * count, 0, gltf::kElementArrayBuffer),
+                           gltf::kUnsignedInt, false, count, "SCALAR");
   const std::vector<std::uint16_t> narrow(part.indices.begin(), part.indices.end());
-  return glb.addAccessor(glb.addView(narrow.data(), 2 * count, 0, 34963), 5123, false, count, "SCALAR");
+  return glb.addAccessor(glb.addView(narrow.data(), 2 * count, 0, gltf::kElementArrayBuffer),
+                         gltf::kUnsignedShort, false, count, "SCALAR");
 }
 
 }  // namespace
@@ -30,8 +33,9 @@ int packIndices(GlbWriter& glb, const Part& part) {
 void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows, const std::string& name,
               ordered_json extras) {
   if (part.indices.empty()) return;
+  // Geometry: glTF wants the extent of positions.
   ordered_json attributes;
-  attributes["POSITION"] = packAttribute<std::array<float, 3>>(glb, part, 5126, false, "VEC3",
+  attributes["POSITION"] = packAttribute<std::array<float, 3>>(glb, part, gltf::kFloat, false, "VEC3",
                                                                [](const Vertex& v) { return v.position; });
   ordered_json &accessor = glb.json["accessors"].back(), low = part.vertices[0].position, high = low;
   for (const Vertex& v : part.vertices)
@@ -40,14 +44,18 @@ void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows
       high[c] = std::max(high[c].get<float>(), v.position[c]);
     }
   accessor["min"] = low, accessor["max"] = high;
-  attributes["NORMAL"] = packAttribute<std::array<std::int8_t, 4>>(glb, part, 5120, true, "VEC3",
+  attributes["NORMAL"] = packAttribute<std::array<std::int8_t, 4>>(glb, part, gltf::kByte, true, "VEC3",
                                                                    [](const Vertex& v) { return v.normal; });
+
+  // Colour, where there is any.
   if (part.textured)
-    attributes["TEXCOORD_0"] = packAttribute<std::array<float, 2>>(glb, part, 5126, false, "VEC2",
+    attributes["TEXCOORD_0"] = packAttribute<std::array<float, 2>>(glb, part, gltf::kFloat, false, "VEC2",
                                                                    [](const Vertex& v) { return v.uv; });
   if (part.colored)
     attributes["COLOR_0"] = packAttribute<std::array<std::uint8_t, 4>>(
-        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.color; });
+        glb, part, gltf::kUnsignedByte, true, "VEC4", [](const Vertex& v) { return v.color; });
+
+  // The patches that each vertex blends.
   if (part.lit) {
     const auto narrowed = [](const Vertex& v) {
       std::array<std::uint16_t, 4> patch{};
@@ -60,11 +68,14 @@ void packPart(GlbWriter& glb, const Part& part, int material, std::uint32_t rows
       return patch;
     };
     attributes["_PATCHES"] =
-        rows <= 65536 ? packAttribute<std::array<std::uint16_t, 4>>(glb, part, 5123, false, "VEC4", narrowed)
-                      : packAttribute<std::array<float, 4>>(glb, part, 5126, false, "VEC4", wide);
+        rows <= kMostShort + 1
+            ? packAttribute<std::array<std::uint16_t, 4>>(glb, part, gltf::kUnsignedShort, false, "VEC4",
+                                                          narrowed)
+            : packAttribute<std::array<float, 4>>(glb, part, gltf::kFloat, false, "VEC4", wide);
     attributes["_WEIGHTS"] = packAttribute<std::array<std::uint8_t, 4>>(
-        glb, part, 5121, true, "VEC4", [](const Vertex& v) { return v.blend.share; });
+        glb, part, gltf::kUnsignedByte, true, "VEC4", [](const Vertex& v) { return v.blend.share; });
   }
+
   ordered_json primitive = {{"attributes", attributes}, {"indices", packIndices(glb, part)}};
   if (material >= 0) primitive["material"] = material;
   const int mesh = glb.append("meshes", {{"name", name}, {"primitives", ordered_json::array({primitive})}});
@@ -79,6 +90,8 @@ void packMaterials(GlbWriter& glb, const SourceScene& source) {
     ordered_json pbr = {{"baseColorFactor", material.baseColor},
                         {"metallicFactor", material.metallic},
                         {"roughnessFactor", material.roughness}};
+
+    // Its texture: images are packed once, however many materials show them.
     if (material.image >= 0 && !source.images[material.image].encoded.empty()) {
       const SourceImage& image = source.images[material.image];
       int& packed = imageOf[material.image];
@@ -86,9 +99,10 @@ void packMaterials(GlbWriter& glb, const SourceScene& source) {
         const int view = glb.addView(image.encoded.data(), image.encoded.size(), 0, 0);
         packed = glb.append("images", {{"bufferView", view}, {"mimeType", image.mimeType}});
       }
-      const int sampler = glb.append(
-          "samplers",
-          {{"wrapS", material.wrapS}, {"wrapT", material.wrapT}, {"magFilter", 9729}, {"minFilter", 9987}});
+      const int sampler = glb.append("samplers", {{"wrapS", material.wrapS},
+                                                  {"wrapT", material.wrapT},
+                                                  {"magFilter", gltf::kLinear},
+                                                  {"minFilter", gltf::kLinearMipmapLinear}});
       pbr["baseColorTexture"] = {
           {"index", glb.append("textures", {{"source", packed}, {"sampler", sampler}})}};
       const auto& t = material.uvTransform;
@@ -98,6 +112,7 @@ void packMaterials(GlbWriter& glb, const SourceScene& source) {
             {"offset", {t[0], t[1]}}, {"scale", {t[2], t[3]}}, {"rotation", t[4]}};
       }
     }
+
     ordered_json entry = {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
     if (material.alpha == SourceMaterial::Alpha::kBlend)
       entry["alphaMode"] = "BLEND", entry["doubleSided"] = true;

@@ -45,7 +45,7 @@ struct VertexHash {
 struct Part {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<std::uint32_t> charts;  // of the room, one a triangle; kNone for what is not lit
+  std::vector<std::uint32_t> charts;  // of the room, one per triangle; kNone for what is not lit
   std::unordered_map<Vertex, std::uint32_t, VertexHash> known;
   bool textured = false, colored = false, lit = true;
 
@@ -66,7 +66,8 @@ inline float tidy(double x, double steps) {
   return static_cast<float>(std::floor(x * steps + 0.501) / steps + 0.0);
 }
 
-constexpr double kPositionSteps = 16384;  // a metre
+constexpr double kPositionSteps = 16384;  // in a metre
+constexpr double kUvSteps = 65536;        // in a texture
 
 inline std::array<float, 3> tidyPosition(const Vec3& p) {
   return {tidy(p.x, kPositionSteps), tidy(p.y, kPositionSteps), tidy(p.z, kPositionSteps)};

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "precompute/gltf/codes.h"
+
 namespace fiatlux {
 
 class GlbWriter {
@@ -45,11 +47,13 @@ class GlbWriter {
     const auto word = [&](std::size_t value) {
       for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::uint8_t>(value >> 8 * i));
     };
-    word(0x46546c67), word(2), word(12 + 8 + text.size() + (bin_.empty() ? 0 : 8 + bin_.size()));
-    word(text.size()), word(0x4e4f534a);
+    word(gltf::kMagic), word(gltf::kGlbVersion);
+    word(gltf::kGlbHeaderBytes + gltf::kChunkHeaderBytes + text.size() +
+         (bin_.empty() ? 0 : gltf::kChunkHeaderBytes + bin_.size()));
+    word(text.size()), word(gltf::kJsonChunk);
     out.insert(out.end(), text.begin(), text.end());
     if (!bin_.empty()) {
-      word(bin_.size()), word(0x004e4942);
+      word(bin_.size()), word(gltf::kBinaryChunk);
       out.insert(out.end(), bin_.begin(), bin_.end());
     }
     return out;

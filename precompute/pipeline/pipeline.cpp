@@ -1,4 +1,4 @@
-// The method from end to end, a line a step.
+// The method from end to end, one line per step.
 #include "precompute/pipeline/pipeline.h"
 
 #include <cassert>

@@ -2,6 +2,7 @@
 #include "precompute/rays/area_sampler.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace fiatlux {
@@ -22,6 +23,7 @@ AreaSampler::AreaSampler(std::span<const Fragment> triangles) {
 }
 
 AreaSampler::Point AreaSampler::at(double u, double v) const {
+  assert(!empty());
   auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), u, [](double value, const Piece& candidate) {
     return value < candidate.before;
   });

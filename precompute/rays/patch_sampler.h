@@ -15,7 +15,7 @@ struct PatchPoint {
   double weight = 0;
 };
 
-/// Prepared once a patch, so that a point costs little however many fragments the patch has.
+/// Prepared once per patch, so that a point costs little however many fragments the patch has.
 class PatchSampler {
  public:
   PatchSampler(const Room& room, std::uint32_t patch);
@@ -27,7 +27,7 @@ class PatchSampler {
     return onFragments(u, v);
   }
 
-  /// edge x edge points whose weights sum to 1: Gauss-Legendre on full cells (edge 2 or 4), strata elsewhere.
+  /// edge x edge points (edge 2 or 4) whose weights sum to 1: Gauss-Legendre on full cells, strata elsewhere.
   std::vector<PatchPoint> quadrature(std::uint32_t edge) const;
 
  private:

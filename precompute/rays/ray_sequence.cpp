@@ -1,5 +1,7 @@
 #include "precompute/rays/ray_sequence.h"
 
+#include <cassert>
+
 namespace fiatlux {
 
 namespace {
@@ -67,6 +69,7 @@ std::array<std::uint32_t, 4> RaySequence::scramble(std::uint64_t seed) {
 }
 
 std::array<double, 4> RaySequence::point(std::uint32_t i, const std::array<std::uint32_t, 4>& seed) const {
+  assert(i < count());
   std::array<double, 4> result;
   for (std::uint32_t d = 0; d < 4; ++d) {
     result[d] = reverseBits(scrambleReversed(reversed_[i][d], seed[d])) * 0x1p-32;

@@ -1,4 +1,4 @@
-// The low-rank inverse against a radiosity system written out in full.
+// The low-rank inverse against a radiosity system written out in full (form_factors, site_responses).
 #include "core/transport/low_rank_radiosity.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// glTF -> Room on shapes whose patches, surfaces and sites can be counted by hand.
+// glTF -> Room on shapes whose patches, surfaces and sites can be counted by hand (surfaces, back_faces,
+// mounts, sites).
 #include "precompute/geometry/build_room.h"
 
 #include <gmock/gmock.h>

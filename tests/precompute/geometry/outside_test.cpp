@@ -1,5 +1,5 @@
 // What faces the void is left out, and nothing else is: shells drawn as sheets, whichever way they face,
-// rooms that are open, sealed or joined, things that rest on a floor, and what a person asked for.
+// rooms that are open, sealed or joined, things that rest on a floor, and what a person asked for (outlook).
 #include "precompute/geometry/outside.h"
 
 #include <gmock/gmock.h>

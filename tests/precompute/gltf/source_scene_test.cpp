@@ -1,4 +1,4 @@
-// Reading glTF: every way the format can say the same triangles.
+// Reading glTF: every way the format can say the same triangles (model, primitive, nodes, materials).
 #include "precompute/gltf/source_scene.h"
 
 #include <gmock/gmock.h>

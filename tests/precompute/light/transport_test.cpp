@@ -1,4 +1,5 @@
-// The whole precomputation on rooms whose answers are known in closed form.
+// The light of rooms whose answers are known in closed form (cast_form_factors, kernel_factors,
+// cluster_parts, direct_light, forward_light, paper_transport).
 #include "precompute/light/transport.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The picture's mesh, read back: the same area, every vertex blends patches of its own surface, shares sum to
-// one.
+// one (display_part, display_junctions, patch_blend).
 #include "precompute/picture/display_mesh.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The same room said in another way has the same light; a room with faults has nearly the same, and says so.
+// The same room said in another way has the same light; a room with faults has nearly the same, and says so
+// (lost_rays).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// From a model's bytes to a scene file's, with nothing but what a host lends.
+// From a model's bytes to a scene file's, with nothing but what a host lends (scene_build, provenance).
 #include "precompute/pipeline/pipeline.h"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,69 @@
+// The calculation grid of EN 12464-1, by its own examples.
+#include "precompute/light/measuring_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "precompute/validation/rectangle_room.h"
+
+namespace fiatlux {
+namespace {
+
+TEST(MeasuringGrid, SpacingsAreThoseOfTheStandard) {
+  EXPECT_NEAR(gridSpacing(1, 1), 0.2, 1e-12);
+  EXPECT_NEAR(gridSpacing(10, 10), 1, 1e-12);
+  EXPECT_NEAR(gridSpacing(10, 6), 1, 1e-12);  // by the longer side
+  EXPECT_NEAR(gridSpacing(6, 3), 0.2 * std::pow(5, std::log10(3)),
+              1e-12);  // twice as long: by the shorter one
+  EXPECT_NEAR(gridSpacing(1e6, 1e6), 10, 1e-12);
+}
+
+TEST(MeasuringGrid, AFloorHasOneWithARimAndAMeasuringPlaneToo) {
+  auto faces = boxSurfaces({0, 0, 0}, {6, 2.5, 4}, 0.5, 0.25);
+  RectangleSurface plane = faces[0];
+  plane.name = "plane";
+  plane.corner.y = 0.75;
+  plane.measuring = true;
+  faces.push_back(plane);
+  const Room room = rectangleRoom(faces);
+  const std::vector<MeasuringGrid> grids = measuringGrids(room);
+  ASSERT_EQ(grids.size(), 2u);
+  EXPECT_EQ(room.surfaces[grids[0].surface].name, "floor");
+  EXPECT_EQ(room.surfaces[grids[1].surface].name, "plane");
+  for (const MeasuringGrid& grid : grids) {
+    EXPECT_EQ(grid.rim, 0.5);
+    const auto along = [&](double side) { return static_cast<std::size_t>(std::ceil(side / grid.spacing)); };
+    EXPECT_EQ(grid.points.size(), along(5) * along(3));
+    for (const MeasuringPoint& point : grid.points) {
+      EXPECT_GT(point.position.x, 0.5);
+      EXPECT_LT(point.position.x, 5.5);
+      EXPECT_EQ(point.normal.y, 1);
+    }
+  }
+}
+
+TEST(MeasuringGrid, ReadingsGiveMeanLeastAndUniformity) {
+  const Room room = rectangleRoom(boxSurfaces({0, 0, 0}, {4, 2.5, 4}, 0.5, 0.5));
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  Luminaire lamp;
+  lamp.position = {2, 2.4, 2};
+  lamp.flux = 1000;
+  PointOptions options;
+  options.threads = 1;
+  const std::vector<GridReading> readings = readGrids(room, *tracer, {lamp}, {}, options);
+  ASSERT_EQ(readings.size(), 1u);
+  const std::vector<PointReading> points =
+      readPoints(room, *tracer, readings[0].grid.points, {lamp}, {}, options);
+  double sum = 0, least = points[0].total;
+  for (const PointReading& point : points) sum += point.total, least = std::min(least, point.total);
+  EXPECT_NEAR(readings[0].mean, sum / static_cast<double>(points.size()), 1e-9);
+  EXPECT_EQ(readings[0].least, least);
+  EXPECT_NEAR(readings[0].uniformity(), least / readings[0].mean, 1e-12);
+  EXPECT_LT(readings[0].uniformity(), 0.9);
+  EXPECT_GT(readings[0].uniformity(), 0.1);
+}
+
+}  // namespace
+}  // namespace fiatlux
