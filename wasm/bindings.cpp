@@ -144,52 +144,21 @@ val info(const Session& session) {
 
 // --- intentions
 
-// note: an enumerator without a name is an error, so that the page cannot take one number for another; those
-// of the statistics are in the core's own table.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic error "-Wswitch"
-const char* nameOf(Sense sense) {
-  switch (sense) {
-    case Sense::kMinimize:
-      return "min";
-    case Sense::kMaximize:
-      return "max";
-  }
-  return nullptr;
-}
-
-const char* nameOf(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kIlluminance:
-      return "illuminance";
-    case Quantity::kExitance:
-      return "exitance";
-  }
-  return nullptr;
-}
-#pragma GCC diagnostic pop
-
-/// The page's words in the order of their numbers, which are those of the enum.
-template <class E>
-val namesOf() {
-  val names = val::array();
-  for (std::uint8_t code = 0; const char* name = nameOf(static_cast<E>(code)); ++code)
-    names.set(code, std::string(name));
-  return names;
-}
-
-val statisticNames() {
-  val names = val::array();
-  for (const StatisticTraits& traits : kStatistics)
-    names.set(static_cast<unsigned>(traits.statistic), std::string(traits.name));
-  return names;
+/// The page's words in the order of their numbers.
+template <class Names>
+val inOrder(const Names& names) {
+  val list = val::array();
+  for (std::size_t code = 0; code < std::size(names); ++code) list.set(code, std::string(names[code]));
+  return list;
 }
 
 val codes() {
+  std::vector<const char*> statistics;
+  for (const StatisticTraits& traits : kStatistics) statistics.push_back(traits.name);
   val result = val::object();
-  result.set("statistic", statisticNames());
-  result.set("sense", namesOf<Sense>());
-  result.set("quantity", namesOf<Quantity>());
+  result.set("statistic", inOrder(statistics));
+  result.set("sense", inOrder(kSenseNames));
+  result.set("quantity", inOrder(kQuantityNames));
   return result;
 }
 
@@ -199,8 +168,9 @@ E enumOf(const val& object, const char* key) {
 }
 
 Goal goalOf(const val& v) {
-  return {enumOf<Statistic>(v, "statistic"), enumOf<Sense>(v, "sense"), v["weight"].as<double>(),
-          vectorOf<std::uint32_t>(v["surfaces"]), vectorOf<std::uint32_t>(v["over"])};
+  return {enumOf<Statistic>(v, "statistic"),  enumOf<Sense>(v, "sense"),
+          v["weight"].as<double>(),           vectorOf<std::uint32_t>(v["surfaces"]),
+          vectorOf<std::uint32_t>(v["over"]), v["target"].as<double>()};
 }
 
 Constraint constraintOf(const val& v) {
@@ -276,7 +246,10 @@ val check(Session& session, val sites, val flux, double dimming) {
 
 // --- the alpha-search
 
-std::string startAlpha(Session& session, std::uint32_t seed) { return errorOf(session.startAlpha(seed)); }
+std::string startAlpha(Session& session, std::uint32_t seed, val held) {
+  const Layout layout{vectorOf<std::uint32_t>(held), {}, 1};
+  return errorOf(session.startAlpha(seed, layout.sites.empty() ? nullptr : &layout));
+}
 
 val valueOf(const AlphaIteration& step) {
   val result = val::object();

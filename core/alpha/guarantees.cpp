@@ -15,6 +15,12 @@ bool isGuarantee(const Constraint& c) {
 
 Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentions) {
   if (auto ok = checkIntentions(scene, intentions); !ok) return ok;
+  for (const Goal& goal : intentions.goals)
+    if (goal.sense == Sense::kNear)
+      return Error{
+          "an alpha is found for the least or the most of something, not for what is near a target; change "
+          "the "
+          "goal's sense to \"min\" or \"max\""};
   for (const Constraint& c : intentions.constraints)
     if (isGuarantee(c)) return Done{};
   return Error{

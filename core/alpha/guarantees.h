@@ -12,7 +12,8 @@ namespace fiatlux {
 /// A true minimum bounded from below, or a true maximum bounded from above.
 bool isGuarantee(const Constraint& constraint);
 
-/// checkIntentions, and that there is a guarantee to find an alpha for.
+/// checkIntentions, that there is a guarantee to find an alpha for, and that no goal is near a target: how
+/// its value moves with alpha says nothing.
 Result<Done> checkAlphaIntentions(const Scene& scene, const Intentions& intentions);
 
 /// The Chebyshev problem of the paper: each guaranteed minimum and maximum replaced by mu -/+ alpha sigma.

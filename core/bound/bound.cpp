@@ -26,23 +26,29 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
   if (!problem_.supported) return;
   if (problem_.squared && rules.dimmingLow == rules.dimmingHigh && sites_ <= kMostSitesToShift)
     shift_ = std::make_unique<DiagonalShift>(sites_, problem_.covariance);
-  multipliers_.assign(problem_.sides.size(), 0.0);
+  multipliers_.assign(problem_.sides.size() + problem_.aims.size(), 0.0);
   bestMultipliers_ = multipliers_;
   target_ = problem_.squared ? incumbent.goal * incumbent.goal : incumbent.goal;
   openRound();
 }
 
-/// The Lagrangian for the multipliers: goal + sum of multiplier x side, all convex.
+OptimumBound::Multiplied OptimumBound::multiplied(std::size_t k) const {
+  if (k < problem_.sides.size()) return {problem_.sides[k], 0, kUnbounded};
+  const RelaxedAim& aim = problem_.aims[k - problem_.sides.size()];
+  return {aim.form, -aim.weight, aim.weight};
+}
+
+/// The Lagrangian for the multipliers: goal + sum of multiplier x form, all convex.
 void OptimumBound::openRound() {
   ConvexObjective lagrangian = problem_.goal;
-  for (std::size_t k = 0; k < problem_.sides.size(); ++k) {
+  for (std::size_t k = 0; k < multipliers_.size(); ++k) {
     const double multiplier = multipliers_[k];
-    if (multiplier <= 0) continue;
-    lagrangian.constant += multiplier * problem_.sides[k].constant;
-    lagrangian.perDimming += multiplier * problem_.sides[k].perDimming;
-    for (std::uint32_t j = 0; j < sites_; ++j)
-      lagrangian.linear[j] += multiplier * problem_.sides[k].linear[j];
-    for (ConvexTerm term : problem_.sides[k].terms) {
+    if (multiplier == 0) continue;
+    const ConvexObjective& form = multiplied(k).form;
+    lagrangian.constant += multiplier * form.constant;
+    lagrangian.perDimming += multiplier * form.perDimming;
+    for (std::uint32_t j = 0; j < sites_; ++j) lagrangian.linear[j] += multiplier * form.linear[j];
+    for (ConvexTerm term : form.terms) {
       term.weight *= multiplier;
       lagrangian.terms.push_back(std::move(term));
     }
@@ -54,21 +60,8 @@ void OptimumBound::openRound() {
 void OptimumBound::advance(std::uint32_t steps) {
   while (steps > 0 && !done()) {
     if (stage_ == Stage::kShift) {
-      std::vector<double> weights(sites_);
-      for (std::uint32_t j = 0; j < sites_; ++j)
-        weights[j] = std::max(1e-3, relaxation_.x()[j] / problem_.flux.largest *
-                                        (1 - relaxation_.x()[j] / problem_.flux.largest));
       steps -= std::min(steps, kShiftStep);
-      if (++shifts_ <= kShifts && shift_->step(weights)) continue;
-      // x^T C x = x^T (C - D) x + sum d x^2, and x^2 >= least x on a site in use (<= largest x where d < 0).
-      const std::vector<double>& d = shift_->diagonal();
-      problem_.goal.constant = 0;
-      problem_.goal.terms = {{std::make_shared<const std::vector<double>>(shift_->shifted()), 1, false}};
-      for (std::uint32_t j = 0; j < sites_; ++j)
-        problem_.goal.linear[j] = d[j] * (d[j] > 0 ? problem_.flux.least : problem_.flux.largest);
-      multipliers_ = bestMultipliers_;
-      stage_ = Stage::kPolish;
-      openRound();
+      moveDiagonal();
       continue;
     }
     --steps;
@@ -78,6 +71,25 @@ void OptimumBound::advance(std::uint32_t steps) {
     const bool closed = !moving || gap <= 2e-5 * std::fabs(relaxation_.value());
     if (closed || stepsInRound_ >= (stage_ == Stage::kPolish ? kPolishSteps : kStepsPerRound)) closeRound();
   }
+}
+
+/// Moves more of the diagonal out where the relaxed layout is split; once that gains nothing, the objective
+/// becomes the shifted one.
+void OptimumBound::moveDiagonal() {
+  std::vector<double> weights(sites_);
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    weights[j] = std::max(
+        1e-3, relaxation_.x()[j] / problem_.flux.largest * (1 - relaxation_.x()[j] / problem_.flux.largest));
+  if (++shifts_ <= kShifts && shift_->step(weights)) return;
+  // x^T C x = x^T (C - D) x + sum d x^2, and x^2 >= least x on a site in use (<= largest x where d < 0).
+  const std::vector<double>& d = shift_->diagonal();
+  problem_.goal.constant = 0;
+  problem_.goal.terms = {{std::make_shared<const std::vector<double>>(shift_->shifted()), 1, false}};
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    problem_.goal.linear[j] = d[j] * (d[j] > 0 ? problem_.flux.least : problem_.flux.largest);
+  multipliers_ = bestMultipliers_;
+  stage_ = Stage::kPolish;
+  openRound();
 }
 
 void OptimumBound::closeRound() {
@@ -94,20 +106,24 @@ void OptimumBound::closeRound() {
   } else if (++fruitless_ % 5 == 0) {
     pace_ *= 0.5;
   }
-  // Polyak: towards the incumbent's value along the broken (and the slack) sides.
+  // Polyak: towards the incumbent's value along the broken (and the slack) sides, and the aims that are
+  // missed.
   double square = 0;
-  std::vector<double> slope(problem_.sides.size());
-  for (std::size_t k = 0; k < problem_.sides.size(); ++k) {
-    slope[k] = constraintValue(problem_.sides[k]);
-    if (slope[k] < 0 && multipliers_[k] <= 0) slope[k] = 0;
+  std::vector<double> slope(multipliers_.size());
+  for (std::size_t k = 0; k < slope.size(); ++k) {
+    const auto [form, least, largest] = multiplied(k);
+    slope[k] = constraintValue(form);
+    if (slope[k] < 0 ? multipliers_[k] <= least : multipliers_[k] >= largest) slope[k] = 0;
     square += slope[k] * slope[k];
   }
   const double short_ = target_ - dual;
   if (square <= 1e-14 || short_ <= 1e-9 * std::fabs(target_) || ++rounds_ >= kRounds ||
       fruitless_ >= kFruitlessRounds)
     return closeMultipliers();
-  for (std::size_t k = 0; k < problem_.sides.size(); ++k)
-    multipliers_[k] = std::max(0.0, multipliers_[k] + pace_ * short_ / square * slope[k]);
+  for (std::size_t k = 0; k < slope.size(); ++k) {
+    const double moved = multipliers_[k] + pace_ * short_ / square * slope[k];
+    multipliers_[k] = std::clamp(moved, multiplied(k).least, multiplied(k).largest);
+  }
   openRound();
 }
 
@@ -143,6 +159,7 @@ void OptimumBound::keep(double dual) {
 
 std::optional<double> OptimumBound::within(const Evaluation& evaluation) const {
   if (!problem_.supported || evaluation.violation > 1e-9 || !std::isfinite(bound_)) return std::nullopt;
+  if (!isBetter({0, bound_, 1}, evaluation)) return 0;  // an aim that is met, say
   if (bound_ == 0 || (bound_ > 0) != (evaluation.goal > 0)) return std::nullopt;
   return std::max(0.0, evaluation.goal - bound_) / std::fabs(bound_);
 }

@@ -34,14 +34,21 @@ class OptimumBound {
   /// proved.
   double goal() const { return bound_; }
 
-  /// The best possible is better than `evaluation` by at most this share; nothing while nothing is proved, or
-  /// when the evaluation violates a constraint.
+  /// The best possible is better than `evaluation` by at most this share of the bound; nothing while nothing
+  /// is proved, or when the evaluation violates a constraint.
   std::optional<double> within(const Evaluation& evaluation) const;
 
  private:
   enum class Stage : std::uint8_t { kMultipliers, kShift, kPolish, kDone };
 
+  /// A form that a multiplier stands before, and what the multiplier may be.
+  struct Multiplied {
+    const ConvexObjective& form;
+    double least, largest;
+  };
+  Multiplied multiplied(std::size_t k) const;
   void openRound();
+  void moveDiagonal();
   void closeRound();
   void closeMultipliers();
   void keep(double value);
@@ -50,7 +57,7 @@ class OptimumBound {
   std::uint32_t sites_ = 0;
   RelaxedIntentions problem_;
   ConvexRelaxation relaxation_;
-  std::vector<double> multipliers_, bestMultipliers_;  // of problem_.sides
+  std::vector<double> multipliers_, bestMultipliers_;  // of the sides, then of the aims
   std::unique_ptr<DiagonalShift> shift_;
   double target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
   Stage stage_ = Stage::kMultipliers;

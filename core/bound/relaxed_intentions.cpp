@@ -84,8 +84,19 @@ class Relaxer {
       result_.supported = false;
       return;
     }
+    if (goal.sense == Sense::kNear) return addAim(goal, *form, factor);
     addLinear(result_.goal, *form, goal.surfaces, goal.over, factor);
     if (form->sigma != 0) addSigmaGoal(goal.surfaces, factor * form->sigma);
+  }
+
+  /// weight |value / target - 1|. Precondition: the value is linear.
+  void addAim(const Goal& goal, const RelaxedForm& value, double weight) {
+    RelaxedAim aim;
+    aim.weight = weight;
+    aim.form.linear.assign(sites_, 0.0);
+    addLinear(aim.form, value, goal.surfaces, goal.over, 1 / goal.target);
+    aim.form.constant -= 1;
+    result_.aims.push_back(std::move(aim));
   }
 
   void addSigmaGoal(const SurfaceSet& surfaces, double factor) {

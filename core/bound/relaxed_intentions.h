@@ -26,13 +26,21 @@ std::shared_ptr<const std::vector<double>> convexMatrix(std::vector<double> cova
 /// partners that suit it best. C is m x m, row-major, symmetric.
 double largestVariance(const std::vector<double>& covariance, const LuminaireRules& rules, std::uint32_t m);
 
+/// weight |form|, form affine: a goal near a target. It is the largest multiplier x form, |multiplier| <=
+/// weight.
+struct RelaxedAim {
+  ConvexObjective form;
+  double weight = 0;
+};
+
 struct RelaxedIntentions {
   /// False where no bound is known: without a goal, or with a contrast as goal.
   bool supported = false;
   FluxRange flux;
-  ConvexObjective goal;                // never above Evaluation::goal, or above its square where `squared`
-  bool squared = false;                // the goal is one sigma to make small
+  ConvexObjective goal;  // with the aims never above Evaluation::goal, or above its square where `squared`
+  bool squared = false;  // the goal is one sigma to make small
   std::vector<double> covariance;      // where squared: C in the goal's units, m x m
+  std::vector<RelaxedAim> aims;        // to be added to `goal`
   std::vector<ConvexObjective> sides;  // each <= 0 for every layout that meets the constraints
 };
 

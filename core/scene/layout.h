@@ -8,6 +8,8 @@ namespace fiatlux {
 
 enum class Quantity : std::uint8_t { kIlluminance, kExitance };  // lx, or reflected lm/m2 (the paper's B)
 
+inline constexpr const char* kQuantityNames[] = {"illuminance", "exitance"};  // in intentions.json, by code
+
 /// A set of leaf surfaces by index, sorted, unique. Empty means "all" (every leaf that is not a measuring
 /// plane).
 using SurfaceSet = std::vector<std::uint32_t>;

@@ -25,14 +25,48 @@ void narrow(const DimmedBound& b, double& low, double& high) {
     high = std::min(high, edge);
 }
 
+/// What of the goal depends on t.
+double varyingAt(const DimmedGoal& goal, double t) {
+  double sum = goal.slope * t;
+  for (std::uint32_t i = 0; i < goal.aimCount; ++i)
+    sum += goal.aims[i].weight * distanceFrom(goal.aims[i].target, t * goal.aims[i].value);
+  return sum;
+}
+
+/// Calls `consider` with every t in (low, high) at which an aim is met: there the goal may have its least
+/// value.
+template <class Consider>
+void visitAims(const DimmedGoal& goal, double low, double high, Consider consider) {
+  for (std::uint32_t i = 0; i < goal.aimCount; ++i) {
+    if (goal.aims[i].value <= 0) continue;
+    const double t = goal.aims[i].target / goal.aims[i].value;
+    if (t > low && t < high) consider(t);
+  }
+}
+
+/// The goal is convex and piecewise linear in t: it is least where an aim is met or at an end.
+double bestWithin(const DimmedGoal& goal, double low, double high) {
+  if (goal.aimCount == 0) return goal.slope > 0 ? low : high;
+  double best = high, least = varyingAt(goal, high);
+  const auto consider = [&](double t) {
+    const double value = varyingAt(goal, t);
+    if (!(value < least)) return;
+    least = value;
+    best = t;
+  };
+  consider(low);
+  visitAims(goal, low, high, consider);
+  return best;
+}
+
 /// The violation is convex and piecewise linear in t: its least value is at a breakpoint or at an end.
-double leastViolationAt(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double low,
+double leastViolationAt(const DimmedBound* bounds, std::uint32_t count, const DimmedGoal& goal, double low,
                         double high) {
-  double best = goalSlope > 0 ? low : high;
+  double best = goal.slope > 0 ? low : high;
   double least = violationAt(bounds, count, best);
   const auto consider = [&](double t) {
     const double violation = violationAt(bounds, count, t);
-    if (violation < least || (violation == least && goalSlope * t < goalSlope * best)) {
+    if (violation < least || (violation == least && varyingAt(goal, t) < varyingAt(goal, best))) {
       least = violation;
       best = t;
     }
@@ -44,6 +78,7 @@ double leastViolationAt(const DimmedBound* bounds, std::uint32_t count, double g
     const double edge = bounds[i].bound / bounds[i].value;
     if (edge > low && edge < high) consider(edge);
   }
+  visitAims(goal, low, high, consider);
   return best;
 }
 
@@ -55,10 +90,10 @@ double violationAt(const DimmedBound* bounds, std::uint32_t count, double t) {
   return sum;
 }
 
-Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double goalConstant,
-                        double low, double high) {
+Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, const DimmedGoal& goal, double low,
+                        double high) {
   assert(0 <= low && low <= high);
-  if (low == high) return {violationAt(bounds, count, low), goalConstant + goalSlope * low, low};
+  if (low == high) return {violationAt(bounds, count, low), goal.constant + varyingAt(goal, low), low};
   double first = low, last = high, scaleFree = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (bounds[i].scaleFree)
@@ -67,11 +102,11 @@ Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double g
       narrow(bounds[i], first, last);
   }
   if (first <= last) {
-    const double t = goalSlope > 0 ? first : last;
-    return {scaleFree, goalConstant + goalSlope * t, t};
+    const double t = bestWithin(goal, first, last);
+    return {scaleFree, goal.constant + varyingAt(goal, t), t};
   }
-  const double t = leastViolationAt(bounds, count, goalSlope, low, high);
-  return {violationAt(bounds, count, t), goalConstant + goalSlope * t, t};
+  const double t = leastViolationAt(bounds, count, goal, low, high);
+  return {violationAt(bounds, count, t), goal.constant + varyingAt(goal, t), t};
 }
 
 }  // namespace fiatlux

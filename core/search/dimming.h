@@ -1,5 +1,6 @@
 // The common dimming t, solved exactly for a given layout: a statistic that scales with t is t times its
-// value at t = 1, so every constraint is an interval of t and the goal is linear in t. Nothing is searched.
+// value at t = 1, so every constraint is an interval of t and the goal is linear in t between the few t at
+// which an aim is met. Nothing is searched.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,19 @@ struct DimmedBound {
   double bound = 0;
   Side side = Side::kLower;
   bool scaleFree = false;
+};
+
+/// A part of the goal that aims: weight x |t value - target| / target.
+struct DimmedAim {
+  double value = 0;  // of the statistic at t = 1
+  double target = 1, weight = 0;
+};
+
+/// constant + slope t + the aims.
+struct DimmedGoal {
+  double slope = 0, constant = 0;
+  const DimmedAim* aims = nullptr;
+  std::uint32_t aimCount = 0;
 };
 
 /// What a layout is worth. Violations are compared before goals; both are better when smaller.
@@ -35,11 +49,10 @@ inline bool isBetter(const Evaluation& a, const Evaluation& b) {
 /// Violation at a given t: sum of excessOver.
 double violationAt(const DimmedBound* bounds, std::uint32_t count, double t);
 
-/// The best t in [low, high], 0 <= low <= high, for goal(t) = goalConstant + goalSlope t: within the interval
-/// that meets all bounds the end that the goal prefers (the brighter one when it does not care); the t of
-/// least violation, exactly, when that interval is empty. Bounds that are scale-free add the same violation
-/// at any t.
-Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, double goalSlope, double goalConstant,
-                        double low, double high);
+/// The best t in [low, high], 0 <= low <= high: within the interval that meets all bounds the one that the
+/// goal likes best (the brightest when it does not care); the t of least violation, exactly, when that
+/// interval is empty. Bounds that are scale-free add the same violation at any t.
+Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, const DimmedGoal& goal, double low,
+                        double high);
 
 }  // namespace fiatlux

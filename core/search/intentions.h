@@ -10,15 +10,17 @@
 
 namespace fiatlux {
 
-enum class Sense : std::uint8_t { kMinimize, kMaximize };
+enum class Sense : std::uint8_t { kMinimize, kMaximize, kNear };
+inline constexpr const char* kSenseNames[] = {"min", "max", "near"};  // in intentions.json, by code
 
-/// Part of the objective: weight x (signed value / value of the start layout), summed over the goals and
-/// minimised.
+/// Part of the objective: weight x (signed value / value of the start layout), or weight x
+/// distanceFrom(target, value) for kNear; summed over the goals and minimised.
 struct Goal {
   Statistic statistic = Statistic::kSigma;  // one that may be a goal
   Sense sense = Sense::kMinimize;
   double weight = 1;
   SurfaceSet surfaces, over;  // as the statistic needs them
+  double target = 0;          // kNear only, > 0, in the unit of the statistic
 };
 
 /// lower <= statistic <= upper; either may be infinite. Violation: sum of excessOver (statistics.h).

@@ -51,13 +51,15 @@ void Objective::addConstraint(PreparedScene& prepared, const Constraint& c, Quan
 
 void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity) {
   const StatisticTraits& traits = traitsOf(goal.statistic);
-  const bool least = goal.sense == Sense::kMinimize;
+  const bool most = goal.sense == Sense::kMaximize, near = goal.sense == Sense::kNear;
   Term term{goal.statistic,
             setFor(prepared, quantity, traits, goal.surfaces),
             0,
-            least ? goal.weight : -goal.weight,
-            least ? Side::kUpper : Side::kLower,
-            traits.scaleFree()};
+            most ? -goal.weight : goal.weight,
+            most ? Side::kLower : Side::kUpper,
+            traits.scaleFree(),
+            near ? goal.target : 0};
+  if (near) aims_.emplace_back();
   if (traits.needsOver) term.over = setOf(prepared, quantity, goal.over);
   terms_.push_back(term);
 }
@@ -70,7 +72,7 @@ void Objective::scaleGoals(const Intentions& intentions, const Layout& reference
                                 static_cast<std::uint32_t>(flux.size())));
   const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {
-    if (traitsOf(term.statistic).needsExtremes) continue;
+    if (traitsOf(term.statistic).needsExtremes || term.target > 0) continue;
     double value = termValue(term, moments.data(), none.data());
     if (!term.scaleFree) value *= dimmingHigh_;
     if (value > 1e-12 && std::isfinite(value)) term.factor /= value;
@@ -89,22 +91,24 @@ double Objective::boundedValue(const Bound& bound, const Moments* moments, const
 }
 
 Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) const {
-  double slope = 0, constant = 0;
+  DimmedGoal goal{0, 0, aims_.data(), 0};
   for (const Term& term : terms_) {
     const double value = termValue(term, moments, extremes);
-    if (!term.scaleFree)
-      slope += term.factor * value;
+    if (term.target > 0)
+      aims_[goal.aimCount++] = {value, term.target, term.factor};
+    else if (!term.scaleFree)
+      goal.slope += term.factor * value;
     else if (!std::isnan(value))
-      constant += term.factor * value;
+      goal.constant += term.factor * value;
     else if (term.factor > 0)
-      constant = kUnbounded;  // no value is the worst one: a ratio is 0 or more
+      goal.constant = kUnbounded;  // no value is the worst one: a ratio is 0 or more
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Bound& bound = sides_[i];
     bounds_[i] = {boundedValue(bound, moments, extremes), bound.value, bound.side, bound.scaleFree};
   }
-  return solveDimming(bounds_.data(), static_cast<std::uint32_t>(bounds_.size()), slope, constant,
-                      dimmingLow_, dimmingHigh_);
+  return solveDimming(bounds_.data(), static_cast<std::uint32_t>(bounds_.size()), goal, dimmingLow_,
+                      dimmingHigh_);
 }
 
 Extremes Objective::allowedBy(const Moments& moments) {
@@ -115,6 +119,7 @@ Extremes Objective::allowedBy(const Moments& moments) {
 
 double Objective::goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const {
   const double value = termValue(terms_[g], moments, extremes);
+  if (terms_[g].target > 0) return distanceFrom(terms_[g].target, t * value);
   return terms_[g].scaleFree ? value : t * value;
 }
 

@@ -40,10 +40,11 @@ class Objective {
   /// (Bhatia-Davis).
   static Extremes allowedBy(const Moments& moments);
 
-  /// What Evaluation::goal adds per unit of goal g's value: sign x weight / reference value.
+  /// What Evaluation::goal adds per unit of goal g's value: sign x weight / reference value; the weight of an
+  /// aim.
   double goalFactor(std::size_t g) const { return terms_[g].factor; }
 
-  /// Value of goal g at dimming t, in its own unit.
+  /// Value of goal g at dimming t, in its own unit; of an aim the distance from its target.
   double goalValue(std::size_t g, const Moments* moments, const Extremes* extremes, double t) const;
 
  private:
@@ -57,9 +58,10 @@ class Objective {
   struct Term {  // one goal
     Statistic statistic;
     std::uint32_t set, over;
-    double factor;  // sign x weight / |reference value|
+    double factor;  // sign x weight / |reference value|; the weight of an aim
     Side side;      // where the worst of what is not known exactly lies
     bool scaleFree;
+    double target;  // above 0: it aims there
   };
 
   std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
@@ -77,6 +79,7 @@ class Objective {
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
   bool needsExtremes_ = false;
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
+  mutable std::vector<DimmedAim> aims_;      // scratch, one per aim
 };
 
 }  // namespace fiatlux

@@ -69,7 +69,8 @@ ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
 
 double readGoal(const Lit& lit, const Goal& goal) {
   const Read read = readFor(lit, traitsOf(goal.statistic), goal.surfaces, goal.over);
-  return valueOf(lit, goal.statistic, read, Side::kLower, 0);
+  const double value = valueOf(lit, goal.statistic, read, Side::kLower, 0);
+  return goal.sense == Sense::kNear ? distanceFrom(goal.target, value) : value;
 }
 
 /// Least and largest light of every leaf and of all of them, in one pass over the patches.

@@ -30,7 +30,7 @@ struct Shown {
   Layout layout;
   std::vector<float> illuminance;        // lx, rows() entries
   std::vector<SurfaceReading> surfaces;  // one a leaf, then "all"
-  std::vector<double> goals;             // value of each, in its unit; a contrast as above
+  std::vector<double> goals;             // value of each, in its unit; of an aim the distance
   std::vector<ConstraintReading> constraints;
 };
 

@@ -39,6 +39,7 @@ struct StatisticTraits {
   const char* name;  // in intentions.json, on the page and wherever a person reads it
   Unit unit;
   bool mayBeGoal;      // of a person; a bound on it may be asked of every statistic
+  bool mayBeAimed;     // as a goal, "near" a target too
   bool needsSurfaces;  // it belongs to surfaces, not to the luminaires
   bool needsOver;      // and to a second set that it is compared with
   bool needsAlpha;
@@ -49,15 +50,15 @@ struct StatisticTraits {
 
 // note: extremes need the variance too, which tells most trials apart without a patch in sight.
 inline constexpr StatisticTraits kStatistics[] = {
-    // statistic, name, unit, goal, surfaces, over, alpha, variance, extremes
-    {Statistic::kMean, "mean", Unit::kLight, true, true, false, false, false, false},
-    {Statistic::kSigma, "sigma", Unit::kLight, true, true, false, false, true, false},
-    {Statistic::kPower, "power", Unit::kFlux, true, false, false, false, false, false},
-    {Statistic::kChebyshev, "chebyshev", Unit::kLight, false, true, false, true, true, false},
-    {Statistic::kMinimum, "minimum", Unit::kLight, false, true, false, false, true, true},
-    {Statistic::kMaximum, "maximum", Unit::kLight, false, true, false, false, true, true},
-    {Statistic::kUniformity, "uniformity", Unit::kRatio, false, true, false, false, true, true},
-    {Statistic::kContrast, "contrast", Unit::kRatio, true, true, true, false, false, false},
+    // statistic, name, unit, goal, aimed, surfaces, over, alpha, variance, extremes
+    {Statistic::kMean, "mean", Unit::kLight, true, true, true, false, false, false, false},
+    {Statistic::kSigma, "sigma", Unit::kLight, true, false, true, false, false, true, false},
+    {Statistic::kPower, "power", Unit::kFlux, true, false, false, false, false, false, false},
+    {Statistic::kChebyshev, "chebyshev", Unit::kLight, false, false, true, false, true, true, false},
+    {Statistic::kMinimum, "minimum", Unit::kLight, false, false, true, false, false, true, true},
+    {Statistic::kMaximum, "maximum", Unit::kLight, false, false, true, false, false, true, true},
+    {Statistic::kUniformity, "uniformity", Unit::kRatio, false, false, true, false, false, true, true},
+    {Statistic::kContrast, "contrast", Unit::kRatio, true, false, true, true, false, false, false},
 };
 
 constexpr const StatisticTraits& traitsOf(Statistic statistic) {
@@ -151,6 +152,9 @@ inline double excessOver(double bound, Side side, double value) {
   if (std::isnan(excess)) return 1;
   return bound == 0 ? excess : excess / std::fabs(bound);
 }
+
+/// What a goal "near" a target is worth, 0 at best. Precondition: target > 0.
+inline double distanceFrom(double target, double value) { return std::fabs(value - target) / target; }
 
 // --- The relaxation
 

@@ -125,6 +125,10 @@ Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, 
   if (!traits.mayBeGoal && !(asking == Asking::kBoundSearch && traits.needsExtremes))
     return Error{where + ": " + statisticName(goal.statistic) +
                  " cannot be a goal, only a constraint; goals are " + goalNames()};
+  if (goal.sense == Sense::kNear && !traits.mayBeAimed)
+    return Error{where + ": " + traits.name + " cannot aim at a target; ask for the least or the most of it"};
+  if (goal.sense == Sense::kNear && (!(goal.target > 0) || !std::isfinite(goal.target)))
+    return Error{where + ": a target of " + text(goal.target) + "; it must be above 0"};
   if (!(goal.weight > 0) || !std::isfinite(goal.weight))
     return Error{where + ": a weight of " + text(goal.weight) + "; it must be above 0"};
   return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);

@@ -66,9 +66,14 @@ Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& r
 std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
   const Goal& goal = intentions.goals[g];
   const StatisticTraits& traits = traitsOf(goal.statistic);
-  std::string line = std::string(goal.sense == Sense::kMinimize ? "least " : "most ") + traits.name;
+  const bool near = goal.sense == Sense::kNear;
+  std::string line = near ? "" : goal.sense == Sense::kMinimize ? "least " : "most ";
+  line += traits.name;
   if (traits.needsSurfaces) line += " of " + surfaceSetName(scene, goal.surfaces);
   if (traits.needsOver) line += " over " + surfaceSetName(scene, goal.over);
+  if (near)
+    return line + " near " + valueText(goal.target, goal.statistic, intentions.quantity) + ": " +
+           shortNumber(100 * shown.goals[g], kReportDigits) + " % off";
   return line + ": " + valueText(shown.goals[g], goal.statistic, intentions.quantity);
 }
 

@@ -79,6 +79,14 @@ T oneOf(const Json& value, const std::string& where, const std::vector<std::pair
   fail(where, "unknown \"" + value.get_ref<const std::string&>().substr(0, 60) + "\"; known are " + list);
 }
 
+/// The enumerators whose names a table holds in their order.
+template <class E, std::size_t kCount>
+std::vector<std::pair<const char*, E>> namedBy(const char* const (&names)[kCount]) {
+  std::vector<std::pair<const char*, E>> choices;
+  for (std::size_t i = 0; i < kCount; ++i) choices.emplace_back(names[i], static_cast<E>(i));
+  return choices;
+}
+
 SurfaceSet surfacesOf(const Scene& scene, const Json& value, const std::string& where) {
   std::vector<std::string> names;
   if (value.is_string()) {
@@ -156,12 +164,15 @@ void readSurfaces(const Scene& scene, const Json& json, const std::string& where
 }
 
 Goal goalOf(const Scene& scene, const Json& json, const std::string& where) {
-  requireKeys(json, where, {"surface", "statistic", "sense", "weight", "over"});
+  requireKeys(json, where, {"surface", "statistic", "sense", "weight", "over", "target"});
   Goal goal;
   goal.statistic = statisticOf(json, where, true);
-  if (!json.contains("sense")) fail(where, "no \"sense\"; say \"min\" or \"max\"");
-  goal.sense =
-      oneOf<Sense>(json["sense"], where + ".sense", {{"min", Sense::kMinimize}, {"max", Sense::kMaximize}});
+  if (!json.contains("sense")) fail(where, "no \"sense\"; say \"min\", \"max\" or \"near\"");
+  goal.sense = oneOf(json["sense"], where + ".sense", namedBy<Sense>(kSenseNames));
+  const bool near = goal.sense == Sense::kNear;
+  if (near != json.contains("target"))
+    fail(where, near ? "near what? give a \"target\"" : "\"target\" belongs to \"near\" only");
+  if (near) goal.target = numberOf(json["target"], where + ".target");
   if (json.contains("weight")) goal.weight = numberOf(json["weight"], where + ".weight");
   readSurfaces(scene, json, where, goal);
   return goal;
@@ -185,9 +196,7 @@ Intentions intentionsOf(const Scene& scene, const Json& json) {
   requireKeys(json, "", {"luminaires", "goals", "constraints", "quantity"});
   Intentions intentions;
   if (json.contains("quantity"))
-    intentions.quantity =
-        oneOf<Quantity>(json["quantity"], "quantity",
-                        {{"illuminance", Quantity::kIlluminance}, {"exitance", Quantity::kExitance}});
+    intentions.quantity = oneOf(json["quantity"], "quantity", namedBy<Quantity>(kQuantityNames));
   if (json.contains("luminaires")) intentions.luminaires = rulesOf(json["luminaires"]);
   if (json.contains("goals"))
     for (const Json& goal : listOf(json["goals"], "goals"))

@@ -15,7 +15,8 @@ nlohmann::ordered_json layoutJson(const Layout& layout);
 /// it is infinite or undefined), bounds, violation.
 nlohmann::ordered_json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown);
 
-/// The goal's value in its own unit; of several goals the list of theirs; null without one.
+/// The goal's value in its own unit (of an aim its distance from the target, as a share of that); of several
+/// goals the list of theirs; null without one.
 nlohmann::ordered_json goalJson(const Shown& shown);
 
 /// "mean of yellow wall 42.1 lx (at least 40): met"

@@ -35,6 +35,41 @@ test("numbers stand for the page's words: none is missing, none is another", () 
   expect(quantity).toEqual(inOrder(quantityCodes));
 });
 
+test('a pinned luminaire keeps its number', () => {
+  const luminaires = { ...even.luminaires, pinned: [17] };
+  const constraints = [{ statistic: 'minimum', min: 1, surfaces: ['floor'] }] as const;
+  const asked = coreIntentions({ ...even, luminaires, constraints }, session.info()?.surfaces ?? []);
+  const sites = Uint32Array.of(3, 30, 17);
+  expect(session.setIntentions(asked)).toBe('');
+  expect(session.startFrom(1, sites, Float64Array.of(1000, 1000, 1000), 1)).toBe('');
+  session.advance(5000);
+  const shown = session.incumbent();
+  if (typeof shown === 'string') throw new Error(shown);
+  expect(shown.layout.sites[2]).toBe(17);
+  expect(session.setIntentions(asked)).toBe('');
+  expect(session.startAlpha(1, sites)).toBe('');
+  let progress = session.advanceAlpha(20_000, 0);
+  while (typeof progress !== 'string' && !progress.done) progress = session.advanceAlpha(20_000, 0);
+  if (typeof progress === 'string') throw new Error(progress);
+  expect(progress.layout?.sites[2]).toBe(17);
+});
+
+test('an aim is met by the common dimming', () => {
+  const luminaires = { ...even.luminaires, dimming: [0.01, 1] } as const;
+  const goals = [{ statistic: 'mean', sense: 'near', target: 5, weight: 1, surfaces: ['floor'] }] as const;
+  const asked = coreIntentions(
+    { ...even, luminaires, goals, constraints: [] },
+    session.info()?.surfaces ?? [],
+  );
+  expect(session.setIntentions(asked)).toBe('');
+  expect(session.start(1)).toBe('');
+  session.advance(1000);
+  const shown = session.incumbent();
+  if (typeof shown === 'string') throw new Error(shown);
+  expect(shown.surfaces[0]).toBeCloseTo(5, 6);
+  expect(shown.goals[0]).toBeCloseTo(0, 6);
+});
+
 describe('every method', () => {
   test('of the module is declared, and the other way round', () => {
     // note: delete and friends are on Embind's own base class.
@@ -141,7 +176,7 @@ test('an alpha-search ends with a verdict and a layout that can be shown', () =>
   if (!info) throw new Error('no scene');
   const constraints = [{ statistic: 'minimum', min: 1, surfaces: ['floor'] }] as const;
   expect(session.setIntentions(coreIntentions({ ...even, constraints }, info.surfaces))).toBe('');
-  expect(session.startAlpha(1)).toBe('');
+  expect(session.startAlpha(1, Uint32Array.of())).toBe('');
   let progress = session.advanceAlpha(1000, 0);
   for (let slice = 0; slice < 10_000 && typeof progress !== 'string' && !progress.done; ++slice)
     progress = session.advanceAlpha(20_000, 0);

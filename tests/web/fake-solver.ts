@@ -143,10 +143,12 @@ export class FakeSolver implements WorkerLike {
       : [answer('improved', 100), answer('settled', 1000)];
   }
 
-  /** Pinned luminaires first, as the core orders them; then those of the start; then the first free sites. */
+  /** Those of the start, pinned ones at their places as in the core; then the first free sites. */
   #solved({ luminaires }: Intentions, start: Layout | null): Layout {
     const { pinned, excluded, count, flux } = luminaires;
-    const wanted = [...pinned, ...(start?.sites ?? []), ...Array.from({ length: 16 }, (_, i) => i)];
+    const given = start?.sites ?? [];
+    const elsewhere = pinned.filter((site) => !given.includes(site));
+    const wanted = [...elsewhere, ...given, ...Array.from({ length: 16 }, (_, i) => i)];
     const sites = [...new Set(wanted)].filter((site) => !excluded.includes(site)).slice(0, count);
     return { sites, flux: sites.map(() => flux), dimming: 1 };
   }

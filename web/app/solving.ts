@@ -72,9 +72,8 @@ export class Solving {
   solve(start: Layout | null = this.#showing.held): void {
     if (!this.#store.scene.peek()) return;
     const intentions = this.#begin();
-    if (!start) this.#showing.release();
-    const from = start && this.#showing.hold(start);
-    this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt());
+    this.#showing.hold(start);
+    this.#client.solve(intentions, start, this.#store.document.peek().seed, askedAt());
     const { evaluations, milliseconds } = this.#store.progress.peek();
     this.#store.progress.value = { state: 'improving', evaluations, milliseconds };
   }
@@ -82,13 +81,14 @@ export class Solving {
   /** Shows exactly this layout. */
   show(layout: Layout): void {
     const intentions = this.#begin();
-    this.#client.show(intentions, this.#showing.hold(layout));
+    this.#showing.hold(layout);
+    this.#client.show(intentions, layout);
   }
 
   findAlpha(card: string, intentions: Intentions): void {
     this.#begin();
     this.#store.alphaRun.value = { card, steps: [], done: null };
-    this.#client.alpha(intentions, this.#store.document.peek().seed);
+    this.#client.alpha(intentions, this.#store.document.peek().seed, this.#showing.layout);
   }
 
   /** Recomputes the layout shown from the patches; the answer is store.check. */
@@ -96,7 +96,7 @@ export class Solving {
     const layout = this.#store.shown.peek()?.layout;
     if (!layout) return;
     this.#checking = layout;
-    this.#client.check(this.#store.traced.peek().intentions, this.#showing.inCoreOrder(layout));
+    this.#client.check(this.#store.traced.peek().intentions, layout);
   }
 
   /** Runs other intentions to their end and returns the light they reach; the document's stay. */
@@ -108,7 +108,7 @@ export class Solving {
     });
   }
 
-  /** The layout shown now (or just put there by hand), in the page's order. */
+  /** The layout shown now (or just put there by hand). */
   layout(): Layout | null {
     return this.#showing.layout;
   }

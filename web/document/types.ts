@@ -21,11 +21,12 @@ export type Statistic =
 export type SurfaceNames = readonly string[];
 
 export interface Goal {
-  readonly statistic: Statistic; // mean, sigma, power or contrast
-  readonly sense: 'min' | 'max';
+  readonly statistic: Statistic; // mean, sigma, power or contrast; mean where it is near a target
+  readonly sense: 'min' | 'max' | 'near';
   readonly weight: number;
   readonly surfaces: SurfaceNames;
   readonly over?: SurfaceNames;
+  readonly target?: number; // near only: worth |value - target| / target
 }
 
 export interface Constraint {

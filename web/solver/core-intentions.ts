@@ -26,6 +26,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       statistic: statisticCodes[goal.statistic],
       sense: senseCodes[goal.sense],
       weight: goal.weight,
+      target: goal.target ?? 0,
       ...surfaces(goal),
     })),
     constraints: asked.constraints.map((constraint) => ({

@@ -43,8 +43,8 @@ export interface CoreShown {
   readonly layout: CoreLayout;
   readonly illuminance: Float32Array; // rows, lx
   readonly surfaces: Float64Array; // 4 a leaf, then 4 of 'all': mean, sigma, min, max in the quantity asked for
-  readonly goals: Float64Array; // 1 each: the value
-  readonly constraints: Float64Array; // 3 each: value, violation, margin (relative; negative = not met)
+  readonly goals: Float64Array; // 1 each: the value; of an aim its distance from the target, as a share of that
+  readonly constraints: Float64Array; // 3 each: value (a contrast may be infinite or NaN), violation, margin (relative; negative = not met)
 }
 
 export interface CoreCheck {
@@ -91,7 +91,7 @@ export const statisticCodes = {
   uniformity: 6,
   contrast: 7,
 } as const;
-export const senseCodes = { min: 0, max: 1 } as const;
+export const senseCodes = { min: 0, max: 1, near: 2 } as const;
 export const quantityCodes = { illuminance: 0, exitance: 1 } as const;
 
 /** Surfaces are sorted leaf indices, none for 'all'. */
@@ -101,6 +101,7 @@ export interface CoreGoal {
   readonly weight: number;
   readonly surfaces: Uint32Array;
   readonly over: Uint32Array; // contrast only
+  readonly target: number; // near only, above 0
 }
 
 export interface CoreConstraint {
@@ -119,7 +120,7 @@ export interface CoreIntentions {
     readonly flux: Float64Array; // lm: one for all, or one each
     readonly dimmingLow: number;
     readonly dimmingHigh: number;
-    readonly pinned: Uint32Array; // sites
+    readonly pinned: Uint32Array; // sites: of the first luminaires, or of those that hang there where a search starts
     readonly excluded: Uint32Array;
     readonly minDistance: number; // m
   };
@@ -145,7 +146,7 @@ export interface Session {
   setIntentions(intentions: CoreIntentions): string;
   /** Begins a search at random. `seed`: 32 bits. */
   start(seed: number): string;
-  /** Begins a search from a layout, fitted to the rules. */
+  /** Begins a search from a layout, fitted to the rules; its luminaires on pinned sites keep their numbers. */
   startFrom(seed: number, sites: Uint32Array, flux: Float64Array, dimming: number): string;
   /** Spends that many evaluations (one = one trial layout). */
   advance(evaluations: number): Progress;
@@ -155,8 +156,9 @@ export interface Session {
   show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
   /** Statistics of a layout against its patches. */
   check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
-  /** Begins the alpha-search for the true minima and maxima that are asked for. */
-  startAlpha(seed: number): string;
+  /** Begins the alpha-search for the true minima and maxima that are asked for. `held`: sites of the layout whose
+   *  luminaires are pinned; none = the first ones are. */
+  startAlpha(seed: number, held: Uint32Array): string;
   /** Spends about that many evaluations; tells the iterations from number `from` on. */
   advanceAlpha(evaluations: number, from: number): OrError<AlphaProgress>;
   /** Begins to look for a provable bound on the goal of the search that runs or has run. */
@@ -181,7 +183,7 @@ export const sessionMethods = {
   incumbent: 0,
   show: 3,
   check: 3,
-  startAlpha: 1,
+  startAlpha: 2,
   advanceAlpha: 2,
   startBound: 0,
   advanceBound: 1,

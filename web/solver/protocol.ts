@@ -67,6 +67,7 @@ export type ToWorker =
       readonly revision: number;
       readonly intentions: Intentions;
       readonly seed: number;
+      readonly held: Layout | null; // whose luminaires hang on the pinned sites
     }
   /** A provable bound on the goal -> 'bounded', possibly several times, tighter each time. */
   | {

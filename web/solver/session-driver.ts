@@ -116,7 +116,7 @@ export class SessionDriver {
   #beginAlpha(request: Request<'alpha'>): void {
     this.#drop();
     this.#ask(request.intentions);
-    check(this.#session.startAlpha(request.seed));
+    check(this.#session.startAlpha(request.seed, Uint32Array.from(request.held?.sites ?? [])));
     this.#task = new AlphaTask(this.#session, this.#clock, request.revision, this.#leaves());
   }
 

@@ -80,8 +80,8 @@ export class SolverClient {
     return this.#ask({ type: 'show', revision: ++this.#revision, intentions, layout });
   }
 
-  alpha(intentions: Intentions, seed: number): number {
-    return this.#ask({ type: 'alpha', revision: ++this.#revision, intentions, seed });
+  alpha(intentions: Intentions, seed: number, held: Layout | null): number {
+    return this.#ask({ type: 'alpha', revision: ++this.#revision, intentions, seed, held });
   }
 
   bound(intentions: Intentions): number {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/search/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
 
 namespace fiatlux {
@@ -28,6 +29,12 @@ TEST(Guarantees, AreMinimaFromBelowAndMaximaFromAbove) {
 TEST(Guarantees, AnAlphaNeedsOne) {
   EXPECT_FALSE(checkAlphaIntentions(smallRoom(), asking({{Statistic::kMean, 3, 4, 1, {}, {}}})));
   EXPECT_TRUE(checkAlphaIntentions(smallRoom(), asking({{Statistic::kMinimum, 3, 4, 1, {}, {}}})));
+  Intentions aiming = asking({{Statistic::kMinimum, 3, 4, 1, {}, {}}});
+  aiming.goals = {{Statistic::kMean, Sense::kNear, 1, {0}, {}, 50}};
+  ASSERT_TRUE(checkIntentions(smallRoom(), aiming));
+  const Result<Done> refused = checkAlphaIntentions(smallRoom(), aiming);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("near a target"), std::string::npos);
 }
 
 TEST(Guarantees, BecomeChebyshevAndLeaveTheirOtherSide) {

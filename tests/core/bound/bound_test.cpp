@@ -62,6 +62,9 @@ Intentions three(std::vector<Goal> goals, std::vector<Constraint> constraints = 
 
 const Goal kEven{Statistic::kSigma, Sense::kMinimize, 1, {}, {}};
 const Goal kDarkWall{Statistic::kMean, Sense::kMinimize, 1, {2}, {}};
+Goal wallNear(double target, double weight = 1) {
+  return {Statistic::kMean, Sense::kNear, weight, {2}, {}, target};
+}
 const Goal kBrightWall{Statistic::kMean, Sense::kMaximize, 1, {2}, {}};
 
 TEST(Bound, IsNeverAboveTheExhaustiveOptimum) {
@@ -168,6 +171,38 @@ TEST(Bound, IsExactForMeans) {
     const Evaluation best = exhaustiveOptimum(prepared, three({goal}));
     EXPECT_NEAR(boundOf(prepared, three({goal}), best), best.goal, 1e-6 * std::fabs(best.goal));
   }
+}
+
+TEST(Bound, IsNeverAboveTheBestAimAndExactWhereTheTargetIsOutOfReach) {
+  PreparedScene prepared(smallRoom());
+  std::vector<Intentions> problems = {
+      three({wallNear(1)}),
+      three({wallNear(45)}),
+      three({wallNear(2000, 3)}),
+      three({wallNear(60), kEven}),
+      three({wallNear(2000), {Statistic::kPower, Sense::kMinimize, 0.2, {}, {}}}),
+      three({wallNear(2000)}, {{Statistic::kMean, -kUnbounded, 30, 1, {0}, {}}})};
+  problems[3].luminaires.dimmingLow = problems[4].luminaires.dimmingLow = 0.2;
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    ASSERT_TRUE(checkIntentions(prepared.scene(), problems[p]));
+    const Evaluation best = exhaustiveOptimum(prepared, problems[p]);
+    const double bound = boundOf(prepared, problems[p], best);
+    EXPECT_LE(bound, best.goal + 1e-9) << "problem " << p;
+    EXPECT_GE(bound, 0) << "problem " << p;
+    const bool outOfReach = p == 0 || p == 2;
+    if (outOfReach) EXPECT_NEAR(bound, best.goal, 1e-6 * best.goal) << "problem " << p;
+  }
+}
+
+TEST(Bound, AnAimThatIsMetCannotBeBettered) {
+  PreparedScene prepared(smallRoom());
+  Intentions intentions = three({wallNear(30)});
+  intentions.luminaires.dimmingLow = 0.05;
+  const Evaluation best = exhaustiveOptimum(prepared, intentions);
+  ASSERT_NEAR(best.goal, 0, 1e-12);
+  OptimumBound bound(prepared, intentions, best);
+  while (!bound.done()) bound.advance(1000);
+  EXPECT_EQ(bound.within(best), std::optional<double>(0.0));
 }
 
 TEST(Bound, SaysHowFarALayoutMayBeFromTheBest) {

@@ -139,9 +139,10 @@ TEST(Statistics, SearchAndShownAgreeOnEveryGoal) {
     if (!traits.mayBeGoal) continue;
     for (const auto& [surfaces, over] : setsFor(traits))
       for (const auto& sites : kLayouts)
-        for (const Sense sense : {Sense::kMinimize, Sense::kMaximize}) {
+        for (const Sense sense : {Sense::kMinimize, Sense::kMaximize, Sense::kNear}) {
+          if (sense == Sense::kNear && !traits.mayBeAimed) continue;
           Intentions intentions = three(0.4);
-          intentions.goals = {{traits.statistic, sense, 1, surfaces, over}};
+          intentions.goals = {{traits.statistic, sense, 1, surfaces, over, 50}};
           Evaluator evaluator(prepared, intentions);
           evaluator.load(sites);
           const double shown = shownOf(prepared, intentions, layoutOf(sites, 0.4)).goals[0];

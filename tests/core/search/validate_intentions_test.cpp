@@ -54,6 +54,10 @@ TEST(CheckIntentions, RefusesImpossibleLuminaires) {
 TEST(CheckIntentions, RefusesMeaninglessGoalsAndConstraints) {
   expectRefusal([](Intentions& i) { i.goals[0].statistic = Statistic::kMinimum; }, "cannot be a goal");
   expectRefusal([](Intentions& i) { i.goals[0].weight = -1; }, "weight");
+  expectRefusal([](Intentions& i) { i.goals[0].sense = Sense::kNear, i.goals[0].target = 5; },
+                "sigma cannot aim");
+  expectRefusal([](Intentions& i) { i.goals[0] = {Statistic::kMean, Sense::kNear, 1, {0}, {}, 0}; },
+                "target of 0");
   expectRefusal([](Intentions& i) { i.goals[0].surfaces = {9}; }, "surface number 9");
   expectRefusal([](Intentions& i) { i.constraints[0].lower = 30; }, "above the maximum");
   expectRefusal([](Intentions& i) { i.constraints[0].lower = NAN; }, "not a number");

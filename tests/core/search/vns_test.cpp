@@ -131,6 +131,32 @@ TEST(Vns, FindsTheExhaustiveOptimumOfSmallRooms) {
   }
 }
 
+TEST(Vns, FindsTheExhaustiveOptimumOfAnAim) {
+  PreparedScene prepared(smallRoom());
+  Intentions intentions = ask(Statistic::kMean, Sense::kNear, 3, {2});
+  for (const double low : {0.4, 1.0})
+    for (const double target : {20.0, 45.0, 900.0})
+      for (const bool bounded : {false, true}) {
+        intentions.luminaires.dimmingLow = low;
+        intentions.goals[0].target = target;
+        intentions.constraints.clear();
+        if (bounded) intentions.constraints = {{Statistic::kMean, 30, 40, 1, {0}, {}}};
+        Evaluator evaluator(prepared, intentions);
+        Evaluation best{1e9, 0, 1};
+        for (std::uint32_t a = 0; a < 20; ++a)
+          for (std::uint32_t b = a + 1; b < 20; ++b)
+            for (std::uint32_t c = b + 1; c < 20; ++c)
+              if (const Evaluation e = evaluator.evaluate({a, b, c}); isBetter(e, best)) best = e;
+        Vns vns(prepared, intentions, 5);
+        vns.advance(5000);
+        EXPECT_NEAR(vns.evaluation().violation, best.violation, 1e-9) << low << " " << target;
+        EXPECT_NEAR(vns.evaluation().goal, best.goal, 1e-7) << low << " " << target;
+        Evaluator at(prepared, intentions);
+        at.load(vns.incumbent().sites);
+        EXPECT_NEAR(at.goalValue(0), best.goal, 1e-7) << "an aim is told as the distance that it is";
+      }
+}
+
 TEST(Vns, StartsFromAGivenLayoutAndNeverReturnsWorse) {
   PreparedScene prepared(longCorridor());
   const Intentions intentions = ask(Statistic::kSigma, Sense::kMinimize, 6);

@@ -93,6 +93,51 @@ TEST_F(SearchCommands, SolveListsSurfacesAsEvaluateDoes) {
   EXPECT_EQ(solved["runs"][0]["surfaces"], evaluated["surfaces"]);
 }
 
+TEST_F(SearchCommands, SolveAimsAtATarget) {
+  write("i.json", R"({"luminaires": {"count": 3, "flux": 1000, "dimming": [0.05, 1]},
+    "goals": [{"surface": "floor", "statistic": "mean", "sense": "near", "target": 20}]})");
+  const Json report =
+      Json::parse(run({"solve", path("room.flux"), "--intentions", path("i.json"), "--bound", "--json"}));
+  EXPECT_NEAR(report["runs"][0]["surfaces"][0]["mean"].get<double>(), 20, 1e-3);
+  EXPECT_NEAR(report["runs"][0]["goal"].get<double>(), 0, 1e-6);
+  EXPECT_EQ(report["bound"]["within"], 0);
+  EXPECT_NE(
+      run({"solve", path("room.flux"), "--intentions", path("i.json")}).find("mean of floor near 20 lx: "),
+      std::string::npos);
+  write("alpha.json", R"({"goals": [{"surface": "floor", "statistic": "mean", "sense": "near", "target": 20}],
+    "constraints": [{"surface": "floor", "statistic": "minimum", "min": 3}]})");
+  EXPECT_THROW(run({"alpha", path("room.flux"), "--intentions", path("alpha.json")}), CommandError);
+}
+
+TEST_F(SearchCommands, AContrastAgainstDarknessIsInfinite) {
+  Scene scene = fiatlux::testing::smallRoom();
+  for (std::uint32_t j = 0; j < scene.responses.sites; ++j)
+    for (std::uint32_t p = 0; p < scene.responses.rows; ++p)
+      if (scene.patches.surface[p] >= 2)
+        scene.responses.illuminance[std::size_t{j} * scene.responses.rows + p] = 0;
+  fiatlux::testing::addStatistics(scene);
+  auto sections = encodeScene(scene);
+  ASSERT_TRUE(sections) << sections.error().message;
+  writeFileAtomically(path("dark.flux"),
+                      std::span<const std::uint8_t>(assembleSceneFile(
+                          scene.identity, countsOf(scene), storeSections(*sections, zlibDeflate))));
+  write("i.json", R"({"luminaires": {"count": 2},
+    "goals": [{"surface": "floor", "over": "walls", "statistic": "contrast", "sense": "max"}],
+    "constraints": [{"surface": "floor", "over": "walls", "statistic": "contrast", "min": 3},
+                    {"surface": "yellow wall", "over": "walls", "statistic": "contrast", "min": 3}]})");
+  const std::vector<std::string> solve = {"solve", path("dark.flux"), "--intentions", path("i.json")};
+  std::vector<std::string> asJson = solve;
+  asJson.push_back("--json");
+  const Json report = Json::parse(run(asJson))["runs"][0];
+  EXPECT_TRUE(report["goal"].is_null());
+  ASSERT_EQ(report["violations"].size(), 1u);
+  EXPECT_EQ(report["violations"][0]["constraint"], 2);
+  EXPECT_TRUE(report["violations"][0]["value"].is_null());
+  const std::string text = run(solve);
+  EXPECT_NE(text.find("contrast of floor infinite (at least 3): met"), std::string::npos) << text;
+  EXPECT_NE(text.find("contrast of yellow wall undefined (at least 3): NOT met"), std::string::npos) << text;
+}
+
 TEST_F(SearchCommands, TheSameSeedGivesTheSameLayout) {
   write(
       "i.json",

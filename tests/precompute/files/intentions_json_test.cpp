@@ -50,6 +50,40 @@ TEST(IntentionsJson, ReadsEverything) {
   EXPECT_EQ(result->constraints[2].surfaces, SurfaceSet{});
 }
 
+TEST(IntentionsJson, ReadsAnAim) {
+  const Result<Intentions> result = parseIntentions(
+      namedRoom(),
+      R"({"goals": [{"surface": "room", "statistic": "mean", "sense": "near", "target": 500, "weight": 2}]})");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->goals[0].sense, Sense::kNear);
+  EXPECT_EQ(result->goals[0].target, 500);
+  EXPECT_EQ(result->goals[0].weight, 2);
+  const auto goal = [](const std::string& rest) {
+    return "{\"goals\": [{\"surface\": \"all\", \"statistic\": " + rest + "}]}";
+  };
+  expectRefusal(goal(R"("mean", "sense": "near")"), "goal 1: near what? give a \"target\"");
+  expectRefusal(goal(R"("mean", "sense": "max", "target": 3)"), "\"target\" belongs to \"near\" only");
+  expectRefusal(goal(R"("mean", "sense": "near", "target": 0)"), "goal 1: a target of 0");
+  expectRefusal(goal(R"("sigma", "sense": "near", "target": 3)"), "sigma cannot aim at a target");
+  expectRefusal(goal(R"("mean", "sense": "next to", "target": 3)"), "known are min, max, near");
+}
+
+TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
+  for (const StatisticTraits& traits : kStatistics) {
+    std::string asked = std::string("\"statistic\": \"") + traits.name + "\"";
+    if (traits.needsSurfaces) asked += ", \"surface\": \"room\"";
+    if (traits.needsOver) asked += ", \"over\": \"plane\"";
+    const Result<Intentions> bound =
+        parseIntentions(namedRoom(), "{\"constraints\": [{" + asked + ", \"max\": 1}]}");
+    ASSERT_TRUE(bound) << bound.error().message;
+    EXPECT_EQ(bound->constraints[0].statistic, traits.statistic);
+    const Result<Intentions> goal =
+        parseIntentions(namedRoom(), "{\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
+    EXPECT_EQ(bool(goal), traits.mayBeGoal) << traits.name;
+    if (goal) EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
+  }
+}
+
 TEST(IntentionsJson, WithoutDimmingItIsOne) {
   const Result<Intentions> result =
       parseIntentions(namedRoom(), R"({"luminaires": {"count": 1, "flux": 5}})");

@@ -93,8 +93,8 @@ export class FakeSession implements Session {
   check() {
     return { largestDifference: 1e-5, surface: 0, margins: Float64Array.of(0.25) };
   }
-  startAlpha(seed: number) {
-    this.calls.push(`alpha ${seed}`);
+  startAlpha(seed: number, held: Uint32Array) {
+    this.calls.push(`alpha ${seed} held by ${[...held].join(' ')}`);
     this.evaluations = 0;
     return '';
   }

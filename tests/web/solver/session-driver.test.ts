@@ -293,7 +293,8 @@ describe('show and check', () => {
 describe('alpha, bound and stop', () => {
   test('alpha tells every iteration once, then the verdict with its layout', async () => {
     await opened();
-    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });
+    const held = { sites: [7, 3], flux: [1, 1], dimming: 1 };
+    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4, held });
     settle();
     expect(kinds()).toEqual(['alphaStep 2', 'alphaStep 2', 'alphaStep 2', 'alphaDone 2']);
     expect(answers[1]).toMatchObject({ step: { iteration: 2, interval: [0, 1], goal: 3, region: 'II' } });
@@ -302,12 +303,12 @@ describe('alpha, bound and stop', () => {
       verdict: expect.stringContaining('enough'),
       shown: { layout: { sites: [1] } },
     });
-    expect(session.calls).toContain('alpha 4');
+    expect(session.calls).toContain('alpha 4 held by 7 3');
   });
 
   test('a new wish ends the alpha-search', async () => {
     await opened();
-    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4 });
+    await driver.receive({ type: 'alpha', revision: 2, intentions: asked, seed: 4, held: null });
     driver.step();
     await driver.receive(solve(3));
     settle();

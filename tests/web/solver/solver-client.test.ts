@@ -111,7 +111,7 @@ describe('the search that a bound or a check is about', () => {
 
   test.each([
     ['a layout that is only shown', () => client.show(asked, layout)],
-    ['an alpha-search', () => client.alpha(asked, 1)],
+    ['an alpha-search', () => client.alpha(asked, 1, null)],
     ['another file', () => client.open(file())],
   ])('is gone after %s', (_, request) => {
     client.solve(asked, null, 1, 0);

@@ -55,7 +55,9 @@ export function percentAtMost(share: number): string {
   return `${value.toFixed(scale === 1000 ? 1 : 0)} %`;
 }
 
+/** 0.62; ∞ for light against darkness, – for darkness against darkness. */
 export function ratio(value: number): string {
+  if (value === Infinity) return '∞';
   return Number.isFinite(value) ? value.toFixed(2) : '–';
 }
 

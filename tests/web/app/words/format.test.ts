@@ -8,6 +8,7 @@ import {
   niceStep,
   percent,
   percentAtMost,
+  ratio,
   tabular,
 } from '../../../../web/app/words/format.ts';
 
@@ -21,6 +22,10 @@ test('a proved gap is never told smaller than it is', () => {
     '10 %',
     '19 %',
   ]);
+});
+
+test('a contrast against darkness is infinite, one of darkness against darkness none', () => {
+  expect([0.4, 12, 5 / 0, 0 / 0].map(ratio)).toEqual(['0.40', '12.00', '∞', '–']);
 });
 
 test('times in the unit that keeps them short', () => {
