@@ -7,6 +7,7 @@ import { createRequire } from 'node:module';
 import { cpus } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { checkFunctionSizes } from './function-sizes.mjs';
 import { closureOf, librariesOf, sourcesOf } from './libraries.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..');
@@ -20,6 +21,7 @@ const packages = {
     ),
   browser: ['chromium', 'fonts-dejavu-core'],
   fuzz: ['clang-14', 'libclang-rt-14-dev'],
+  sizes: ['clang-tidy'],
 };
 
 function say(text) {
@@ -192,13 +194,13 @@ const commands = {
   },
 
   async test() {
-    systemPackages(packages.browser);
+    systemPackages([...packages.browser, ...packages.sizes]);
     await build();
     cmake('native');
     cmake('wasm');
     const totals = { passed: 0, failed: 0 };
-    for (const suite of ['lint', 'native', 'wasm', 'jest', 'browser']) {
-      const { passed, failed } = testSuites[suite]();
+    for (const suite of ['lint', 'sizes', 'native', 'wasm', 'jest', 'browser']) {
+      const { passed, failed } = await testSuites[suite]();
       totals.passed += passed;
       totals.failed += failed;
       say(`${suite}: ${passed} passed, ${failed} failed`);
@@ -262,6 +264,13 @@ const testSuites = {
     const clean = (tool) => spawnSync('npx', tool, { cwd: root, stdio: 'inherit' }).status === 0;
     const passed = tools.filter(clean).length;
     return { passed, failed: tools.length - passed };
+  },
+
+  async sizes() {
+    say('C++ functions of at most 50 lines, by clang-tidy');
+    const { passed, failed, complaints } = await checkFunctionSizes(root);
+    for (const line of complaints) process.stdout.write(`${line}\n`);
+    return { passed, failed };
   },
 
   native: () => ctest('build/native'),
