@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "precompute/base/error.h"
 #include "precompute/base/names.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/gltf/refusal.h"
@@ -24,11 +23,9 @@ Result<std::vector<std::uint8_t>> readPlainFile(const fs::path& path) {
     return Error{"has " + std::to_string(size >> 20) + " MB, and " +
                  std::to_string(GltfBudget::kBytes >> 20) +
                  " MB are accepted; make the textures or meshes smaller"};
-  try {
-    return readFileBytes(path.string(), GltfBudget::kBytes);
-  } catch (const CommandError&) {
-    return Error{"cannot be read; check its permissions"};
-  }
+  Result<std::vector<std::uint8_t>> bytes = readFileBytes(path.string(), GltfBudget::kBytes);
+  if (!bytes) return Error{"cannot be read; check its permissions"};
+  return bytes;
 }
 
 }  // namespace

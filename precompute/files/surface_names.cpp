@@ -1,8 +1,9 @@
-// Surface names to leaves, and what a misspelt one may have meant; see intentions_json.h.
+// Surface names to leaves, and what a misspelt one may have meant.
+#include "precompute/files/surface_names.h"
+
 #include <set>
 
 #include "precompute/base/names.h"
-#include "precompute/files/intentions_json.h"
 
 namespace fiatlux {
 namespace {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "precompute/base/json_text.h"
 #include "precompute/base/names.h"
 #include "precompute/gltf/refusal.h"
 
@@ -60,7 +61,7 @@ Model parseModel(GltfDocument& document) {
     return false;
   };
 
-  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = jsonText(json);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(files);
   Model model;
