@@ -7,7 +7,7 @@
 #include "precompute/base/error.h"
 #include "precompute/base/version.h"
 #include "precompute/commands/commands.h"
-#include "precompute/files/files_on_disk.h"
+#include "precompute/files/interrupt.h"
 #include "precompute/files/terminal.h"
 
 int main(int argc, char** argv) {

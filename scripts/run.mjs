@@ -19,7 +19,7 @@ async function build() {
 /** All that the tests and the benchmarks run. */
 async function buildAll() {
   recentNode();
-  await systemPackages([...packages.build, ...packages.browser]);
+  await systemPackages([...packages.build, ...packages.browser, ...packages.sizes]);
   await build();
   await Promise.all([cmake('native'), cmake('wasm')]);
 }

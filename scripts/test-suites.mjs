@@ -3,6 +3,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { jobs } from './build.mjs';
+import { checkFunctionSizes } from './function-sizes.mjs';
 import { root, say } from './processes.mjs';
 
 /** Each suite shows its own output and returns what it counted. */
@@ -18,6 +19,13 @@ export const testSuites = {
     const clean = (tool) => spawnSync('npx', tool, { cwd: root, stdio: 'inherit' }).status === 0;
     const passed = tools.filter(clean).length;
     return { passed, failed: tools.length - passed };
+  },
+
+  async sizes() {
+    say('C++ functions of at most 50 lines, by clang-tidy');
+    const { passed, failed, complaints } = await checkFunctionSizes(root);
+    for (const line of complaints) process.stdout.write(`${line}\n`);
+    return { passed, failed };
   },
 
   native: () => ctest('build/native'),

@@ -87,7 +87,8 @@ std::string UniqueNames::take(const std::string& wanted) {
   return name;
 }
 
-std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote) {
+std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote,
+                         std::size_t most) {
   const std::string asked = cleanText(wanted);
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& name : names)
@@ -95,7 +96,7 @@ std::string closestNames(const std::string& wanted, const std::vector<std::strin
   std::sort(ranked.begin(), ranked.end());
   ranked.erase(std::unique(ranked.begin(), ranked.end()), ranked.end());
   std::string list;
-  for (std::size_t i = 0; i < ranked.size() && i < 3; ++i)
+  for (std::size_t i = 0; i < ranked.size() && i < most; ++i)
     list += (i ? ", " : "") + (quote + ranked[i].second + quote);
   return list;
 }

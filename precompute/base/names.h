@@ -25,7 +25,8 @@ class UniqueNames {
   std::set<std::string> taken_;
 };
 
-/// Up to three of `names` that look most like `wanted`, each in quotes: "'a', 'b', 'c'"; for error messages.
-std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote = '\'');
+/// Up to `most` of `names` that look most like `wanted`, each in quotes: "'a', 'b', 'c'"; for error messages.
+std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote = '\'',
+                         std::size_t most = 3);
 
 }  // namespace fiatlux

@@ -8,10 +8,12 @@
 #include "core/alpha/alpha_search.h"
 #include "core/alpha/guarantees.h"
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/intentions_json.h"
+#include "precompute/files/layout_json.h"
 #include "precompute/files/light_results.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
@@ -46,7 +48,7 @@ const char* outcomeName(AlphaOutcome outcome) {
   return "";
 }
 
-Json iterationJson(const AlphaIteration& it) {
+Json iterationJson(const Scene& scene, const AlphaIteration& it) {
   return {{"alpha", it.alpha},
           {"region", regionName(it.region)},
           {"interval", {it.low, it.high}},
@@ -56,7 +58,7 @@ Json iterationJson(const AlphaIteration& it) {
           {"min", it.minimum},
           {"max", it.maximum},
           {"phi", it.phi},
-          {"layout", layoutJson(it.layout)}};
+          {"layout", layoutJson(it.layout, scene)}};
 }
 
 /// The layout that answers, or the best there is instead; nullptr where there is none.
@@ -75,12 +77,12 @@ Json reportJson(const Scene& scene, const AlphaSearch& search, double seconds) {
     report["feasibleBound"] = search.feasibleBound();
   }
   if (const Layout* layout = layoutOf(search)) {
-    report["layout"] = layoutJson(*layout);
+    report["layout"] = layoutJson(*layout, scene);
     report["surfaces"] = surfacesJson(lightResults(scene, *layout));
   }
   report["iterations"] = Json::array();
   for (const AlphaIteration& iteration : search.iterations())
-    report["iterations"].push_back(iterationJson(iteration));
+    report["iterations"].push_back(iterationJson(scene, iteration));
   report["evaluations"] = search.evaluations();
   report["seconds"] = seconds;
   return report;
@@ -95,7 +97,7 @@ void printTable(const AlphaSearch& search) {
 }
 
 void findAlpha(const AlphaCommandOptions& options) {
-  if (!options.output.empty()) checkWritable(options.output);
+  if (!options.output.empty()) orThrow(checkReplaceable(options.output));
   const Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
   orThrow(options.intentions, checkAlphaIntentions(scene, intentions));
@@ -106,11 +108,9 @@ void findAlpha(const AlphaCommandOptions& options) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const Layout* layout = layoutOf(search);
   if (!options.output.empty() && layout)
-    writeFileAtomically(options.output, layoutJson(*layout).dump(2) + "\n");
+    orThrow(replaceFile(options.output, jsonDocument(layoutJson(*layout, scene))));
   if (options.json) {
-    std::printf(
-        "%s\n",
-        reportJson(scene, search, seconds).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fputs(jsonDocument(reportJson(scene, search, seconds)).c_str(), stdout);
     return;
   }
   printTable(search);

@@ -1,4 +1,4 @@
-// The commands of `fiatlux`, one file each (<name>_command.cpp). Each adds its subcommand and options to the
+// The commands of `fiatlux`, one file each (<name>.cpp). Each adds its subcommand and options to the
 // command line.
 #pragma once
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/layout_json.h"
@@ -20,17 +21,24 @@ struct EvaluateOptions {
   bool json = false;
 };
 
+/// The first few, and how many there are beyond them.
+void printNotes(const std::string& path, const std::vector<std::string>& notes) {
+  constexpr std::size_t kMost = 10;
+  for (std::size_t i = 0; i < notes.size() && i < kMost; ++i) printNote(path + ": " + notes[i]);
+  if (notes.size() > kMost) printNote(path + ": " + std::to_string(notes.size() - kMost) + " more notes");
+}
+
 void evaluate(const EvaluateOptions& options) {
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
   const Scene scene = orThrow(readSceneFile(options.scene));
-  std::vector<std::string> notes = file.notes;
+  std::vector<std::string> notes;
   const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
-  for (const std::string& note : notes) printNote(options.layout + ": " + note);
+  printNotes(options.layout, notes);
 
   const LightResults results = lightResults(scene, layout);
   if (!options.patches.empty())
-    writeFileAtomically(options.patches,
-                        patchesCsv(scene.patches, scene.surfaces, illuminanceOf(scene, layout)));
+    orThrow(replaceFile(options.patches,
+                        patchesCsv(scene.patches, scene.surfaces, illuminanceOf(scene, layout))));
   if (!options.json) {
     std::fputs(surfacesTable(results).c_str(), stdout);
     return;
@@ -41,7 +49,7 @@ void evaluate(const EvaluateOptions& options) {
   double power = 0;
   for (double flux : layout.flux) power += layout.dimming * flux;
   json["power"] = power;
-  std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::fputs(jsonDocument(json).c_str(), stdout);
 }
 
 }  // namespace

@@ -81,9 +81,9 @@ void runExperiments(const ExperimentsOptions& options) {
                              "ratios are compared, not absolute values. Raw runs: "
                              "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
                              table + "\n" + e.report + roomPictures(plots);
-  for (const auto& [name, svg] : e.pictures) writeFileAtomically((plots / name).string(), svg);
-  writeFileAtomically((plots / "runs.csv").string(), e.rows);
-  writeFileAtomically((std::filesystem::path(options.folder) / "experiments.md").string(), report);
+  for (const auto& [name, svg] : e.pictures) orThrow(replaceFile((plots / name).string(), svg));
+  orThrow(replaceFile((plots / "runs.csv").string(), e.rows));
+  orThrow(replaceFile((std::filesystem::path(options.folder) / "experiments.md").string(), report));
 }
 
 }  // namespace

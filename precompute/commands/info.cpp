@@ -29,7 +29,7 @@ nlohmann::json provenanceOf(std::span<const std::uint8_t> file, const SceneTable
 
 /// Everything, as --json prints it and as the table is made of.
 Json infoOf(const std::string& path) {
-  const std::vector<std::uint8_t> file = readFileBytes(path);
+  const std::vector<std::uint8_t> file = orThrow(readFileBytes(path));
   const SceneTable table = orThrow(path, readSceneTable(file));
   const Scene scene = orThrow(path, readScene(file));
   for (const SceneSection& section : table.sections) orThrow(path, inflateSection(file, section));
@@ -76,15 +76,14 @@ std::string textOf(const Json& json, const char* key) {
     for (const auto& item : value.items()) {
       char number[32] = "";
       if (item.value().is_number()) std::snprintf(number, sizeof number, "%.4g", item.value().get<double>());
-      const std::string shown = *number ? number
-                                : item.value().is_string()
-                                    ? item.value().get<std::string>()
-                                    : item.value().dump(-1, ' ', false, Json::error_handler_t::replace);
+      const std::string shown = *number                    ? number
+                                : item.value().is_string() ? item.value().get<std::string>()
+                                                           : jsonText(item.value());
       text += (text.empty() ? "" : ", ") + (value.is_object() ? item.key() + " " : std::string()) + shown;
     }
     return printable(text);
   }
-  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return printable(jsonText(value));
 }
 
 void printTable(const std::string& path, const Json& json) {
@@ -131,7 +130,7 @@ void addInfoCommand(CLI::App& app) {
   command->callback([options] {
     const Json json = infoOf(options->scene);
     if (options->json)
-      std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+      std::fputs(jsonDocument(json).c_str(), stdout);
     else
       printTable(options->scene, json);
   });

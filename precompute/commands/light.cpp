@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/light_report.h"
 #include "precompute/commands/room_command_options.h"
@@ -27,7 +28,7 @@ struct LightOptions {
 
 std::vector<MeasuringPoint> pointsOf(const LightOptions& options) {
   if (options.points.empty()) return {};
-  const std::vector<std::uint8_t> bytes = readFileBytes(options.points);
+  const std::vector<std::uint8_t> bytes = orThrow(readFileBytes(options.points));
   return orThrow(options.points, parsePoints(std::string(bytes.begin(), bytes.end())));
 }
 
@@ -58,15 +59,15 @@ void warnOf(const LightOptions& options, const ForwardLight& light) {
 void light(LightOptions options) {
   // Everything that may be refused at once, before an hour of work.
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
-  for (const std::string& note : file.notes) printNote(options.layout + ": " + note);
   std::vector<MeasuringPoint> points = pointsOf(options);
-  if (!options.patches.empty()) checkWritable(options.patches);
+  if (!options.patches.empty()) orThrow(checkReplaceable(options.patches));
 
   TerminalProgress progress;
   const Host host = commandHost(options.source, options.forward.threads, progress);
   options.forward.progress = &progress;
+  const ModelFile model = orThrow(options.source, modelAt(options.source));
   const auto [source, room, tracer] =
-      orThrow(options.source, openRoom(modelAt(options.source), roomOptions(options, file), host));
+      orThrow(options.source, openRoom(model, roomOptions(options, file), host));
   const std::vector<Luminaire> luminaires = orThrow(options.layout, freeLuminaires(file, room.sites));
 
   const double before = progress.total();
@@ -85,9 +86,9 @@ void light(LightOptions options) {
   progress.clear();
   warnOf(options, light);
   if (!options.patches.empty())
-    writeFileAtomically(options.patches, patchesCsv(room.patches, room.surfaces, light.illuminance));
+    orThrow(replaceFile(options.patches, patchesCsv(room.patches, room.surfaces, light.illuminance)));
   if (!options.json) return printLightReport(report);
-  std::puts(lightReportJson(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::fputs(jsonDocument(lightReportJson(report)).c_str(), stdout);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string outputOf(const PrecomputeOptions& options) {
   std::error_code none;
   if (std::filesystem::equivalent(options.source, output, none))
     throw CommandError(output + ": this is the room itself; pass another file to --output");
-  checkWritable(output);
+  orThrow(checkReplaceable(output));
   return output;
 }
 
@@ -47,8 +47,9 @@ void precompute(const PrecomputeOptions& options) {
   const std::string output = outputOf(options);
   TerminalProgress progress;
   const Host host = commandHost(options.source, options.scene.transport.threads, progress);
-  const MadeScene scene = orThrow(options.source, makeScene(modelAt(options.source), options.scene, host));
-  writeFileAtomically(output, scene.file);
+  const ModelFile model = orThrow(options.source, modelAt(options.source));
+  const MadeScene scene = orThrow(options.source, makeScene(model, options.scene, host));
+  orThrow(replaceFile(output, scene.file));
   progress.clear();
   printReport(output, scene, progress.total());
 }

@@ -10,10 +10,12 @@
 #include "core/search/start_layout.h"
 #include "core/search/vns.h"
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/intentions_json.h"
+#include "precompute/files/layout_json.h"
 #include "precompute/files/light_results.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
@@ -55,7 +57,7 @@ std::vector<Run> search(PreparedScene& prepared, const Intentions& intentions, c
 Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
   const Shown shown = shownOf(prepared, intentions, run.layout);
   return {{"seed", run.seed},
-          {"layout", layoutJson(run.layout)},
+          {"layout", layoutJson(run.layout, prepared.scene())},
           {"surfaces", surfacesJson(lightResults(prepared.scene(), run.layout))},
           {"goal", goalJson(shown)},
           {"violations", violationsJson(prepared.scene(), intentions, shown)},
@@ -118,7 +120,7 @@ void printBound(const Json& bound) {
 }
 
 void solve(const SolveOptions& options) {
-  if (!options.output.empty()) checkWritable(options.output);
+  if (!options.output.empty()) orThrow(checkReplaceable(options.output));
   const Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
   PreparedScene prepared(scene);
@@ -134,8 +136,9 @@ void solve(const SolveOptions& options) {
     for (const Run& run : runs) printRun(prepared, intentions, run);
     if (options.bound) printBound(report["bound"]);
   }
-  if (!options.output.empty()) writeFileAtomically(options.output, layoutJson(best->layout).dump(2) + "\n");
-  if (options.json) std::printf("%s\n", report.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  if (!options.output.empty())
+    orThrow(replaceFile(options.output, jsonDocument(layoutJson(best->layout, scene))));
+  if (options.json) std::fputs(jsonDocument(report).c_str(), stdout);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/room_command_options.h"
 #include "precompute/validation/validation.h"
@@ -67,7 +68,7 @@ void validate(const ValidateOptions& options) {
                        {"verdict", row.passes() ? "pass" : "fail"}});
     }
     const Json json = {{"passed", rows.size() - failed}, {"failed", failed}, {"cases", cases}};
-    std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fputs(jsonDocument(json).c_str(), stdout);
   } else {
     if (options.markdown) std::puts("# Validation\n\nMade by `fiatlux validate --markdown`.");
     printTable(rows, options.markdown);

@@ -57,8 +57,8 @@ inline std::string number(double value, int digits = 4) { return shortNumber(val
 
 void experimentDispersion(Experiments& e);  // 5.1
 void experimentIntentions(Experiments& e);  // 5.2, and the exhaustive check for three luminaires
-void experimentChebyshev(Experiments& e);   // 5.3
-void experimentAlpha(Experiments& e);       // 5.4
+void experimentChebyshev(Experiments& e);   // 5.3; after 5.2, whose brightestWall it takes
+void experimentAlpha(Experiments& e);       // 5.4; after 5.3, whose guaranteed it takes
 void experimentSpeed(Experiments& e);       // 5.5
 
 }  // namespace fiatlux

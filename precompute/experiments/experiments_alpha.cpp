@@ -1,6 +1,7 @@
 // Sections 5.3 and 5.4: Chebyshev constraints in place of a guaranteed minimum on the yellow wall, and the
 // search for the smallest alpha that really guarantees it.
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -161,6 +162,7 @@ void plotPhi(Experiments& e, double minimum) {
 }  // namespace
 
 void experimentChebyshev(Experiments& e) {
+  assert(e.brightestWall > 0);
   e.report += "## 5.3 Chebyshev constraints\n\n";
   const double minimum = e.guaranteed = boundOfRoom(e);
   const double alphaMax = largestAlpha(e, minimum);
@@ -190,8 +192,8 @@ void experimentChebyshev(Experiments& e) {
   e.report += "\n" + plans + "\n";
 }
 
-/// After experimentChebyshev, whose bound it takes.
 void experimentAlpha(Experiments& e) {
+  assert(e.guaranteed > 0);
   e.report += "## 5.4 The smallest alpha\n\n";
   const double minimum = e.guaranteed;
   const auto begin = std::chrono::steady_clock::now();

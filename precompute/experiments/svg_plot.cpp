@@ -2,6 +2,7 @@
 #include "precompute/experiments/svg_plot.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -135,6 +136,7 @@ std::string svgPlot(const std::string& title, const std::string& xLabel, const s
 
 std::string svgPlan(const Scene& scene, const std::vector<float>& values, double brightest,
                     const Layout& layout) {
+  assert(values.size() == scene.patches.rows() && brightest > 0);
   struct Cell {
     double x0 = kInfinity, x1 = -kInfinity, z0 = kInfinity, z1 = -kInfinity, area = 0, sum = 0;
   };

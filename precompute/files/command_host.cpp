@@ -1,6 +1,5 @@
 #include "precompute/files/command_host.h"
 
-#include "precompute/base/error.h"
 #include "precompute/base/parallel.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/source_file.h"
@@ -20,6 +19,10 @@ Host commandHost(const std::string& path, unsigned threads, TerminalProgress& pr
   return host;
 }
 
-ModelFile modelAt(const std::string& path) { return {path, orThrow(path, readModelFile(path))}; }
+Result<ModelFile> modelAt(const std::string& path) {
+  Result<std::vector<std::uint8_t>> bytes = readModelFile(path);
+  if (!bytes) return bytes.error();
+  return ModelFile{path, std::move(*bytes)};
+}
 
 }  // namespace fiatlux

@@ -11,7 +11,7 @@ namespace fiatlux {
 /// For the model at `path`; `threads` 0: as many as the machine has cores. `progress` must outlive it.
 Host commandHost(const std::string& path, unsigned threads, TerminalProgress& progress);
 
-/// The model at `path` in memory; throws CommandError.
-ModelFile modelAt(const std::string& path);
+/// The model at `path` in memory.
+Result<ModelFile> modelAt(const std::string& path);
 
 }  // namespace fiatlux

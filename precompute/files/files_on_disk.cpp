@@ -1,44 +1,33 @@
-// Write beside, flush to the disk, rename. The name of the file being written is kept where a signal handler
-// may see it.
+// Write beside, flush to the disk, rename.
 #include "precompute/files/files_on_disk.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
-#include "precompute/base/error.h"
+#include "precompute/files/interrupt.h"
 
 namespace fiatlux {
 namespace {
 
-// Set while a temporary file exists; the handler may only call what is async-signal-safe.
-char temporaryName[4096];
-std::atomic<bool> temporaryExists{false};
-
-extern "C" void onInterrupt(int) {
-  if (temporaryExists.load()) ::unlink(temporaryName);
-  constexpr std::string_view kClear = "\r\033[K", kLine = "fiatlux: stopped; nothing was written\n";
-  if (::isatty(2)) (void)!::write(2, kClear.data(), kClear.size());
-  (void)!::write(2, kLine.data(), kLine.size());
-  ::_exit(2);
-}
-
+/// What errno says, and the cure where there is one.
 std::string reason() {
   switch (errno) {
     case ENOSPC:
     case EDQUOT:
       return "the disk is full: make room or write elsewhere";
+    case EFBIG:
+      return "it is larger than a file may be here: see ulimit -f";
     case ENOENT:
       return "there is no such folder";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "writing there is not permitted";
+      return "that is not permitted";
     case EISDIR:
       return "that is a folder";
     default:
@@ -78,77 +67,86 @@ std::string resolved(const std::string& path) {
 
 std::string besides(const std::string& path) { return path + ".part" + std::to_string(::getpid()); }
 
-void writeSpecial(const std::string& path, std::span<const std::uint8_t> bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const bool written = file >= 0 && writeAll(file, bytes);
-  const std::string why = written ? "" : reason();
-  if (file >= 0) ::close(file);
-  if (!written) throw CommandError(path + ": cannot be written: " + why);
+Error cannotWrite(const std::string& path, const std::string& why) {
+  return Error{path + ": cannot be written: " + why};
+}
+
+Error cannotRead(const std::string& path, const std::string& why) {
+  return Error{path + ": cannot be read: " + why};
+}
+
+/// An open file that closes itself.
+class OpenFile {
+ public:
+  OpenFile(const std::string& path, int flags) : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~OpenFile() { close(); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  explicit operator bool() const { return file_ >= 0; }
+  int number() const { return file_; }
+  /// False with errno set where the last bytes could not be written.
+  bool close() {
+    const int file = file_;
+    file_ = -1;
+    return file < 0 || ::close(file) == 0;
+  }
+
+ private:
+  int file_;
+};
+
+Result<Done> writeSpecial(const std::string& path, std::span<const std::uint8_t> bytes) {
+  const OpenFile file(path, O_WRONLY);
+  if (!file || !writeAll(file.number(), bytes)) return cannotWrite(path, reason());
+  return Done{};
 }
 
 }  // namespace
 
-void writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes) {
-  if (isFolder(path)) throw CommandError(path + ": cannot be written: that is a folder");
+Result<Done> replaceFile(const std::string& path, std::span<const std::uint8_t> bytes) {
+  if (isFolder(path)) return cannotWrite(path, "that is a folder");
   if (isSpecial(path)) return writeSpecial(path, bytes);
-  const std::string target = resolved(path);
-  const std::string temporary = besides(target);
-  if (temporary.size() >= sizeof temporaryName)
-    throw CommandError(path + ": cannot be written: its name is too long");
-  std::memcpy(temporaryName, temporary.c_str(), temporary.size() + 1);
-  temporaryExists = true;
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  bool written = file >= 0 && writeAll(file, bytes);
-  std::string why = written ? "" : reason();
-  if (file >= 0 && ::close(file) != 0 && written) written = false, why = reason();
-  if (written && ::rename(temporary.c_str(), target.c_str()) != 0) written = false, why = reason();
-  if (!written && file >= 0) ::unlink(temporary.c_str());
-  temporaryExists = false;
-  if (!written) throw CommandError(path + ": cannot be written: " + why);
+  const std::string target = resolved(path), beside = besides(target);
+  if (beside.size() > RemovedOnInterrupt::kLongestPath) return cannotWrite(path, "its name is too long");
+  const RemovedOnInterrupt guard(beside);
+  OpenFile file(beside, O_WRONLY | O_CREAT | O_TRUNC);
+  if (!file) return cannotWrite(path, reason());
+  if (writeAll(file.number(), bytes) && file.close() && ::rename(beside.c_str(), target.c_str()) == 0)
+    return Done{};
+  const Error error = cannotWrite(path, reason());
+  ::unlink(beside.c_str());
+  return error;
 }
 
-void writeFileAtomically(const std::string& path, std::string_view text) {
-  writeFileAtomically(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+Result<Done> replaceFile(const std::string& path, std::string_view text) {
+  return replaceFile(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void checkWritable(const std::string& path) {
-  if (isFolder(path)) throw CommandError(path + ": cannot be written: that is a folder");
-  if (isSpecial(path)) return;
-  const std::string temporary = besides(resolved(path));
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) throw CommandError(path + ": cannot be written: " + reason());
-  ::close(file);
-  ::unlink(temporary.c_str());
+Result<Done> checkReplaceable(const std::string& path) {
+  if (isFolder(path)) return cannotWrite(path, "that is a folder");
+  if (isSpecial(path)) return Done{};
+  const std::string beside = besides(resolved(path));
+  const OpenFile file(beside, O_WRONLY | O_CREAT);
+  if (!file) return cannotWrite(path, reason());
+  ::unlink(beside.c_str());
+  return Done{};
 }
 
-std::vector<std::uint8_t> readFileBytes(const std::string& path, std::uint64_t maxBytes) {
-  const auto fail = [&](const std::string& why) { return CommandError(path + ": cannot be read: " + why); };
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw fail(errno == ENOENT ? "there is no such file" : std::strerror(errno));
+Result<std::vector<std::uint8_t>> readFileBytes(const std::string& path, std::uint64_t most) {
+  constexpr std::size_t kChunk = 1 << 20;
+  const OpenFile file(path, O_RDONLY);
+  if (!file) return cannotRead(path, errno == ENOENT ? "there is no such file" : reason());
   std::vector<std::uint8_t> bytes;
   for (;;) {
-    constexpr std::size_t kChunk = 1 << 20;
     const std::size_t size = bytes.size();
     bytes.resize(size + kChunk);
-    const ssize_t count = ::read(file, bytes.data() + size, kChunk);
-    if (count < 0 && errno == EINTR) {
-      bytes.resize(size);
-      continue;
-    }
-    const std::string why = count < 0 ? std::strerror(errno) : "";
+    const ssize_t count = ::read(file.number(), bytes.data() + size, kChunk);
+    if (count < 0 && errno != EINTR) return cannotRead(path, reason());
     bytes.resize(size + static_cast<std::size_t>(count < 0 ? 0 : count));
-    if (count > 0 && bytes.size() <= maxBytes) continue;
-    ::close(file);
-    if (count < 0) throw fail(why);
-    if (count > 0) throw fail("it is larger than " + std::to_string(maxBytes >> 20) + " MB");
-    return bytes;
+    if (count == 0) return bytes;
+    if (bytes.size() > most)
+      return cannotRead(path, "it is larger than " + std::to_string(most >> 20) + " MB");
   }
-}
-
-void installInterruptHandler() {
-  struct sigaction action {};
-  action.sa_handler = onInterrupt;
-  for (int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace fiatlux

@@ -13,7 +13,7 @@ namespace fiatlux {
 /// The intentions in `text` for this scene, checked by checkIntentions too.
 Result<Intentions> parseIntentions(const Scene& scene, const std::string& text);
 
-/// The same from a file of at most 1 MB; errors begin with the path.
+/// The same from a file; errors begin with the path.
 Result<Intentions> readIntentionsFile(const Scene& scene, const std::string& path);
 
 }  // namespace fiatlux

@@ -3,49 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "precompute/base/error.h"
-#include "precompute/base/json_text.h"
 #include "precompute/files/files_on_disk.h"
-#include "precompute/files/terminal.h"
-#include "precompute/light/direct_light.h"
+#include "precompute/files/json_fields.h"
 
 namespace fiatlux {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t kMostLuminaires = 10000;
-constexpr double kLargestFlux = 1e9;      // lm
-constexpr double kLargestDistance = 1e6;  // m
+constexpr double kLargestFlux = 1e9;                         // lm
+constexpr double kLargestDistance = 1e6;                     // m
+constexpr double kSmallestSize = 1e-6, kLargestSize = 1000;  // m
+constexpr double kLargestDimming = 1000;
+constexpr double kSamePlace = 0.01;  // m: a site and the position written beside it
 
-[[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw CommandError(where + ": " + what);
-}
-
-double numberOf(const Json& value, const std::string& where, double low, double high) {
-  if (!value.is_number()) fail(where, "expected a number");
-  const double number = value.get<double>();
-  if (!(number >= low && number <= high)) {
-    char range[64];
-    std::snprintf(range, sizeof range, " is out of range; give %g to %g", low, high);
-    fail(where, printable(value.dump(), 40) + range);
-  }
-  return number;
-}
-
-Vec3 vectorOf(const Json& value, const std::string& where) {
-  if (!value.is_array() || value.size() != 3) fail(where, "expected three numbers [x, y, z]");
-  double v[3];
-  for (int i = 0; i < 3; ++i) v[i] = numberOf(value[i], where, -kLargestDistance, kLargestDistance);
+Vec3 vectorOf(const JsonField& field) {
+  const std::vector<double> v = field.numbers(3, "[x, y, z]", -kLargestDistance, kLargestDistance);
   return {v[0], v[1], v[2]};
 }
 
-Vec3 directionOf(const Json& value, const std::string& where) {
-  const Vec3 direction = vectorOf(value, where);
-  if (length(direction) < 1e-9) fail(where, "a direction must not be zero");
+Vec3 directionOf(const JsonField& field) {
+  const Vec3 direction = vectorOf(field);
+  if (length(direction) < 1e-9) field.fail("a direction must not be zero");
   return normalized(direction);
 }
 
@@ -67,70 +47,51 @@ Vec3 worldAxisIn(const Vec3& normal) {
   return inPlane(best, normal);
 }
 
-Luminaire freeLuminaire(const Json& json, const std::string& where, double flux) {
+Luminaire freeLuminaire(const JsonField& json, const JsonField& position, double flux) {
+  using Distribution = Luminaire::Distribution;
   Luminaire luminaire;
   luminaire.flux = flux;
-  luminaire.position = vectorOf(json.at("position"), where + ".position");
-  if (json.contains("normal")) luminaire.normal = directionOf(json["normal"], where + ".normal");
+  luminaire.position = vectorOf(position);
+  if (const auto normal = json.find("normal")) luminaire.normal = directionOf(*normal);
   luminaire.axis = worldAxisIn(luminaire.normal);
-  if (json.contains("axis")) {
-    luminaire.axis = inPlane(directionOf(json["axis"], where + ".axis"), luminaire.normal);
-    if (length(luminaire.axis) == 0) fail(where + ".axis", "it must not be parallel to the normal");
+  if (const auto axis = json.find("axis")) {
+    luminaire.axis = inPlane(directionOf(*axis), luminaire.normal);
+    if (length(luminaire.axis) == 0) axis->fail("it must not be parallel to the normal");
   }
-  if (json.contains("size")) {
-    const Json& size = json["size"];
-    if (!size.is_array() || size.size() != 2)
-      fail(where + ".size", "expected two numbers [width, height] in metres");
-    luminaire.width = numberOf(size[0], where + ".size", 1e-6, 1000);
-    luminaire.height = numberOf(size[1], where + ".size", 1e-6, 1000);
+  if (const auto size = json.find("size")) {
+    const std::vector<double> sides =
+        size->numbers(2, "[width, height] in metres", kSmallestSize, kLargestSize);
+    luminaire.width = sides[0];
+    luminaire.height = sides[1];
   }
-  if (json.contains("distribution")) {
-    const Json& name = json["distribution"];
-    if (name == "isotropic")
-      luminaire.distribution = Luminaire::Distribution::kIsotropic;
-    else if (name != "lambertian")
-      fail(where + ".distribution", "known are \"lambertian\" and \"isotropic\"");
-    if (name == "isotropic" && luminaire.width > 0)
-      fail(where + ".distribution", "only a point is isotropic: leave out \"size\"");
+  if (const auto name = json.find("distribution")) {
+    luminaire.distribution = name->oneOf<Distribution>(
+        {{"lambertian", Distribution::kLambertian}, {"isotropic", Distribution::kIsotropic}});
+    if (luminaire.distribution == Distribution::kIsotropic && luminaire.width > 0)
+      name->fail("only a point is isotropic: leave out \"size\"");
   }
   return luminaire;
 }
 
-LayoutEntry entryOf(const Json& json, const std::string& where, std::vector<std::string>& notes) {
-  if (!json.is_object()) fail(where, "expected an object such as {\"site\": 12, \"flux\": 3000}");
+LayoutEntry entryOf(const JsonField& json) {
+  json.requireKeys({"site", "position", "flux", "normal", "size", "axis", "distribution"});
   LayoutEntry entry;
-  for (const auto& item : json.items()) {
-    const std::string& key = item.key();
-    if (key == "normal" || key == "size" || key == "axis" || key == "distribution")
-      entry.freeKeys.push_back(key);
-    else if (key != "site" && key != "position" && key != "flux")
-      notes.push_back(where + ": unknown key \"" + printable(key, 60) + "\" is ignored");
-  }
-  if (!json.contains("flux")) fail(where, "\"flux\" in lumens is missing");
-  entry.flux = numberOf(json["flux"], where + ".flux", 0, kLargestFlux);
-  if (json.contains("site")) {
-    const double site = numberOf(json["site"], where + ".site", 0, 4e9);
-    if (site != std::floor(site)) fail(where + ".site", "expected a whole number");
-    entry.site = static_cast<std::uint32_t>(site);
-  }
-  if (json.contains("position")) entry.free = freeLuminaire(json, where, entry.flux);
-  if (!entry.site && !entry.free) fail(where, "it has neither \"site\" nor \"position\"");
+  entry.flux = json.at("flux", "give it in lumens").number(0, kLargestFlux);
+  if (const auto site = json.find("site")) entry.site = site->whole();
+  if (const auto position = json.find("position")) entry.free = freeLuminaire(json, *position, entry.flux);
+  if (!entry.site && !entry.free) json.fail("neither \"site\" nor \"position\"; say where it hangs");
+  for (const char* key : {"normal", "size", "axis", "distribution"})
+    if (json.has(key)) entry.freeKeys.push_back(key);
   return entry;
 }
 
-LayoutFile layoutOf(const Json& json) {
+LayoutFile layoutOf(const JsonField& json) {
+  json.requireKeys({"dimming", "luminaires"});
   LayoutFile file;
-  if (!json.is_object()) fail("layout", "expected an object with \"luminaires\"");
-  for (const auto& item : json.items())
-    if (item.key() != "dimming" && item.key() != "luminaires")
-      file.notes.push_back("layout: unknown key \"" + printable(item.key(), 60) + "\" is ignored");
-  if (json.contains("dimming")) file.dimming = numberOf(json["dimming"], "dimming", 0, 1000);
-  if (!json.contains("luminaires") || !json["luminaires"].is_array())
-    fail("layout", "the list \"luminaires\" is missing");
-  const Json& luminaires = json["luminaires"];
-  if (luminaires.size() > kMostLuminaires) fail("luminaires", "more than " + std::to_string(kMostLuminaires));
-  for (std::size_t i = 0; i < luminaires.size(); ++i)
-    file.luminaires.push_back(entryOf(luminaires[i], "luminaires[" + std::to_string(i) + "]", file.notes));
+  if (const auto dimming = json.find("dimming")) file.dimming = dimming->number(0, kLargestDimming);
+  for (const JsonField& luminaire :
+       json.at("luminaires", "list them: [{\"site\": 12, \"flux\": 3000}]").list(kMostLuminaires))
+    file.luminaires.push_back(entryOf(luminaire));
   return file;
 }
 
@@ -151,7 +112,7 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
   if (*entry.site >= sites.size())
     return Error{name + " is not there; the room has sites 0 to " + std::to_string(sites.size() - 1) + cure};
   const Site& site = sites[*entry.site];
-  if (entry.free && length(site.position - entry.free->position) > 0.01)
+  if (entry.free && length(site.position - entry.free->position) > kSamePlace)
     return Error{name + " of this room is not at the \"position\" beside it" + cure};
   return luminaireOf(site);
 }
@@ -159,24 +120,14 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
 }  // namespace
 
 Result<LayoutFile> parseLayout(const std::string& text) {
-  const Result<Json> json = parseJson(text);
-  if (!json) return json.error();
-  try {
-    return layoutOf(json.value());
-  } catch (const CommandError& error) {
-    return Error{error.what()};
-  }
+  LayoutFile file;
+  const Result<Done> read = readJson(text, [&](const JsonField& json) { file = layoutOf(json); });
+  if (!read) return read.error();
+  return file;
 }
 
 Result<LayoutFile> readLayoutFile(const std::string& path) {
-  try {
-    const std::vector<std::uint8_t> bytes = readFileBytes(path, 16ull << 20);
-    Result<LayoutFile> file = parseLayout(std::string(bytes.begin(), bytes.end()));
-    if (!file) return Error{path + ": " + file.error().message};
-    return file;
-  } catch (const CommandError& error) {
-    return Error{error.what()};
-  }
+  return parsedFile(path, kLongestJson, [](const std::string& text) { return parseLayout(text); });
 }
 
 Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::vector<std::string>& notes) {

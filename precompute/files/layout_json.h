@@ -17,19 +17,17 @@ namespace fiatlux {
 struct LayoutEntry {
   double flux = 0;  // lm, before dimming
   std::optional<std::uint32_t> site;
-  std::optional<Luminaire> free;  // has a position; flux as above
-  std::vector<std::string>
-      freeKeys;  // the keys that only a free luminaire has: normal, size, axis, distribution
+  std::optional<Luminaire> free;      // has a position; flux as above
+  std::vector<std::string> freeKeys;  // those given of normal, size, axis, distribution: of free ones alone
 };
 
 struct LayoutFile {
   double dimming = 1;
   std::vector<LayoutEntry> luminaires;
-  std::vector<std::string> notes;  // unknown keys, one readable line each
 };
 
 Result<LayoutFile> parseLayout(const std::string& text);
-/// The same from a file of at most 16 MB; errors begin with the path.
+/// The same from a file; errors begin with the path.
 Result<LayoutFile> readLayoutFile(const std::string& path);
 
 /// On the sites of a scene: a site number as it is, a position on the nearest site. Notes say where a

@@ -2,6 +2,7 @@
 #include "precompute/files/light_results.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -63,6 +64,7 @@ std::size_t widthOf(const std::string& text) {
 
 LightResults lightResults(const Patches& patches, const std::vector<Surface>& surfaces,
                           const std::vector<float>& light) {
+  assert(light.size() == patches.rows());
   std::vector<Moments> lit(surfaces.size()), reflected(surfaces.size());
   Moments litAll, reflectedAll;
   LightResults results;
@@ -149,6 +151,7 @@ std::string surfacesTable(const LightResults& results) {
 
 std::string patchesCsv(const Patches& patches, const std::vector<Surface>& surfaces,
                        const std::vector<float>& light) {
+  assert(light.size() == patches.rows());
   std::string csv = "surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance\n";
   std::vector<std::string> names;
   for (const Surface& surface : surfaces) names.push_back(quotedForCsv(surface.name));

@@ -26,7 +26,7 @@ struct LightResults {
   SurfaceResult all;                    // all that are not measuring planes
 };
 
-/// Everything read off the illuminance (lx) of every row.
+/// Everything read off the illuminance (lx), one value a row of the patches.
 LightResults lightResults(const Patches& patches, const std::vector<Surface>& surfaces,
                           const std::vector<float>& light);
 
@@ -42,7 +42,8 @@ nlohmann::ordered_json surfaceJson(const SurfaceResult& result);
 /// Aligned text for a person, a line a surface and one for all.
 std::string surfacesTable(const LightResults& results);
 
-/// surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance; a row a patch, receivers too.
+/// surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance; a row a patch, receivers too. `light`: lx,
+/// likewise.
 std::string patchesCsv(const Patches& patches, const std::vector<Surface>& surfaces,
                        const std::vector<float>& light);
 

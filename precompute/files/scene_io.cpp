@@ -3,16 +3,17 @@
 
 #include <zlib.h>
 
-#include <algorithm>
+#include <cassert>
+#include <limits>
 
 #include "core/scene/crc32.h"
 #include "core/scene/scene_reader.h"
-#include "precompute/base/error.h"
 #include "precompute/files/files_on_disk.h"
 
 namespace fiatlux {
 
 std::vector<std::uint8_t> zlibDeflate(std::span<const std::uint8_t> bytes, DeflateKind kind) {
+  assert(bytes.size() <= std::numeric_limits<uInt>::max());
   const int strategy = kind == DeflateKind::kHuffman ? Z_HUFFMAN_ONLY : Z_DEFAULT_STRATEGY;
   z_stream stream{};
   if (deflateInit2(&stream, 9, Z_DEFLATED, 15, 9, strategy) != Z_OK) return {};
@@ -70,13 +71,11 @@ Result<Scene> readScene(std::span<const std::uint8_t> file) {
 }
 
 Result<Scene> readSceneFile(const std::string& path) {
-  try {
-    Result<Scene> scene = readScene(readFileBytes(path));
-    if (!scene) return Error{path + ": " + scene.error().message};
-    return scene;
-  } catch (const CommandError& error) {
-    return Error{error.what()};
-  }
+  const Result<std::vector<std::uint8_t>> bytes = readFileBytes(path);
+  if (!bytes) return bytes.error();
+  Result<Scene> scene = readScene(*bytes);
+  if (!scene) return Error{path + ": " + scene.error().message};
+  return scene;
 }
 
 }  // namespace fiatlux

@@ -24,7 +24,7 @@ Result<Scene> readScene(std::span<const std::uint8_t> file);
 /// The same from a path; errors begin with the path.
 Result<Scene> readSceneFile(const std::string& path);
 
-/// A zlib stream at the highest level; empty where zlib fails.
+/// A zlib stream of at most 4 GB at the highest level; empty where zlib fails.
 std::vector<std::uint8_t> zlibDeflate(std::span<const std::uint8_t> bytes, DeflateKind kind);
 
 }  // namespace fiatlux

@@ -1,6 +1,7 @@
 // Layouts and readings as JSON and text; see solve_report.h.
 #include "precompute/files/solve_report.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "core/base/short_number.h"
@@ -31,14 +32,8 @@ std::string valueText(double value, Statistic statistic, Quantity quantity) {
   return shortNumber(value, kReportDigits) + (unit.empty() ? "" : " " + unit);
 }
 
-Json layoutJson(const Layout& layout) {
-  Json luminaires = Json::array();
-  for (std::size_t i = 0; i < layout.sites.size(); ++i)
-    luminaires.push_back({{"site", layout.sites[i]}, {"flux", layout.flux[i]}});
-  return {{"dimming", layout.dimming}, {"luminaires", luminaires}};
-}
-
 Json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown) {
+  assert(shown.constraints.size() == intentions.constraints.size());
   Json violations = Json::array();
   for (std::size_t c = 0; c < shown.constraints.size(); ++c) {
     const ConstraintReading& reading = shown.constraints[c];
@@ -63,6 +58,7 @@ Json goalJson(const Shown& shown) {
 
 std::string constraintLine(const Scene& scene, const Intentions& intentions, const Shown& shown,
                            std::size_t c) {
+  assert(c < intentions.constraints.size() && c < shown.constraints.size());
   const Constraint& constraint = intentions.constraints[c];
   const ConstraintReading& reading = shown.constraints[c];
   const StatisticTraits& traits = traitsOf(constraint.statistic);

@@ -8,9 +8,6 @@
 
 namespace fiatlux {
 
-/// {"dimming", "luminaires": [{"site", "flux"}]}: a layout.json.
-nlohmann::ordered_json layoutJson(const Layout& layout);
-
 /// The constraints that are not met (by more than a millionth): number, statistic, surface, value (null where
 /// it is infinite or undefined), bounds, violation.
 nlohmann::ordered_json violationsJson(const Scene& scene, const Intentions& intentions, const Shown& shown);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "precompute/base/error.h"
 #include "precompute/base/names.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/gltf/refusal.h"
@@ -23,11 +22,9 @@ Result<std::vector<std::uint8_t>> readPlainFile(const fs::path& path) {
   if (error || size > GltfBudget::kBytes)
     return Error{"has " + megabytes(size) + ", and " + megabytes(GltfBudget::kBytes) +
                  " are accepted; make the textures or meshes smaller"};
-  try {
-    return readFileBytes(path.string(), GltfBudget::kBytes);
-  } catch (const CommandError&) {
-    return Error{"cannot be read; check its permissions"};
-  }
+  Result<std::vector<std::uint8_t>> bytes = readFileBytes(path.string(), GltfBudget::kBytes);
+  if (!bytes) return Error{"cannot be read; check its permissions"};
+  return bytes;
 }
 
 }  // namespace

@@ -58,7 +58,10 @@ void TerminalProgress::clear() {
 void printNote(const std::string& line) { std::fprintf(stderr, "fiatlux: %s\n", printable(line).c_str()); }
 
 std::string printable(const std::string& text, std::size_t longest) {
-  std::string result = text.size() > longest ? text.substr(0, longest) + "..." : text;
+  std::size_t cut = std::min(longest, text.size());
+  while (cut > 0 && cut < text.size() && (text[cut] & 0xc0) == 0x80)
+    --cut;  // to the beginning of a character
+  std::string result = text.size() > longest ? text.substr(0, cut) + "..." : text;
   for (char& c : result)
     if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
   // U+202A..U+202E and U+2066..U+2069 would turn the direction of the text that follows.

@@ -38,7 +38,8 @@ class TerminalProgress final : public Progress {
 /// A warning or note on standard error: "fiatlux: <line>". Control characters are shown as '?'.
 void printNote(const std::string& line);
 
-/// Text of a file's author made harmless for a terminal: control characters become '?', long text is cut.
+/// Text of a file's author made harmless for a terminal: control characters become '?', what is longer than
+/// `longest` bytes is cut between two characters.
 std::string printable(const std::string& text, std::size_t longest = 400);
 
 }  // namespace fiatlux

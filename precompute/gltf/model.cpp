@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "precompute/base/json_text.h"
 #include "precompute/base/names.h"
 #include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
@@ -63,7 +64,7 @@ Model parseModel(GltfDocument& document) {
 
   // note: tinygltf takes text alone. It gets our checked tree, in which no address is left, and not the
   // file's own.
-  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = jsonText(json);
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(files);
   Model model;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "precompute/base/json_text.h"
 #include "precompute/gltf/codes.h"
 
 namespace fiatlux {
@@ -41,7 +42,7 @@ class GlbWriter {
 
   std::vector<std::uint8_t> bytes() {
     if (!bin_.empty()) json["buffers"] = {{{"byteLength", bin_.size()}}};
-    std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string text = jsonText(json);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::vector<std::uint8_t> out;
     const auto word = [&](std::size_t value) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "precompute/base/json_text.h"
 #include "precompute/base/version.h"
 
 namespace fiatlux {
@@ -100,7 +101,7 @@ std::string provenanceOf(const Account& account) {
                     {"sigma", report.errors.sigma},
                     {"patchRmsMedian", report.errors.patchRmsMedian},
                     {"patchRmsWorst", report.errors.patchRmsWorst}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonText(json);
 }
 
 }  // namespace fiatlux

@@ -1,6 +1,7 @@
 #include "precompute/validation/rectangle_room.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace fiatlux {
@@ -8,6 +9,8 @@ namespace fiatlux {
 namespace {
 
 void addChart(Room& room, const RectangleSurface& s, std::uint32_t surface, std::uint32_t cluster) {
+  assert(s.columns > 0 && s.rows > 0 && cluster > 0);
+  assert(std::abs(dot(s.u, s.v)) <= 1e-9 * length(s.u) * length(s.v));
   Chart chart;
   chart.surface = surface;
   chart.origin = s.corner;
@@ -104,6 +107,7 @@ std::vector<RectangleSurface> blockSurfaces(const std::string& name, const Vec3&
 
 std::vector<Site> siteGrid(const RectangleSurface& mount, std::uint32_t columns, std::uint32_t rows,
                            double size) {
+  assert(columns > 0 && rows > 0 && size > 0);
   std::vector<Site> sites;
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {

@@ -10,10 +10,10 @@
 
 namespace fiatlux {
 
-/// One rectangle: corner + u edge + v edge (perpendicular); its front is where u x v points.
+/// One rectangle: corner + u edge + v edge; its front is where u x v points.
 struct RectangleSurface {
   std::string name;
-  Vec3 corner, u, v;  // m
+  Vec3 corner, u, v;  // m; u and v perpendicular
   double reflectance = 0;
   std::uint32_t columns = 1, rows = 1;  // patches along u and v
   bool measuring = false;

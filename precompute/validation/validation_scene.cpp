@@ -1,5 +1,7 @@
 #include "precompute/validation/validation_scene.h"
 
+#include <cassert>
+
 namespace fiatlux {
 
 ValidationScene::ValidationScene(Validation& validation, const std::string& topic, const SourceScene& source,
@@ -27,6 +29,7 @@ double ValidationScene::area(const std::string& name) const {
 }
 
 double ValidationScene::mean(const std::vector<float>& values, const std::string& name) const {
+  assert(values.size() >= room_->patches.count);
   double sum = 0;
   for (std::uint32_t p = 0; p < traced_->room.patches.count; ++p) {
     if (belongs(p, name)) sum += traced_->room.patches.area[p] * values[p];

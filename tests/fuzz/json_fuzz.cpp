@@ -42,7 +42,6 @@ void require(bool good) {
 void tryLayout(const std::string& text) {
   const fiatlux::Result<fiatlux::LayoutFile> file = fiatlux::parseLayout(text);
   if (!file) return requireOneLine(file.error().message);
-  for (const std::string& note : file->notes) requireOneLine(note);
   std::vector<std::string> notes;
   const fiatlux::Result<fiatlux::Layout> layout = fiatlux::layoutOnSites(*file, room(), notes);
   for (const std::string& note : notes) requireOneLine(note);

@@ -1,4 +1,5 @@
-// The command as a person meets it: results that are right, and failures of one clear line with status 2.
+// The command (precompute, info, evaluate, light) as a person meets it: results that are right, failures of
+// one clear line with status 2, and what an interrupt leaves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -208,19 +209,43 @@ TEST_F(Commands, BadLayoutsAreRefused) {
   EXPECT_THAT(refused("{"), HasSubstr("bad.json: not valid JSON"));
   EXPECT_THAT(refused(R"({"luminaires": [{"site": 12, "flux": 1}]})"), HasSubstr("sites 0 to 11"));
   EXPECT_THAT(refused(R"({"luminaires": [{"site": 1}]})"), HasSubstr("flux"));
+  EXPECT_THAT(refused(R"({"luminaires": [{"site": 1, "flux": 1, "name": "x"}]})"),
+              HasSubstr("bad.json: luminaires[0]: unknown key \"name\""));
   EXPECT_THAT(failure("evaluate box.flux --layout gone.json"), HasSubstr("gone.json"));
 }
 
+TEST_F(Commands, AForeignFileAsLayoutIsRefusedAtOnce) {
+  std::string foreign = "[";
+  while (foreign.size() < (4u << 20)) foreign += R"({"type": "Feature", "at": [1.5, 2.5]},)";
+  foreign.back() = ']';
+  writeTextFile(*folder_ / "foreign.json", foreign);
+  EXPECT_THAT(failure("evaluate box.flux --layout foreign.json"), HasSubstr("it is larger than 2 MB"));
+  // Just small enough to be read.
+  writeTextFile(*folder_ / "foreign.json", foreign.substr(0, foreign.find("},", (2u << 20) - 100) + 1) + "]");
+  const CommandRun run =
+      runShell(*folder_, "ulimit -t 1; \"$FIATLUX\" evaluate box.flux --layout foreign.json");
+  EXPECT_EQ(run.status, 2) << "refused within a second of the processor";
+  EXPECT_THAT(run.err, HasSubstr("expected an object, found a list"));
+}
+
 TEST_F(Commands, NotesKeepStatusZero) {
-  writeTextFile(
-      *folder_ / "free.json",
-      R"({"luminaires": [{"position": [2, 1, 1.5], "normal": [0, -1, 0], "flux": 9, "name": "x"}]})");
+  writeTextFile(*folder_ / "free.json",
+                R"({"luminaires": [{"position": [2, 1, 1.5], "normal": [0, -1, 0], "flux": 9}]})");
   const CommandRun run = runFiatlux(*folder_, "evaluate box.flux --layout free.json --json");
   EXPECT_EQ(run.status, 0);
   EXPECT_TRUE(json::accept(run.out));
   EXPECT_THAT(run.err, HasSubstr("nearest site"));
   EXPECT_THAT(run.err, HasSubstr("ignored here, on a site: normal"));
-  EXPECT_THAT(run.err, HasSubstr("unknown key \"name\""));
+}
+
+TEST_F(Commands, NotesAreFew) {
+  std::string same = R"({"site": 4, "flux": 1})";
+  for (int i = 0; i < 30; ++i) same += R"(, {"site": 4, "flux": 1})";
+  writeTextFile(*folder_ / "same.json", R"({"luminaires": [)" + same + "]}");
+  const CommandRun run = runFiatlux(*folder_, "evaluate box.flux --layout same.json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 11) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("20 more notes"));
 }
 
 TEST_F(Commands, AFullDiskLeavesNothing) {
@@ -230,9 +255,9 @@ TEST_F(Commands, AFullDiskLeavesNothing) {
   const std::string before = textOfFile(*folder_ / "box.flux");
   const std::size_t files = folder_->files();
   const CommandRun run = runShell(
-      *folder_,
-      "trap '' XFSZ; ulimit -f 8; \"$FIATLUX\" precompute box.gltf -o box.flux --patch 0.25 --rays 16 2>&1");
+      *folder_, "ulimit -f 8; \"$FIATLUX\" precompute box.gltf -o box.flux --patch 0.25 --rays 16 2>&1");
   EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.out, HasSubstr("box.flux: cannot be written: it is larger than a file may be here"));
   EXPECT_EQ(folder_->files(), files);
   EXPECT_EQ(textOfFile(*folder_ / "box.flux"), before);
 }
@@ -245,6 +270,14 @@ TEST_F(Commands, InterruptLeavesNothing) {
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("stopped; nothing was written"));
   EXPECT_EQ(folder_->files(), files);
+}
+
+TEST_F(Commands, AnIgnoredHangUpStaysIgnored) {
+  const CommandRun run = runShell(*folder_,
+                                  "trap '' HUP; \"$FIATLUX\" precompute box.gltf -o kept.flux --patch 0.25 "
+                                  "--rays 4096 & sleep 0.2; kill -HUP $!; wait $!");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(*folder_ / "kept.flux"));
 }
 
 }  // namespace

@@ -30,9 +30,8 @@ class SearchCommands : public ::testing::Test {
     const Scene& scene = fiatlux::testing::smallRoom();
     auto sections = encodeScene(scene);
     ASSERT_TRUE(sections) << sections.error().message;
-    writeFileAtomically(path("room.flux"),
-                        std::span<const std::uint8_t>(assembleSceneFile(
-                            scene.identity, countsOf(scene), storeSections(*sections, zlibDeflate))));
+    ASSERT_TRUE(replaceFile(path("room.flux"), assembleSceneFile(scene.identity, countsOf(scene),
+                                                                 storeSections(*sections, zlibDeflate))));
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

@@ -1,12 +1,11 @@
-// The experiments on a small room: every part reports, its plots are SVG, and the search finds what the
-// enumeration finds.
+// The experiments (experiments_dispersion, experiments_intentions, experiments_alpha, experiments_speed) on a
+// small room: every part reports, its plots are SVG, and the search finds what the enumeration finds.
 #include "precompute/experiments/experiments.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "precompute/experiments/svg_plot.h"
 #include "tests/core/corridor_scene.h"
 
 namespace fiatlux {
@@ -21,8 +20,9 @@ TEST(Experiments, RunOnASmallRoomAndFindTheEnumeratedOptima) {
   experimentIntentions(e);
   experimentChebyshev(e);
   experimentAlpha(e);
+  experimentSpeed(e);
   for (const char* part :
-       {"## 5.1", "## 5.2", "## 5.3", "## 5.4", "| homogenize | 3 of 3 |", "| vary | 3 of 3 |"})
+       {"## 5.1", "## 5.2", "## 5.3", "## 5.4", "## 5.5", "| homogenize | 3 of 3 |", "| vary | 3 of 3 |"})
     EXPECT_NE(e.report.find(part), std::string::npos) << part << "\n" << e.report;
   EXPECT_GT(e.brightestWall, 0);
   EXPECT_GT(e.guaranteed, 0);
@@ -31,13 +31,6 @@ TEST(Experiments, RunOnASmallRoomAndFindTheEnumeratedOptima) {
     EXPECT_EQ(svg.rfind("<svg", 0), 0u) << name;
     EXPECT_EQ(svg.find("nan"), std::string::npos) << name;
   }
-}
-
-TEST(SvgPlot, PutsPointsWhereTheAxesSay) {
-  const std::string svg =
-      svgPlot("t < 1", "x", "y", {{"line", "#000", PlotSeries::Mark::kLine, {{0, 0}, {10, 100}}}});
-  EXPECT_NE(svg.find("t &lt; 1"), std::string::npos);
-  EXPECT_NE(svg.find("M72.0 346.0L"), std::string::npos) << "the origin is the lower left corner";
 }
 
 }  // namespace

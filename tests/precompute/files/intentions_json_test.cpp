@@ -95,8 +95,9 @@ TEST(IntentionsJson, WithoutDimmingItIsOne) {
 TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal("{", "line 1");
   expectRefusal("[]", "expected an object");
-  expectRefusal(R"({"goal": []})",
-                "unknown key \"goal\"; known are luminaires, goals, constraints, quantity");
+  expectRefusal(
+      R"({"goal": []})",
+      "unknown key \"goal\"; the closest is \"goals\" (known are luminaires, goals, constraints, quantity)");
   expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
   expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
   expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");
@@ -104,7 +105,7 @@ TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal(R"({"goals": {}})", "goals: expected a list");
   expectRefusal(R"({"goals": [{"surface": "all", "statistic": "sigma"}]})", "goal 1: no \"sense\"");
   expectRefusal(R"({"goals": [{"surface": "all", "statistic": "minimum", "sense": "max"}]})",
-                "goal 1.statistic");
+                "goal 1.statistic: unknown \"minimum\"");
   expectRefusal(R"({"constraints": [{"statistic": "mean", "min": 3}]})", "constraint 1: no \"surface\"");
   expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "mean"}]})", "no bound");
   expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "mean", "min": 3, "alpha": 1}]})",
@@ -124,7 +125,7 @@ TEST(IntentionsJson, NamesTheClosestSurfaces) {
 
 TEST(IntentionsJson, SurvivesHostileText) {
   expectRefusal(std::string(100000, '['), "nested deeper than 64");
-  expectRefusal(std::string(2 << 20, ' '), "longer than 1 MB");
+  expectRefusal(std::string((2 << 20) + 1, ' '), "longer than 2 MB");
   expectRefusal("\xff\xfe{\x00}", "not valid JSON");
   expectRefusal("", "not valid JSON");
 }

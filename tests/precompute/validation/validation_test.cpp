@@ -1,4 +1,5 @@
-// Every analytic case of `fiatlux validate`, with the rays of the default.
+// Every analytic case of `fiatlux validate` (validate_form_factors, validate_identities, validate_cie171),
+// with the rays of the default; all stand on generated_scene, rectangle_room and validation_scene.
 #include "precompute/validation/validation.h"
 
 #include <gtest/gtest.h>
