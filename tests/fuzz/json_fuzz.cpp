@@ -23,12 +23,12 @@ namespace {
 using fiatlux::fuzz::requireOneLine;
 
 const std::vector<std::string> kWords = {
-    "luminaires",   "site",       "flux",          "position",   "normal",      "size",     "axis",
-    "distribution", "lambertian", "isotropic",     "dimming",    "count",       "pinned",   "excluded",
-    "minDistance",  "goals",      "constraints",   "quantity",   "illuminance", "exitance", "surface",
-    "statistic",    "sense",      "weight",        "over",       "alpha",       "min",      "max",
-    "mean",         "sigma",      "power",         "chebyshev",  "minimum",     "maximum",  "uniformity",
-    "contrast",     "floor",      "wall \xc3\xa9", "desk plane", "all"};
+    "luminaires",   "site",       "flux",        "position",  "normal",        "size",       "axis",
+    "distribution", "lambertian", "isotropic",   "dimming",   "count",         "pinned",     "excluded",
+    "minDistance",  "goals",      "constraints", "quantity",  "illuminance",   "exitance",   "surface",
+    "statistic",    "sense",      "weight",      "over",      "alpha",         "min",        "max",
+    "mean",         "sigma",      "power",       "chebyshev", "minimum",       "maximum",    "uniformity",
+    "contrast",     "near",       "target",      "floor",     "wall \xc3\xa9", "desk plane", "all"};
 
 const fiatlux::Scene& room() {
   static const fiatlux::Scene scene = fiatlux::syntheticScene(8, 4);

@@ -14,6 +14,9 @@ export type BoundField =
   | 'uniformity'
   | 'contrast';
 
+/** A bound on a ratio has no unit. */
+export const isRatio = (field: BoundField): boolean => field === 'uniformity' || field === 'contrast';
+
 /** Where a constraint comes from: one field of one card, so that constraint i answers origins[i]. */
 export interface Origin {
   readonly card: string;

@@ -190,7 +190,9 @@ TEST(Bound, IsNeverAboveTheBestAimAndExactWhereTheTargetIsOutOfReach) {
     EXPECT_LE(bound, best.goal + 1e-9) << "problem " << p;
     EXPECT_GE(bound, 0) << "problem " << p;
     const bool outOfReach = p == 0 || p == 2;
-    if (outOfReach) EXPECT_NEAR(bound, best.goal, 1e-6 * best.goal) << "problem " << p;
+    if (outOfReach) {
+      EXPECT_NEAR(bound, best.goal, 1e-6 * best.goal) << "problem " << p;
+    }
   }
 }
 

@@ -84,10 +84,11 @@ bool agreeOn(PreparedScene& prepared, const Constraint& constraint, const Layout
   Evaluator evaluator(prepared, intentions);
   const double searched = evaluator.evaluate(layout.sites).violation;
   const ConstraintReading shown = shownOf(prepared, intentions, layout).constraints[0];
-  if (std::isinf(searched))
+  if (std::isinf(searched)) {
     EXPECT_EQ(shown.violation, searched);
-  else
+  } else {
     EXPECT_NEAR(shown.violation, searched, 2e-5 * (1 + searched));
+  }
   EXPECT_EQ(shown.violation > 0, shown.margin < 0);
   if (shown.violation > 0) {
     EXPECT_DOUBLE_EQ(shown.violation, -shown.margin);
@@ -147,10 +148,11 @@ TEST(Statistics, SearchAndShownAgreeOnEveryGoal) {
           evaluator.load(sites);
           const double shown = shownOf(prepared, intentions, layoutOf(sites, 0.4)).goals[0];
           EXPECT_FALSE(std::isnan(evaluator.current().goal)) << traits.name;
-          if (!std::isfinite(shown))
+          if (!std::isfinite(shown)) {
             EXPECT_EQ(std::isnan(shown), std::isnan(evaluator.goalValue(0))) << traits.name;
-          else
+          } else {
             EXPECT_NEAR(evaluator.goalValue(0), shown, 1e-6 * (1 + shown)) << traits.name;
+          }
         }
   }
 }

@@ -95,7 +95,9 @@ TEST(Vns, PinnedLuminairesKeepTheirNumbers) {
   const Layout start{{250, 40, 3, 99, 7}, {}, 1};
   for (const Layout* from : {&start, static_cast<const Layout*>(nullptr)}) {
     Vns vns(prepared, intentions, 3, from);
-    if (from) EXPECT_EQ(vns.incumbent().sites, start.sites);
+    if (from) {
+      EXPECT_EQ(vns.incumbent().sites, start.sites);
+    }
     for (int slice = 0; slice < 30; ++slice) {  // restarts on the way
       vns.advance(2000);
       const std::vector<std::uint32_t> sites = vns.incumbent().sites;
@@ -103,7 +105,9 @@ TEST(Vns, PinnedLuminairesKeepTheirNumbers) {
       EXPECT_EQ(sites[4], 7u);
       EXPECT_EQ(std::set<std::uint32_t>(sites.begin(), sites.end()).size(), 5u);
     }
-    if (from) EXPECT_NE(vns.incumbent().sites, start.sites);
+    if (from) {
+      EXPECT_NE(vns.incumbent().sites, start.sites);
+    }
   }
 }
 

@@ -80,7 +80,9 @@ TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
     const Result<Intentions> goal =
         parseIntentions(namedRoom(), "{\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
     EXPECT_EQ(bool(goal), traits.mayBeGoal) << traits.name;
-    if (goal) EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
+    if (goal) {
+      EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
+    }
   }
 }
 

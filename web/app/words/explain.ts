@@ -2,7 +2,7 @@
  * When no layout meets the intentions: which bounds bind, and the change that would make each of them possible. The layout
  * shown is the one of least violation, so a bound eased to what it reaches there is met there.
  */
-import { boundOf, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
+import { boundOf, isRatio, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
 import { easedBound } from './format.ts';
@@ -15,8 +15,6 @@ export interface BindingBound {
   readonly eased: number; // what the bound would have to be
   readonly violation: number; // relative
 }
-
-const isRatio = (field: BoundField) => field === 'uniformity' || field === 'contrast';
 
 /** The bounds that the shown layout breaks, the worst first. */
 export function bindingBounds(

@@ -1,5 +1,5 @@
 /** "Check this layout": what recomputing every surface from its patches has shown, as one sentence. */
-import { boundOf, type Origin } from '../../document/intentions.ts';
+import { boundOf, isRatio, type Origin } from '../../document/intentions.ts';
 import type { FiatLuxDocument, Layout } from '../../document/types.ts';
 import { fieldText } from './explain.ts';
 import { compact, percent, unitOf } from './format.ts';
@@ -33,8 +33,7 @@ export function checkText(
     const card = origin && document.cards.find((each) => each.id === origin.card);
     const bound = card && boundOf(card, origin.field);
     if (!card || bound === undefined) return [];
-    const isRatio = origin.field === 'uniformity' || origin.field === 'contrast';
-    const unit = isRatio ? '' : ` ${unitOf(document.quantity)}`;
+    const unit = isRatio(origin.field) ? '' : ` ${unitOf(document.quantity)}`;
     const what = `${card.surfaces.join(', ')}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
     return [`${what}, ${marginText(margin)}`];
   });

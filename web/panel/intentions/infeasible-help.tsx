@@ -8,6 +8,7 @@ import {
   fluxThatWouldDo,
   type BindingBound,
 } from '../../app/words/explain.ts';
+import { isRatio } from '../../document/intentions.ts';
 import { compact, grouped, unitOf } from '../../app/words/format.ts';
 import { namesText } from './surface-picker.tsx';
 
@@ -47,7 +48,7 @@ export function InfeasibleHelp() {
       </h2>
       <ul>
         {bounds.slice(0, 4).map((bound) => {
-          const suffix = bound.field === 'uniformity' || bound.field === 'contrast' ? '' : ` ${unit}`;
+          const suffix = isRatio(bound.field) ? '' : ` ${unit}`;
           return (
             <li key={`${bound.card.id} ${bound.field}`}>
               <span>
