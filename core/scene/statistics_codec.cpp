@@ -2,9 +2,9 @@
 #include "core/scene/statistics_codec.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "core/scene/range_coder.h"
 #include "core/scene/residual_model.h"
@@ -14,6 +14,15 @@ namespace {
 
 constexpr double kLargestDeviation = 1e15;  // keeps its square finite, in single precision too
 constexpr double kLargestCorrelation = 2;   // nothing true is above 1, but for rounding
+
+/// note: the library of the Wasm compiler has no std::bit_cast yet.
+template <class To, class From>
+To bitsAs(From from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
 
 std::int32_t steps(double correlation) {
   if (std::isnan(correlation)) return 0;  // of responses too bright for single precision
@@ -40,7 +49,7 @@ bool codeFloats(Coder& coder, std::span<const double> expected, double largest, 
   ResidualModel model;
   Running running;
   const auto word = [](double value) {
-    return std::bit_cast<std::int32_t>(static_cast<float>(std::max(0.0, value)));
+    return bitsAs<std::int32_t>(static_cast<float>(std::max(0.0, value)));
   };
   for (std::size_t j = 0; j < expected.size(); ++j) {
     const std::int32_t from = word(expected[j]);
@@ -48,7 +57,7 @@ bool codeFloats(Coder& coder, std::span<const double> expected, double largest, 
         model.code(coder, 2 * running.sixteenfold(), ResidualModel::kOrdinary, 0, word(values[j]) - from);
     const std::int64_t coded = std::int64_t{from} + residual;
     if (coded < 0 || coded > word(largest)) return false;
-    values[j] = double{std::bit_cast<float>(static_cast<std::int32_t>(coded))};
+    values[j] = double{bitsAs<float>(static_cast<std::int32_t>(coded))};
     running.add(residual);
   }
   return true;
