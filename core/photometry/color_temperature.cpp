@@ -1,5 +1,6 @@
 #include "core/photometry/color_temperature.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace fiatlux {
@@ -32,8 +33,8 @@ std::optional<double> colorTemperatureOf(std::string_view field) {
   return firstRun(field, [](double value, std::size_t digits, std::string_view) -> std::optional<double> {
     if (within(value) && digits <= 5) return value;
     // A code: rendering index by tens, then hundreds of kelvin.
-    const int hundreds = static_cast<int>(value) % 100;
-    if (digits == 3 && value >= 700 && hundreds >= 18 && hundreds <= 80) return 100.0 * hundreds;
+    const double hundreds = std::fmod(value, 100);
+    if (digits == 3 && value >= 700 && hundreds >= 18 && hundreds <= 80) return 100 * hundreds;
     return {};
   });
 }

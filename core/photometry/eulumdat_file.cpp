@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/photometry/color_temperature.h"
+#include "core/photometry/photometric_numbers.h"
 #include "core/photometry/photometric_values.h"
 #include "core/photometry/planes.h"
 
@@ -11,86 +12,27 @@ namespace fiatlux {
 namespace {
 
 constexpr double kMillimetre = 0.001;  // m
-constexpr std::size_t kDirectRatios = 10;
-constexpr std::uint32_t kMaxSets = 100;
-
-/// A line's number, with the comma that most of Europe writes.
-std::optional<double> numberOfLine(std::string_view line) {
-  std::string text(trimmed(line));
-  std::replace(text.begin(), text.end(), ',', '.');
-  return numberOf(text);
-}
-
-/// Lines one after the other. The first failure is kept; after it every call returns 0.
-class LineReader {
- public:
-  explicit LineReader(const PhotometricText& text) : lines_(text.lines) {}
-  std::string_view text(const char* what) {
-    if (failure_) return {};
-    if (at_ < lines_.size()) return lines_[at_++];
-    failure_ =
-        errorAt(std::max<std::size_t>(1, at_), std::string("the file ends where ") + what +
-                                                   " should stand; a line is missing or it was cut short, "
-                                                   "fetch it again");
-    return {};
-  }
-  double number(const char* what) {
-    const std::string_view line = text(what);
-    const std::optional<double> value = failure_ ? 0 : numberOfLine(line);
-    if (!value)
-      fail(quoted(line) + " stands where " + what + " should, and is no number; is a line missing above?");
-    return value.value_or(0);
-  }
-  /// A blank line is 0.
-  double numberOrBlank(const char* what) {
-    if (!failure_ && at_ < lines_.size() && trimmed(lines_[at_]).empty()) return ++at_, 0;
-    return number(what);
-  }
-  int whole(const char* what, int least, int most) {
-    const double value = number(what);
-    if (!failure_ && !(value >= least && value <= most && value == std::floor(value)))
-      fail(std::string(what) + " is " + shortNumber(value) + ", but must be a whole number from " +
-           std::to_string(least) + " to " + std::to_string(most) + "; is a line missing above?");
-    return failure_ ? least : static_cast<int>(value);
-  }
-  void skip(std::size_t count, const char* what) {
-    for (std::size_t i = 0; i < count && !failure_; ++i) (void)text(what);
-  }
-  /// Keeps `what` as the failure, at the line read last, unless there is one already.
-  void fail(const std::string& what) {
-    if (!failure_) failure_ = errorAt(at_, what);
-  }
-  std::size_t line() const { return at_; }
-  bool numberFollows() const { return at_ < lines_.size() && numberOfLine(lines_[at_]); }
-  const std::optional<Error>& failure() const { return failure_; }
-
- private:
-  const std::vector<std::string>& lines_;
-  std::size_t at_ = 0;
-  std::optional<Error> failure_;
-};
+constexpr std::size_t kDirectRatios = 10, kMaxSets = 100;
+constexpr double kMaxMillimetres = 1e6, kMaxLumens = 1e9, kMaxWatts = 1e7, kMaxFactor = 1e6,
+                 kMaxPercent = 1000;
 
 struct Head {
-  int symmetry = 0;
-  std::size_t planes = 0, gammas = 0;
+  std::size_t symmetry = 0, planes = 0, gammas = 0;
   double downwardShare = 0, outputRatio = 0, conversion = 1, lampFlux = 0;  // %, %, -, lm
   bool absolute = false;
 };
 
 /// Lines 13 to 21.
 void readSizes(LineReader& reader, Photometry& photometry) {
-  (void)reader.numberOrBlank("the luminaire's length");
-  (void)reader.numberOrBlank("the luminaire's width");
-  (void)reader.numberOrBlank("the luminaire's height");
+  (void)reader.blankOrWithin("the luminaire's length", 0, kMaxMillimetres);
+  (void)reader.blankOrWithin("the luminaire's width", 0, kMaxMillimetres);
+  (void)reader.blankOrWithin("the luminaire's height", 0, kMaxMillimetres);
   LuminousArea& area = photometry.luminous;
   for (double* size : {&area.length, &area.width}) {
-    *size = kMillimetre * reader.numberOrBlank("a length of the luminous area");
-    if (*size < 0)
-      reader.fail("a negative length of the luminous area; write millimetres, width 0 for round");
+    *size = kMillimetre * reader.blankOrWithin("a length of the luminous area", 0, kMaxMillimetres);
   }
   for (double& side : area.sides) {
-    side = kMillimetre * reader.numberOrBlank("a height of the luminous area");
-    if (side < 0) reader.fail("a negative height of the luminous area; write millimetres");
+    side = kMillimetre * reader.blankOrWithin("a height of the luminous area", 0, kMaxMillimetres);
     area.height = std::max(area.height, side);
   }
   if (area.width > 0 || area.length == 0) return;
@@ -101,21 +43,17 @@ void readSizes(LineReader& reader, Photometry& photometry) {
 
 /// Line 26 and the sets of lamps after it.
 void readLamps(LineReader& reader, Head& head, Photometry& photometry) {
-  const int sets = reader.whole("the number of sets of lamps", 1, static_cast<int>(kMaxSets));
-  for (int set = 0; set < sets && !reader.failure(); ++set) {
-    const double lamps = reader.number("a number of lamps");
+  const std::size_t sets = reader.count("the number of sets of lamps", 1, kMaxSets);
+  for (std::size_t set = 0; set < sets && !reader.failure(); ++set) {
+    const double lamps = reader.next("a number of lamps");
     if (lamps == 0) reader.fail("0 lamps; write how many, or a negative number for absolute photometry");
     head.absolute = head.absolute || lamps < 0;
     (void)reader.text("a type of lamp");
-    const double flux = reader.number("a flux of lamps");
-    if (flux < 0) reader.fail(shortNumber(flux) + " lm; write the flux of this set's lamps");
-    head.lampFlux += flux;
+    head.lampFlux += reader.within("the flux of a set of lamps", 0, kMaxLumens);
     const std::string_view color = reader.text("a colour temperature");
     if (!photometry.cct) photometry.cct = colorTemperatureOf(color);
     (void)reader.text("a colour rendering index");
-    const double watts = reader.numberOrBlank("the watts of a set of lamps");
-    if (watts < 0) reader.fail(shortNumber(watts) + " W; write the watts with ballast, or 0");
-    photometry.watts += watts;
+    photometry.watts += reader.blankOrWithin("the watts of a set of lamps", 0, kMaxWatts);
   }
   if (!reader.failure() && !(head.lampFlux > 0))
     reader.fail("no set of lamps has a flux; write the flux of each in lm");
@@ -124,12 +62,12 @@ void readLamps(LineReader& reader, Head& head, Photometry& photometry) {
 Head readHead(LineReader& reader, Photometry& photometry) {
   Head head;
   photometry.maker = shortText(reader.text("the maker"));
-  (void)reader.numberOrBlank("the type indicator (1, 2 or 3)");
-  head.symmetry = reader.whole("the symmetry indicator", 0, 4);
-  head.planes = static_cast<std::size_t>(reader.whole("the number of C planes", 1, kMaxPlanes));
-  (void)reader.numberOrBlank("the distance of C planes");
-  head.gammas = static_cast<std::size_t>(reader.whole("the number of intensities in a plane", 2, kMaxGammas));
-  (void)reader.numberOrBlank("the distance of intensities");
+  (void)reader.blankOrWithin("the type indicator", 0, 3);
+  head.symmetry = reader.count("the symmetry indicator", 0, 4);
+  head.planes = reader.count("the number of C planes", 1, kMaxPlanes);
+  (void)reader.blankOrWithin("the distance of C planes", 0, 360);
+  head.gammas = reader.count("the number of intensities in a plane", 2, kMaxGammas);
+  (void)reader.blankOrWithin("the distance of intensities", 0, 180);
   (void)reader.text("the number of the measurement");
   const std::string_view name = reader.text("the luminaire's name");
   const std::string_view number = reader.text("the luminaire's number");
@@ -137,32 +75,16 @@ Head readHead(LineReader& reader, Photometry& photometry) {
   (void)reader.text("the file's name");
   (void)reader.text("the date");
   readSizes(reader, photometry);
-  head.downwardShare = reader.numberOrBlank("the downward flux fraction");
-  head.outputRatio = reader.numberOrBlank("the light output ratio");
-  head.conversion = reader.numberOrBlank("the conversion factor");
-  if (head.conversion < 0)
-    reader.fail("a conversion factor of " + shortNumber(head.conversion) + "; write 1");
+  head.downwardShare = reader.blankOrWithin("the downward flux fraction", 0, kMaxPercent);
+  head.outputRatio = reader.blankOrWithin("the light output ratio", 0, kMaxPercent);
+  head.conversion = reader.blankOrWithin("the conversion factor", 0, kMaxFactor);
   if (head.conversion == 0) head.conversion = 1;
-  if (const double tilt = reader.numberOrBlank("the tilt during measurement"); tilt != 0 && !reader.failure())
+  const double tilt = reader.blankOrWithin("the tilt during measurement", -360, 360);
+  if (tilt != 0 && !reader.failure())
     photometry.warnings.push_back("line " + std::to_string(reader.line()) + ": measured at a tilt of " +
                                   shortNumber(tilt) + " degrees; taken as if it hung level");
   readLamps(reader, head, photometry);
   return head;
-}
-
-std::vector<double> readAngles(LineReader& reader, std::size_t count, const char* what, double most) {
-  std::vector<double> angles;
-  for (std::size_t i = 0; i < count && !reader.failure(); ++i) {
-    const double angle = reader.number(what);
-    if (angle < 0 || angle > most)
-      reader.fail(std::string(what) + " of " + shortNumber(angle) + " is outside 0 to " + shortNumber(most) +
-                  "; do the counts of lines 4 and 6 agree with the lists?");
-    else if (i > 0 && angle <= angles.back())
-      reader.fail(std::string(what) + " of " + shortNumber(angle) + " after " + shortNumber(angles.back()) +
-                  ": they must ascend; do the counts of lines 4 and 6 agree with the lists?");
-    angles.push_back(angle);
-  }
-  return angles;
 }
 
 /// Sets symmetry and c: those of all `planes` whose intensities follow, in the order in which they follow.
@@ -170,8 +92,7 @@ void choosePlanes(LineReader& reader, const Head& head, const std::vector<double
                   Photometry& photometry) {
   using enum PhotometricSymmetry;
   if (reader.failure()) return;
-  photometry.symmetry =
-      std::array{kNone, kAxial, kC0C180, kC90C270, kQuadrant}[static_cast<std::size_t>(head.symmetry)];
+  photometry.symmetry = std::array{kNone, kAxial, kC0C180, kC90C270, kQuadrant}[head.symmetry];
   const auto part = [&](std::size_t share) {
     if (head.planes % share != 0)
       reader.fail("symmetry " + std::to_string(head.symmetry) + " needs a number of C planes that " +
@@ -203,17 +124,8 @@ void choosePlanes(LineReader& reader, const Head& head, const std::vector<double
   }
 }
 
-void readCandela(LineReader& reader, double factor, Photometry& photometry) {
-  const std::size_t count = photometry.c.size() * photometry.gamma.size();
-  for (std::size_t i = 0; i < count && !reader.failure(); ++i) {
-    const double value = factor * reader.number("an intensity");
-    if (value < 0) reader.fail(shortNumber(value) + " cd: intensities cannot be negative; correct the value");
-    if (value > kMaxCandela)
-      reader.fail(shortNumber(value) + " cd is more than 1e7; correct the value or the lamps' flux");
-    photometry.candela.push_back(value);
-  }
-  if (photometry.symmetry != PhotometricSymmetry::kC90C270 || reader.failure()) return;
-  // Planes were read from 270 down: turn their order round.
+/// Planes that were read from C270 down, in ascending order.
+void turnPlanesRound(Photometry& photometry) {
   std::reverse(photometry.c.begin(), photometry.c.end());
   std::vector<double> ascending;
   for (std::size_t plane = photometry.c.size(); plane-- > 0;)
@@ -248,17 +160,18 @@ Result<Photometry> readEulumdat(const PhotometricText& text) {
   photometry.longAxis = PhotometricAxis::kC90;
   LineReader reader(text);
   const Head head = readHead(reader, photometry);
-  reader.skip(kDirectRatios, "a direct ratio");
-  const std::vector<double> planes = readAngles(reader, head.planes, "a C plane", 360);
+  for (std::size_t i = 0; i < kDirectRatios; ++i) (void)reader.text("a direct ratio");
+  const std::vector<double> planes = readAngles(reader, head.planes, "the C plane", 0, 360);
   choosePlanes(reader, head, planes, photometry);
-  photometry.gamma = readAngles(reader, head.gammas, "an angle gamma", 180);
-  if (reader.failure()) return *reader.failure();
-  readCandela(reader, head.conversion * head.lampFlux / 1000, photometry);
+  photometry.gamma = readAngles(reader, head.gammas, "the angle gamma", 0, 180);
+  const std::size_t count = photometry.c.size() * photometry.gamma.size();
+  photometry.candela = readCandela(reader, count, head.conversion * head.lampFlux / 1000);
   if (reader.failure()) return *reader.failure();
   if (reader.numberFollows())
     photometry.warnings.push_back(
         "line " + std::to_string(reader.line() + 1) +
         ": numbers follow after the last intensity; do lines 3, 4 and 6 agree with the lists?");
+  if (photometry.symmetry == PhotometricSymmetry::kC90C270) turnPlanesRound(photometry);
   closeRound(photometry);
   const bool stated = head.outputRatio > 0 && !head.absolute;
   photometry.flux = head.lampFlux * (stated ? head.outputRatio / 100 : 1);

@@ -6,6 +6,7 @@
 
 #include "core/photometry/color_temperature.h"
 #include "core/photometry/ies_opening.h"
+#include "core/photometry/photometric_numbers.h"
 #include "core/photometry/planes.h"
 #include "core/photometry/type_c.h"
 
@@ -13,7 +14,9 @@ namespace fiatlux {
 namespace {
 
 using enum PhotometricFormat;
-constexpr double kFoot = 0.3048;  // m
+constexpr double kFoot = 0.3048;                                        // m
+constexpr double kMaxLength = 1000, kMaxLumens = 1e9, kMaxWatts = 1e7;  // m (or feet), lm, W
+constexpr double kMaxFactor = 1e6;
 
 std::string upper(std::string_view text) {
   std::string result(text);
@@ -76,10 +79,10 @@ Words wordsAbove(const PhotometricText& text, std::size_t tiltLine, bool tagged)
 /// measured.
 void readTilt(NumberReader& reader, Photometry& photometry) {
   (void)reader.count("the lamp's position (1, 2 or 3) of TILT=INCLUDE", 1, 3);
-  const std::uint32_t pairs = reader.count("the number of tilt angles", 1, kMaxGammas);
+  const std::size_t pairs = reader.count("the number of tilt angles", 1, kMaxGammas);
   double least = 1, most = 1;
-  for (std::uint32_t i = 0; i < pairs && !reader.failure(); ++i) (void)reader.next("a tilt angle");
-  for (std::uint32_t i = 0; i < pairs && !reader.failure(); ++i) {
+  for (std::size_t i = 0; i < pairs && !reader.failure(); ++i) (void)reader.next("a tilt angle");
+  for (std::size_t i = 0; i < pairs && !reader.failure(); ++i) {
     const double factor = reader.next("a tilt factor");
     least = std::min(least, factor), most = std::max(most, factor);
   }
@@ -89,73 +92,54 @@ void readTilt(NumberReader& reader, Photometry& photometry) {
 }
 
 struct Header {
-  double lumens = 0, factor = 1;  // of the candela
-  std::uint32_t lamps = 1, verticals = 0, horizontals = 0, type = 1;
+  double lumens = 0, factor = 1;  // of a lamp; of the candela
+  std::size_t lamps = 1, verticals = 0, horizontals = 0, type = 1;
   IesOpening opening;
 };
+
+/// The factor that the lamps' and the ballast's numbers put on flux and candela; also reads the watts.
+double readBallast(NumberReader& reader, Photometry& photometry) {
+  const double ballast = reader.within("the ballast factor", 0, kMaxFactor);
+  const double second = reader.within("the number after the ballast factor", -kMaxFactor, kMaxFactor);
+  if (photometry.format <= kLm63_1991) return reader.failure() ? 0 : ballast * second;
+  if (photometry.format != kLm63_2019 && second != 1 && !reader.failure())
+    photometry.warnings.push_back("line " + std::to_string(reader.line()) + ": the unused factor is " +
+                                  shortNumber(second) + " instead of 1; it is not applied");
+  return ballast;
+}
 
 Header readHeader(NumberReader& reader, Photometry& photometry) {
   Header header;
   header.lamps = reader.count("the number of lamps", 1, 10000);
-  header.lumens = reader.next("the lumens per lamp");
+  header.lumens = reader.within("the lumens per lamp (-1 for absolute photometry)", -1, kMaxLumens);
   if (header.lumens < 0 && header.lumens != -1)
-    reader.fail(shortNumber(header.lumens) + " lumens per lamp; write them, or -1 for absolute photometry");
-  header.factor = reader.next("the candela multiplier");
+    reader.fail("the lumens per lamp are negative; write -1 or a flux");
+  header.factor = reader.within("the candela multiplier", 0, kMaxFactor);
   header.verticals = reader.count("the number of vertical angles", 2, kMaxGammas);
   header.horizontals = reader.count("the number of horizontal angles", 1, kMaxPlanes);
   header.type = reader.count("the photometric type (1 = C, 2 = B, 3 = A)", 1, 3);
   const bool feet = reader.count("the unit (1 = feet, 2 = metres)", 1, 2) == 1;
   header.opening.before2002 = photometry.format < kLm63_2002;
   for (double* size : {&header.opening.width, &header.opening.length, &header.opening.height})
-    *size = reader.next("a length of the luminous opening") * (feet ? kFoot : 1);
-  const double ballast = reader.next("the ballast factor");
-  const double second = reader.next("the number after the ballast factor");
-  photometry.watts = reader.next("the input watts");
-  if (photometry.watts < 0) reader.fail(shortNumber(photometry.watts) + " W; write the input watts, or 0");
-  const bool ofLamp = photometry.format <= kLm63_1991;
-  if (!ofLamp && photometry.format != kLm63_2019 && second != 1 && !reader.failure())
-    photometry.warnings.push_back("line " + std::to_string(reader.line()) + ": the unused factor is " +
-                                  shortNumber(second) + " instead of 1; it is not applied");
-  const double lamp = ballast * (ofLamp ? second : 1);
+    *size = reader.within("a length of the luminous opening", -kMaxLength, kMaxLength) * (feet ? kFoot : 1);
+  const double lamp = readBallast(reader, photometry);
+  photometry.watts = reader.within("the input watts", 0, kMaxWatts);
   header.factor *= lamp;
   if (!(header.factor > 0))
     reader.fail("multiplier and ballast factors make " + shortNumber(header.factor) +
                 "; they must be above 0, export the file again");
-  photometry.flux = header.lumens > 0 ? header.lamps * header.lumens * lamp : 0;
+  photometry.flux = header.lumens > 0 ? static_cast<double>(header.lamps) * header.lumens * lamp : 0;
   return header;
 }
 
-std::vector<double> readAngles(NumberReader& reader, std::uint32_t count, const char* what, double least,
-                               double most) {
-  std::vector<double> angles;
-  for (std::uint32_t i = 0; i < count && !reader.failure(); ++i) {
-    const double angle = reader.next(what);
-    if (angle < least || angle > most)
-      reader.fail(std::string(what) + " of " + shortNumber(angle) + " is outside " + shortNumber(least) +
-                  " to " + shortNumber(most) + "; does the number of angles agree with the list?");
-    else if (i > 0 && angle <= angles.back())
-      reader.fail(std::string(what) + " of " + shortNumber(angle) + " after " + shortNumber(angles.back()) +
-                  ": they must ascend; does the number of angles agree with the list?");
-    angles.push_back(angle);
-  }
-  return angles;
-}
-
-std::vector<double> readCandela(NumberReader& reader, std::size_t count, double factor) {
-  std::vector<double> candela;
-  candela.reserve(count);
-  for (std::size_t i = 0; i < count && !reader.failure(); ++i) {
-    const double value = factor * reader.next("a candela value");
-    if (value < 0) reader.fail(shortNumber(value) + " cd: intensities cannot be negative; correct the value");
-    if (value > kMaxCandela)
-      reader.fail(shortNumber(value) + " cd is more than 1e7; correct the value or the multiplier");
-    candela.push_back(value);
-  }
+/// Intensities, the last numbers of the file.
+std::vector<double> readTable(NumberReader& reader, std::size_t count, double factor) {
+  std::vector<double> candela = readCandela(reader, count, factor);
   // note: where a list of angles is longer than announced, everything after it is read one place too early
-  const std::string_view left = reader.peek();
-  if (numberOf(left))
-    reader.fail("more numbers follow than the counts of angles announce (next: " +
-                shortText(left.substr(0, 20)) + "); correct the counts or export the file again");
+  if (!reader.failure() && reader.numberFollows())
+    reader.fail(
+        "more numbers follow than the counts of angles announce; correct the counts or export the file "
+        "again");
   return candela;
 }
 
@@ -176,10 +160,10 @@ PhotometricSymmetry symmetryOf(NumberReader& reader, const std::vector<double>& 
 }
 
 void readTypeC(NumberReader& reader, const Header& header, Photometry& photometry) {
-  photometry.gamma = readAngles(reader, header.verticals, "a vertical angle", 0, 180);
-  photometry.c = readAngles(reader, header.horizontals, "a horizontal angle", 0, 360);
+  photometry.gamma = readAngles(reader, header.verticals, "the vertical angle", 0, 180);
+  photometry.c = readAngles(reader, header.horizontals, "the horizontal angle", 0, 360);
   photometry.symmetry = symmetryOf(reader, photometry.c);
-  photometry.candela = readCandela(reader, photometry.gamma.size() * photometry.c.size(), header.factor);
+  photometry.candela = readTable(reader, photometry.gamma.size() * photometry.c.size(), header.factor);
   photometry.luminous = areaOf(header.opening);
 }
 
@@ -187,13 +171,13 @@ void readBeam(NumberReader& reader, const Header& header, Photometry& photometry
   BeamTable table;
   table.typeA = header.type == 3;
   const double around = 180, within = 90;
-  table.vertical = readAngles(reader, header.verticals, "a vertical angle", table.typeA ? -within : -around,
+  table.vertical = readAngles(reader, header.verticals, "the vertical angle", table.typeA ? -within : -around,
                               table.typeA ? within : around);
-  table.horizontal = readAngles(reader, header.horizontals, "a horizontal angle",
+  table.horizontal = readAngles(reader, header.horizontals, "the horizontal angle",
                                 table.typeA ? -around : -within, table.typeA ? around : within);
   if (header.horizontals < 2)
     reader.fail("types A and B need two horizontal angles or more; export as type C");
-  table.candela = readCandela(reader, table.vertical.size() * table.horizontal.size(), header.factor);
+  table.candela = readTable(reader, table.vertical.size() * table.horizontal.size(), header.factor);
   if (reader.failure()) return;
   resampleAsTypeC(table, photometry);
   photometry.luminous = areaOfBeam(header.opening);
@@ -225,7 +209,7 @@ Result<Photometry> readIes(const PhotometricText& text) {
                                                          : words.firstLine);
   photometry.maker = shortText(words.maker);
   photometry.cct = words.cct;
-  NumberReader reader(text, tiltLine + 1);
+  StreamReader reader(text, tiltLine + 1);
   const std::string_view tiltText = trimmed(text.lines[tiltLine - 1]);
   const std::string_view tilt = trimmed(tiltText.substr(std::min(tiltText.size(), tiltText.find('=') + 1)));
   if (upper(tilt) == "INCLUDE")

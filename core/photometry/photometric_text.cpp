@@ -52,8 +52,6 @@ void appendWindows1252(std::string& line, std::uint8_t byte) {
   }
 }
 
-bool parts(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\f' || c == '\v'; }
-
 /// The powers of ten that a double holds exactly.
 constexpr std::array<double, 23> kTens = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -170,54 +168,16 @@ std::optional<double> numberOf(std::string_view token) {
   return negative ? -value : value;
 }
 
+std::optional<double> numberOfLine(std::string_view line) {
+  std::string text(trimmed(line));
+  std::replace(text.begin(), text.end(), ',', '.');
+  return numberOf(text);
+}
+
 std::string shortNumber(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
-}
-
-NumberReader::NumberReader(const PhotometricText& text, std::size_t line)
-    : lines_(text.lines), next_(line - 1), line_(line) {}
-
-std::string_view NumberReader::peek() {
-  for (; next_ < lines_.size(); ++next_, at_ = 0) {
-    const std::string_view line = lines_[next_];
-    while (at_ < line.size() && parts(line[at_])) ++at_;
-    if (at_ == line.size()) continue;
-    std::size_t end = at_;
-    while (end < line.size() && !parts(line[end])) ++end;
-    return line.substr(at_, end - at_);
-  }
-  return {};
-}
-
-double NumberReader::next(const char* what) {
-  if (failure_) return 0;
-  const std::string_view token = peek();
-  if (token.empty()) {
-    line_ = std::max<std::size_t>(1, lines_.size());
-    fail(std::string("the file ends where ") + what + " should stand; it was cut short, fetch it again");
-    return 0;
-  }
-  line_ = next_ + 1;
-  at_ += token.size();
-  const std::optional<double> value = numberOf(token);
-  if (!value)
-    fail(quoted(token) + " stands where " + what +
-         " should, and is no number; correct it or export the file again");
-  return value.value_or(0);
-}
-
-std::uint32_t NumberReader::count(const char* what, std::uint32_t least, std::uint32_t most) {
-  const double value = next(what);
-  if (!failure_ && !(value >= least && value <= most && value == std::floor(value)))
-    fail(std::string(what) + " is " + shortNumber(value) + ", but must be a whole number from " +
-         std::to_string(least) + " to " + std::to_string(most) + "; export the file again");
-  return failure_ ? least : static_cast<std::uint32_t>(value);
-}
-
-void NumberReader::fail(const std::string& what) {
-  if (!failure_) failure_ = errorAt(line_, what);
 }
 
 }  // namespace fiatlux

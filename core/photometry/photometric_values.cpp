@@ -91,7 +91,7 @@ double integratedFlux(const Photometry& photometry) { return fluxAbove(photometr
 
 double upwardShare(const Photometry& photometry) {
   const double flux = integratedFlux(photometry);
-  return flux > 0 ? fluxAbove(photometry, 90) / flux : 0;
+  return flux > 0 ? std::clamp(fluxAbove(photometry, 90) / flux, 0.0, 1.0) : 0;
 }
 
 double maxCandela(const Photometry& photometry) {

@@ -125,7 +125,7 @@ std::optional<double> ugr4h8h(const Photometry& photometry) {
   for (int turn = 0; turn < (mirrored ? 2 : 4); ++turn) {
     if (turn < 2) {
       const double floor = floorShare(photometry, turn, flux), total = flux * kColumns * kRows;
-      background[turn] = wallIndirect(total * floor, total * (1 - up - floor), total * up) / kPi;
+      background[turn] = wallIndirect(total * floor, total * std::max(0.0, 1 - up - floor), total * up) / kPi;
     }
     const double glare = glareSum(photometry, turn);
     if (!(glare > 0)) continue;

@@ -157,12 +157,12 @@ TEST(EulumdatFile, EveryFaultNamesItsLine) {
   EXPECT_THAT(with(4, "1000"), HasSubstr("line 4: the number of C planes is 1000"));
   EXPECT_THAT(with(6, "500"), HasSubstr("line 6: the number of intensities"));
   EXPECT_THAT(with(6, "x"), HasSubstr("line 6: \"x\" stands where"));
-  EXPECT_THAT(with(17, "-3"), HasSubstr("line 17: a negative length"));
-  EXPECT_THAT(with(24, "-1"), HasSubstr("line 24: a conversion factor"));
+  EXPECT_THAT(with(17, "-3"), HasSubstr("line 17: a length of the luminous area is -3"));
+  EXPECT_THAT(with(24, "-1"), HasSubstr("line 24: the conversion factor is -1"));
   EXPECT_THAT(with(26, "0"), HasSubstr("line 26: the number of sets"));
   EXPECT_THAT(with(27, "0"), HasSubstr("line 27: 0 lamps"));
   EXPECT_THAT(with(29, "0"), HasSubstr("no set of lamps has a flux"));
-  EXPECT_THAT(with(45, "0"), HasSubstr("line 45: an angle gamma of 0 after 0"));
+  EXPECT_THAT(with(45, "0"), HasSubstr("line 45: the angle gamma of 0 follows 0"));
   EXPECT_THAT(with(82, "NaN"), HasSubstr("line 82: \"NaN\" stands where an intensity"));
   EXPECT_THAT(with(82, "-4"), HasSubstr("line 82: -4 cd"));
   EXPECT_THAT(with(82, "1e9"), HasSubstr("line 82: 1e+09 cd"));

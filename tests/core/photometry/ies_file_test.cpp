@@ -176,21 +176,21 @@ TEST(IesFile, EveryFaultNamesItsLine) {
     return refusal(file.text());
   };
   EXPECT_THAT(with([](IesFile& f) { f.lamps = 0; }), HasSubstr("line 5: the number of lamps is 0"));
-  EXPECT_THAT(with([](IesFile& f) { f.lumens = -5; }), HasSubstr("line 5: -5 lumens"));
+  EXPECT_THAT(with([](IesFile& f) { f.lumens = -5; }), HasSubstr("line 5: the lumens per lamp"));
   EXPECT_THAT(with([](IesFile& f) { f.type = 4; }), HasSubstr("line 5: the photometric type"));
   EXPECT_THAT(with([](IesFile& f) { f.unit = 3; }), HasSubstr("line 5: the unit"));
   EXPECT_THAT(with([](IesFile& f) { f.multiplier = 0; }),
               HasSubstr("line 6: multiplier and ballast factors"));
-  EXPECT_THAT(with([](IesFile& f) { f.watts = -1; }), HasSubstr("line 6: -1 W"));
+  EXPECT_THAT(with([](IesFile& f) { f.watts = -1; }), HasSubstr("line 6: the input watts is -1"));
   EXPECT_THAT(with([](IesFile& f) {
                 f.gamma = {0, 90, 45};
               }),
-              HasSubstr("line 7: a vertical angle of 45 after 90"));
+              HasSubstr("line 7: the vertical angle of 45 follows 90"));
   EXPECT_THAT(with([](IesFile& f) {
                 f.gamma = {0, 45, 45};
               }),
-              HasSubstr("line 7: a vertical angle of 45 after 45"));
-  EXPECT_THAT(with([](IesFile& f) { f.gamma = {0, 200}; }), HasSubstr("line 7: a vertical angle of 200"));
+              HasSubstr("line 7: the vertical angle of 45 follows 45"));
+  EXPECT_THAT(with([](IesFile& f) { f.gamma = {0, 200}; }), HasSubstr("line 7: the vertical angle is 200"));
   EXPECT_THAT(with([](IesFile& f) {
                 f.c = {0, 30, 60};
               }),
@@ -223,7 +223,7 @@ TEST(IesFile, EveryFaultIsOneLineWithItsPlace) {
   lines.back() += " NaN";
   EXPECT_EQ(refused(lines), "");  // after the table: words, not numbers
   lines.back() = "NaN " + sound.back();
-  EXPECT_THAT(refused(lines), HasSubstr("line 9: \"NaN\" stands where a candela value should"));
+  EXPECT_THAT(refused(lines), HasSubstr("line 9: \"NaN\" stands where an intensity should"));
   lines = sound;
   lines[6] += " 95";  // one angle more than announced: it is taken for the plane, and 0 for a candela value
   EXPECT_NE(refused(lines), "");

@@ -1,4 +1,4 @@
-#include "core/photometry/photometric_text.h"
+#include "core/photometry/photometric_numbers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,15 +70,36 @@ TEST(PhotometricText, CutsLongTextAtALetter) {
   EXPECT_EQ(shortText("a\tb\x7f"), "a b ");
 }
 
-TEST(PhotometricText, NumbersSpanLinesAndCommas) {
+TEST(NumberReader, NumbersSpanLinesAndCommas) {
   const PhotometricText text{{"head", "1, 2 ,3", "", "\t4,5"}};
-  NumberReader reader(text, 2);
+  StreamReader reader(text, 2);
   for (int i = 1; i <= 5; ++i) EXPECT_EQ(reader.next("n"), i);
   EXPECT_EQ(reader.line(), 4u);
   EXPECT_FALSE(reader.failure());
   (void)reader.next("a sixth");
   ASSERT_TRUE(reader.failure());
   EXPECT_EQ(reader.failure()->message.rfind("line 4: the file ends where a sixth should stand", 0), 0u);
+}
+
+TEST(NumberReader, TheFirstFailureStays) {
+  const PhotometricText text{{"1", "x", "3"}};
+  LineReader reader(text);
+  EXPECT_EQ(reader.within("one", 0, 2), 1);
+  EXPECT_EQ(reader.within("two", -4, 2), -4);
+  EXPECT_EQ(reader.next("three"), 0);
+  EXPECT_EQ(reader.failure()->message.rfind("line 2: \"x\" stands where two should", 0), 0u);
+}
+
+TEST(NumberReader, CountsAreWholeAndWithinTheirRange) {
+  const auto failure = [](const char* number) {
+    const PhotometricText text{{number}};
+    LineReader reader(text);
+    (void)reader.count("the count", 2, 9);
+    return reader.failure() ? reader.failure()->message : "";
+  };
+  EXPECT_EQ(failure("9,0"), "");
+  for (const char* number : {"1", "10", "2.5", "-3", "1e300"})
+    EXPECT_EQ(failure(number).rfind("line 1: the count is ", 0), 0u) << number;
 }
 
 }  // namespace
