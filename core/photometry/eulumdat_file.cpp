@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kMillimetre = 0.001;  // m
 constexpr std::size_t kDirectRatios = 10, kMaxSets = 100;
-constexpr double kMaxMillimetres = 1e6, kMaxLumens = 1e9, kMaxWatts = 1e7, kMaxFactor = 1e6,
-                 kMaxPercent = 1000;
+constexpr double kMaxMillimetres = 1e6, kMaxPercent = 1000;
 
 struct Head {
   std::size_t symmetry = 0, planes = 0, gammas = 0;

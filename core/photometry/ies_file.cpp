@@ -14,9 +14,7 @@ namespace fiatlux {
 namespace {
 
 using enum PhotometricFormat;
-constexpr double kFoot = 0.3048;                                        // m
-constexpr double kMaxLength = 1000, kMaxLumens = 1e9, kMaxWatts = 1e7;  // m (or feet), lm, W
-constexpr double kMaxFactor = 1e6;
+constexpr double kFoot = 0.3048, kMaxLength = 1000;  // m; m or feet of an opening
 
 std::string upper(std::string_view text) {
   std::string result(text);

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/photometry/degrees.h"
 #include "core/photometry/planes.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 struct Place {
   std::size_t below, above;
@@ -40,8 +38,8 @@ double intensityAt(const Photometry& photometry, double c, double gamma) {
 double intensity(const Photometry& photometry, const Vec3& direction) {
   const double across = std::hypot(direction.x, direction.y);
   if (across == 0 && direction.z == 0) return 0;
-  return intensityAt(photometry, std::atan2(direction.y, direction.x) * kDegrees,
-                     std::atan2(across, direction.z) * kDegrees);
+  return intensityAt(photometry, std::atan2(direction.y, direction.x) / kDegree,
+                     std::atan2(across, direction.z) / kDegree);
 }
 
 }  // namespace fiatlux

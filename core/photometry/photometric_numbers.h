@@ -11,6 +11,9 @@
 
 namespace fiatlux {
 
+// Beyond these a number is a fault of the file, not a luminaire.
+inline constexpr double kMaxLumens = 1e9, kMaxWatts = 1e7, kMaxFactor = 1e6;
+
 /// The first failure is kept; after it every call returns 0, or the least that was allowed.
 class NumberReader {
  public:

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/photometry/degrees.h"
 #include "core/photometry/intensity.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 /// int I(gamma) sin(gamma) dgamma of one plane over the part of the table above `least` degrees; I linear
 /// between.
@@ -23,7 +22,7 @@ double planeIntegral(const Photometry& photometry, std::size_t plane, double lea
       first += (last - first) * (least - from) / (to - from);
       from = least;
     }
-    const double a = from * kRadians, b = to * kRadians;
+    const double a = from * kDegree, b = to * kDegree;
     sum += first * std::cos(a) - last * std::cos(b) + (last - first) / (b - a) * (std::sin(b) - std::sin(a));
   }
   return sum;
@@ -35,7 +34,7 @@ double fluxAbove(const Photometry& photometry, double least) {
   double sum = 0, before = planeIntegral(photometry, 0, least);
   for (std::size_t plane = 1; plane < photometry.c.size(); ++plane) {
     const double here = planeIntegral(photometry, plane, least);
-    sum += (photometry.c[plane] - photometry.c[plane - 1]) * kRadians * (before + here) / 2;
+    sum += (photometry.c[plane] - photometry.c[plane - 1]) * kDegree * (before + here) / 2;
     before = here;
   }
   return sum * 360 / (photometry.c.back() - photometry.c.front());

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/photometry/degrees.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 /// Index of the node at or below `value` (never the last one) and how far it is to the next; false outside.
 bool between(const std::vector<double>& nodes, double value, std::size_t& below, double& share) {
@@ -68,11 +67,11 @@ void resampleAsTypeC(const BeamTable& table, Photometry& photometry) {
   for (const double c : photometry.c) {
     for (const double gamma : photometry.gamma) {
       // The direction: x to the side, y up, z along the beam.
-      const double x = std::sin(gamma * kRadians) * std::cos(c * kRadians);
-      const double y = std::sin(gamma * kRadians) * std::sin(c * kRadians);
-      const double z = std::cos(gamma * kRadians);
-      const double around = std::atan2(table.typeA ? x : y, z) / kRadians;
-      const double within = std::asin(std::clamp(table.typeA ? y : x, -1.0, 1.0)) / kRadians;
+      const double x = std::sin(gamma * kDegree) * std::cos(c * kDegree);
+      const double y = std::sin(gamma * kDegree) * std::sin(c * kDegree);
+      const double z = std::cos(gamma * kDegree);
+      const double around = std::atan2(table.typeA ? x : y, z) / kDegree;
+      const double within = std::asin(std::clamp(table.typeA ? y : x, -1.0, 1.0)) / kDegree;
       photometry.candela.push_back(table.typeA ? candelaAt(table, around, within)
                                                : candelaAt(table, within, around));
     }

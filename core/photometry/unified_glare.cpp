@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/photometry/degrees.h"
 #include "core/photometry/intensity.h"
 #include "core/photometry/luminous_area.h"
 #include "core/photometry/photometric_values.h"
@@ -12,7 +13,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegrees = 180 / kPi;
+constexpr double kPi = std::numbers::pi;
 
 // The room, metres: x across the line of sight, y along it, the eye at (0, 0, 0) below the middle of the wall
 // y = 0.
@@ -50,7 +51,7 @@ double glareSum(const Photometry& photometry, int turn) {
       const double area = projectedArea(photometry.luminous, photometry.longAxis, normalized(toEye));
       if (!(area > 0)) continue;
       const double p =
-          positionIndex(std::atan2(std::abs(beside), kHeight) * kDegrees, std::acos(ahead / d) * kDegrees);
+          positionIndex(std::atan2(std::abs(beside), kHeight) / kDegree, std::acos(ahead / d) / kDegree);
       const double candela = intensity(photometry, toEye);
       sum += candela * candela / (area * d * d * p * p);
     }
@@ -78,7 +79,7 @@ double floorShare(const Photometry& photometry, int turn, double flux) {
       const double stay =
           placesWithin(kColumns, reach * std::cos(angle)) * placesWithin(kRows, reach * std::sin(angle));
       if (stay == 0) continue;
-      const double candela = intensityAt(photometry, angle * kDegrees - 90.0 * turn, gamma * kDegrees);
+      const double candela = intensityAt(photometry, angle / kDegree - 90.0 * turn, gamma / kDegree);
       onFloor += candela * weight * stay / (kColumns * kRows);
     }
   }
