@@ -23,7 +23,11 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-bool isTilt(std::string_view line) { return upper(trimmed(line).substr(0, 4)) == "TILT"; }
+/// TILT=..., with blanks about the sign perhaps; a label such as "Tiltable spot" is none.
+bool isTilt(std::string_view line) {
+  line = trimmed(line);
+  return upper(line.substr(0, 4)) == "TILT" && trimmed(line.substr(4)).substr(0, 1) == "=";
+}
 
 /// The vintage that the first line names; none where it names none.
 std::optional<PhotometricFormat> taggedFormat(std::string_view line) {
@@ -34,6 +38,13 @@ std::optional<PhotometricFormat> taggedFormat(std::string_view line) {
   if (tag.find("LM-63-2002") != tag.npos) return kLm63_2002;
   if (tag.find("LM-63-") != tag.npos) return tag.find("1986") != tag.npos ? kLm63_1986 : kLm63_2019;
   return tag == "IESNA86" ? std::optional(kLm63_1986) : std::nullopt;
+}
+
+/// Index of the first line that is not blank; 0 where all are.
+std::size_t firstLineOf(const PhotometricText& text) {
+  const auto line = std::find_if(text.lines.begin(), text.lines.end(),
+                                 [](const std::string& line) { return !trimmed(line).empty(); });
+  return line == text.lines.end() ? 0 : static_cast<std::size_t>(line - text.lines.begin());
 }
 
 /// What the lines above TILT say in words.
@@ -57,11 +68,11 @@ void keepWord(Words& words, const std::string& keyword, std::string_view value, 
     words.cct = colorTemperatureIn(value);
 }
 
-/// Reads [KEYWORD] lines; of a file without them the first line of text.
-Words wordsAbove(const PhotometricText& text, std::size_t tiltLine, bool tagged) {
+/// Reads the [KEYWORD] lines from index `first` to TILT; of a file without them the first line of text.
+Words wordsAbove(const PhotometricText& text, std::size_t first, std::size_t tiltLine) {
   Words words;
   std::string* last = nullptr;
-  for (std::size_t i = tagged; i + 1 < tiltLine; ++i) {
+  for (std::size_t i = first; i + 1 < tiltLine; ++i) {
     const std::string_view line = trimmed(text.lines[i]);
     const std::size_t end = line.find(']');
     if (line.empty()) continue;
@@ -190,26 +201,27 @@ std::size_t tiltLineOf(const PhotometricText& text) {
 }  // namespace
 
 bool looksLikeIes(const PhotometricText& text) {
-  return !text.lines.empty() && (taggedFormat(text.lines[0]) || tiltLineOf(text) > 0);
+  return !text.lines.empty() && (taggedFormat(text.lines[firstLineOf(text)]) || tiltLineOf(text) > 0);
 }
 
 Result<Photometry> readIes(const PhotometricText& text) {
   Photometry photometry;
-  const std::optional<PhotometricFormat> tag = taggedFormat(text.lines[0]);
+  const std::size_t first = firstLineOf(text);
+  const std::optional<PhotometricFormat> tag = taggedFormat(text.lines[first]);
   photometry.format = tag.value_or(kLm63_1986);
   const std::size_t tiltLine = tiltLineOf(text);
   if (tiltLine == 0)
     return errorAt(std::max<std::size_t>(1, text.lines.size()),
                    "the file ends without a TILT= line; it was cut short, fetch it again");
-  const Words words = wordsAbove(text, tiltLine, tag.has_value());
+  const Words words = wordsAbove(text, first + (tag ? 1 : 0), tiltLine);
   photometry.name = shortText(!words.luminaire.empty()   ? words.luminaire
                               : !words.catalogue.empty() ? words.catalogue
                                                          : words.firstLine);
   photometry.maker = shortText(words.maker);
   photometry.cct = words.cct;
   StreamReader reader(text, tiltLine + 1);
-  const std::string_view tiltText = trimmed(text.lines[tiltLine - 1]);
-  const std::string_view tilt = trimmed(tiltText.substr(std::min(tiltText.size(), tiltText.find('=') + 1)));
+  const std::string_view tiltText = text.lines[tiltLine - 1];
+  const std::string_view tilt = trimmed(tiltText.substr(tiltText.find('=') + 1));
   if (upper(tilt) == "INCLUDE")
     readTilt(reader, photometry);
   else if (upper(tilt) != "NONE")

@@ -11,7 +11,7 @@
 
 namespace fiatlux {
 
-/// Does a line begin with TILT, or the first one with an LM-63 tag?
+/// Does a line begin with TILT, or the first one (that is not blank) with an LM-63 tag?
 bool looksLikeIes(const PhotometricText& text);
 
 /// Types A and B are turned into C (type_c.h). `flux` is the lamps' lumens, 0 where photometry is absolute.

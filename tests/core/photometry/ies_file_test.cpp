@@ -82,7 +82,7 @@ TEST(IesFile, TheKindOfFileOf2019IsNoFactor) {
 
 TEST(IesFile, CountsOf1986MayHavePoints) {
   const Result<Photometry> p = read(
-      "Acme downlight\nsecond line\nTILT=NONE\n1.0 -1 1.0 3.0 1.0 1.0 2.0 0.1 0.1 0\n"
+      "Acme downlight\nTiltable\nTILT=NONE\n1.0 -1 1.0 3.0 1.0 1.0 2.0 0.1 0.1 0\n"
       "1 1 10\n0 45 90\n0\n10 5 0\n");
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_EQ(p->name, "Acme downlight");
@@ -109,6 +109,7 @@ TEST(IesFile, EveryLineEndMarkAndAlphabet) {
       EXPECT_EQ(p->name, "Sample");
     }
   }
+  EXPECT_STREQ(nameOf(read("\r\n \r\n" + file.text())->format), "LM-63-2002");
   file.words = {"[MANUFAC] L\xfcster"};
   EXPECT_EQ(read(file.text())->maker, "L\xc3\xbcster");
 }
