@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   fiatlux::addInfoCommand(app);
   fiatlux::addEvaluateCommand(app);
   fiatlux::addLightCommand(app);
+  fiatlux::addPhotometryCommand(app);
   fiatlux::addValidateCommand(app);
   fiatlux::installInterruptHandler();
   try {

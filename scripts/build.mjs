@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { cpus } from 'node:os';
 import path from 'node:path';
+import { writeLuminaires } from '../rooms/luminaire-files.mjs';
 import { output, root, runBeside, say } from './processes.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 
@@ -30,6 +31,7 @@ export async function cmake(preset, targets = []) {
 
 /** dist/ anew: the page, and what public/ holds. */
 export async function site() {
+  await writeLuminaires(path.join(root, 'public', 'luminaires'));
   say('Building the site');
   await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
 }

@@ -10,6 +10,7 @@ const home = 'build/fuzz';
 const doors = {
   gltf_fuzz: 'glTF files, to room and display mesh',
   json_fuzz: 'layout.json and intentions.json, to search, bound and alpha',
+  photometry_fuzz: '.ies and .ldt files, to the values of their cards',
   scene_file_fuzz: '.flux files, to a search in them',
 };
 

@@ -13,6 +13,7 @@ void addPrecomputeCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
 void addLightCommand(CLI::App& app);
+void addPhotometryCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
 void addSolveCommand(CLI::App& app);
 void addAlphaCommand(CLI::App& app);

@@ -1,5 +1,6 @@
 // fuzz_seeds <folder>: writes the corpus from which each fuzz target starts, one folder a target. Valid
 // files, made by the project's own writers, that between them take the branches a sound file can take.
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -12,6 +13,7 @@
 #include "core/scene/scene_sections.h"
 #include "precompute/files/scene_io.h"
 #include "tests/core/corridor_scene.h"
+#include "tests/core/photometry/photometric_files.h"
 #include "tests/core/scene/base64.h"
 #include "tests/core/scene/golden_scene_v1.h"
 #include "tests/core/synthetic_scene.h"
@@ -177,6 +179,38 @@ void writeScenes(const std::filesystem::path& folder) {
   write(folder / "box-deflated.flux", sceneFile(testing::syntheticScene(testing::boxPlan(3, 2, 2), 1), true));
 }
 
+// --- photometric files, every format, type and symmetry
+// --------------------------------------------------------------
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  write(path, Bytes(text.begin(), text.end()));
+}
+
+void writePhotometry(const std::filesystem::path& folder) {
+  using samples::angles;
+  const auto shape = [](double c, double gamma) { return std::round(100 + c / 4 + gamma / 2); };
+  const char* const tags[] = {"", "IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019"};
+  const std::vector<double> planes[] = {
+      {0}, angles(0, 90, 30), angles(0, 180, 30), angles(90, 270, 30), angles(0, 330, 30)};
+  for (std::size_t i = 0; i < 5; ++i) {
+    samples::IesFile ies;
+    ies.tag = tags[i], ies.c = planes[i], ies.gamma = angles(0, 180, 30), ies.candela = shape;
+    if (i == 1) ies.tilt = "TILT=INCLUDE\n1\n2\n0 90\n1 0.9";
+    writeText(folder / ("type-c-" + std::to_string(i) + ".ies"), ies.text());
+    samples::LdtFile ldt;
+    ldt.symmetry = static_cast<int>(i), ldt.gamma = angles(0, 180, 30), ldt.perKilolumen = shape;
+    if (i != 1) ldt.c = angles(0, 330, 30);
+    writeText(folder / ("symmetry-" + std::to_string(i) + ".ldt"), ldt.text());
+  }
+  for (const int type : {2, 3}) {
+    samples::IesFile beam;
+    beam.type = type, beam.candela = [](double h, double v) { return 200 - std::abs(h) - std::abs(v); };
+    beam.gamma = angles(-90, 90, 30), beam.c = angles(type == 2 ? 0 : -90, 90, 30);
+    writeText(folder / ("beam-" + std::to_string(type) + ".ies"), beam.text());
+  }
+  writeText(folder / "product.xml", "<?xml version=\"1.0\"?><File>a.ldt</File>");
+}
+
 }  // namespace
 }  // namespace fiatlux
 
@@ -189,6 +223,7 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     fiatlux::writeRooms(folder / "gltf_fuzz");
     fiatlux::writeScenes(folder / "scene_file_fuzz");
+    fiatlux::writePhotometry(folder / "photometry_fuzz");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fuzz_seeds: %s\n", error.what());
     return 1;

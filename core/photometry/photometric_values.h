@@ -1,0 +1,29 @@
+// What a luminaire's card tells: values that follow from its table.
+#pragma once
+
+#include <optional>
+
+#include "core/photometry/photometry.h"
+
+namespace fiatlux {
+
+/// lm of the whole table: the exact integral of what `intensityAt` returns. In a plane, between gammas a < b,
+/// int I sin = I_a cos a - I_b cos b + s (sin b - sin a) with s = (I_b - I_a) / (b - a); over C the trapezoid
+/// rule.
+double integratedFlux(const Photometry& photometry);
+
+/// Share of the flux at gamma > 90, 0..1; exact in the same sense. 0 for a dark table.
+double upwardShare(const Photometry& photometry);
+
+double maxCandela(const Photometry& photometry);
+
+/// Full angle, degrees, between the outermost directions with at least `share` of maxCandela, mean over the
+/// planes C0-C180 and C90-C270 (a plane that stays below counts 0). Sought in the half of space where the
+/// brightest direction lies, and beyond the horizontal as long as the light stays above. 50 %: beam angle; 10
+/// %: field angle.
+double openingAngle(const Photometry& photometry, double share);
+
+/// lm emitted per watt; none where the file states no watts.
+std::optional<double> efficacy(const Photometry& photometry);
+
+}  // namespace fiatlux

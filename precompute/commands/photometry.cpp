@@ -1,0 +1,108 @@
+// fiatlux photometry: what a maker's photometric file says of a luminaire, and what follows from its table.
+#include "core/photometry/photometry.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/photometry/photometric_values.h"
+#include "core/photometry/unified_glare.h"
+#include "precompute/base/error.h"
+#include "precompute/commands/commands.h"
+#include "precompute/files/files_on_disk.h"
+#include "precompute/files/terminal.h"
+
+namespace fiatlux {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kBeamShare = 0.5, kFieldShare = 0.1;
+
+/// null for what is not known.
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json cardOf(const Photometry& photometry) {
+  const LuminousArea& area = photometry.luminous;
+  return {{"name", photometry.name},
+          {"maker", photometry.maker},
+          {"format", nameOf(photometry.format)},
+          {"flux", photometry.flux},
+          {"integratedFlux", integratedFlux(photometry)},
+          {"watts", photometry.watts},
+          {"efficacy", orNull(efficacy(photometry))},
+          {"cct", orNull(photometry.cct)},
+          {"luminous",
+           {{"length", area.length}, {"width", area.width}, {"height", area.height}, {"round", area.round}}},
+          {"longAxis", photometry.longAxis == PhotometricAxis::kC0 ? "C0" : "C90"},
+          {"symmetry", nameOf(photometry.symmetry)},
+          {"maxCandela", maxCandela(photometry)},
+          {"beamAngle", openingAngle(photometry, kBeamShare)},
+          {"fieldAngle", openingAngle(photometry, kFieldShare)},
+          {"upwardShare", upwardShare(photometry)},
+          {"ugr4h8h", orNull(ugr4h8h(photometry))},
+          {"warnings", photometry.warnings}};
+}
+
+/// "12.3 lm", or a dash.
+std::string withUnit(const Json& value, const char* unit, const char* format = "%.4g") {
+  if (value.is_null()) return "-";
+  char text[64];
+  std::snprintf(text, sizeof text, format, value.get<double>());
+  return std::string(text) + unit;
+}
+
+std::string sizeOf(const Json& card) {
+  const Json& area = card["luminous"];
+  std::string text = withUnit(area["length"], " m") + " x " + withUnit(area["width"], " m");
+  if (area["height"] > 0) text += " x " + withUnit(area["height"], " m high");
+  return text + (area["round"].get<bool>() ? ", round" : "") + ", length along " +
+         card["longAxis"].get<std::string>();
+}
+
+void printCard(const Json& card) {
+  const auto line = [](const char* what, const std::string& value) {
+    std::printf("%-12s %s\n", what, value.c_str());
+  };
+  const auto text = [&](const char* key) { return printable(card[key].get<std::string>()); };
+  line("luminaire", text("name").empty() ? "-" : text("name"));
+  line("maker", text("maker").empty() ? "-" : text("maker"));
+  line("format", text("format") + ", symmetry " + text("symmetry"));
+  line("flux", withUnit(card["integratedFlux"], " lm in the table, ") + withUnit(card["flux"], " lm stated"));
+  line("power", withUnit(card["watts"], " W, ") + withUnit(card["efficacy"], " lm/W"));
+  line("colour", withUnit(card["cct"], " K", "%.0f"));
+  line("luminous", sizeOf(card));
+  line("intensity", withUnit(card["maxCandela"], " cd at most"));
+  line("beam", withUnit(card["beamAngle"], " degrees at 50 %, ", "%.1f") +
+                   withUnit(card["fieldAngle"], " degrees at 10 %", "%.1f"));
+  line("upwards", withUnit(100 * card["upwardShare"].get<double>(), " %"));
+  line("UGR 4H 8H", withUnit(card["ugr4h8h"], "", "%.1f"));
+  for (const Json& warning : card["warnings"]) line("warning", printable(warning.get<std::string>()));
+}
+
+void describe(const std::string& path, bool json) {
+  const std::vector<std::uint8_t> bytes = readFileBytes(path);
+  const Json card = cardOf(orThrow(path, readPhotometry(bytes)));
+  if (json)
+    std::puts(card.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  else
+    printCard(card);
+}
+
+}  // namespace
+
+void addPhotometryCommand(CLI::App& app) {
+  struct Options {
+    std::string file;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("photometry", "What a photometric file (.ies or .ldt) says of a luminaire");
+  command->add_option("file", options->file, "Photometric file: LM-63 (.ies) or EULUMDAT (.ldt)")->required();
+  command->add_flag("--json", options->json, "One JSON document on standard output");
+  command->callback([options] { describe(options->file, options->json); });
+}
+
+}  // namespace fiatlux
