@@ -9,6 +9,7 @@
 #include "core/photometry/photometric_values.h"
 #include "core/photometry/unified_glare.h"
 #include "precompute/base/error.h"
+#include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/terminal.h"
@@ -82,10 +83,10 @@ void printCard(const Json& card) {
 }
 
 void describe(const std::string& path, bool json) {
-  const std::vector<std::uint8_t> bytes = readFileBytes(path);
+  const std::vector<std::uint8_t> bytes = orThrow(readFileBytes(path));
   const Json card = cardOf(orThrow(path, readPhotometry(bytes)));
   if (json)
-    std::puts(card.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fputs(jsonDocument(card).c_str(), stdout);
   else
     printCard(card);
 }
