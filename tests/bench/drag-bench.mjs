@@ -178,7 +178,14 @@ function bestOf(session, { intentions, start }, leaves, milliseconds) {
       minDistance: 0,
     },
     goals: [
-      { statistic: 1, sense: 0, weight: 1, surfaces: indices(intentions.goals[0].surfaces), over: none, target: 0 },
+      {
+        statistic: 1,
+        sense: 0,
+        weight: 1,
+        surfaces: indices(intentions.goals[0].surfaces),
+        over: none,
+        target: 0,
+      },
     ],
     constraints: intentions.constraints.map(({ statistic, min, max, alpha, surfaces }) => ({
       statistic: codes[statistic],
