@@ -22,7 +22,7 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kMostClusters = 3000;
-constexpr std::size_t kMostNames = 8;                    // of transparent materials, in warnings
+constexpr std::size_t kMostTransparent = 8;              // of transparent materials, in warnings
 constexpr double kTooWide = 100, kInMillimetres = 2000;  // m: what no room is, and what no building is
 constexpr double kTooNarrow = 0.5;                       // m
 constexpr double kRegionShare = 0.01;                    // of the area: such a plane is a surface of its own
@@ -65,10 +65,10 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
     }
   }
   for (const std::string& name : transparent)
-    if (transparent.size() <= kMostNames || name == *transparent.begin())
+    if (transparent.size() <= kMostTransparent || name == *transparent.begin())
       warnings.push_back("material '" + name +
                          "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
-                         (transparent.size() <= kMostNames
+                         (transparent.size() <= kMostTransparent
                               ? ""
                               : "; so are " + std::to_string(transparent.size() - 1) + " more"));
   return roles;

@@ -13,11 +13,11 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kSliver = 0.05;       // of a cell's area: smaller pieces join a neighbour
-constexpr double kSmallChart = 0.25;   // of a patch's area: smaller charts share patches
-constexpr int kSamples = 128;          // points per patch at which a texture is read
-constexpr std::size_t kMostNames = 8;  // of materials, in warnings
-constexpr double kFullCell = 1e-6;     // of a cell: how nearly its chart must fill it to be called whole
+constexpr double kSliver = 0.05;           // of a cell's area: smaller pieces join a neighbour
+constexpr double kSmallChart = 0.25;       // of a patch's area: smaller charts share patches
+constexpr int kSamples = 128;              // points per patch at which a texture is read
+constexpr std::size_t kMostMaterials = 8;  // of materials, in warnings
+constexpr double kFullCell = 1e-6;         // of a cell: how nearly its chart must fill it to be called whole
 
 /// A triangle of a patch, with the source it came from.
 struct Piece {
@@ -234,8 +234,8 @@ void warnOfClamped(const std::map<std::string, double>& clamped, Room& room) {
   const std::string most = shortNumber(kMostReflectance);
   std::size_t listed = 0;
   for (const auto& [name, value] : clamped) {
-    if (++listed > kMostNames) {
-      room.warnings.push_back(std::to_string(clamped.size() - kMostNames) +
+    if (++listed > kMostMaterials) {
+      room.warnings.push_back(std::to_string(clamped.size() - kMostMaterials) +
                               " more materials reflect more than " + most + " and are taken as " + most);
       break;
     }

@@ -21,7 +21,7 @@ bool within(const std::string& path, const std::string& name) {
 
 // What is proposed as a mount: planes that look down and lie high, of some size beside the largest one and
 // about as high.
-constexpr double kDown = 0.9;                         // cos 26 degrees
+constexpr double kCeilingLike = 0.9;                  // cos 26 degrees
 constexpr double kBeside = 0.1, kAsHigh = 0.3;        // of its area; m
 constexpr double kHidden = 0.5;                       // share of lost rays: it looks into the void
 constexpr double kNamedWeight = 16, kWordWeight = 4;  // of the author's "ceiling", of ours
@@ -89,7 +89,7 @@ std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& m
     if (!candidates.empty()) break;
     for (const SurfaceGroup& group : tree.groups)
       for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (group.regions[r].normal.y < -kDown && group.regions[r].centroid.y > middle &&
+        if (group.regions[r].normal.y < -kCeilingLike && group.regions[r].centroid.y > middle &&
             (evenHidden || !isHidden(group, group.regions[r])))
           candidates.push_back({&group, &group.regions[r], group.leafOfRegion[r]});
   }

@@ -18,7 +18,7 @@ namespace {
 
 // Nearer to a part of the source than this many of its edges, its own form factor is needed; beyond, its
 // centre will do.
-constexpr double kCloseEdges = 3;
+constexpr double kExactEdges = 3;
 
 /// Whether a point gets any light of the source if nothing is between.
 bool faces(const Emission& source, const Vec3& position, const Vec3& normal) {
@@ -48,7 +48,7 @@ double partWeight(const Emission& source, const Vec3& position, const Vec3& norm
   const double squared = dot(d, d);
   const double largest = edge * std::max(source.width(), source.height());
   const double incidence = -dot(d, normal);
-  if (squared < kCloseEdges * kCloseEdges * largest * largest || incidence < largest) {
+  if (squared < kExactEdges * kExactEdges * largest * largest || incidence < largest) {
     return polygonFormFactor(position, normal, source.part(u, u + edge, v, v + edge).data(), 4);
   }
   const double area = edge * edge * source.width() * source.height();

@@ -233,6 +233,21 @@ TEST(Transport, LightIsAFiniteNumberAndNeverNegativeHoweverFewTheRays) {
   }
 }
 
+/// Emission (lm/m2) of luminaires of a flux on sites of 0.5 m, spread evenly over the patches under them.
+std::vector<float> emissionUnder(const Room& room,
+                                 const std::vector<std::pair<std::uint32_t, double>>& fluxOfSite) {
+  const Patches& patches = room.patches;
+  std::vector<float> e(patches.count, 0.0f);
+  for (const auto& [site, flux] : fluxOfSite) {
+    for (std::uint32_t p = 0; p < patches.count; ++p) {
+      const Vec3 d = patches.center[p] - room.sites[site].position;
+      if (std::abs(d.y) < 1e-6 && std::abs(d.x) < 0.25 && std::abs(d.z) < 0.25)
+        e[p] += static_cast<float>(flux / 0.25);
+    }
+  }
+  return e;
+}
+
 TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
   const Room room = furnishedBox();
   TransportOptions options;
@@ -244,15 +259,8 @@ TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
   const PaperTransport& paper = *transport->paper;
   const std::uint32_t n = patches.count, k = patches.clusterCount, m = transport->responses.sites;
 
-  // An emission vector of two sites, spread evenly over the patches under them: E in lm/m2.
-  std::vector<float> e(n, 0.0f);
-  for (const auto& [site, flux] : {std::pair{1u, 800.0}, {7u, 1500.0}}) {
-    for (std::uint32_t p = 0; p < n; ++p) {
-      const Vec3 d = patches.center[p] - room.sites[site].position;
-      if (std::abs(d.y) < 1e-6 && std::abs(d.x) < 0.25 && std::abs(d.z) < 0.25)
-        e[p] += static_cast<float>(flux / 0.25);
-    }
-  }
+  // An emission vector of two sites: E in lm/m2.
+  const std::vector<float> e = emissionUnder(room, {{1, 800.0}, {7, 1500.0}});
   std::vector<float> x(k);
   reduce(transport->factors, e.data(), 1, x.data());
 
