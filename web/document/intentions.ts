@@ -39,6 +39,14 @@ const goalOfVerb: Record<Verb, Pick<Goal, 'statistic' | 'sense'> | null> = {
   keep: null,
 };
 
+/** What a card's verb asks for: an extreme, or where a mean is aimed at, to come near to it. */
+function goalOf({ verb, aim, weight, surfaces }: Card): Goal | null {
+  const goal = goalOfVerb[verb];
+  if (!goal || !(weight > 0)) return null;
+  const isAimed = aim !== undefined && goal.statistic === 'mean';
+  return { ...goal, ...(isAimed && { sense: 'near', target: aim }), weight, surfaces };
+}
+
 /** One constraint a bound, in the order of the fields. A bound that asks for nothing (a mean of at least 0) is left out. */
 function constraintsOf(card: Card): { field: BoundField; constraint: Constraint }[] {
   const { surfaces, mean, spread, guarantee, uniformity, contrast } = card;
@@ -74,9 +82,9 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   const constraints: Constraint[] = [];
   const origins: Origin[] = [];
   for (const card of document.cards) {
-    const goal = goalOfVerb[card.verb];
-    if (goal && card.weight > 0) {
-      goals.push({ ...goal, weight: card.weight, surfaces: card.surfaces });
+    const goal = goalOf(card);
+    if (goal) {
+      goals.push(goal);
       goalCards.push(card.id);
     }
     for (const { field, constraint } of constraintsOf(card)) {
@@ -187,7 +195,7 @@ export function withPushedBound(card: Card, field: BoundField, value: number | u
 }
 
 /** Sets an optional property of a card, or takes it away (never stores `undefined`). */
-export function withOptional<Key extends 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast'>(
+export function withOptional<Key extends 'aim' | 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast'>(
   card: Card,
   key: Key,
   value: Card[Key] | undefined,

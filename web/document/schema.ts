@@ -33,6 +33,7 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
     surfaces: names,
     verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
     weight: number(0, 1000),
+    aim: v.exactOptional(number(1e-3, 1e7)),
     mean: v.exactOptional(range),
     spread: v.exactOptional(range),
     guarantee: v.exactOptional(

@@ -49,6 +49,7 @@ export interface Card {
   readonly surfaces: SurfaceNames;
   readonly verb: Verb;
   readonly weight: number;
+  readonly aim?: number; // illuminate and overshadow: a mean to come near to, in the unit of the quantity
   readonly mean?: { readonly min?: number; readonly max?: number };
   readonly spread?: { readonly max?: number; readonly min?: number }; // sigma
   readonly guarantee?: {

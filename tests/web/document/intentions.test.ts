@@ -37,6 +37,14 @@ describe('cards become goals and constraints', () => {
     expect(asked({ verb }).intentions.goals).toEqual([{ statistic, sense, weight: 1, surfaces: ['wall'] }]);
   });
 
+  test('a mean that is aimed at is a goal to come near, of the verbs that ask for a mean', () => {
+    for (const verb of ['illuminate', 'overshadow'] as const)
+      expect(asked({ verb, aim: 500 }).intentions.goals).toEqual([
+        { statistic: 'mean', sense: 'near', target: 500, weight: 1, surfaces: ['wall'] },
+      ]);
+    expect(asked({ verb: 'homogenize', aim: 500 }).intentions.goals[0]).not.toHaveProperty('target');
+  });
+
   test.each([231.3, 0.0537, 12.04, 999.6, 4712.8, 1])(
     'keep asks for round bounds that %f lx meets',
     (mean) => {

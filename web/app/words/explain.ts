@@ -89,7 +89,7 @@ const opposite: Partial<Record<Verb, Verb>> = { illuminate: 'overshadow', homoge
 
 /** Pairs of goals that pull the same surfaces in opposite directions: no layout can serve both. */
 export function opposedCards(cards: readonly Card[]): [Card, Card][] {
-  const active = cards.filter((card) => card.weight > 0);
+  const active = cards.filter((card) => card.weight > 0 && card.aim === undefined);
   const place = (card: Card) => [...card.surfaces].sort().join('\n');
   return active.flatMap((card) =>
     active

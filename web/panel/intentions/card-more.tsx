@@ -23,6 +23,21 @@ export function CardMore({ card }: CardProps) {
       {card.uniformity !== undefined && <UniformityField card={card} reached={reached} />}
       {card.contrast && <ContrastFields card={card} />}
       <div class="add-fields">
+        {(card.verb === 'illuminate' || card.verb === 'overshadow') && !card.mean && (
+          <button
+            class="add-field"
+            onClick={() =>
+              add((each) =>
+                withOptional(each, 'mean', {
+                  [each.verb === 'illuminate' ? 'min' : 'max']: rounded(reached?.mean),
+                }),
+              )
+            }
+          >
+            <Plus size={14} aria-hidden />
+            Bounds of the mean
+          </button>
+        )}
         {!card.spread && (
           <button
             class="add-field"

@@ -6,6 +6,7 @@ import { marginText } from '../../app/words/layout-check.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { keepRange, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
+import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
 import type { CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
@@ -90,6 +91,9 @@ function Met({ status }: { status: Status | null }) {
   );
 }
 
+/** Verbs that ask for a mean: one handle says how much, and bounds come only where they are asked for. */
+const isAimed = ({ verb }: Card): boolean => verb === 'illuminate' || verb === 'overshadow';
+
 function CardBody({ card }: CardProps) {
   const app = useApp();
   const { store } = app;
@@ -117,7 +121,8 @@ function CardBody({ card }: CardProps) {
           app.changeCard(card.id, 'Change the surfaces', (each) => ({ ...each, surfaces }))
         }
       />
-      <MeanRange card={card} />
+      {isAimed(card) && <AimField card={card} />}
+      {(!isAimed(card) || card.mean) && <MeanRange card={card} />}
       <Histogram card={card} />
       <CardGuarantee card={card} />
       <CardMore card={card} />
