@@ -38,52 +38,70 @@ std::string roomPictures(const std::filesystem::path& folder) {
   return section;
 }
 
-void runExperiments(const ExperimentsOptions& options) {
-  const Scene scene = orThrow(readSceneFile(options.scene));
-  PreparedScene prepared(scene);
-  Experiments e{prepared, orThrow(surfacesNamed(scene, {options.wall}))};
+/// Refuses scenes on which the experiments cannot be run.
+void checkScene(const ExperimentsOptions& options, const Scene& scene, const SurfaceSet& wall) {
   if (scene.sites.size() < 7)
     throw CommandError(options.scene + ": fewer than seven sites; the experiments place six luminaires");
-  for (std::uint32_t s : e.wall)
+  for (const std::uint32_t s : wall)
     if (scene.surfaces[s].measuring)
       throw CommandError(options.scene + ": \"" + options.wall +
                          "\" is a measuring plane; name a wall with --wall");
-  std::error_code failure;
-  const std::filesystem::path plots = std::filesystem::path(options.folder) / "experiments";
-  std::filesystem::create_directories(plots, failure);
-  if (failure) throw CommandError(plots.string() + ": cannot be made; choose another folder with -o");
-  e.runs = options.runs;
-  e.evaluations = options.evaluations;
-  TerminalProgress progress;
+}
+
+void runParts(Experiments& e) {
   const std::pair<const char*, void (*)(Experiments&)> parts[] = {{"dispersion", experimentDispersion},
                                                                   {"intentions", experimentIntentions},
                                                                   {"chebyshev", experimentChebyshev},
                                                                   {"alpha", experimentAlpha},
                                                                   {"speed", experimentSpeed}};
+  TerminalProgress progress;
   for (const auto& [name, part] : parts) {
     progress.begin(name);
     part(e);
   }
+}
+
+/// The parts' reports, whose pictures lie beside them, as seen from the folder above.
+std::string withPictures(std::string report) {
+  const std::string folder = "experiments/";
+  for (std::size_t at = 0; (at = report.find(".svg)", at)) != std::string::npos; at += folder.size() + 5)
+    report.insert(report.rfind('(', at) + 1, folder);
+  return report;
+}
+
+std::string reportOf(const ExperimentsOptions& options, const Experiments& e,
+                     const std::filesystem::path& plots) {
+  const Scene& scene = e.prepared.scene();
   std::string table = "| figure | paper | here | why they differ |\n|---|---|---|---|\n";
   for (const std::string& row : e.comparison) table += row + "\n";
-  for (std::size_t at = 0; (at = e.report.find(".svg)", at)) != std::string::npos; at += 5) {
-    const std::size_t open = e.report.rfind('(', at);
-    e.report.insert(open + 1, "experiments/");
-    at += std::string("experiments/").size();
-  }
-  const std::string report = "# The paper's experiments, run again\n\nMade by `fiatlux experiments` on " +
-                             std::filesystem::path(options.scene).filename().string() + " (" +
-                             std::to_string(scene.patches.count) + " patches, " +
-                             std::to_string(scene.patches.clusterCount) + " clusters, " +
-                             std::to_string(scene.sites.size()) +
-                             " sites). The paper's room is not published: ours meets all counts that it "
-                             "prints, not its dimensions, so shares and "
-                             "ratios are compared, not absolute values. Raw runs: "
-                             "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
-                             table + "\n" + e.report + roomPictures(plots);
+  return "# The paper's experiments, run again\n\nMade by `fiatlux experiments` on " +
+         std::filesystem::path(options.scene).filename().string() + " (" +
+         std::to_string(scene.patches.count) + " patches, " + std::to_string(scene.patches.clusterCount) +
+         " clusters, " + std::to_string(scene.sites.size()) +
+         " sites). The paper's room is not published: ours meets all counts that it "
+         "prints, not its dimensions, so shares and "
+         "ratios are compared, not absolute values. Raw runs: "
+         "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
+         table + "\n" + withPictures(e.report) + roomPictures(plots);
+}
+
+void runExperiments(const ExperimentsOptions& options) {
+  const Scene scene = orThrow(readSceneFile(options.scene));
+  PreparedScene prepared(scene);
+  Experiments e{prepared, orThrow(surfacesNamed(scene, {options.wall}))};
+  e.runs = options.runs;
+  e.evaluations = options.evaluations;
+  checkScene(options, scene, e.wall);
+
+  const std::filesystem::path folder = options.folder, plots = folder / "experiments";
+  std::error_code failure;
+  std::filesystem::create_directories(plots, failure);
+  if (failure) throw CommandError(plots.string() + ": cannot be made; choose another folder with -o");
+
+  runParts(e);
   for (const auto& [name, svg] : e.pictures) orThrow(replaceFile((plots / name).string(), svg));
   orThrow(replaceFile((plots / "runs.csv").string(), e.rows));
-  orThrow(replaceFile((std::filesystem::path(options.folder) / "experiments.md").string(), report));
+  orThrow(replaceFile((folder / "experiments.md").string(), reportOf(options, e, plots)));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ Goal goalOf(const Scene& scene, const JsonField& json) {
   goal.sense = json.at("sense", "say \"min\", \"max\" or \"near\"").oneOf(namedBy<Sense>(kSenseNames));
   const bool near = goal.sense == Sense::kNear;
   if (!near && json.has("target")) json.fail("\"target\" belongs to \"near\" only");
-  if (near) goal.target = json.at("target", "near what?").number();
+  if (near) goal.target = json.at("target", "say near what").number();
   if (const auto weight = json.find("weight")) goal.weight = weight->number();
   readSurfaces(scene, json, goal);
   return goal;

@@ -8,9 +8,7 @@ namespace fiatlux {
 
 namespace {
 
-void addChart(Room& room, const RectangleSurface& s, std::uint32_t surface, std::uint32_t cluster) {
-  assert(s.columns > 0 && s.rows > 0 && cluster > 0);
-  assert(std::abs(dot(s.u, s.v)) <= 1e-9 * length(s.u) * length(s.v));
+Chart chartOf(const RectangleSurface& s, std::uint32_t surface) {
   Chart chart;
   chart.surface = surface;
   chart.origin = s.corner;
@@ -21,40 +19,56 @@ void addChart(Room& room, const RectangleSurface& s, std::uint32_t surface, std:
   chart.rows = s.rows;
   chart.cellU = length(s.u) / s.columns;
   chart.cellV = length(s.v) / s.rows;
+  return chart;
+}
+
+/// One cell of the chart that comes next in the room: a patch of two triangles. Cells come row by row.
+void addCell(Room& room, const RectangleSurface& s, Chart& chart, std::uint32_t row, std::uint32_t column) {
   Patches& patches = room.patches;
-  const std::uint32_t first = patches.rows();
-  const std::uint32_t clusterColumns = (s.columns + cluster - 1) / cluster;
+  const std::uint32_t p = patches.rows();
   const Vec3 du = (1.0 / s.columns) * s.u, dv = (1.0 / s.rows) * s.v;
+  const Vec3 a = s.corner + column * du + row * dv;
+  chart.patchOfCell.push_back(p);
+  patches.center.push_back(a + 0.5 * (du + dv));
+  patches.normal.push_back(chart.normal);
+  patches.area.push_back(chart.cellU * chart.cellV);
+  patches.reflectance.push_back(s.measuring ? 0.0f : static_cast<float>(s.reflectance));
+  patches.surface.push_back(chart.surface);
+  patches.left.push_back(column > 0 ? p - 1 : kNone);
+  patches.up.push_back(row > 0 ? p - s.columns : kNone);
+  room.chartOfPatch.push_back(static_cast<std::uint32_t>(room.charts.size()));
+  room.fragments.push_back({{a, a + du, a + du + dv}});
+  room.fragments.push_back({{a, a + du + dv, a + dv}});
+  room.fragmentOffset.push_back(static_cast<std::uint32_t>(room.fragments.size()));
+}
+
+/// What rays meet: the rectangle as two triangles.
+void addTriangles(Room& room, const RectangleSurface& s) {
+  const auto corner = static_cast<std::uint32_t>(room.positions.size());
+  const auto chart = static_cast<std::uint32_t>(room.charts.size());
+  room.positions.insert(room.positions.end(),
+                        {s.corner, s.corner + s.u, s.corner + s.u + s.v, s.corner + s.v});
+  room.triangles.push_back({{corner, corner + 1, corner + 2}, chart, kNone});
+  room.triangles.push_back({{corner, corner + 2, corner + 3}, chart, kNone});
+}
+
+void addChart(Room& room, const RectangleSurface& s, std::uint32_t surface, std::uint32_t cluster) {
+  assert(s.columns > 0 && s.rows > 0 && cluster > 0);
+  assert(std::abs(dot(s.u, s.v)) <= 1e-9 * length(s.u) * length(s.v));
+  Chart chart = chartOf(s, surface);
+  Patches& patches = room.patches;
+  const std::uint32_t clusterColumns = (s.columns + cluster - 1) / cluster;
   for (std::uint32_t row = 0; row < s.rows; ++row) {
     for (std::uint32_t column = 0; column < s.columns; ++column) {
-      const std::uint32_t p = first + row * s.columns + column;
-      const Vec3 a = s.corner + column * du + row * dv;
-      chart.patchOfCell.push_back(p);
-      patches.center.push_back(a + 0.5 * (du + dv));
-      patches.normal.push_back(chart.normal);
-      patches.area.push_back(chart.cellU * chart.cellV);
-      patches.reflectance.push_back(s.measuring ? 0.0f : static_cast<float>(s.reflectance));
-      patches.surface.push_back(surface);
-      patches.left.push_back(column > 0 ? p - 1 : kNone);
-      patches.up.push_back(row > 0 ? p - s.columns : kNone);
-      if (!s.measuring) {
+      addCell(room, s, chart, row, column);
+      if (!s.measuring)
         patches.cluster.push_back(patches.clusterCount + row / cluster * clusterColumns + column / cluster);
-      }
-      room.chartOfPatch.push_back(static_cast<std::uint32_t>(room.charts.size()));
-      room.fragments.push_back({{a, a + du, a + du + dv}});
-      room.fragments.push_back({{a, a + du + dv, a + dv}});
-      room.fragmentOffset.push_back(static_cast<std::uint32_t>(room.fragments.size()));
     }
   }
   if (!s.measuring) {
     patches.count = patches.rows();
     patches.clusterCount += clusterColumns * ((s.rows + cluster - 1) / cluster);
-    const auto corner = static_cast<std::uint32_t>(room.positions.size());
-    const auto index = static_cast<std::uint32_t>(room.charts.size());
-    room.positions.insert(room.positions.end(),
-                          {s.corner, s.corner + s.u, s.corner + s.u + s.v, s.corner + s.v});
-    room.triangles.push_back({{corner, corner + 1, corner + 2}, index, kNone});
-    room.triangles.push_back({{corner, corner + 2, corner + 3}, index, kNone});
+    addTriangles(room, s);
   }
   room.surfaces.push_back({s.name, length(s.u) * length(s.v), s.measuring ? 0 : s.reflectance,
                            s.columns * s.rows, s.measuring, 0});

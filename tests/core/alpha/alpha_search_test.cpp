@@ -1,4 +1,5 @@
-// Each region and borderline case of the alpha-search on two-patch walls whose answer can be read off.
+// Each region and borderline case of the alpha-search on two-patch walls whose answer can be read off, and
+// what is said of it (alpha_verdict).
 #include "core/alpha/alpha_search.h"
 
 #include <gtest/gtest.h>

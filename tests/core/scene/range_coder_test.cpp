@@ -1,4 +1,5 @@
-// What goes in comes out, takes about as many bits as it is surprising, and does not come out of fewer bytes.
+// What goes in comes out, takes about as many bits as it is surprising, and does not come out of fewer bytes;
+// numbers by residual_model likewise.
 #include "core/scene/range_coder.h"
 
 #include <gtest/gtest.h>

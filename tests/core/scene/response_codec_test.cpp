@@ -1,4 +1,5 @@
-// Quantised responses: the bounds that are stated hold, and damaged blocks are refused.
+// Quantised responses (response_streams, response_model): the bounds that are stated hold, and damaged blocks
+// are refused.
 #include "core/scene/response_codec.h"
 
 #include <gtest/gtest.h>

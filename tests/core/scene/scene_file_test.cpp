@@ -1,4 +1,5 @@
-// Scene files: there and back, and every way in which bytes can lie.
+// Scene files (scene_sections, section_codec, checked_sections, scene_reader): there and back, and every way
+// in which bytes can lie.
 #include "core/scene/scene_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Statistics as corrections: within their bound of what they were made from, however wrong the expectation.
+// Statistics as corrections: within their bound of what they were made from, however wrong the expectation;
+// and what both sides expect (stored_statistics).
 #include "core/scene/statistics_codec.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Fast paths against slow ones: quadratic forms against the explicit light of every patch, deltas against
-// full sums.
+// Fast paths (evaluator, kernels, prepared_scene, patch_extremes) against slow ones: quadratic forms against
+// the explicit light of every patch, deltas against full sums.
 #include "core/search/evaluator.h"
 
 #include <gtest/gtest.h>

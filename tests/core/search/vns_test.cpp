@@ -1,5 +1,5 @@
-// The search against known optima, its rules, and its promise to be a pure function of scene, intentions,
-// start, seed.
+// The search (vns, objective, neighborhood, free_sites) against known optima, its rules, and its promise to
+// be a pure function of scene, intentions, start, seed.
 #include "core/search/vns.h"
 
 #include <gtest/gtest.h>

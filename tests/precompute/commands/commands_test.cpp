@@ -1,5 +1,5 @@
-// The command (precompute, info, evaluate, light) as a person meets it: results that are right, failures of
-// one clear line with status 2, and what an interrupt leaves.
+// The command (precompute, info, evaluate, light with its light_report, experiments) as a person meets it:
+// results that are right, failures of one clear line with status 2, and what an interrupt leaves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,6 +100,44 @@ TEST_F(Commands, EvaluateKeepsTheEnergyBalance) {
   const std::string csv = textOfFile(*folder_ / "patches.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1057);
+}
+
+TEST_F(Commands, LightSaysWhatEvaluateSays) {
+  writeTextFile(*folder_ / "points.csv", "x,y,z,nx,ny,nz\n2,0,1.5,0,1,0\n");
+  const std::string line =
+      "light box.gltf --layout layout.json --patch 0.25 --rays 512 --points points.csv --grid";
+  const CommandRun run = runFiatlux(*folder_, line + " --json --patches lit.csv");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json lit = json::parse(run.out);
+  const json evaluated =
+      json::parse(runFiatlux(*folder_, "evaluate box.flux --layout layout.json --json").out);
+  for (std::size_t s = 0; s < 6; ++s) {
+    const double mean = evaluated["surfaces"][s]["mean"];
+    EXPECT_NEAR(lit["surfaces"][s]["mean"].get<double>(), mean, 0.01 * mean) << lit["surfaces"][s]["name"];
+  }
+  EXPECT_NEAR(lit["energy"]["absorbed"].get<double>(), 1500, 0.005 * 1500);
+  ASSERT_EQ(lit["points"].size(), 1u);
+  EXPECT_GT(lit["points"][0]["total"], lit["points"][0]["direct"]);
+  EXPECT_EQ(lit["grids"][0]["surface"], "floor");
+  const std::string csv = textOfFile(*folder_ / "lit.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1057);
+
+  const std::string table = runFiatlux(*folder_, line).out;
+  for (const char* part : {"floor", "energy: 1500 lm emitted", "grid on floor", "direct,total"})
+    EXPECT_THAT(table, HasSubstr(part));
+}
+
+TEST_F(Commands, ExperimentsWriteAReportWithItsPlots) {
+  const CommandRun run = runFiatlux(
+      *folder_, "experiments --scene box.flux --wall 'wall 1' --runs 1 --evaluations 200 -o report");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string report = textOfFile(*folder_ / "report/experiments.md");
+  EXPECT_THAT(report, HasSubstr("on box.flux (1056 patches"));
+  EXPECT_THAT(report, HasSubstr("](experiments/phi-of-alpha.svg)"));
+  EXPECT_EQ(textOfFile(*folder_ / "report/experiments/phi-of-alpha.svg").rfind("<svg", 0), 0u);
+  EXPECT_THAT(textOfFile(*folder_ / "report/experiments/runs.csv"), HasSubstr("\n5.1 min sigma,1,"));
+  EXPECT_THAT(failure("experiments --scene box.flux -o other"),
+              HasSubstr("no surface is called \"yellow wall\""));
 }
 
 TEST_F(Commands, TheSameOptionsGiveTheSameIdentityAndOthersAnother) {

@@ -9,8 +9,8 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Mark = PlotSeries::Mark;
 

@@ -61,7 +61,7 @@ TEST(IntentionsJson, ReadsAnAim) {
   const auto goal = [](const std::string& rest) {
     return "{\"goals\": [{\"surface\": \"all\", \"statistic\": " + rest + "}]}";
   };
-  expectRefusal(goal(R"("mean", "sense": "near")"), "goal 1: near what? give a \"target\"");
+  expectRefusal(goal(R"("mean", "sense": "near")"), "goal 1: no \"target\"; say near what");
   expectRefusal(goal(R"("mean", "sense": "max", "target": 3)"), "\"target\" belongs to \"near\" only");
   expectRefusal(goal(R"("mean", "sense": "near", "target": 0)"), "goal 1: a target of 0");
   expectRefusal(goal(R"("sigma", "sense": "near", "target": 3)"), "sigma cannot aim at a target");

@@ -1,5 +1,5 @@
-// Patches cut out of charts: nothing of the area is lost, slivers join, small things share, textures are
-// averaged.
+// Patches cut out of charts, and their clusters: nothing of the area is lost, slivers join, small things
+// share, textures are averaged.
 #include "precompute/geometry/cut_patches.h"
 
 #include <gmock/gmock.h>

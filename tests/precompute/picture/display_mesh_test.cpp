@@ -1,5 +1,5 @@
 // The picture's mesh, read back: the same area, every vertex blends patches of its own surface, shares sum to
-// one (display_part, display_junctions, patch_blend).
+// one (display_part, display_junctions, patch_blend, glb_writer).
 #include "precompute/picture/display_mesh.h"
 
 #include <gtest/gtest.h>
