@@ -31,7 +31,7 @@ async function served(root, use) {
   }
 }
 
-async function inBrowser(use) {
+export async function inBrowser(use) {
   const browser = await chromium.launch({
     executablePath: '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -44,7 +44,7 @@ async function inBrowser(use) {
 }
 
 /** In the page, before its scripts: every Worker writes down wishes and answers. */
-function recordWorkers() {
+export function recordWorkers() {
   const record = (globalThis.__record = { asked: [], answered: [] });
   globalThis.Worker = class extends Worker {
     constructor(...args) {
@@ -178,7 +178,14 @@ function bestOf(session, { intentions, start }, leaves, milliseconds) {
       minDistance: 0,
     },
     goals: [
-      { statistic: 1, sense: 0, weight: 1, surfaces: indices(intentions.goals[0].surfaces), over: none, target: 0 },
+      {
+        statistic: 1,
+        sense: 0,
+        weight: 1,
+        surfaces: indices(intentions.goals[0].surfaces),
+        over: none,
+        target: 0,
+      },
     ],
     constraints: intentions.constraints.map(({ statistic, min, max, alpha, surfaces }) => ({
       statistic: codes[statistic],
