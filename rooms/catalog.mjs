@@ -1,13 +1,15 @@
 // The one list of rooms: what the gallery says about them, how fine the precompute cuts them, and what is asked of them
 // at first. rooms/make.mjs writes it as scenes/catalog.json, which the page reads.
-// precompute: command-line options for `fiatlux precompute`.
+// precompute: command-line options for `fiatlux precompute`; the opening's intentions are added to them.
 // opening: cards as in a project file, the luminaires, and what differs from { saving: false, quantity: 'illuminance',
 //   seed: 1 }. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
 //   { illuminate: 0.5 } is half of the largest mean there is.
 
+import { precomputeOptions } from './opening-intentions.mjs';
+
 const pictures = Array.from({ length: 12 }, (_, i) => `picture ${i + 1}`);
 
-export const catalog = [
+const rooms = [
   {
     id: 'office',
     title: 'Open office',
@@ -69,6 +71,8 @@ export const catalog = [
     },
   },
 ];
+
+export const catalog = rooms.map((room) => ({ ...room, precompute: precomputeOptions(room) }));
 
 const all = ['all'];
 const wall = ['yellow wall'];

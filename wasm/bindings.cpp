@@ -73,6 +73,7 @@ val sectionsOf(const Session& session) {
     line.set("inflatedBytes", static_cast<double>(section.inflatedBytes));
     line.set("deflated", section.codec == Codec::kDeflate);
     line.set("needed", session.needed(i));
+    line.set("early", session.early(i));
     sections.set(i, line);
   }
   return sections;
@@ -81,6 +82,12 @@ val sectionsOf(const Session& session) {
 val openTable(Session& session, val file) {
   const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(file);
   const Result<Done> opened = session.openTable(bytes);
+  return opened ? sectionsOf(session) : val(opened.error().message);
+}
+
+val openHead(Session& session, val head, double fileBytes) {
+  const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(head);
+  const Result<Done> opened = session.openHead(bytes, static_cast<std::uint64_t>(fileBytes));
   return opened ? sectionsOf(session) : val(opened.error().message);
 }
 
@@ -114,9 +121,7 @@ void append(std::vector<float>& to, const Vec3& v) {
   to.insert(to.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
 }
 
-val info(const Session& session) {
-  if (!session.scene()) return val::null();
-  const Scene& scene = *session.scene();
+val infoOf(const Scene& scene) {
   std::vector<float> position, normal, axis, size, center;
   for (const Site& site : scene.sites) {
     append(position, site.position);
@@ -139,6 +144,21 @@ val info(const Session& session) {
   result.set("patchArea", copied(std::vector<float>(scene.patches.area.begin(), scene.patches.area.end())));
   result.set("patchCenter", copied(center));
   result.set("patchReflectance", copied(scene.patches.reflectance));
+  return result;
+}
+
+val info(const Session& session) { return session.scene() ? infoOf(*session.scene()) : val::null(); }
+
+val outline(Session& session) {
+  const Result<Done> read = session.readOutline();
+  return read ? infoOf(*session.outline()) : val(read.error().message);
+}
+
+val opening(const Session& session) {
+  if (!session.opening()) return val::null();
+  val result = val::object();
+  result.set("layout", valueOf(session.opening()->layout));
+  result.set("illuminance", copied(session.opening()->illuminance));
   return result;
 }
 
@@ -307,6 +327,9 @@ EMSCRIPTEN_BINDINGS(core) {
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)
+      .function("openHead", &openHead)
+      .function("outline", &outline)
+      .function("opening", &opening)
       .function("verify", &verify)
       .function("provide", &provide)
       .function("finish", &finish)

@@ -16,9 +16,9 @@ namespace fiatlux {
 namespace {
 
 constexpr std::size_t kStreams = 6, kLanes = 4;
-constexpr std::size_t kHeaderBytes = kStreams * kLanes * 8;
+constexpr std::size_t kLengthsBytes = kStreams * kLanes * 8;
 
-std::int32_t unzigzag(std::uint32_t v) { return static_cast<std::int32_t>((v >> 1) ^ (0u - (v & 1))); }
+std::int32_t unfolded(std::uint32_t v) { return static_cast<std::int32_t>((v >> 1) ^ (0u - (v & 1))); }
 
 /// A stream's place in the block. Reading takes no branch that the data decides, except for rare long
 /// escapes.
@@ -55,8 +55,8 @@ struct StreamReader {
 
 /// Cuts a block into its streams; false where the lengths are not those of the block.
 bool split(std::span<const std::uint8_t> block, std::array<StreamReader, kStreams * kLanes>& streams) {
-  if (block.size() < kHeaderBytes) return false;
-  std::uint64_t at = kHeaderBytes;
+  if (block.size() < kLengthsBytes) return false;
+  std::uint64_t at = kLengthsBytes;
   for (std::size_t i = 0; i < streams.size(); ++i) {
     StreamReader& stream = streams[i];
     std::memcpy(&stream.packedBytes, &block[8 * i], 4);
@@ -137,7 +137,7 @@ bool decodeLanes(const std::vector<Neighbours>& neighbours, const std::vector<st
     bool bad = false;
     for (std::uint32_t i = 0; i < width; ++i) {
       const auto symbol = streams[static_cast<std::uint32_t>(stream[i]) * kLanes + i].next(bad);
-      const std::int64_t number = std::int64_t{prediction[i]} + unzigzag(symbol);
+      const std::int64_t number = std::int64_t{prediction[i]} + unfolded(symbol);
       bad |= number < 0 || number > kLargestNumber;
       value[i] = static_cast<std::int32_t>(number);
     }

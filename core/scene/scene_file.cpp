@@ -50,8 +50,9 @@ std::uint32_t tableCrc(std::span<const std::uint8_t> file, std::uint32_t section
   return crc32Of(file.subspan(kHeaderBytes, sections * kEntryBytes), crc32Of(header));
 }
 
-/// Magic, version, length and the checksum of header and table; yields the number of sections.
-Result<std::uint32_t> checkHeader(std::span<const std::uint8_t> file) {
+/// Magic, version, length and the checksum of header and table, which are all that `file` must hold of its
+/// `fileBytes`; yields the number of sections.
+Result<std::uint32_t> checkHeader(std::span<const std::uint8_t> file, std::uint64_t fileBytes) {
   if (file.size() < sizeof kMagic || std::memcmp(file.data(), kMagic, sizeof kMagic) != 0)
     return Error{"not a Fiat Lux scene file: make one with fiatlux precompute"};
   if (file.size() < kHeaderBytes)
@@ -63,8 +64,8 @@ Result<std::uint32_t> checkHeader(std::span<const std::uint8_t> file) {
                  ": use a newer Fiat Lux, or make the file again"};
   if (version == 0) return Error{std::string("scene file of version 0, which never was; ") + kRemedy};
   const auto bytes = load<std::uint64_t>(&file[16]);
-  if (bytes != file.size())
-    return Error{"the file has " + std::to_string(file.size()) + " bytes where its header says " +
+  if (bytes != fileBytes)
+    return Error{"the file has " + std::to_string(fileBytes) + " bytes where its header says " +
                  std::to_string(bytes) + "; " + kRemedy};
   const auto sections = load<std::uint32_t>(&file[12]);
   if (sections > kMaxSections || kHeaderBytes + std::uint64_t{sections} * kEntryBytes > file.size())
@@ -124,8 +125,8 @@ Result<SceneSection> readEntry(const std::uint8_t* entry) {
   return section;
 }
 
-/// Shape, sizes and budgets of one section, then its place behind `end` and its bytes; "" when all is well.
-std::string faultOf(const SceneSection& section, std::span<const std::uint8_t> file, std::uint64_t end) {
+/// Shape, sizes and budgets of one section, and its place behind `end`; "" when all is well.
+std::string faultOf(const SceneSection& section, std::uint64_t fileBytes, std::uint64_t end) {
   // note: rows x columns of 32 bits each cannot overflow 64 bits; times 8 bytes an element could, hence the
   // division.
   const std::uint64_t elements = std::uint64_t{section.rows} * section.columns;
@@ -140,12 +141,13 @@ std::string faultOf(const SceneSection& section, std::span<const std::uint8_t> f
     return "it would inflate more than 200 times";
   if (!(section.errorBound >= 0) || !std::isfinite(section.errorBound)) return "its error bound is no number";
   if (section.offset != aligned(end)) return "it overlaps its neighbour or leaves a gap";
-  if (section.offset > file.size() || section.storedBytes > file.size() - section.offset)
+  if (section.offset > fileBytes || section.storedBytes > fileBytes - section.offset)
     return "it leaves the file";
-  for (std::uint64_t i = end; i < section.offset; ++i)
-    if (file[i] != 0) return "the padding before it is not zero";
-  if (crc32Of(storedBytes(file, section)) != section.storedCrc) return "checksum differs";
   return "";
+}
+
+Error faultIn(const SceneSection& section, const std::string& fault) {
+  return Error{"section " + section.name + ": " + fault + "; " + kRemedy};
 }
 
 }  // namespace
@@ -161,29 +163,46 @@ const SceneSection* SceneTable::find(std::string_view name) const {
   return nullptr;
 }
 
-Result<SceneTable> readSceneTable(std::span<const std::uint8_t> file) {
-  const Result<std::uint32_t> sections = checkHeader(file);
+std::uint64_t sceneHeadBytes(std::span<const std::uint8_t> file) {
+  if (file.size() < 16) return kHeaderBytes;
+  return kHeaderBytes + std::uint64_t{std::min(load<std::uint32_t>(&file[12]), kMaxSections)} * kEntryBytes;
+}
+
+Result<SceneTable> readSceneHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes) {
+  const Result<std::uint32_t> sections = checkHeader(head, fileBytes);
   if (!sections) return sections.error();
-  const Result<SceneCounts> counts = checkCounts(file.data());
+  const Result<SceneCounts> counts = checkCounts(head.data());
   if (!counts) return counts.error();
 
   SceneTable table;
-  table.version = load<std::uint32_t>(&file[8]);
-  table.identity = hex(load<std::uint64_t>(&file[24]));
+  table.version = load<std::uint32_t>(&head[8]);
+  table.identity = hex(load<std::uint64_t>(&head[24]));
   table.counts = counts.value();
   std::uint64_t end = kHeaderBytes + std::uint64_t{sections.value()} * kEntryBytes;
   for (std::uint32_t i = 0; i < sections.value(); ++i) {
-    Result<SceneSection> section = readEntry(&file[kHeaderBytes + i * kEntryBytes]);
+    Result<SceneSection> section = readEntry(&head[kHeaderBytes + i * kEntryBytes]);
     if (!section)
       return Error{"section " + std::to_string(i) + ": " + section.error().message + "; " + kRemedy};
-    if (table.find(section->name))
-      return Error{"section " + section->name + ": it is there twice; " + kRemedy};
-    const std::string fault = faultOf(section.value(), file, end);
-    if (!fault.empty()) return Error{"section " + section->name + ": " + fault + "; " + kRemedy};
+    if (table.find(section->name)) return faultIn(*section, "it is there twice");
+    const std::string fault = faultOf(section.value(), fileBytes, end);
+    if (!fault.empty()) return faultIn(*section, fault);
     end = section->offset + section->storedBytes;
     table.sections.push_back(std::move(section.value()));
   }
-  if (end != file.size()) return Error{std::string("the file goes on after its last section; ") + kRemedy};
+  if (end != fileBytes) return Error{std::string("the file goes on after its last section; ") + kRemedy};
+  return table;
+}
+
+Result<SceneTable> readSceneTable(std::span<const std::uint8_t> file) {
+  Result<SceneTable> table = readSceneHead(file, file.size());
+  if (!table) return table;
+  std::uint64_t end = kHeaderBytes + table->sections.size() * kEntryBytes;
+  for (const SceneSection& section : table->sections) {
+    for (std::uint64_t i = end; i < section.offset; ++i)
+      if (file[i] != 0) return faultIn(section, "the padding before it is not zero");
+    if (crc32Of(storedBytes(file, section)) != section.storedCrc) return faultIn(section, "checksum differs");
+    end = section.offset + section.storedBytes;
+  }
   return table;
 }
 

@@ -80,6 +80,14 @@ struct SceneTable {
 /// number, and every byte of the file is covered by a check. Errors are one line without the file's name.
 Result<SceneTable> readSceneTable(std::span<const std::uint8_t> file);
 
+/// Bytes of header and table, from the first 16 bytes of a file: what readSceneHead needs of it.
+std::uint64_t sceneHeadBytes(std::span<const std::uint8_t> file);
+
+/// The same checks of what can be known from header and table alone (`head`, sceneHeadBytes of a file of
+/// `fileBytes`), for a file that is still on its way: the sections' stored bytes are not looked at, and who
+/// inflates them relies on the checksum of what comes out.
+Result<SceneTable> readSceneHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes);
+
 /// The bytes of a section as they lie in the file (readSceneTable has checked that they do).
 std::span<const std::uint8_t> storedBytes(std::span<const std::uint8_t> file, const SceneSection& section);
 

@@ -301,32 +301,30 @@ Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
   return SceneReader(std::move(table.value()));
 }
 
-bool SceneReader::needed(std::uint32_t section) const {
-  constexpr std::string_view kNeeded[] = {"surfaceNames",
-                                          "surfaces",
-                                          "patchCenters",
-                                          "patchNormals",
-                                          "patchAreas",
-                                          "patchReflectances",
-                                          "patchSurfaces",
-                                          "patchClusters",
-                                          "patchNeighbours",
-                                          "sites",
-                                          "responses",
-                                          "responseScales",
-                                          "responseReferences",
-                                          "responseOffsets",
-                                          "responseColumns",
-                                          "responseWeights",
-                                          "illuminanceMeans",
-                                          "exitanceMeans",
-                                          "illuminanceCovariance",
-                                          "exitanceCovariance",
-                                          "illuminanceStatistics",
-                                          "exitanceStatistics"};
+Result<SceneReader> SceneReader::openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes) {
+  Result<SceneTable> table = readSceneHead(head, fileBytes);
+  if (!table) return table.error();
+  return SceneReader(std::move(table.value()));
+}
+
+bool SceneReader::early(std::uint32_t section) const {
+  constexpr std::string_view kEarly[] = {
+      "surfaceNames",      "surfaces",      "patchCenters",  "patchNormals",    "patchAreas",
+      "patchReflectances", "patchSurfaces", "patchClusters", "patchNeighbours", "sites",
+      "openingLayout",     "openingScales", "openingLight"};
   const std::string_view name = table_.sections[section].name;
-  return std::find(std::begin(kNeeded), std::end(kNeeded), name.substr(0, name.find('.'))) !=
-         std::end(kNeeded);
+  return std::find(std::begin(kEarly), std::end(kEarly), name) != std::end(kEarly);
+}
+
+bool SceneReader::needed(std::uint32_t section) const {
+  constexpr std::string_view kLight[] = {
+      "responses",          "responseScales",        "responseReferences",
+      "responseOffsets",    "responseColumns",       "responseWeights",
+      "illuminanceMeans",   "exitanceMeans",         "illuminanceCovariance",
+      "exitanceCovariance", "illuminanceStatistics", "exitanceStatistics"};
+  const std::string_view name = table_.sections[section].name;
+  return early(section) ||
+         std::find(std::begin(kLight), std::end(kLight), name.substr(0, name.find('.'))) != std::end(kLight);
 }
 
 Result<Done> SceneReader::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
@@ -344,14 +342,30 @@ Result<Done> SceneReader::provide(std::uint32_t section, std::vector<std::uint8_
   return Done{};
 }
 
-Result<Scene> SceneReader::finish() {
+Result<Done> SceneReader::readOutline() {
   CheckedSections in(table_, bytes_);
+  const SceneCounts& counts = table_.counts;
   Scene scene;
   scene.identity = table_.identity;
-  readSurfaces(in, table_.counts, scene);
-  if (in.ok()) readPatches(in, table_.counts, scene);
-  if (in.ok()) readSites(in, table_.counts, scene);
-  if (in.ok()) readResponses(in, table_.counts, scene);
+  readSurfaces(in, counts, scene);
+  if (in.ok()) readPatches(in, counts, scene);
+  if (in.ok()) readSites(in, counts, scene);
+  if (in.ok() && in.has("openingLight"))
+    opening_ = readOpening(in, scene.patches, counts.surfaces, counts.sites);
+  if (!in.ok()) return in.fault();
+  outline_ = std::move(scene);
+  return Done{};
+}
+
+Result<Scene> SceneReader::finish() {
+  if (!outline_) {
+    const Result<Done> read = readOutline();
+    if (!read) return read.error();
+  }
+  Scene scene = std::move(*outline_);
+  outline_.reset();
+  CheckedSections in(table_, bytes_);
+  readResponses(in, table_.counts, scene);
   if (in.ok()) readStatistics(in, table_.counts, scene);
   if (!in.ok()) return in.fault();
   return scene;

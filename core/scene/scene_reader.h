@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scene/opening_light.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 
@@ -21,13 +23,24 @@ class SceneReader {
   /// Checks the whole file by readSceneTable; keeps nothing of it.
   static Result<SceneReader> open(std::span<const std::uint8_t> file);
 
+  /// The same for a file that is still on its way: see readSceneHead.
+  static Result<SceneReader> openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes);
+
   const SceneTable& table() const { return table_; }
   /// Whether finish() wants this section.
   bool needed(std::uint32_t section) const;
+  /// Whether readOutline() wants it.
+  bool early(std::uint32_t section) const;
   /// Size and checksum of a section's inflated bytes against the table.
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
   /// verify(), then keeps the bytes for finish().
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
+  /// Decodes and checks what is known of the room before its light: surfaces, patches and sites; and the
+  /// opening light, where the file has one. Once only, when all early sections have been provided.
+  Result<Done> readOutline();
+  /// After readOutline() and before finish().
+  const Scene* outline() const { return outline_ ? &*outline_ : nullptr; }
+  const OpeningLight* opening() const { return opening_ ? &*opening_ : nullptr; }
   /// Decodes and checks everything: shapes against the counts, ranges of all indices, no NaN or infinity,
   /// areas > 0. Once only: it frees the sections as it goes.
   Result<Scene> finish();
@@ -36,6 +49,8 @@ class SceneReader {
   explicit SceneReader(SceneTable table) : table_(std::move(table)), bytes_(table_.sections.size()) {}
   SceneTable table_;
   std::vector<std::vector<std::uint8_t>> bytes_;  // of each section, empty until provided
+  std::optional<Scene> outline_;
+  std::optional<OpeningLight> opening_;
 };
 
 }  // namespace fiatlux

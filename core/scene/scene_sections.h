@@ -29,10 +29,16 @@
 //   illuminanceCovariance[.s]         a section a surface (covariance_codec.h)
 //   exitanceCovariance[.s]            only of surfaces with more than one reflectance
 // Version 1 had no responseReferences: its responses are those of response_streams.h.
+// and, where a layout was chosen to be seen first (opening_light.h):
+//   openingLayout           N + 1 x 2 dimming and 0; then site and flux (lm) of each luminaire
+//   openingScales           S x 2     step and floor of its light, lx
+//   openingLight            bytes     its light, quantised
 // and, not needed to light the scene: `room` (a .glb), `provenance` (JSON), and the paper's matrices.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,5 +72,14 @@ bool derivable(const SceneCounts& counts);
 /// The sections that SceneReader needs, from a scene with unquantised responses and statistics (errorBound is
 /// computed here). An error where the scene is beyond what a file holds.
 Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport* report = nullptr);
+
+/// Puts sections that are wanted early (the opening light, the picture, the provenance) behind the sites and
+/// so before the responses. `Section` is a PlainSection or a StoredSection.
+template <class Section>
+void insertEarly(std::vector<Section>& sections, std::vector<Section> early) {
+  const auto sites = std::find_if(sections.begin(), sections.end(),
+                                  [](const Section& part) { return part.section.name == "sites"; });
+  sections.insert(sites + 1, std::make_move_iterator(early.begin()), std::make_move_iterator(early.end()));
+}
 
 }  // namespace fiatlux

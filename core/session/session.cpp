@@ -16,6 +16,18 @@ Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
   return Done{};
 }
 
+Result<Done> Session::openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes) {
+  Result<SceneReader> reader = SceneReader::openHead(head, fileBytes);
+  if (!reader) return reader.error();
+  reader_.emplace(std::move(*reader));
+  return Done{};
+}
+
+Result<Done> Session::readOutline() {
+  if (!reader_) return Error{"no scene file is being opened"};
+  return reader_->readOutline();
+}
+
 Result<Done> Session::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
   if (!reader_) return Error{"no scene file is being opened"};
   return reader_->verify(section, bytes);

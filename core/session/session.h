@@ -27,15 +27,22 @@ struct SearchProgress {
 
 class Session {
  public:
-  // --- The scene: openTable, then provide() every section with needed(), then finish().
+  // --- The scene: openTable or openHead, then provide() every section with needed(), then finish(). In
+  // between, when every section with early() has been provided, readOutline() tells what is to be seen first.
 
   /// Checks a file and remembers its table; the scene that was open stays until finish().
   Result<Done> openTable(std::span<const std::uint8_t> file);
-  /// Precondition of the next four: openTable succeeded (an Error says so otherwise).
+  /// The same for a file of which only the head is there (sceneHeadBytes).
+  Result<Done> openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes);
+  /// Precondition of the next eight: one of the two succeeded (an Error says so otherwise).
   const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
   bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
+  bool early(std::uint32_t section) const { return reader_ && reader_->early(section); }
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
+  Result<Done> readOutline();
+  const Scene* outline() const { return reader_ ? reader_->outline() : nullptr; }
+  const OpeningLight* opening() const { return reader_ ? reader_->opening() : nullptr; }
   /// Decodes the sections into the scene; drops the old one, its intentions and searches.
   Result<Done> finish();
   /// Takes a scene that did not come from a file.

@@ -5,18 +5,20 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/search/vns.h"
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
 #include "precompute/commands/room_command_options.h"
 #include "precompute/files/command_host.h"
 #include "precompute/files/files_on_disk.h"
+#include "precompute/files/intentions_json.h"
 
 namespace fiatlux {
 namespace {
 
 struct PrecomputeOptions {
-  std::string source, output;
+  std::string source, output, opening;
   SceneOptions scene;
 };
 
@@ -43,8 +45,26 @@ void printReport(const std::string& output, const MadeScene& scene, double secon
       100 * r.errors.patchRmsMedian);
 }
 
-void precompute(const PrecomputeOptions& options) {
+/// What a short search finds for the intentions of --opening, which are there as text or in a file.
+Result<Layout> openingLayout(const std::string& option, const Scene& scene) {
+  const Result<Intentions> asked =
+      option.front() == '{' ? parseIntentions(scene, option) : readIntentionsFile(scene, option);
+  if (!asked) return Error{"--opening: " + asked.error().message};
+  constexpr std::uint32_t kEvaluations = 100000;
+  PreparedScene prepared(scene);
+  Vns search(prepared, *asked, 1);
+  search.advance(kEvaluations);
+  return search.incumbent();
+}
+
+void precompute(PrecomputeOptions options) {
   const std::string output = outputOf(options);
+  const std::string& opening = options.opening;
+  if (!opening.empty()) {
+    // What is missing is told before the work, not after.
+    if (opening.front() != '{') orThrow(readFileBytes(opening));
+    options.scene.opening = [&](const Scene& scene) { return openingLayout(opening, scene); };
+  }
   TerminalProgress progress;
   const Host host = commandHost(options.source, options.scene.transport.threads, progress);
   const ModelFile model = orThrow(options.source, modelAt(options.source));
@@ -71,6 +91,8 @@ void addPrecomputeCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--paper", transport.paper,
                     "The paper's formulation to the letter, with Y, V and k x k covariances");
+  command->add_option("--opening", o->opening,
+                      "Intentions (a file, or its text) whose light is to be seen while the rest is loading");
   command->callback([o] { precompute(*o); });
 }
 

@@ -58,7 +58,9 @@ MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& 
   beginStage(host.progress, "scene file");
   const std::optional<PaperTransport> paper = std::move(transport.paper);
   const Scene scene = sceneOf(room, std::move(transport), report.identity);
-  EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, host.deflate));
+  std::optional<Layout> opening;
+  if (options.opening) opening = orThrow(options.opening(scene));
+  EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate));
   report.errors = encoded.errors;
   const std::vector<StageSeconds> seconds =
       host.progress ? host.progress->seconds() : std::vector<StageSeconds>{};

@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/scene/covariance_codec.h"
+#include "core/scene/opening_light.h"
 #include "core/scene/scene_reader.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
@@ -146,12 +147,18 @@ Scene sceneOf(const Room& room, Transport&& transport, const std::string& identi
 }
 
 Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
-                                     const std::optional<PaperTransport>& paper, const Deflate& deflate) {
+                                     const std::optional<PaperTransport>& paper,
+                                     const std::optional<Layout>& opening, const Deflate& deflate) {
   EncodingReport report;
   Result<std::vector<PlainSection>> sections = encodeScene(scene, &report);
   if (!sections) return sections.error();
   if (paper) addPaper(scene, *paper, sections.value());
-  if (!picture.empty()) sections->push_back(bytesSection("room", std::move(picture)));
+  std::vector<PlainSection> early;
+  if (opening)
+    early = encodeOpening(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()),
+                          {*opening, illuminanceOf(scene, *opening)});
+  if (!picture.empty()) early.push_back(bytesSection("room", std::move(picture)));
+  insertEarly(*sections, std::move(early));
   for (const PlainSection& section : sections.value())
     if (section.bytes.size() > kMaxInflatedBytes)
       return Error{"section " + section.section.name + " would be larger than " +
@@ -174,7 +181,7 @@ Result<std::vector<std::uint8_t>> closeSceneFile(EncodedScene scene, const std::
                                                  const Deflate& deflate) {
   std::vector<PlainSection> last;
   last.push_back(bytesSection("provenance", {provenance.begin(), provenance.end()}));
-  for (StoredSection& section : storeSections(last, deflate)) scene.sections.push_back(std::move(section));
+  insertEarly(scene.sections, storeSections(last, deflate));
   std::vector<std::uint8_t> file = assembleSceneFile(scene.identity, scene.counts, scene.sections);
   const Result<SceneTable> table = readSceneTable(file);
   if (!table) return Error{kNotReadBack + table.error().message + ")"};

@@ -11,6 +11,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync, inflateSync } from 'node:zlib';
 import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
+import { firstVisits } from './first-bench.mjs';
 import { describeRun } from './machine.mjs';
 import { openSession } from './open-session.mjs';
 
@@ -182,12 +183,29 @@ async function drag() {
   print({ name: 'drag_to_layout', ...(await dragToLayout(root, corridor, inflateSync)) });
 }
 
+/** A first visit to the office on a line of 10 Mbit/s with 40 ms. */
+async function first10Mbit() {
+  need(inRoot('dist/scenes/office.flux'));
+  const visits = await firstVisits(root);
+  const row = (name, values, wanted, more = {}) => {
+    const { median, spread } = summary(values);
+    const [native, wide] = [round(median), round(spread, 2)];
+    print({ name, native, unit: 'ms', spread: wide, batches: values.length, wanted, ...more });
+  };
+  const times = (key) => visits.map((visit) => visit[key]);
+  row('first_light_10mbit', times('light'), 2500);
+  row('first_answer_10mbit', times('answer'), 6000, { asked: round(summary(times('asked')).median) });
+}
+
 const figures = {
   kernels,
   solve_25000: solve25000,
   scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
   js_compressed: firstLoad,
   wasm_compressed: () => bytes('wasm_compressed', packed(need(inRoot('web/solver/core.wasm')))),
+  scene_file_office: () =>
+    bytes('scene_file_office', statSync(need(inRoot('public/scenes/office.flux'))).size),
+  first_10mbit: first10Mbit,
   drag_to_layout: drag,
   precompute_e_corridor: precompute,
 };

@@ -31,7 +31,7 @@ async function served(root, use) {
   }
 }
 
-async function inBrowser(use) {
+export async function inBrowser(use) {
   const browser = await chromium.launch({
     executablePath: '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -44,7 +44,7 @@ async function inBrowser(use) {
 }
 
 /** In the page, before its scripts: every Worker writes down wishes and answers. */
-function recordWorkers() {
+export function recordWorkers() {
   const record = (globalThis.__record = { asked: [], answered: [] });
   globalThis.Worker = class extends Worker {
     constructor(...args) {

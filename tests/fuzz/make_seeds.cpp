@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/opening_light.h"
 #include "core/scene/scene_sections.h"
 #include "precompute/files/scene_io.h"
 #include "tests/core/corridor_scene.h"
@@ -160,6 +161,9 @@ void writeRooms(const std::filesystem::path& folder) {
 
 Bytes sceneFile(const Scene& scene, bool deflate) {
   std::vector<PlainSection> plain = encodeScene(scene).value();
+  const Layout layout{{0}, {1000}, 1};
+  insertEarly(plain, encodeOpening(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()),
+                                   {layout, illuminanceOf(scene, layout)}));
   const std::string provenance = R"({"rays": 16})";
   plain.push_back(plainSection("provenance", ElementType::kUint8, Encoding::kPlain,
                                static_cast<std::uint32_t>(provenance.size()), 1,

@@ -2,12 +2,39 @@
 import { deflateSync } from 'node:zlib';
 import { describe, expect, test } from '@jest/globals';
 import type { Section, Session } from '../../web/solver/core.ts';
-import { openScene } from '../../web/solver/open-scene.ts';
+import { openScene, type OpeningSteps } from '../../web/solver/open-scene.ts';
+import { ArrivingFile, wholeFile } from '../../web/solver/scene-stream.ts';
 import { bytesOf, loadBuiltCore, syntheticFile } from './solver-module.ts';
 
 const core = await loadBuiltCore();
 const file = bytesOf(syntheticFile());
 const always = () => true;
+const whole = (bytes: Uint8Array<ArrayBuffer>) => wholeFile(bytes.slice().buffer);
+
+/** Remembers what an opening tells. */
+class Told implements OpeningSteps {
+  readonly rooms: string[] = [];
+  scenes: Parameters<OpeningSteps['scene']>[] = [];
+  room = (glb: ArrayBuffer) => void this.rooms.push(new TextDecoder().decode(glb));
+  scene = (...told: Parameters<OpeningSteps['scene']>) => void this.scenes.push(told);
+}
+
+/** A file that arrives in pieces, the next one whenever `send` is called. */
+function arriving(bytes: Uint8Array<ArrayBuffer>) {
+  let at = 0;
+  let controller!: ReadableStreamDefaultController<Uint8Array>;
+  const body = new ReadableStream<Uint8Array>({ start: (own) => void (controller = own) });
+  const send = (end: number) => {
+    controller.enqueue(bytes.slice(at, end));
+    at = end;
+  };
+  return {
+    file: new ArrivingFile(body),
+    send,
+    close: () => controller.close(),
+    lose: () => controller.error(new Error('gone')),
+  };
+}
 
 function withSession<T>(use: (session: Session) => T): T {
   return use(new core.Session());
@@ -15,7 +42,7 @@ function withSession<T>(use: (session: Session) => T): T {
 
 /** The one line by which a file is refused. */
 async function refusal(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  return withSession((session) => openScene(session, bytes, always, () => undefined)).then(
+  return withSession((session) => openScene(session, whole(bytes), always, new Told())).then(
     () => 'opened',
     (error: Error) => error.message,
   );
@@ -30,24 +57,73 @@ function changed(change: (copy: Uint8Array<ArrayBuffer>) => void): Uint8Array<Ar
 const sections = withSession((session) => session.openTable(file)) as readonly Section[];
 
 test('a whole file opens, with its room and provenance', async () => {
-  const rooms: ArrayBuffer[] = [];
-  const scene = await withSession((session) => openScene(session, file, always, (room) => rooms.push(room)));
-  expect(rooms.map((room) => new TextDecoder().decode(room))).toEqual(['glTF stands here']);
-  expect(scene?.provenance).toEqual({ rays: 1024 });
-  expect(scene?.sites.position).toHaveLength(120);
+  const told = new Told();
+  expect(await withSession((session) => openScene(session, whole(file), always, told))).toBe(true);
+  expect(told.rooms).toEqual(['glTF stands here']);
+  const [scene, light] = told.scenes[0]!;
+  expect(scene.provenance).toEqual({ rays: 1024 });
+  expect(scene.sites.position).toHaveLength(120);
+  expect(light).toBeNull(); // the answer to what is asked is as near
+  expect(told.scenes).toHaveLength(1);
+});
+
+describe('a file that is arriving', () => {
+  // What finish() wants beyond the outline comes behind everything else.
+  const late = sections.filter(({ needed, early }) => needed && !early);
+  const firstLate = Math.min(...late.map(({ offset }) => offset));
+
+  test('is told of when its first part is there, and opens when all is', async () => {
+    const told = new Told();
+    const session = new core.Session();
+    const { file: arrivingFile, send, close } = arriving(file);
+    const opening = openScene(session, arrivingFile, always, told);
+    send(100);
+    send(firstLate);
+    while (told.scenes.length === 0) await new Promise((resolve) => setTimeout(resolve, 1));
+    const [scene, light] = told.scenes[0]!;
+    expect(scene.patchCenter).toHaveLength(3 * (scene.patches + scene.receivers));
+    expect(light?.illuminance).toHaveLength(scene.patches + scene.receivers);
+    expect(Math.min(...light!.illuminance)).toBeGreaterThan(0);
+    expect(light?.layout).toEqual({ sites: [3, 17], flux: [1000, 2000], dimming: 0.5 });
+    expect(session.info()).toBeNull();
+    send(file.length);
+    close();
+    expect(await opening).toBe(true);
+    expect(session.info()?.identity).toBe(scene.identity);
+    expect(told.scenes).toHaveLength(1);
+    expect(new Uint8Array(await arrivingFile.whole())).toEqual(file);
+  });
+
+  test('and ends too early, or is lost, says so', async () => {
+    const cut = arriving(file);
+    const opening = openScene(new core.Session(), cut.file, always, new Told());
+    cut.send(firstLate);
+    cut.close();
+    await expect(opening).rejects.toThrow(/ends after \d+ bytes/);
+    const lost = arriving(file);
+    const other = openScene(new core.Session(), lost.file, always, new Told());
+    lost.send(10);
+    lost.lose();
+    await expect(other).rejects.toThrow(/connection was lost/);
+    await expect(lost.file.whole()).rejects.toThrow(/connection was lost/);
+  });
+
+  test('and is damaged is refused, whatever was told', async () => {
+    const section = late.at(-1)!;
+    const damaged = changed((copy) => (copy[section.offset + 5]! ^= 1));
+    const { file: arrivingFile, send, close } = arriving(damaged);
+    send(damaged.length);
+    close();
+    await expect(openScene(new core.Session(), arrivingFile, always, new Told())).rejects.toThrow(
+      section.name,
+    );
+  });
 });
 
 test('another file meanwhile ends the opening without an answer', async () => {
-  expect(
-    await withSession((session) =>
-      openScene(
-        session,
-        file,
-        () => false,
-        () => undefined,
-      ),
-    ),
-  ).toBeNull();
+  expect(await withSession((session) => openScene(session, whole(file), () => false, new Told()))).toBe(
+    false,
+  );
 });
 
 describe('refuses with one line', () => {
@@ -104,7 +180,7 @@ describe('inflated bytes are checked against the table', () => {
 
 test('a deflate bomb is stopped at the announced size', async () => {
   const bomb = new Uint8Array(deflateSync(new Uint8Array(32 << 20)));
-  const room = { storedBytes: 0, inflatedBytes: 0, deflated: false, needed: false };
+  const room = { storedBytes: 0, inflatedBytes: 0, deflated: false, needed: false, early: false };
   const fake: Partial<Session> = {
     verify: () => '',
     openTable: () => [
@@ -117,10 +193,11 @@ test('a deflate bomb is stopped at the announced size', async () => {
         inflatedBytes: 1e3,
         deflated: true,
         needed: true,
+        early: false,
       },
     ],
   };
-  await expect(openScene(fake as Session, bomb, always, () => undefined)).rejects.toThrow(
+  await expect(openScene(fake as Session, whole(bomb), always, new Told())).rejects.toThrow(
     /^responses: more than its 1000 bytes/,
   );
 });

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene/opening_light.h"
 #include "core/scene/scene_sections.h"
 #include "tests/core/synthetic_scene.h"
 #include "tests/wasm/open_file.h"
@@ -37,10 +38,13 @@ void write(const char* path) {
   const Scene scene = syntheticScene(64, 40);
   auto sections = encodeScene(scene);
   if (!sections) fail(sections.error().message);
+  const Layout layout{{3, 17}, {1000, 2000}, 0.5};
+  std::vector<PlainSection> early = encodeOpening(scene.patches, 3, {layout, illuminanceOf(scene, layout)});
+  early.push_back(textSection("room", "glTF stands here"));
+  early.push_back(textSection("provenance", "{\"rays\": 1024}"));
+  insertEarly(*sections, std::move(early));
   std::vector<StoredSection> stored;
   for (PlainSection& section : *sections) stored.push_back(deflated(std::move(section)));
-  stored.push_back(deflated(textSection("room", "glTF stands here")));
-  stored.push_back(deflated(textSection("provenance", "{\"rays\": 1024}")));
   const Bytes file = assembleSceneFile(scene.identity, countsOf(scene), stored);
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(file.data()), file.size());
 }

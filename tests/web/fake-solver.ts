@@ -1,6 +1,6 @@
 // A worker that answers the protocol without a core: a square room of one floor and one wall, light that falls off
 // with distance, layouts that are the first free sites. Answers come when `flush` is called, so that tests decide when.
-import type { FromWorker, Shown, ToWorker } from '../../web/solver/protocol.ts';
+import type { FromWorker, OpeningLight, Shown, ToWorker } from '../../web/solver/protocol.ts';
 import type { Intentions, Layout, SceneInfo } from '../../web/document/types.ts';
 import type { WorkerLike } from '../../web/solver/solver-client.ts';
 
@@ -83,6 +83,7 @@ export class FakeSolver implements WorkerLike {
   onmessageerror: WorkerLike['onmessageerror'] = null;
   readonly scene = fakeScene();
   readonly asked: ToWorker[] = [];
+  light: OpeningLight | null = null; // that the next file begins with
   terminated = false;
   #queue: FromWorker[] = [];
 
@@ -92,7 +93,7 @@ export class FakeSolver implements WorkerLike {
       case 'open':
         this.#queue.push(
           { type: 'room', revision: message.revision, room: new ArrayBuffer(8) },
-          { type: 'opened', revision: message.revision, scene: this.scene },
+          { type: 'opened', revision: message.revision, scene: this.scene, light: this.light },
         );
         return;
       case 'solve':

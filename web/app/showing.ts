@@ -1,6 +1,6 @@
 /** What is on the screen: the newest answer of the solver, lit in the view at once, its numbers in the store once a frame. */
 import type { Layout } from '../document/types.ts';
-import type { Shown } from '../solver/protocol.ts';
+import type { OpeningLight, Shown } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { createFrameBatch } from './state/frame-batch.ts';
 import { fitLegend } from './state/legend-range.ts';
@@ -50,6 +50,14 @@ export class Showing {
       if (display.peek().mode === 'falseColor' && !legendLocked.peek()) fitLegend(this.#store, shown);
       told(shown);
     });
+  }
+
+  /** Shows light of which no more is known yet than how it looks. */
+  foresee({ layout, illuminance }: OpeningLight): void {
+    if (this.#store.preview.peek() !== null) return;
+    this.#viewer.setLight(illuminance);
+    performance.mark('light set');
+    this.#viewer.setLayout(layout, this.#store.document.peek().luminaires.pinned);
   }
 
   /** Hands the light that is there to the view (again). */

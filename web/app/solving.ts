@@ -5,8 +5,8 @@
 import { effect, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
-import type { FromWorker, Shown } from '../solver/protocol.ts';
-import { SolverClient, type WorkerLike } from '../solver/solver-client.ts';
+import type { FromWorker, OpeningLight, Shown } from '../solver/protocol.ts';
+import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { Showing } from './showing.ts';
 import type { Message, Store } from './state/store.ts';
@@ -44,7 +44,8 @@ export class Solving {
   #opening: Waiting<OpenedScene> | null = null;
   #arrived: ArrayBuffer | null = null; // the display mesh of the scene that is being opened
   #probing: Waiting<Shown> | null = null;
-  #file: ArrayBuffer | null = null;
+  #file: FileBytes | null = null;
+  #first: OpeningLight | null = null; // of the scene that was opened, until something is asked of it
   #checking: Layout | null = null; // was asked to be checked
   #refusal: number | null = null; // the message about a wish that the solver refused
 
@@ -62,7 +63,7 @@ export class Solving {
   }
 
   /** Resolves when the scene is open; rejects with one readable line. */
-  async open(bytes: ArrayBuffer): Promise<OpenedScene> {
+  async open(bytes: FileBytes): Promise<OpenedScene> {
     const opened = await this.#open(bytes);
     this.#showing.clear();
     return opened;
@@ -72,14 +73,16 @@ export class Solving {
   solve(start: Layout | null = this.#showing.held): void {
     if (!this.#store.scene.peek()) return;
     const intentions = this.#begin();
-    this.#showing.hold(start);
-    this.#client.solve(intentions, start, this.#store.document.peek().seed, askedAt());
+    const from = start ?? this.#foreseen(intentions);
+    this.#showing.hold(from);
+    this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt());
     const { evaluations, milliseconds } = this.#store.progress.peek();
     this.#store.progress.value = { state: 'improving', evaluations, milliseconds };
   }
 
   /** Shows exactly this layout. */
   show(layout: Layout): void {
+    this.#first = null;
     const intentions = this.#begin();
     this.#showing.hold(layout);
     this.#client.show(intentions, layout);
@@ -132,6 +135,15 @@ export class Solving {
     }
   }
 
+  /** The layout whose light came with the scene, now on the screen, where what is asked is as it was then. */
+  #foreseen({ luminaires }: Intentions): Layout | null {
+    const light = this.#first;
+    this.#first = null;
+    if (light?.layout.sites.length !== luminaires.count) return null;
+    this.#showing.foresee(light);
+    return light.layout;
+  }
+
   stop(): void {
     this.#client.stop();
   }
@@ -140,7 +152,7 @@ export class Solving {
     return new SolverClient(this.#createWorker, (message) => this.#receive(message));
   }
 
-  async #open(bytes: ArrayBuffer): Promise<OpenedScene> {
+  async #open(bytes: FileBytes): Promise<OpenedScene> {
     this.#opening?.reject(new Superseded());
     this.#probing?.reject(new Superseded());
     this.#probing = this.#arrived = null;
@@ -198,7 +210,8 @@ export class Solving {
     }
   }
 
-  #opened({ scene }: Answer<'opened'>): void {
+  #opened({ scene, light }: Answer<'opened'>): void {
+    this.#first = light;
     if (this.#arrived) this.#opening?.resolve({ scene, room: this.#arrived });
     this.#opening = this.#arrived = null;
   }

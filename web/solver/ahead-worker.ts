@@ -3,7 +3,7 @@
  * with the app's script then; the worker is not. What it answers is held back until somebody opens those very bytes.
  */
 import type { AheadRequest, FetchedAhead, FromWorker, ToWorker } from './protocol.ts';
-import type { WorkerLike } from './solver-client.ts';
+import type { FileBytes, WorkerLike } from './solver-client.ts';
 
 const aheadRevision = 0; // of the answers about the file that nobody has asked for yet; the client counts from 1
 
@@ -16,34 +16,52 @@ export interface RawWorker {
   onmessageerror: ((event: MessageEvent) => void) | null;
 }
 
+/** A promise that is kept, or not, from outside; a refusal is told to whoever asks, and else to nobody. */
+class Later<T> {
+  resolve!: (value: T) => void;
+  reject!: (error: Error) => void;
+  readonly promise = new Promise<T>((resolve, reject) => Object.assign(this, { resolve, reject }));
+
+  constructor() {
+    this.promise.catch(() => undefined);
+  }
+}
+
 export class AheadWorker implements WorkerLike {
   onmessage: WorkerLike['onmessage'] = null;
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
-  /** The file's bytes. Rejects where there are none to be had: ask for them as if nobody had. */
+  /** Resolves when the file begins to arrive. Rejects where there is none to be had: ask for it as if nobody had. */
+  readonly begun: Promise<void>;
+  /** Its bytes. Rejects where they do not all arrive. */
   readonly bytes: Promise<ArrayBuffer>;
   readonly #worker: RawWorker;
-  #bytes: ArrayBuffer | null = null;
   #held: Extract<FromWorker, { readonly revision: number }>[] = [];
   #wanted: number | 'unknown' | 'no' = 'unknown'; // the revision under which its answers are wanted
 
   /** `died`: the worker ended before anybody took it. */
   constructor(worker: RawWorker, address: string, died: () => void) {
     this.#worker = worker;
-    this.bytes = new Promise((resolve, reject) => {
-      const give = (bytes: ArrayBuffer | null) =>
-        bytes ? resolve((this.#bytes = bytes)) : reject(new Error(`${address} could not be fetched ahead`));
-      worker.onmessage = (event) => {
-        if (event.data.type === 'fetched') give(event.data.bytes);
-        else this.#take(event.data);
-      };
-      worker.onerror = (event) => {
-        give(null);
-        if (this.onerror) this.onerror(event);
-        else died();
-      };
-    });
-    this.bytes.catch(() => undefined); // told to whoever asks for them
+    const begun = new Later<void>();
+    const bytes = new Later<ArrayBuffer>();
+    const fail = () => {
+      const error = new Error(`${address} could not be fetched ahead`);
+      begun.reject(error);
+      bytes.reject(error);
+    };
+    worker.onmessage = ({ data }) => {
+      if (data.type !== 'begun' && data.type !== 'fetched') this.#take(data);
+      else if (data.type === 'begun' && data.isThere) begun.resolve();
+      else if (data.type === 'fetched' && data.bytes) bytes.resolve(data.bytes);
+      else fail();
+    };
+    worker.onerror = (event) => {
+      fail();
+      if (this.onerror) this.onerror(event);
+      else died();
+    };
+    this.begun = begun.promise;
+    this.bytes = bytes.promise;
     worker.onmessageerror = (event) => this.onmessageerror?.(event);
     worker.postMessage({ type: 'fetch', address }, []);
   }
@@ -57,8 +75,8 @@ export class AheadWorker implements WorkerLike {
   }
 
   /** Whether these bytes are the ones that it opens: then its answers come under this revision. */
-  adopt(bytes: ArrayBuffer, revision: number): boolean {
-    if (this.#wanted !== 'unknown' || bytes !== this.#bytes) {
+  adopt(bytes: FileBytes, revision: number): boolean {
+    if (this.#wanted !== 'unknown' || bytes !== this.bytes) {
       this.abandon();
       return false;
     }

@@ -1,6 +1,13 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
 import type { Intentions, Layout } from '../document/types.ts';
-import { quantityCodes, senseCodes, statisticCodes, type CoreIntentions, type CoreShown } from './core.ts';
+import {
+  quantityCodes,
+  senseCodes,
+  statisticCodes,
+  type CoreIntentions,
+  type CoreLayout,
+  type CoreShown,
+} from './core.ts';
 import type { IntentionResult, Shown } from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
@@ -44,6 +51,10 @@ export function coreLayout(layout: Layout): [Uint32Array, Float64Array, number] 
   return [Uint32Array.from(layout.sites), Float64Array.from(layout.flux), layout.dimming];
 }
 
+export function layoutOf({ sites, flux, dimming }: CoreLayout): Layout {
+  return { sites: [...sites], flux: [...flux], dimming };
+}
+
 // Rounding of the sums, and of bounds that are met exactly.
 const metUpTo = 1e-6;
 
@@ -57,11 +68,7 @@ export function shownOf(
   const rows = [...leaves, { name: 'all', area: total }];
   const constraints = triples(core.constraints);
   return {
-    layout: {
-      sites: [...core.layout.sites],
-      flux: [...core.layout.flux],
-      dimming: core.layout.dimming,
-    },
+    layout: layoutOf(core.layout),
     illuminance: core.illuminance,
     surfaces: rows.map(({ name, area }, s) => ({
       name,

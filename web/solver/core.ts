@@ -14,6 +14,7 @@ export interface Section {
   readonly inflatedBytes: number;
   readonly deflated: boolean; // zlib format; otherwise the stored bytes are the bytes
   readonly needed: boolean; // by finish(); the others may be verified
+  readonly early: boolean; // by outline()
 }
 
 /** What is in the scene that is open; m = sites. */
@@ -28,6 +29,12 @@ export interface CoreLayout {
   readonly sites: Uint32Array; // N
   readonly flux: Float64Array; // N, lm
   readonly dimming: number;
+}
+
+/** A layout that was chosen when the file was made, and its light. */
+export interface CoreOpening {
+  readonly layout: CoreLayout;
+  readonly illuminance: Float32Array; // rows, lx
 }
 
 /** Where the search stands. */
@@ -134,6 +141,12 @@ export type OrError<T> = T | string;
 export interface Session {
   /** Checks a whole .flux file and lists its sections; the scene that was open stays until finish(). */
   openTable(file: Uint8Array): OrError<readonly Section[]>;
+  /** The same of a file of which only header and table are there. */
+  openHead(head: Uint8Array, fileBytes: number): OrError<readonly Section[]>;
+  /** What is known of the room before its light, once every early section has been provided. */
+  outline(): OrError<CoreInfo>;
+  /** After outline(): the light that the file begins with, where it has one. */
+  opening(): CoreOpening | null;
   /** Checks the inflated bytes of a section against the table. */
   verify(section: number, bytes: Uint8Array): string;
   /** verify(), then keeps a copy for finish(). */
@@ -172,6 +185,9 @@ export interface Session {
 /** The methods of `Session` with their numbers of arguments, for the test against the built module. */
 export const sessionMethods = {
   openTable: 1,
+  openHead: 2,
+  outline: 0,
+  opening: 0,
   verify: 2,
   provide: 2,
   finish: 0,

@@ -1,56 +1,93 @@
 /** Opens a scene file in a session: the table, every section inflated and checked, the scene. */
-import type { Section, Session } from './core.ts';
-import { sectionBytes } from './inflate-sections.ts';
 import type { SceneInfo } from '../document/types.ts';
+import { layoutOf } from './core-intentions.ts';
+import type { CoreInfo, OrError, Section, Session } from './core.ts';
+import { sectionBytes } from './inflate-sections.ts';
+import type { OpeningLight } from './protocol.ts';
+import { sceneHead, type SceneFile } from './scene-stream.ts';
 
 const ahead = 4; // sections that are inflated at a time: enough to be busy, few enough for a small memory
 
+/** What an opening tells as it goes; the first two hold though the rest is still on its way. */
+export interface OpeningSteps {
+  /** The display .glb, so that it can be read while the rest is decoded. */
+  room(glb: ArrayBuffer): void;
+  /** The room without its light but for the one layout that the file may begin with; once, after `room`. */
+  scene(scene: SceneInfo, light: OpeningLight | null): void;
+}
+
 /**
  * Rejects with one readable line; the session then keeps the scene that it had. `current` is asked after each wait:
- * null comes back when another file was opened meanwhile. `takeRoom` gets the display .glb as soon as it is there, so
- * that it can be read while the rest is decoded.
+ * false comes back when another file was opened meanwhile. Of a file that is there as a whole the scene is told when
+ * everything has proved right, of one that is arriving as soon as what it is made of has.
  */
 export async function openScene(
   session: Session,
-  file: Uint8Array<ArrayBuffer>,
+  file: SceneFile,
   current: () => boolean,
-  takeRoom: (room: ArrayBuffer) => void,
-): Promise<SceneInfo | null> {
-  const sections = session.openTable(file);
-  if (typeof sections === 'string') throw new Error(sections);
-  const wanted = sections.filter(isWanted).sort((a, b) => Number(isRoom(b)) - Number(isRoom(a)));
+  steps: OpeningSteps,
+): Promise<boolean> {
+  const wanted = (await tableOf(session, file)).filter(isWanted).sort(byEarliness);
   if (!wanted.some(isRoom))
     throw new Error('the scene file has no room to display; make it again with fiatlux precompute');
   let provenance: unknown = null;
+  const early = wanted.filter(isEarly).length;
   const inflating: Promise<Uint8Array<ArrayBuffer>>[] = [];
   for (const [turn, section] of wanted.entries()) {
     for (const next of wanted.slice(inflating.length, turn + ahead)) inflating.push(begun(file, next));
     const bytes = await inflating[turn]!;
     delete inflating[turn]; // its bytes are in the session now
-    if (!current()) return null;
+    if (!current()) return false;
     check(section.needed ? session.provide(section.index, bytes) : session.verify(section.index, bytes));
-    if (isRoom(section)) takeRoom(bytes.buffer);
-    if (section.name === 'provenance') provenance = parsed(bytes);
+    if (isRoom(section)) steps.room(bytes.buffer);
+    if (isProvenance(section)) provenance = parsed(bytes);
+    if (!file.isWhole && turn + 1 === early)
+      steps.scene(sceneInfo(valid(session.outline()), provenance), lightOf(session));
   }
   check(session.finish());
-  return sceneInfo(session, provenance);
+  if (file.isWhole) steps.scene(sceneInfo(session.info(), provenance), null);
+  return true;
+}
+
+async function tableOf(session: Session, file: SceneFile): Promise<readonly Section[]> {
+  if (file.isWhole) return valid(session.openTable(await file.until(0)));
+  const { bytes, fileBytes } = await sceneHead(file);
+  return valid(session.openHead(bytes, fileBytes));
+}
+
+/** What is to be seen first comes first, the room's mesh before all, for it takes longest to be read. */
+function byEarliness(a: Section, b: Section): number {
+  return Number(isEarly(b)) - Number(isEarly(a)) || Number(isRoom(b)) - Number(isRoom(a));
 }
 
 /** A failure is told when its turn comes, and by nobody where an earlier one has ended it all. */
-function begun(file: Uint8Array<ArrayBuffer>, section: Section): Promise<Uint8Array<ArrayBuffer>> {
-  const bytes = sectionBytes(file, section);
+function begun(file: SceneFile, section: Section): Promise<Uint8Array<ArrayBuffer>> {
+  const bytes = file
+    .until(section.offset + section.storedBytes)
+    .then((arrived) => sectionBytes(arrived, section));
   bytes.catch(() => undefined);
   return bytes;
 }
 
 const isRoom = ({ name }: Section): boolean => name === 'room';
 
-function isWanted(section: Section): boolean {
-  return section.needed || isRoom(section) || section.name === 'provenance';
-}
+const isProvenance = ({ name }: Section): boolean => name === 'provenance';
+const isEarly = (section: Section): boolean => section.early || isRoom(section) || isProvenance(section);
+const isWanted = (section: Section): boolean => section.needed || isEarly(section);
 
 function check(error: string): void {
   if (error) throw new Error(error);
+}
+
+/** The value, where it is no line that says what is wrong. */
+function valid<T extends object>(value: OrError<T>): T {
+  if (typeof value === 'string') throw new Error(value);
+  return value;
+}
+
+function lightOf(session: Session): OpeningLight | null {
+  const opening = session.opening();
+  return opening && { layout: layoutOf(opening.layout), illuminance: opening.illuminance };
 }
 
 function parsed(bytes: Uint8Array): unknown {
@@ -61,8 +98,7 @@ function parsed(bytes: Uint8Array): unknown {
   }
 }
 
-function sceneInfo(session: Session, provenance: unknown): SceneInfo {
-  const info = session.info();
+function sceneInfo(info: CoreInfo | null, provenance: unknown): SceneInfo {
   if (!info) throw new Error('no scene is open');
   const { sitePosition, siteNormal, siteAxis, siteSize, ...rest } = info;
   return {

@@ -33,6 +33,9 @@ export interface Shown {
   readonly violation: number; // 0 = every constraint is met
 }
 
+/** A layout and its light as a scene file begins with them: to be seen while the rest is on its way. */
+export type OpeningLight = Pick<Shown, 'layout' | 'illuminance'>;
+
 export interface AlphaStep extends Omit<CoreAlphaStep, 'low' | 'high' | 'phi'> {
   readonly iteration: number;
   readonly interval: readonly [number, number]; // that it was tried for: (alpha a, alpha b) of figure 7
@@ -87,23 +90,29 @@ export type ToWorker =
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
-/** Before the app is there: fetches a file and opens it as revision 0 -> 'fetched', then as for 'open'. */
+/** Before the app is there: fetches a file -> 'begun', 'fetched', and opens it as it comes, as revision 0. */
 export type AheadRequest =
   | { readonly type: 'fetch'; readonly address: string }
   /** Another file is wanted: what is not opened yet need not be. */
   | { readonly type: 'abandon' };
 
-/** A copy of the file; null = the host has none, or there is no connection. */
-export interface FetchedAhead {
-  readonly type: 'fetched';
-  readonly bytes: ArrayBuffer | null;
-}
+export type FetchedAhead =
+  /** Whether the host has such a file: then its first bytes are on their way. */
+  | { readonly type: 'begun'; readonly isThere: boolean }
+  /** A copy of the file; null = not all of it arrived. */
+  | { readonly type: 'fetched'; readonly bytes: ArrayBuffer | null };
 
 export type FromWorker =
   | { readonly type: 'ready' } // the module is loaded
   /** The display .glb, transferred: it can be read while the worker decodes the rest. */
   | { readonly type: 'room'; readonly revision: number; readonly room: ArrayBuffer }
-  | { readonly type: 'opened'; readonly revision: number; readonly scene: SceneInfo }
+  /** Of a file that is still arriving, requests wait until all of it is there; 'failed' may still follow. */
+  | {
+      readonly type: 'opened';
+      readonly revision: number;
+      readonly scene: SceneInfo;
+      readonly light: OpeningLight | null;
+    }
   | {
       readonly type: 'improved' | 'settled';
       readonly revision: number;

@@ -1,5 +1,9 @@
-/** The bytes of a scene file as a host sends them; null where it has no such file (some hosts send a page instead). */
+/** Whether a host sends a scene file: some that have none send a page instead. */
+export function isSceneFile(response: Response): boolean {
+  return response.ok && !response.headers.get('content-type')?.startsWith('text/html');
+}
+
+/** Its bytes; null where it sends none. */
 export async function sceneBytes(response: Response): Promise<ArrayBuffer | null> {
-  const isPage = response.headers.get('content-type')?.startsWith('text/html') ?? false;
-  return response.ok && !isPage ? response.arrayBuffer() : null;
+  return isSceneFile(response) ? response.arrayBuffer() : null;
 }

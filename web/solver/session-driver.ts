@@ -9,6 +9,7 @@ import { BoundTask } from './bound-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import type { Session } from './core.ts';
 import { openScene } from './open-scene.ts';
+import { wholeFile, type SceneFile } from './scene-stream.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
@@ -44,7 +45,7 @@ export class SessionDriver {
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
   async receive(message: ToWorker): Promise<void> {
-    if (message.type === 'open') return this.#open(message);
+    if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
     if (this.#isOpening) this.#waiting.push(message);
     else this.#take(message);
   }
@@ -79,22 +80,31 @@ export class SessionDriver {
     }
   }
 
-  async #open(message: Request<'open'>): Promise<void> {
+  /** Opens a file, which may still be arriving. Resolves when it is answered. Rejects only when the module traps. */
+  async open(revision: number, file: SceneFile): Promise<void> {
     const turn = ++this.#openings;
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
     this.#drop();
     this.#waiting = [];
+    let isTold = false;
     try {
-      const { revision } = message;
-      const takeRoom = (room: ArrayBuffer) => this.#post({ type: 'room', revision, room }, [room]);
-      const scene = await openScene(this.#session, new Uint8Array(message.bytes), isCurrent, takeRoom);
-      if (!scene) return;
-      this.#scene = scene;
-      this.#searched = null;
-      this.#post({ type: 'opened', revision, scene }, []);
+      const isOpen = await openScene(this.#session, file, isCurrent, {
+        room: (room) => this.#post({ type: 'room', revision, room }, [room]),
+        scene: (scene, light) => {
+          this.#scene = scene;
+          this.#searched = null;
+          isTold = true;
+          this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
+        },
+      });
+      if (!isOpen) return;
     } catch (error) {
-      if (isCurrent()) this.#fail(message.revision, error);
+      if (!isCurrent()) return;
+      this.#fail(revision, error);
+      // What was asked of a room whose rest did not come cannot be answered.
+      if (isTold) this.#scene = null;
+      if (isTold) this.#waiting = [];
     }
     if (!isCurrent()) return;
     this.#isOpening = false;

@@ -5,11 +5,14 @@
 import type { Intentions, Layout } from '../document/types.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
 
+/** A scene file, which may still be arriving. */
+export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
+
 /** The part of a Worker that the client uses. */
 export interface WorkerLike {
   postMessage(message: ToWorker, transfer: Transferable[]): void;
   /** Whether it is opening these very bytes already; its answers then come under this revision. */
-  adopt?(bytes: ArrayBuffer, revision: number): boolean;
+  adopt?(bytes: FileBytes, revision: number): boolean;
   terminate(): void;
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -17,7 +20,7 @@ export interface WorkerLike {
 }
 
 interface OpenFile {
-  readonly bytes: ArrayBuffer;
+  readonly bytes: FileBytes;
   readonly revision: number;
 }
 
@@ -60,14 +63,13 @@ export class SolverClient {
   }
 
   /** Opens a .flux file. The bytes are copied: the client keeps them for a restart. */
-  open(bytes: ArrayBuffer): number {
+  open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = null;
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
-    const copy = bytes.slice(0);
-    this.#worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
+    this.#send(this.#opening, null);
     return revision;
   }
 
@@ -149,11 +151,27 @@ export class SolverClient {
     }
     this.#worker = this.#start();
     const file = this.#opening ?? this.#opened;
-    if (file) {
-      const { revision, bytes } = file;
-      this.#worker.postMessage({ type: 'open', revision, bytes: bytes.slice(0) }, []);
+    if (file) this.#send(file, this.#wish);
+    else if (this.#wish) this.#worker.postMessage(this.#wish, []);
+  }
+
+  /** Has the worker open a file, all of which has to be there first, and then do what is wished of it. */
+  #send({ revision, bytes }: OpenFile, wish: Wish | null): void {
+    if (bytes instanceof Promise) {
+      bytes.then(
+        (all) => {
+          if (revision === this.#latest.open) this.#send({ revision, bytes: all }, this.#wish);
+        },
+        () => {
+          const message = 'the room could not be loaded: the connection was lost; try again';
+          this.#take({ type: 'failed', revision, message, fatal: false });
+        },
+      );
+      return;
     }
-    if (this.#wish) this.#worker.postMessage(this.#wish, []);
+    const copy = bytes.slice(0);
+    this.#worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
+    if (wish) this.#worker.postMessage(wish, []);
   }
 
   #take(message: FromWorker): void {
@@ -176,6 +194,8 @@ export class SolverClient {
       this.#opening = null;
       return true;
     }
+    // The rest of a file that was told of while it was arriving did not come, or was not right.
+    if (message.type === 'failed' && message.revision === this.#opened?.revision) return true;
     return this.#isLatest(message.revision);
   }
 

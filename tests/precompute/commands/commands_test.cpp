@@ -153,6 +153,26 @@ TEST_F(Commands, TheSameOptionsGiveTheSameIdentityAndOthersAnother) {
   EXPECT_NE(identity("--paper"), one);
 }
 
+TEST_F(Commands, AnOpeningComesBeforeTheLightAndChangesNothingElse) {
+  writeTextFile(*folder_ / "wish.json", R"({"luminaires": {"count": 2, "flux": 900},
+      "goals": [{"surface": "floor", "statistic": "sigma", "sense": "min"}]})");
+  const std::string precompute = "precompute box.gltf -o opening.flux --patch 0.5 --rays 64 --opening ";
+  ASSERT_EQ(runFiatlux(*folder_, precompute + "wish.json").status, 0);
+  const json info = json::parse(runFiatlux(*folder_, "info opening.flux --json").out);
+  std::vector<std::string> names;
+  for (const json& section : info["sections"]) names.push_back(section["name"]);
+  const auto at = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) - names.begin();
+  };
+  EXPECT_LT(at("openingLight"), at("room"));
+  EXPECT_LT(at("room"), at("responses"));
+  EXPECT_LT(at("provenance"), at("responses"));
+  EXPECT_THAT(failure(precompute + "none.json"), HasSubstr("none.json"));
+  writeTextFile(*folder_ / "wish.json", R"({"luminaires": {"count": 2, "flux": 900},
+      "goals": [{"surface": "flour", "statistic": "sigma", "sense": "min"}]})");
+  EXPECT_THAT(failure(precompute + "wish.json"), HasSubstr("floor"));
+}
+
 TEST_F(Commands, PaperCarriesItsMatrices) {
   ASSERT_EQ(runFiatlux(*folder_, "precompute box.gltf -o paper.flux --patch 0.25 --rays 64 --paper").status,
             0);

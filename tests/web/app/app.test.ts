@@ -57,6 +57,48 @@ test('a room that is opened is asked about once, from nowhere', () => {
   expect(asked).toMatchObject([{ type: 'solve', start: null }]);
 });
 
+describe('a room that begins with its light', () => {
+  const lit = (count: number) => ({
+    layout: {
+      sites: Array.from({ length: count }, (_, i) => 2 * i),
+      flux: Array(count).fill(3e3),
+      dimming: 1,
+    },
+    illuminance: new Float32Array(16).fill(count),
+  });
+
+  async function openLit(count: number): Promise<void> {
+    solver.light = lit(count);
+    viewer.light = null;
+    const opening = app.opening.file(file('lit.flux'));
+    await turn();
+    solver.flush();
+    await opening;
+  }
+
+  test('is seen in it before anything is answered, and the search goes on from it', async () => {
+    await openLit(6);
+    expect(viewer.light).toEqual(lit(6).illuminance);
+    expect(app.store.shown.value).toBeNull();
+    expect(solver.last('solve')).toMatchObject({ start: lit(6).layout });
+    settle();
+    expect(app.store.shown.value).not.toBeNull();
+  });
+
+  test('that is of another number of luminaires than is asked for is not shown', async () => {
+    await openLit(5);
+    expect(viewer.light).toBeNull();
+    expect(solver.last('solve')).toMatchObject({ start: null });
+  });
+
+  test('says so where the rest of it does not come', async () => {
+    await openLit(6);
+    const { revision } = solver.last('open')!;
+    solver.say({ type: 'failed', revision, message: 'the connection was lost', fatal: false });
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/connection was lost/);
+  });
+});
+
 describe('an edit', () => {
   test('asks the solver at once, from the layout that is shown', () => {
     const before = solver.asked.length;

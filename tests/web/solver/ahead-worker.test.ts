@@ -34,17 +34,20 @@ test('asks for the file at once and answers under the revision that adopts it, i
   expect(sent).toEqual([{ type: 'fetch', address: 'scenes/box.flux' }]);
   worker.onmessage = ({ data }) => void heard.push(data);
   say({ type: 'ready' });
-  say({ type: 'fetched', bytes: new ArrayBuffer(8) });
+  say({ type: 'begun', isThere: true });
   say(room);
   expect(heard).toEqual([{ type: 'ready' }]);
-  expect(worker.adopt(await worker.bytes, 3)).toBe(true);
+  await worker.begun;
+  expect(worker.adopt(worker.bytes, 3)).toBe(true); // its last bytes are still on their way
   expect(heard.slice(1)).toEqual([{ ...room, revision: 3 }]);
   say(opened);
   expect(heard.at(-1)).toEqual({ ...opened, revision: 3 });
   const late = { type: 'failed', revision: 4, message: 'other', fatal: false } as const;
   say(late);
   expect(heard.at(-1)).toEqual(late);
-  expect(worker.adopt(await worker.bytes, 5)).toBe(false); // a second opening is one of its own
+  say({ type: 'fetched', bytes: new ArrayBuffer(8) });
+  expect((await worker.bytes).byteLength).toBe(8);
+  expect(worker.adopt(worker.bytes, 5)).toBe(false); // a second opening is one of its own
   expect(sent).toHaveLength(1);
 });
 
@@ -60,8 +63,13 @@ test('says nothing of its file where another one is opened', async () => {
 
 test('where the file cannot be had, or the worker dies, its bytes reject', async () => {
   const worker = start();
+  say({ type: 'begun', isThere: false });
+  await expect(worker.begun).rejects.toThrow('could not be fetched');
+  const cut = start();
+  say({ type: 'begun', isThere: true });
   say({ type: 'fetched', bytes: null });
-  await expect(worker.bytes).rejects.toThrow('could not be fetched');
+  await cut.begun;
+  await expect(cut.bytes).rejects.toThrow('could not be fetched');
   const other = start();
   raw.onerror?.({ message: 'dead' } as ErrorEvent);
   await expect(other.bytes).rejects.toThrow('could not be fetched');

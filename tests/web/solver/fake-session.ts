@@ -14,6 +14,8 @@ export class FakeSession implements Session {
   /** Counts of evaluations at which a better layout is found. */
   improvesAt: number[] = [];
   failure = '';
+  /** Where in the file something lies that only finish() wants; null = there is nothing. */
+  lateAt: number | null = null;
 
   constructor(
     readonly clock: FakeClock,
@@ -22,12 +24,22 @@ export class FakeSession implements Session {
 
   openTable(file: Uint8Array) {
     if (file[0] !== 1) return 'not a scene file';
+    return this.openHead(file);
+  }
+  openHead(_head: Uint8Array) {
     const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false };
+    const late = { index: 2, name: 'responses', needed: true, early: false, ...at };
     return [
-      { index: 0, name: 'sites', needed: true, ...at },
-      { index: 1, name: 'room', needed: false, ...at },
+      { index: 0, name: 'sites', needed: true, early: true, ...at },
+      { index: 1, name: 'room', needed: false, early: false, ...at },
+      ...(this.lateAt === null ? [] : [{ ...late, offset: this.lateAt }]),
     ];
   }
+  outline = () => this.info();
+  opening = () => ({
+    layout: { sites: Uint32Array.of(1), flux: Float64Array.of(500), dimming: 1 },
+    illuminance: Float32Array.of(1, 2, 3, 4),
+  });
   verify = () => '';
   provide = () => '';
   finish() {

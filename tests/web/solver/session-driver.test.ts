@@ -5,6 +5,7 @@
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { pace } from '../../../web/solver/pacing.ts';
+import { ArrivingFile } from '../../../web/solver/scene-stream.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeClock, FakeSession } from './fake-session.ts';
 
@@ -61,6 +62,29 @@ describe('open', () => {
       { type: 'opened', revision: 1, scene: { patches: 2, provenance: null } },
     ]);
     expect(transferred).toHaveLength(1);
+  });
+
+  test('of a file that is still arriving is told early; requests wait for the rest', async () => {
+    let close = () => {};
+    const body = new ReadableStream<Uint8Array>({
+      start: (controller) => {
+        controller.enqueue(new Uint8Array(64));
+        close = () => controller.close();
+      },
+    });
+    session.lateAt = 100;
+    const opening = driver.open(4, new ArrivingFile(body));
+    while (answers.length < 2) await new Promise((resolve) => setTimeout(resolve, 1));
+    expect(answers).toMatchObject([
+      { type: 'room', revision: 4 },
+      { type: 'opened', revision: 4, light: { layout: { sites: [1] } } },
+    ]);
+    await driver.receive(solve(5));
+    expect(driver.busy).toBe(false);
+    close();
+    await opening;
+    expect(answers.at(-1)).toMatchObject({ type: 'failed', revision: 4 }); // it ended too early
+    expect(driver.busy).toBe(false);
   });
 
   test('the latest of several files wins; the others are not answered', async () => {

@@ -35,6 +35,7 @@ const opened = (revision: number): FromWorker => ({
   type: 'opened',
   revision,
   scene: {} as SceneInfo,
+  light: null,
 });
 const bounded = (revision: number): FromWorker => ({
   type: 'bounded',
@@ -55,6 +56,32 @@ beforeEach(() => {
     },
     (message) => received.push(message),
   );
+});
+
+describe('a file that is still arriving', () => {
+  test('is opened when all of it is there, by a worker that is not opening it already', async () => {
+    const revision = client.open(Promise.resolve(file()));
+    expect(worker().sent).toEqual([]);
+    await Promise.resolve();
+    expect(worker().sent).toMatchObject([{ type: 'open', revision }]);
+  });
+
+  test('is not opened any more where another one was asked for meanwhile', async () => {
+    client.open(Promise.resolve(file()));
+    const newer = client.open(file());
+    await Promise.resolve();
+    expect(worker().sent).toMatchObject([{ type: 'open', revision: newer }]);
+  });
+
+  test('and does not arrive fails, before or after it was told of', async () => {
+    const lost = client.open(Promise.reject(new Error('gone')));
+    await new Promise((resolve) => setTimeout(resolve));
+    expect(received.at(-1)).toMatchObject({ type: 'failed', revision: lost });
+    const told = client.open(file());
+    worker().answer(opened(told));
+    worker().answer(failed(told));
+    expect(received.at(-1)).toEqual(failed(told));
+  });
 });
 
 describe('latest wins', () => {

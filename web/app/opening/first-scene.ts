@@ -3,6 +3,7 @@
  * first one) is asked for before the app has arrived; it is used once, by whoever fetches that room first.
  */
 import { sceneBytes } from '../../solver/scene-bytes.ts';
+import type { FileBytes } from '../../solver/solver-client.ts';
 
 export const firstRoom = 'office'; // of the sample rooms; on a site without it the first of its list is opened
 
@@ -16,8 +17,9 @@ interface Early {
   readonly file: EarlyFile;
 }
 
-/** A file that is on its way; its bytes reject where it has to be asked for again. */
+/** A file that is on its way; `begun` rejects where it has to be asked for again. */
 export interface EarlyFile {
+  readonly begun: Promise<void>;
   readonly bytes: Promise<ArrayBuffer>;
   abandon(): void;
 }
@@ -51,13 +53,20 @@ export function expectScene(room: string, file: EarlyFile): void {
   early = { room, file };
 }
 
-/** The scene file of a room. Rejects with one readable line. */
-export async function requestScene(room: string): Promise<ArrayBuffer> {
+/** The scene file of a room, of which all or the first bytes are there. Rejects with one readable line. */
+export async function requestScene(room: string): Promise<{ readonly bytes: FileBytes }> {
   const waiting = early;
   early = null;
-  if (waiting?.room === room) return waiting.file.bytes.catch(() => request(room));
-  waiting?.file.abandon();
-  return request(room);
+  if (waiting?.room !== room) waiting?.file.abandon();
+  else if (await hasBegun(waiting.file)) return { bytes: waiting.file.bytes };
+  return { bytes: await request(room) };
+}
+
+function hasBegun({ begun }: EarlyFile): Promise<boolean> {
+  return begun.then(
+    () => true,
+    () => false,
+  );
 }
 
 async function request(room: string): Promise<ArrayBuffer> {

@@ -246,7 +246,8 @@ export class Opening {
     const entry = this.#rooms.roomOf(room);
     const waiting = entry && progressText(entry);
     if (waiting) throw new Error(`“${title}” is not ready yet: ${waiting}`);
-    await this.#placing.place(await requestScene(room), title, isCurrent, make, { isReturn });
+    const { bytes } = await requestScene(room);
+    await this.#placing.place(bytes, title, isCurrent, make, { isReturn });
   }
 }
 

@@ -2,6 +2,7 @@
 import { batch } from '@preact/signals';
 import type { Link } from '../../document/share-link.ts';
 import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
+import type { FileBytes } from '../../solver/solver-client.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { History } from '../../document/history.ts';
 import type { Keeping } from '../keeping.ts';
@@ -15,7 +16,7 @@ import { rememberRoom } from './first-scene.ts';
 
 /** What is on the screen: its file, and what the solver made of it. */
 interface Placed {
-  readonly bytes: ArrayBuffer;
+  readonly bytes: FileBytes;
   readonly room: ArrayBuffer;
   readonly scene: SceneInfo;
 }
@@ -74,7 +75,7 @@ export class Placing {
 
   /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
   async place(
-    bytes: ArrayBuffer,
+    bytes: FileBytes,
     title: string,
     isCurrent: () => boolean,
     make: (scene: SceneInfo) => Placement | Promise<Placement>,
@@ -142,7 +143,9 @@ export class Placing {
 
   #remember(): void {
     const { room } = this.#store.document.peek();
-    this.#keeping.remember(this.#rooms.has(room) ? null : (this.#placed?.bytes ?? null));
+    const bytes = this.#placed?.bytes;
+    // A file that was still arriving is the site's own, and can be had again.
+    this.#keeping.remember(this.#rooms.has(room) || bytes instanceof Promise ? null : (bytes ?? null));
   }
 
   /** Gives the solver the scene and the layout back that are on the screen. */

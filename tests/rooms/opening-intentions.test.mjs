@@ -1,0 +1,20 @@
+// What the precompute is asked for a room's first light is what the page asks when it opens the room.
+import { expect, test } from '@jest/globals';
+import { catalog } from '../../rooms/catalog.mjs';
+import { openingIntentions } from '../../rooms/opening-intentions.mjs';
+import { intentionsOf } from '../../web/document/intentions.ts';
+
+/** Of intentions.json, in the page's words. */
+const inPageWords = ({ surface, ...rest }) => ({ ...rest, surfaces: surface });
+
+test.each(catalog)('$id', ({ opening, precompute }) => {
+  const { saving = false, quantity = 'illuminance', cards, luminaires } = opening;
+  const document = { cards: cards.map((card) => ({ weight: 1, ...card })), saving, quantity, luminaires };
+  const asked = openingIntentions(opening);
+  expect({
+    ...asked,
+    goals: asked.goals.map(inPageWords),
+    constraints: asked.constraints.map(inPageWords),
+  }).toEqual(intentionsOf(document).intentions);
+  expect(precompute.slice(-2)).toEqual(['--opening', JSON.stringify(asked)]);
+});
