@@ -117,9 +117,9 @@ TEST_F(SearchCommands, AContrastAgainstDarknessIsInfinite) {
   fiatlux::testing::addStatistics(scene);
   auto sections = encodeScene(scene);
   ASSERT_TRUE(sections) << sections.error().message;
-  writeFileAtomically(path("dark.flux"),
-                      std::span<const std::uint8_t>(assembleSceneFile(
-                          scene.identity, countsOf(scene), storeSections(*sections, zlibDeflate))));
+  const std::vector<std::uint8_t> file =
+      assembleSceneFile(scene.identity, countsOf(scene), storeSections(*sections, zlibDeflate));
+  ASSERT_TRUE(replaceFile(path("dark.flux"), file));
   write("i.json", R"({"luminaires": {"count": 2},
     "goals": [{"surface": "floor", "over": "walls", "statistic": "contrast", "sense": "max"}],
     "constraints": [{"surface": "floor", "over": "walls", "statistic": "contrast", "min": 3},

@@ -6,11 +6,11 @@
 
 #include "tests/core/corridor_scene.h"
 
-namespace fiatlux {
-namespace {
-
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+namespace fiatlux {
+namespace {
 
 using Mark = PlotSeries::Mark;
 
