@@ -1,3 +1,4 @@
+// Numbers and text of photometric files (photometric_text): decimals, line ends, encodings.
 #include "core/photometry/photometric_numbers.h"
 
 #include <gmock/gmock.h>

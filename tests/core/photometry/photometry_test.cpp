@@ -1,4 +1,4 @@
-// What holds whichever format a table comes in; and files that are none.
+// What holds whichever format a table comes in; and files that are none (photometric_format).
 #include "core/photometry/photometry.h"
 
 #include <gmock/gmock.h>
