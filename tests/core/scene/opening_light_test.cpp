@@ -96,8 +96,10 @@ TEST(OpeningLight, WhatCannotBeIsRefused) {
 
 TEST(SceneHead, TellsWhatTheWholeFileTells) {
   const Scene scene = syntheticScene(4, 2);
+  const Result<std::vector<PlainSection>> sections = encodeScene(scene);
+  ASSERT_TRUE(sections) << sections.error().message;
   std::vector<StoredSection> stored;
-  for (PlainSection& part : encodeScene(scene).value()) stored.push_back({part.section, part.bytes});
+  for (const PlainSection& part : *sections) stored.push_back({part.section, part.bytes});
   const std::vector<std::uint8_t> file = assembleSceneFile(scene.identity, countsOf(scene), stored);
   const std::span<const std::uint8_t> head = std::span(file).first(sceneHeadBytes(file));
   const Result<SceneTable> table = readSceneHead(head, file.size());

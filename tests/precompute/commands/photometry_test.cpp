@@ -22,8 +22,9 @@ TEST(PhotometryCommand, PrintsEveryKeyOfTheCard) {
   const CommandRun run = runFiatlux(folder, "photometry a.ies --json");
   ASSERT_EQ(run.status, 0) << run.err;
   const json card = json::parse(run.out);
+  const auto ordered = nlohmann::ordered_json::parse(run.out);
   std::vector<std::string> keys;
-  for (const auto& item : nlohmann::ordered_json::parse(run.out).items()) keys.push_back(item.key());
+  for (const auto& item : ordered.items()) keys.push_back(item.key());
   EXPECT_EQ(keys,
             (std::vector<std::string>{"name", "maker", "format", "flux", "integratedFlux", "watts",
                                       "efficacy", "cct", "luminous", "longAxis", "symmetry", "maxCandela",

@@ -55,8 +55,9 @@ TEST(Charts, ABoxHasAChartASideAndAWideTubeGrowsRoundUpToItsCone) {
   box.box({}, {1, 1, 1}, false);
   EXPECT_EQ(chartedOf(box, 0.25).charts.size(), 6u);
 
-  TestMesh tube;  // 72 strips of 5 degrees, each far narrower than a patch
+  TestMesh tube;  // strips of 5 degrees, each far narrower than a patch
   constexpr int kStrips = 72;
+  tube.quad({-5, 5, -5}, {0, 0, 10}, {10, 0, 0});  // beside which no strip is a surface of its own
   for (int i = 0; i < kStrips; ++i) {
     const auto at = [](int strip) {
       const double angle = 2 * std::numbers::pi * strip / kStrips;
@@ -67,14 +68,15 @@ TEST(Charts, ABoxHasAChartASideAndAWideTubeGrowsRoundUpToItsCone) {
   const Charted made = chartedOf(tube, 0.25);
   double area = 0;
   for (const ChartDraft& draft : made.charts) {
+    if (draft.area > 99) continue;
     area += draft.area;
     for (const Face& face : draft.faces)
       EXPECT_GT(dot(normalized(areaVector(made.mesh.positions, face.vertex)), draft.chart.normal),
                 std::cos(40 * std::numbers::pi / 180));
   }
   EXPECT_NEAR(area, kStrips * std::sin(std::numbers::pi / kStrips), 1e-5);
-  EXPECT_GE(made.charts.size(), 5u);  // 360 degrees in pieces of at most 2 x 35
-  EXPECT_LE(made.charts.size(), 12u);
+  EXPECT_GE(made.charts.size(), 1u + 5u);  // 360 degrees in pieces of at most 2 x 35
+  EXPECT_LE(made.charts.size(), 1u + 12u);
 }
 
 TEST(Charts, ForeseenPatchesAndTheirRefusal) {

@@ -67,7 +67,7 @@ TEST(Emission, PlacesFillTheRectangleClearOfWhatItHangsOn) {
 }
 
 TEST(Emission, DirectionsAreAsManyAsTheirLight) {
-  constexpr int kEdge = 64;
+  constexpr int kEdge = 256;
   const auto meanCosine = [&](const Emission& source) {
     double mean = 0;
     for (int i = 0; i < kEdge; ++i)
