@@ -1,4 +1,4 @@
-// Form factors (core/form_factors.h). Cosine-distributed rays, stratified over the patch and over the
+// Form factors (core/transport/form_factors.h). Cosine-distributed rays, stratified over the patch and over the
 // hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
 // kernel_factors.h says the rest.
 #pragma once

@@ -83,7 +83,7 @@ inline std::array<std::int8_t, 4> packedNormal(const Vec3& n) {
 using PartKey = std::tuple<std::uint32_t, int>;  // surface, material
 using Parts = std::map<PartKey, Part>;
 
-/// Adds the source's materials with their textures to a .glb under construction (display_pack.cpp).
+/// Adds the source's materials with their textures to a .glb under construction.
 void packMaterials(GlbWriter& glb, const SourceScene& source);
 
 /// Adds a part as a node with a mesh of its own; `rows` tells how wide patch indices must be.
