@@ -77,18 +77,27 @@ class JsonWalk {
   std::size_t at_ = 0;
 };
 
-/// note: looked at before parsing: the parser's callback, which could stop it, takes quadratic time on long
-/// lists.
-bool isTooDeep(const std::string& text) {
-  int depth = 0;
-  for (JsonWalk walk(text); !walk.done() && depth <= kDeepest;) depth += walk.skipToken();
-  return depth > kDeepest;
-}
-
 }  // namespace
 
+JsonExtent extentOfJson(std::string_view text) {
+  JsonExtent extent;
+  extent.values = 1;
+  int depth = 0;
+  for (JsonWalk walk(text); !walk.done();) {
+    const bool comma = text[walk.at()] == ',';
+    const int deeper = walk.skipToken();
+    depth += deeper;
+    extent.depth = std::max(extent.depth, depth);
+    if (deeper > 0) walk.skipBlanks();
+    const bool filled = deeper > 0 && !walk.done() && text[walk.at()] != '}' && text[walk.at()] != ']';
+    if (comma || filled) ++extent.values;
+  }
+  return extent;
+}
+
 Result<Json> parseJson(const std::string& text) {
-  if (isTooDeep(text)) return Error{"nested deeper than " + std::to_string(kDeepest) + " levels"};
+  if (extentOfJson(text).depth > kDeepest)
+    return Error{"nested deeper than " + std::to_string(kDeepest) + " levels"};
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {

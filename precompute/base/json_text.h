@@ -4,11 +4,21 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
 
 namespace fiatlux {
+
+/// How deep a JSON text is nested, and how many values it holds (members and entries, the whole one
+/// included). Of text that is no JSON these are only some numbers. note: asked before parsing, because the
+/// parser's own callback, which could stop it, takes quadratic time on long lists.
+struct JsonExtent {
+  int depth = 0;
+  std::size_t values = 0;
+};
+JsonExtent extentOfJson(std::string_view text);
 
 /// Any JSON text, at most 64 deep, in a time that grows with its length alone. An error names the line and
 /// the byte.

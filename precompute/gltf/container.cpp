@@ -2,7 +2,9 @@
 
 #include <cstring>
 #include <string>
+#include <string_view>
 
+#include "precompute/base/json_text.h"
 #include "precompute/gltf/codes.h"
 #include "precompute/gltf/refusal.h"
 
@@ -13,24 +15,15 @@ using nlohmann::json;
 
 constexpr std::size_t kLeastGlb = gltf::kGlbHeaderBytes + gltf::kChunkHeaderBytes;
 
-/// Thrown out of the parser by its guard.
-struct BeyondBudget {
-  std::string problem;
-};
-
-/// Counts depth and values while the text is parsed, so that a hostile nesting never becomes a tree.
-json::parser_callback_t budgetGuard(std::size_t& values) {
-  return [&values](int depth, json::parse_event_t event, json&) {
-    const bool opens =
-        event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
-    if (opens && depth >= GltfBudget::kDepth)
-      throw BeyondBudget{"the JSON is nested more than " + std::to_string(GltfBudget::kDepth) +
-                         " levels deep; no sound glTF is: export the file again"};
-    if ((opens || event == json::parse_event_t::value) && ++values > GltfBudget::kValues)
-      throw BeyondBudget{"the JSON holds more than " + std::to_string(GltfBudget::kValues / 1'000'000) +
-                         " million values; merge or thin out the model before export"};
-    return true;
-  };
+/// A hostile nesting or number of values never becomes a tree.
+void checkExtent(std::string_view text) {
+  const JsonExtent extent = extentOfJson(text);
+  if (extent.depth > GltfBudget::kDepth)
+    throw GltfError("the JSON is nested more than " + std::to_string(GltfBudget::kDepth) +
+                    " levels deep; no sound glTF is: export the file again");
+  if (extent.values > GltfBudget::kValues)
+    throw GltfError("the JSON holds more than " + std::to_string(GltfBudget::kValues / 1'000'000) +
+                    " million values; merge or thin out the model before export");
 }
 
 std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
@@ -87,11 +80,9 @@ json parseGltfJson(const GltfContainer& container) {
   const char* end = container.text + container.textSize;
   while (end > container.text && (end[-1] == '\0' || end[-1] == ' ')) --end;  // padding of a GLB chunk
 
-  std::size_t values = 0;
+  checkExtent({container.text, static_cast<std::size_t>(end - container.text)});
   try {
-    return json::parse(container.text, end, budgetGuard(values));
-  } catch (const BeyondBudget& beyond) {
-    throw GltfError(beyond.problem);
+    return json::parse(container.text, end);
   } catch (const json::parse_error& error) {
     throw GltfError("the JSON is broken near byte " + std::to_string(error.byte) + "; export the file again");
   } catch (const json::out_of_range&) {
