@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Mean, sigma, least and largest of weighted values that come one by one (Welford's updates: no
 /// cancellation).
-class Moments {
+class WeightedMoments {
  public:
   void add(double area, double value) {
     area_ += area;
@@ -65,8 +65,8 @@ std::size_t widthOf(const std::string& text) {
 LightResults lightResults(const Patches& patches, const std::vector<Surface>& surfaces,
                           const std::vector<float>& light) {
   assert(light.size() == patches.rows());
-  std::vector<Moments> lit(surfaces.size()), reflected(surfaces.size());
-  Moments litAll, reflectedAll;
+  std::vector<WeightedMoments> lit(surfaces.size()), reflected(surfaces.size());
+  WeightedMoments litAll, reflectedAll;
   LightResults results;
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     const std::uint32_t s = patches.surface[p];
