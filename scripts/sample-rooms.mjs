@@ -85,25 +85,25 @@ export function shareOf(line) {
   return from + ((to - from) * Math.min(100, Number(percent))) / 100;
 }
 
-/** Runs a program behind others; rejects with the last thing that it said where it fails. */
-async function runBehind(command, args, { onProgress, signal }) {
+/** Runs a program that is watched; rejects with the last thing that it said where it fails. */
+async function runWatched(command, args, { onProgress, signal, niceness }) {
   let last = '';
   const onLine = (line) => {
     const share = shareOf(line);
     if (share === null) last = line;
     else onProgress(share);
   };
-  const { status, error } = await runToEnd(command, args, { onLine, signal, niceness: 10 });
+  const { status, error } = await runToEnd(command, args, { onLine, signal, niceness });
   if (status !== 0) throw new Error(error?.message ?? (last || `${command} ended with status ${status}`));
 }
 
-/** Makes what of a room is stale, behind everything else. `onProgress` gets shares of 1, `signal` stops it. */
-export async function makeBehind(room, watch) {
+/** Makes what of a room is stale, beside everything else. `onProgress` gets shares of 1, `signal` stops it, `niceness` lets others go first. */
+export async function makeWatched(room, watch) {
   if (!room.hasModel) {
-    await runBehind('node', makeModel(room), watch);
+    await runWatched('node', makeModel(room), watch);
     await stamp('model', room);
   }
-  await runBehind('build/fiatlux', precompute(room), watch);
+  await runWatched('build/fiatlux', precompute(room), watch);
   await stamp('scene', room);
 }
 

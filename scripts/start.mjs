@@ -4,7 +4,7 @@ import path from 'node:path';
 import { programs, site } from './build.mjs';
 import { root, say } from './processes.mjs';
 import { RoomsBehind } from './rooms-behind.mjs';
-import { filesOf, makeBehind, sampleRooms, tidyScenes } from './sample-rooms.mjs';
+import { filesOf, makeWatched, sampleRooms, tidyScenes } from './sample-rooms.mjs';
 import { recentNode } from './set-up.mjs';
 
 const quickest = 'box'; // takes seconds where others take minutes
@@ -26,9 +26,10 @@ export async function start() {
   await tidyScenes(rooms);
   await programs(site);
 
+  let niceness = 0; // until there is a room to show
   const behind = new RoomsBehind({
     folder: path.join(root, 'dist', 'scenes'),
-    make: makeBehind,
+    make: (room, watch) => makeWatched(room, { ...watch, niceness }),
     filesOf,
     tell: say,
   });
@@ -40,6 +41,7 @@ export async function start() {
     await behind.makeAll([first]);
   }
 
+  niceness = 10;
   await serve();
   if (queue.length > 0) say(`Being computed behind it: ${queue.map(({ id }) => id).join(', ')}`);
   const made = behind.makeAll(queue);
