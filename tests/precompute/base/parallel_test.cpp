@@ -32,6 +32,7 @@ TEST(Parallel, AFailureOfABodyComesBack) {
   EXPECT_THROW(parallelFor(1000, 4, failing), std::runtime_error);
 }
 
+#if GTEST_HAS_DEATH_TEST  // processes to limit are only native
 /// Leaves this process room for the stacks of a few threads more.
 void limitMemory() {
   std::size_t pages = 0;
@@ -46,6 +47,7 @@ TEST(ParallelDeathTest, FewerThreadsThanAskedForDoItToo) {
 #endif
   EXPECT_EXIT(limitMemory(); std::_Exit(eachComesOnce(1000) ? 0 : 1), testing::ExitedWithCode(0), "");
 }
+#endif
 
 }  // namespace
 }  // namespace fiatlux
