@@ -78,8 +78,9 @@ test('the catalogue names every room once, with words for people and options for
     expect(description).toMatch(/\.$/);
     expect(precompute.length % 2).toBe(0);
     for (let i = 0; i < precompute.length; i += 2) {
-      expect(precompute[i]).toMatch(/^--(patch|cluster|refine|site-size)$/);
-      expect(Number(precompute[i + 1])).toBeGreaterThan(0);
+      expect(precompute[i]).toMatch(/^--(patch|cluster|refine|site-size|opening)$/);
+      if (precompute[i] === '--opening') expect(JSON.parse(precompute[i + 1]).goals).not.toEqual([]);
+      else expect(Number(precompute[i + 1])).toBeGreaterThan(0);
     }
   }
 });
@@ -207,7 +208,8 @@ test('the command refuses a room that it does not know, in one line', () => {
   });
   expect(status).toBe(2);
   expect(stderr).toMatch(/^rooms\/make\.mjs: .*"cellar".*e-corridor.*\n$/);
-  expect(readdirSync(folders[0]).sort()).toEqual(ids.map((id) => `${id}.glb`).sort());
+  const made = ['catalog.json', ...ids.map((id) => `${id}.glb`)].sort();
+  expect(readdirSync(folders[0]).sort()).toEqual(made);
 });
 
 test('the box holds its two blocks and nothing else', async () => {
