@@ -22,6 +22,7 @@ async function openRoomAsLeft(page: Page, title: string): Promise<void> {
 /** The work is in the browser's database, as the page says. */
 async function kept(page: Page): Promise<void> {
   await settled(page);
+  await page.waitForTimeout(2500); // longer than the work waits to be kept: the page may speak of an earlier time
   await tab(page, 'Results');
   const about = page.getByText('About this room');
   if (!(await page.getByText(/kept in this browser/).isVisible())) await about.click();
