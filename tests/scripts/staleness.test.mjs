@@ -107,10 +107,10 @@ test('an edit elsewhere makes no room stale', () => {
 test('imports are followed in all their forms, once each', () => {
   const modules = {
     'rooms/a.mjs': "import { b } from './b.mjs';\nimport './c.mjs';\nimport path from 'node:path';",
-    'rooms/b.mjs': "export { x } from '../shared/d.mjs';\nimport './a.mjs';",
+    'rooms/b.mjs': "export { x } from '../common/d.mjs';\nimport './a.mjs';",
     'rooms/c.mjs': "const e = await import('./e.mjs');",
     'rooms/e.mjs': '',
-    'shared/d.mjs': '',
+    'common/d.mjs': '',
   };
   expect(moduleFiles('rooms/a.mjs', (file) => modules[file])).toEqual(Object.keys(modules).sort());
 });
