@@ -117,15 +117,16 @@ void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::
     for (std::uint32_t k = 0; k < n; ++k) {
       for (std::size_t s = 0; s < sets; ++s)
         trialMoments_[s] = {means_[s * kBlock + k], variances_[s * kBlock + k]};
-      Evaluation evaluation;
       if (objective_.needsExtremes()) {
         const FluxChange changes[2] = {{from, -flux}, {block[k], flux}};
-        if (!settleExtremes(changes, 2, best.evaluation, evaluation)) continue;
-      } else {
-        evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
-        if (!prefers(evaluation, best.evaluation)) continue;
+        Evaluation evaluation;
+        if (settleExtremes(changes, 2, best.evaluation, evaluation))
+          best = {{{i, block[k]}, {}}, 1, evaluation};
+        continue;
       }
-      best = {{{i, block[k]}, {}}, 1, evaluation};
+      // note: made in place; a copy of what was just written would wait for the write.
+      const Evaluation evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
+      if (prefers(evaluation, best.evaluation)) best = {{{i, block[k]}, {}}, 1, evaluation};
     }
   }
 }
