@@ -1,23 +1,10 @@
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
+import { boxes } from './boxes.ts';
 import type { Box } from '../../../web/viewer/eye/framing.ts';
 import { connectedParts } from '../../../web/viewer/room/mesh-parts.ts';
 import { surfaceEdges } from '../../../web/viewer/room/surface-edges.ts';
 import { crowdedTags, spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
-
-/** Index and positions of several axis-aligned boxes in one mesh. */
-function boxes(...list: readonly Box[]) {
-  const index: number[] = [];
-  const positions: number[] = [];
-  for (const { min, max } of list) {
-    const size = max.map((high, i) => high - min[i]!) as [number, number, number];
-    const box = new BoxGeometry(...size);
-    box.translate((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
-    index.push(...[...box.index!.array].map((vertex) => vertex + positions.length / 3));
-    positions.push(...box.getAttribute('position').array);
-  }
-  return { index, positions };
-}
 
 const picture: Box = { min: [2, 1, 0], max: [3, 2, 0.05] };
 const board: Box = { min: [7.9, 1, 1], max: [8, 2, 4] };
