@@ -24,7 +24,10 @@ SurfaceSet surfacesOf(const Scene& scene, const JsonField& field) {
 
 std::vector<std::uint32_t> sitesOf(const JsonField& field) {
   std::vector<std::uint32_t> sites;
-  for (const JsonField& site : field.list(kMostEntries)) sites.push_back(site.whole());
+  for (const JsonField& site : field.list(kMostEntries)) {
+    sites.push_back(site.whole());
+    if (sites.back() == kNone) site.fail("there is no such site");  // it would mean "not pinned"
+  }
   return sites;
 }
 

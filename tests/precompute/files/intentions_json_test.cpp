@@ -103,6 +103,7 @@ TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
   expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
   expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");
+  expectRefusal(R"({"luminaires": {"pinned": [4294967295]}})", "no such site");
   expectRefusal(R"({"luminaires": {"dimming": [1]}})", "[low, high]");
   expectRefusal(R"({"goals": {}})", "goals: expected a list");
   expectRefusal(R"({"goals": [{"surface": "all", "statistic": "sigma"}]})", "goal 1: no \"sense\"");
