@@ -1,4 +1,4 @@
-// The order of things in a sitting, and readings of a layout against explicit values of its patches.
+// The order of things in a sitting, and readings of a layout (shown) against explicit values of its patches.
 #include "core/session/session.h"
 
 #include <gmock/gmock.h>
