@@ -1,7 +1,8 @@
 // How long `npm start` takes from nothing to a lit room on the screen, by step: node scripts/fresh-start.mjs [--bare FOLDER]
 // The last commit is cloned into an empty folder, npm's cache is empty and ccache is off; the page is opened in Chromium.
 // Without --bare Debian's packages are those of this machine. For a machine without any, as root:
-//   debootstrap --variant=minbase --include=nodejs,npm,git,ca-certificates bookworm FOLDER
+//   debootstrap --variant=minbase bookworm FOLDER      (which cannot sort out what npm depends on by itself)
+//   chroot FOLDER sh -c 'apt-get update && apt-get install -y --no-install-recommends npm ca-certificates && apt-get clean'
 // A copy of that is used, so that FOLDER stays as it is. This checkout needs its npm packages and Chromium.
 import { spawn } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync } from 'node:fs';
