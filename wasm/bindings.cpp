@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include "core/photometry/photometric_description.h"
 #include "core/session/session.h"
 
 namespace fiatlux {
@@ -320,10 +321,54 @@ val advanceBound(Session& session, std::uint32_t steps) {
   return result;
 }
 
+// --- photometric files
+
+val orNull(const std::optional<double>& value) { return value ? val(*value) : val::null(); }
+
+val valueOf(const LuminousArea& area) {
+  val result = val::object();
+  result.set("length", area.length);
+  result.set("width", area.width);
+  result.set("height", area.height);
+  result.set("round", area.round);
+  return result;
+}
+
+val describePhotometry(val file) {
+  const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(file);
+  const Result<Photometry> photometry = readPhotometry(bytes);
+  if (!photometry) return val(photometry.error().message);
+  const PhotometricDescription description = describe(*photometry);
+  val result = val::object();
+  result.set("name", photometry->name);
+  result.set("maker", photometry->maker);
+  result.set("format", std::string(nameOf(photometry->format)));
+  result.set("flux", photometry->flux);
+  result.set("integratedFlux", description.integratedFlux);
+  result.set("disputed", description.disputed);
+  result.set("watts", photometry->watts);
+  result.set("efficacy", orNull(description.efficacy));
+  result.set("cct", orNull(photometry->cct));
+  result.set("luminous", valueOf(photometry->luminous));
+  result.set("longAxis", std::string(photometry->longAxis == PhotometricAxis::kC0 ? "C0" : "C90"));
+  result.set("symmetry", std::string(nameOf(photometry->symmetry)));
+  result.set("maxCandela", description.maxCandela);
+  result.set("beamAngle", description.beamAngle);
+  result.set("fieldAngle", description.fieldAngle);
+  result.set("upwardShare", description.upwardShare);
+  result.set("ugr4h8h", orNull(description.ugr4h8h));
+  val warnings = val::array();
+  for (std::size_t i = 0; i < photometry->warnings.size(); ++i) warnings.set(i, photometry->warnings[i]);
+  result.set("warnings", warnings);
+  result.set("candela", copied(sampledIntensities(*photometry)));
+  return result;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
   emscripten::function("codes", &codes);
+  emscripten::function("describePhotometry", &describePhotometry);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)

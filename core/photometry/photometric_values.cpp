@@ -10,6 +10,9 @@
 namespace fiatlux {
 namespace {
 
+/// Lamps that give less than their table holds, or ten times more, were stated or multiplied wrongly.
+constexpr double kMostOutput = 1.02, kLeastOutput = 0.1;
+
 /// int I(gamma) sin(gamma) dgamma of one plane over the part of the table above `least` degrees; I linear
 /// between.
 double planeIntegral(const Photometry& photometry, std::size_t plane, double least) {
@@ -87,6 +90,11 @@ Reach reachOf(const Profile& profile, double least) {
 }  // namespace
 
 double integratedFlux(const Photometry& photometry) { return fluxAbove(photometry, 0); }
+
+bool isFluxDisputed(const Photometry& photometry, double flux) {
+  return photometry.format != PhotometricFormat::kEulumdat && photometry.flux > 0 &&
+         (flux > kMostOutput * photometry.flux || flux < kLeastOutput * photometry.flux);
+}
 
 double upwardShare(const Photometry& photometry) {
   const double flux = integratedFlux(photometry);

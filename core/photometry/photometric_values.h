@@ -12,6 +12,11 @@ namespace fiatlux {
 /// rule.
 double integratedFlux(const Photometry& photometry);
 
+/// Whether what an LM-63 file says of its lamps cannot be the light of its table, `flux` lm: lamps give no
+/// less than that and hardly ten times more. EULUMDAT's tables are per kilolumen of the lamps and cannot
+/// disagree so.
+bool isFluxDisputed(const Photometry& photometry, double flux);
+
 /// Share of the flux at gamma > 90, 0..1; exact in the same sense. 0 for a dark table.
 double upwardShare(const Photometry& photometry);
 

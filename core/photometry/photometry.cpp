@@ -10,14 +10,10 @@
 namespace fiatlux {
 namespace {
 
-/// Lamps that give less than their table holds, or ten times more, were stated or multiplied wrongly.
-constexpr double kMostOutput = 1.02, kLeastOutput = 0.1;
-
 void compareFlux(Photometry& photometry, double flux) {
   if (photometry.flux == 0) {
     photometry.flux = flux;
-  } else if (photometry.format != PhotometricFormat::kEulumdat &&
-             (flux > kMostOutput * photometry.flux || flux < kLeastOutput * photometry.flux)) {
+  } else if (isFluxDisputed(photometry, flux)) {
     photometry.warnings.push_back("the file says that its lamps give " + shortNumber(photometry.flux) +
                                   " lm, its table holds " + shortNumber(flux) + " lm; which is right?");
   }

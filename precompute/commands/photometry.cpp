@@ -6,8 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/photometry/photometric_values.h"
-#include "core/photometry/unified_glare.h"
+#include "core/photometry/photometric_description.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -19,30 +18,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kBeamShare = 0.5, kFieldShare = 0.1;
-
 /// null for what is not known.
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json cardOf(const Photometry& photometry) {
   const LuminousArea& area = photometry.luminous;
+  const PhotometricDescription description = describe(photometry);
   return {{"name", photometry.name},
           {"maker", photometry.maker},
           {"format", nameOf(photometry.format)},
           {"flux", photometry.flux},
-          {"integratedFlux", integratedFlux(photometry)},
+          {"integratedFlux", description.integratedFlux},
           {"watts", photometry.watts},
-          {"efficacy", orNull(efficacy(photometry))},
+          {"efficacy", orNull(description.efficacy)},
           {"cct", orNull(photometry.cct)},
           {"luminous",
            {{"length", area.length}, {"width", area.width}, {"height", area.height}, {"round", area.round}}},
           {"longAxis", photometry.longAxis == PhotometricAxis::kC0 ? "C0" : "C90"},
           {"symmetry", nameOf(photometry.symmetry)},
-          {"maxCandela", maxCandela(photometry)},
-          {"beamAngle", openingAngle(photometry, kBeamShare)},
-          {"fieldAngle", openingAngle(photometry, kFieldShare)},
-          {"upwardShare", upwardShare(photometry)},
-          {"ugr4h8h", orNull(ugr4h8h(photometry))},
+          {"maxCandela", description.maxCandela},
+          {"beamAngle", description.beamAngle},
+          {"fieldAngle", description.fieldAngle},
+          {"upwardShare", description.upwardShare},
+          {"ugr4h8h", orNull(description.ugr4h8h)},
           {"warnings", photometry.warnings}};
 }
 
@@ -82,7 +80,7 @@ void printCard(const Json& card) {
   for (const Json& warning : card["warnings"]) line("warning", printable(warning.get<std::string>()));
 }
 
-void describe(const std::string& path, bool json) {
+void tell(const std::string& path, bool json) {
   const std::vector<std::uint8_t> bytes = orThrow(readFileBytes(path));
   const Json card = cardOf(orThrow(path, readPhotometry(bytes)));
   if (json)
@@ -103,7 +101,7 @@ void addPhotometryCommand(CLI::App& app) {
       app.add_subcommand("photometry", "What a photometric file (.ies or .ldt) says of a luminaire");
   command->add_option("file", options->file, "Photometric file: LM-63 (.ies) or EULUMDAT (.ldt)")->required();
   command->add_flag("--json", options->json, "One JSON document on standard output");
-  command->callback([options] { describe(options->file, options->json); });
+  command->callback([options] { tell(options->file, options->json); });
 }
 
 }  // namespace fiatlux

@@ -1,8 +1,10 @@
 // A worker that answers the protocol without a core: a square room of one floor and one wall, light that falls off
 // with distance, layouts that are the first free sites. Answers come when `flush` is called, so that tests decide when.
+import type { PhotometricDescription } from '../../web/document/photometry.ts';
 import type { FromWorker, OpeningLight, Shown, ToWorker } from '../../web/solver/protocol.ts';
 import type { Intentions, Layout, SceneInfo } from '../../web/document/types.ts';
 import type { WorkerLike } from '../../web/solver/solver-client.ts';
+import { described } from './described.ts';
 
 const side = 4; // sites and patches along an edge, 1 m apart
 
@@ -84,6 +86,7 @@ export class FakeSolver implements WorkerLike {
   readonly scene = fakeScene();
   readonly asked: ToWorker[] = [];
   light: OpeningLight | null = null; // that the next file begins with
+  describes: PhotometricDescription | string = described(100); // of any photometric file
   terminated = false;
   #queue: FromWorker[] = [];
 
@@ -104,6 +107,9 @@ export class FakeSolver implements WorkerLike {
       case 'bound':
       case 'check':
       case 'stop':
+        return;
+      case 'describe':
+        this.#queue.push({ type: 'described', revision: message.revision, description: this.describes });
         return;
     }
   }

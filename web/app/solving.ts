@@ -4,6 +4,7 @@
  */
 import { effect, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
+import type { PhotometricDescription } from '../document/photometry.ts';
 import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
 import type { FromWorker, OpeningLight, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
@@ -111,6 +112,11 @@ export class Solving {
     });
   }
 
+  /** What a photometric file says. Rejects with one readable line. */
+  describe(file: Uint8Array): Promise<PhotometricDescription> {
+    return this.#client.describe(file);
+  }
+
   /** The layout shown now (or just put there by hand). */
   layout(): Layout | null {
     return this.#showing.layout;
@@ -203,6 +209,8 @@ export class Solving {
         return;
       case 'checked':
         return this.#checked(message);
+      case 'described': // the client keeps these for whoever asked
+        return;
       case 'failed':
         return this.#failed(message);
       default:

@@ -3,6 +3,7 @@
  * Typed arrays are copied in and come back as fresh copies; nothing here is a view of the module's memory.
  * Errors are one readable line, '' where all is well. tests/wasm checks every declared method against the built module.
  */
+import type { PhotometricDescription } from '../document/photometry.ts';
 import type { SceneInfo } from '../document/types.ts';
 
 /** A line of the scene file's table that somebody has to inflate. */
@@ -215,5 +216,7 @@ export interface CoreCodes {
 
 export interface CoreModule {
   codes(): CoreCodes;
+  /** What a photometric file (LM-63 or EULUMDAT) says; needs no session. */
+  describePhotometry(file: Uint8Array): OrError<PhotometricDescription>;
   readonly Session: new () => Session;
 }

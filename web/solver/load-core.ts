@@ -22,7 +22,8 @@ export async function loadCore(source: URL | Uint8Array<ArrayBuffer>): Promise<C
 export function fitting(core: CoreModule): CoreModule {
   const methods: Record<string, unknown> = core.Session.prototype;
   const hasMethods = Object.keys(sessionMethods).every((name) => typeof methods[name] === 'function');
-  if (!hasMethods || !countsAlike(core)) throw new Error(misfit);
+  const readsFiles = typeof core.describePhotometry === 'function';
+  if (!hasMethods || !readsFiles || !countsAlike(core)) throw new Error(misfit);
   return core;
 }
 

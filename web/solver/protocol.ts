@@ -2,6 +2,7 @@
  * The worker protocol: two discriminated unions. The page asks, the worker answers; every request that may be
  * superseded carries a `revision`, and only the latest revision's answers are shown (latest wins).
  */
+import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import type { CoreAlphaStep } from './core.ts';
 
@@ -87,6 +88,11 @@ export type ToWorker =
       readonly search: number | null; // as for 'bound'
       readonly layout: Layout;
     }
+  /**
+   * Reads a photometric file -> 'described', at once and whatever else runs. It supersedes nothing and nothing
+   * supersedes it. The buffer is transferred.
+   */
+  | { readonly type: 'describe'; readonly revision: number; readonly file: ArrayBuffer }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
@@ -144,6 +150,11 @@ export type FromWorker =
       readonly largestDifference: number; // relative, statistics against patches
       readonly surface: string; // where
       readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative
+    }
+  | {
+      readonly type: 'described';
+      readonly revision: number;
+      readonly description: PhotometricDescription | string; // one readable line where it cannot be read
     }
   /** One readable line: what, where, the cure. The last good layout stays. */
   | {

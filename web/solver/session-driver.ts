@@ -7,7 +7,7 @@ import type { Intentions, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
-import type { Session } from './core.ts';
+import type { CoreModule, Session } from './core.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
@@ -17,22 +17,26 @@ import type { Answer, Task } from './task.ts';
 
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
+/** What waits for its turn. */
+type Turned = Exclude<ToWorker, Request<'open' | 'describe'>>;
 
 export class SessionDriver {
+  readonly #reader: Pick<CoreModule, 'describePhotometry'>;
   readonly #session: Session;
   readonly #post: Post;
   readonly #clock: Clock;
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
-  #waiting: Exclude<ToWorker, Request<'open'>>[] = []; // came while a file was being opened
+  #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
-  constructor(session: Session, post: Post, clock: Clock) {
+  constructor(reader: Pick<CoreModule, 'describePhotometry'>, session: Session, post: Post, clock: Clock) {
+    this.#reader = reader;
     this.#session = session;
     this.#post = post;
     this.#clock = clock;
@@ -46,7 +50,8 @@ export class SessionDriver {
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
   async receive(message: ToWorker): Promise<void> {
     if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
-    if (this.#isOpening) this.#waiting.push(message);
+    if (message.type === 'describe') this.#describe(message);
+    else if (this.#isOpening) this.#waiting.push(message);
     else this.#take(message);
   }
 
@@ -58,7 +63,7 @@ export class SessionDriver {
     if (task) this.#attempt(task.revision, this.#advance, task);
   }
 
-  #take(message: Exclude<ToWorker, Request<'open'>>): void {
+  #take(message: Turned): void {
     switch (message.type) {
       case 'solve':
         this.#next = message;
@@ -109,6 +114,12 @@ export class SessionDriver {
     if (!isCurrent()) return;
     this.#isOpening = false;
     for (const request of this.#waiting.splice(0)) this.#take(request);
+  }
+
+  #describe({ revision, file }: Request<'describe'>): void {
+    const description = this.#reader.describePhotometry(new Uint8Array(file));
+    const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
+    this.#post({ type: 'described', revision, description }, transfer);
   }
 
   #beginSearch(request: Request<'solve'>): void {

@@ -2,6 +2,7 @@
  * The page's end of the solver: numbers the requests, drops answers that are no longer asked for (latest wins), and
  * starts a new worker with the same room and wish when the old one dies.
  */
+import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
 
@@ -37,15 +38,21 @@ const laneOf = {
   alpha: 'layout',
   bound: 'bound',
   check: 'check',
-} as const satisfies Record<Exclude<ToWorker['type'], 'stop'>, Lane>;
+} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'describe'>, Lane>;
 
-type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' }>;
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'describe' }>;
+
+interface Reading {
+  readonly resolve: (description: PhotometricDescription) => void;
+  readonly reject: (error: Error) => void;
+}
 
 /** Each request returns its revision. */
 export class SolverClient {
   readonly #createWorker: () => WorkerLike;
   readonly #receive: (message: FromWorker) => void;
   readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, check: 0 };
+  readonly #readings = new Map<number, Reading>(); // photometric files that are being read, by revision
   #worker: WorkerLike;
   #revision = 0;
   #deaths = 0;
@@ -96,12 +103,23 @@ export class SolverClient {
     return this.#ask({ type: 'check', revision: ++this.#revision, intentions, layout, search });
   }
 
+  /** Reads a photometric file, of which it keeps nothing. Rejects with one readable line. */
+  describe(file: Uint8Array): Promise<PhotometricDescription> {
+    const revision = ++this.#revision;
+    const copy = file.slice().buffer;
+    return new Promise((resolve, reject) => {
+      this.#readings.set(revision, { resolve, reject });
+      this.#worker.postMessage({ type: 'describe', revision, file: copy }, [copy]);
+    });
+  }
+
   stop(): void {
     this.#wish = null;
     this.#worker.postMessage({ type: 'stop' }, []);
   }
 
   dispose(): void {
+    this.#endReadings();
     this.#worker.terminate();
   }
 
@@ -141,6 +159,7 @@ export class SolverClient {
 
   /** note: a worker whose script cannot be loaded tells no reason. */
   #restart(reason: string | undefined): void {
+    this.#endReadings();
     this.#worker.terminate();
     if (++this.#deaths >= hopeless) {
       this.#isGone = true;
@@ -174,7 +193,22 @@ export class SolverClient {
     if (wish) this.#worker.postMessage(wish, []);
   }
 
+  #endReadings(): void {
+    const readings = [...this.#readings.values()];
+    this.#readings.clear();
+    for (const { reject } of readings)
+      reject(new Error('the solver stopped while it read the file; try again'));
+  }
+
+  #described({ revision, description }: Extract<FromWorker, { readonly type: 'described' }>): void {
+    const reading = this.#readings.get(revision);
+    this.#readings.delete(revision);
+    if (typeof description === 'string') reading?.reject(new Error(description));
+    else reading?.resolve(description);
+  }
+
   #take(message: FromWorker): void {
+    if (message.type === 'described') return this.#described(message);
     if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
     if (this.#isCurrent(message)) this.#receive(message);
   }

@@ -23,7 +23,11 @@ const codes: CoreCodes = {
 function moduleWith(names: readonly string[], counts: CoreCodes | null = codes): CoreModule {
   class Session {}
   for (const name of names) Object.defineProperty(Session.prototype, name, { value: () => '' });
-  return { Session, ...(counts && { codes: () => counts }) } as unknown as CoreModule;
+  return {
+    Session,
+    describePhotometry: () => '',
+    ...(counts && { codes: () => counts }),
+  } as unknown as CoreModule;
 }
 
 test('every method that the page calls must be there', () => {

@@ -8,6 +8,13 @@ import { pace } from '../../../web/solver/pacing.ts';
 import { ArrivingFile } from '../../../web/solver/scene-stream.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeClock, FakeSession } from './fake-session.ts';
+import { described } from '../described.ts';
+
+/** Reads files of one byte: their luminous intensity. */
+const reader = {
+  describePhotometry: (file: Uint8Array) =>
+    file[0] ? described(file[0]) : 'the file is empty; fetch it again',
+};
 
 let clock: FakeClock;
 let session: FakeSession;
@@ -21,6 +28,7 @@ beforeEach(() => {
   answers = [];
   transferred = [];
   driver = new SessionDriver(
+    reader,
     session,
     (message, transfer) => {
       answers.push(message);
@@ -185,10 +193,41 @@ describe('solve', () => {
   });
 });
 
+describe('a photometric file', () => {
+  const read = (revision: number, ...bytes: number[]): ToWorker => ({
+    type: 'describe',
+    revision,
+    file: Uint8Array.from(bytes).buffer,
+  });
+
+  test('is read at once, before there is a room and while one is opened', async () => {
+    await driver.receive(read(1, 7));
+    const opening = driver.receive(open(2, 1, 7));
+    await driver.receive(read(3, 9));
+    expect(kinds()).toEqual(['described 1', 'described 3']);
+    await opening;
+    expect(answers[0]).toMatchObject({ description: { maxCandela: 7 } });
+  });
+
+  test('lets a search go on, and is answered by one line where it is none', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    await driver.receive(read(3));
+    expect(answers.at(-1)).toEqual({
+      type: 'described',
+      revision: 3,
+      description: 'the file is empty; fetch it again',
+    });
+    settle();
+    expect(kinds().at(-1)).toBe('settled 2');
+  });
+});
+
 describe('the pace of a search', () => {
   test('on a slow scene the first answer does not wait for all its evaluations', async () => {
     session = new FakeSession(clock, 20);
-    driver = new SessionDriver(session, (message) => answers.push(message), clock.read);
+    driver = new SessionDriver(reader, session, (message) => answers.push(message), clock.read);
     await driver.receive(open(1, 1, 7));
     const asking = clock.now;
     await driver.receive(solve(2));

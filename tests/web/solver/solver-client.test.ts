@@ -3,6 +3,8 @@ import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
+import type { PhotometricDescription } from '../../../web/document/photometry.ts';
+import { described as sample } from '../described.ts';
 import { asked } from './fake-session.ts';
 
 class FakeWorker implements WorkerLike {
@@ -207,5 +209,34 @@ describe('a worker that dies', () => {
     for (let i = 0; i < 3; ++i) worker().die('Uncaught Error: core.wasm does not fit this page');
     const message = 'the solver stopped (core.wasm does not fit this page); reload the page to go on';
     expect(received).toMatchObject([{ type: 'failed', message }]);
+  });
+});
+
+describe('a photometric file', () => {
+  const described = (revision: number, description: PhotometricDescription | string): FromWorker => ({
+    type: 'described',
+    revision,
+    description,
+  });
+  const revisionOf = (at: number) => {
+    const message = worker().sent[at];
+    return message?.type === 'describe' ? message.revision : -1;
+  };
+
+  test('each is told to whoever asked, in whatever order, and the bytes stay', async () => {
+    const bytes = Uint8Array.of(7, 8);
+    const [one, other] = [client.describe(bytes), client.describe(Uint8Array.of(9))];
+    worker().answer(described(revisionOf(1), 'this is a picture'));
+    worker().answer(described(revisionOf(0), sample(5)));
+    await expect(one).resolves.toMatchObject({ maxCandela: 5 });
+    await expect(other).rejects.toThrow('this is a picture');
+    expect([...bytes]).toEqual([7, 8]);
+    expect(received).toEqual([]);
+  });
+
+  test('of which the worker dies is told of', async () => {
+    const reading = client.describe(Uint8Array.of(7));
+    worker().die('out of memory');
+    await expect(reading).rejects.toThrow(/stopped while it read the file/);
   });
 });
