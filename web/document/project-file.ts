@@ -1,5 +1,6 @@
 /** A project file: the document with its layout, camera and display, as JSON that a person can read. */
 import * as v from 'valibot';
+import { filesSchema, type PhotometricFiles } from './photometric-files.ts';
 import { cameraSchema, displaySchema, documentSchema, firstFault } from './schema.ts';
 import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
@@ -7,10 +8,11 @@ export interface Project {
   readonly document: FiatLuxDocument;
   readonly camera: Camera | null;
   readonly display: Display | null;
+  readonly files?: PhotometricFiles; // that its luminaire types name
 }
 
 const version = 1;
-const largest = 8 << 20; // bytes
+const largest = 32 << 20; // characters
 
 const projectSchema = v.object({
   fiatlux: v.literal('project'),
@@ -18,6 +20,7 @@ const projectSchema = v.object({
   document: documentSchema,
   camera: v.nullable(cameraSchema),
   display: v.nullable(displaySchema),
+  files: v.exactOptional(filesSchema),
 });
 
 export function writeProject(project: Project): string {
@@ -26,7 +29,7 @@ export function writeProject(project: Project): string {
 
 /** The project, or one readable line. */
 export function readProject(text: string): Project | string {
-  if (text.length > largest) return 'This file is too large for a project (8 MB at most).';
+  if (text.length > largest) return 'This file is too large for a project (32 MB at most).';
   let json: unknown;
   try {
     json = JSON.parse(text);
@@ -38,6 +41,6 @@ export function readProject(text: string): Project | string {
     return `This project was made by a newer Fiat Lux (file version ${claimed}; this app reads up to ${version}).`;
   const parsed = v.safeParse(projectSchema, json);
   if (!parsed.success) return `This is not a Fiat Lux project (${firstFault(parsed.issues)}).`;
-  const { document, camera, display } = parsed.output;
-  return { document, camera, display };
+  const { document, camera, display, files } = parsed.output;
+  return { document, camera, display, ...(files && { files }) };
 }

@@ -25,11 +25,13 @@ const names = v.pipe(v.array(nameSchema), v.minLength(1), v.maxLength(200));
 const site = whole(0, mostSites - 1);
 const sites = v.pipe(v.array(site), v.maxLength(mostSites));
 
+const idSchema = v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/));
+
 /** A card whose bounds on light are what `bound` lets pass. */
 export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
   const range = v.object({ min: v.exactOptional(bound), max: v.exactOptional(bound) });
   return v.object({
-    id: v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/)),
+    id: idSchema,
     surfaces: names,
     verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
     weight: number(0, 1000),
@@ -46,12 +48,52 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
 
 export const cardSchema = cardOf(lux);
 
+const metre = number(-1e5, 1e5);
+export const pointSchema = v.tuple([metre, metre, metre]);
+
+export const mostTypes = 16;
+export const hashSchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{16}$/));
+const degrees = number(-360, 360);
+
+/** What a link has to say of a type, too. */
+export const typeEntries = {
+  id: idSchema,
+  name: nameSchema,
+  maker: v.pipe(v.string(), v.maxLength(2000), v.transform(cleanName)),
+  file: nameSchema,
+  hash: hashSchema,
+  flux: number(1e-3, 1e7),
+  watts: number(0, 1e6),
+  isOverridden: v.exactOptional(v.boolean()),
+  isAllowed: v.boolean(),
+  count: v.pipe(
+    v.tuple([whole(0, mostLuminaires), whole(0, mostLuminaires)]),
+    v.check(([low, high]) => low <= high, 'the range of the count is upside down'),
+  ),
+  turns: v.pipe(v.array(degrees), v.minLength(1), v.maxLength(72)),
+  tilt: number(0, 180),
+  aims: v.pipe(v.array(v.union([nameSchema, pointSchema])), v.maxLength(64)),
+};
+
+const typesSchema = v.pipe(
+  v.array(v.object(typeEntries)),
+  v.maxLength(mostTypes),
+  v.check((types) => new Set(types.map(({ id }) => id)).size === types.length, 'two types have one id'),
+);
+
+export const mountingSchema = v.object({
+  type: idSchema,
+  turn: degrees,
+  aim: v.nullable(pointSchema),
+});
+
 const dimming = v.pipe(
   v.tuple([number(0, 1), number(0, 1)]),
   v.check(([low, high]) => low <= high, 'the dimming range is upside down'),
 );
 
 export const luminairesSchema = v.object({
+  types: v.exactOptional(typesSchema),
   count: whole(1, mostLuminaires),
   flux: number(0, 1e7),
   dimming,
@@ -65,8 +107,13 @@ export const layoutSchema = v.pipe(
     sites: v.pipe(sites, v.maxLength(mostLuminaires)),
     flux: v.pipe(v.array(number(0, 1e7)), v.maxLength(mostLuminaires)),
     dimming: number(0, 1),
+    mountings: v.exactOptional(v.pipe(v.array(mountingSchema), v.maxLength(mostLuminaires))),
   }),
   v.check((layout) => layout.sites.length === layout.flux.length, 'sites and fluxes differ in number'),
+  v.check(
+    ({ sites: all, mountings }) => mountings === undefined || mountings.length === all.length,
+    'sites and mountings differ in number',
+  ),
 );
 
 export const identitySchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{0,16}$/));
@@ -86,8 +133,6 @@ export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.objec
   layout: v.nullable(layoutSchema),
 });
 
-const metre = number(-1e5, 1e5);
-export const pointSchema = v.tuple([metre, metre, metre]);
 export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
   position: pointSchema,
   target: pointSchema,

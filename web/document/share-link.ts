@@ -1,11 +1,13 @@
 /**
  * A layout as a link: pure `encodeLink` / `decodeLink`, everything in the hash, nothing fetched from it.
  * `#f<version>.<payload>.<checksum>`: the payload is deflated JSON in base64url, the checksum its CRC-32. Luminaires are
- * positions in centimetres, so that a link survives a renumbering of the sites.
+ * positions in centimetres, so that a link survives a renumbering of the sites. Version 2 has luminaire types: their
+ * photometric files as text as far as these fit, the others by hash and name. A link without types is of version 1.
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import * as v from 'valibot';
 import { crc32, fromBase64Url, toBase64Url } from './base64url.ts';
+import { bytesOfText, hashOf, type PhotometricFiles } from './photometric-files.ts';
 import {
   cameraSchema,
   cardsSchema,
@@ -14,14 +16,16 @@ import {
   identitySchema,
   luminairesSchema,
   mostLuminaires,
+  mostTypes,
   pointSchema,
   quantitySchema,
   roomSchema,
   seedSchema,
+  typeEntries,
 } from './schema.ts';
-import type { Camera, Card, Display, Luminaires, Quantity } from './types.ts';
+import type { Camera, Card, Display, Luminaires, LuminaireType, Mounting, Quantity } from './types.ts';
 
-export const linkVersion = 1;
+export const linkVersion = 2;
 export const longestLink = 1800; // characters that are made
 const longestRead = 8000; // characters that are looked at
 const largestPayload = 1 << 18; // bytes after inflating
@@ -40,7 +44,9 @@ export interface Link {
     readonly flux: readonly number[]; // lm, before dimming
     readonly dimming: number;
     readonly pinned: readonly number[];
+    readonly mountings?: readonly Mounting[];
   } | null;
+  readonly files?: PhotometricFiles; // of its types, as far as it carries them
   readonly camera: Camera | null;
   readonly display: Display | null;
 }
@@ -50,7 +56,33 @@ export type Decoded =
   /** `readable`: what could be read nevertheless, to be offered and never shown unasked. */
   | { readonly ok: false; readonly message: string; readonly readable?: Link };
 
-const { pinned: _pinned, ...ruleEntries } = luminairesSchema.entries;
+const { pinned: _pinned, types: _types, ...ruleEntries } = luminairesSchema.entries;
+
+const { id, name, maker, file, hash, flux, watts, count, turns, tilt, aims } = typeEntries;
+
+/** A type: what is usual is left out. */
+const linkedType = v.object({
+  i: id,
+  n: name,
+  m: v.exactOptional(maker, ''),
+  f: file,
+  h: v.exactOptional(hash), // where the text is not there
+  d: v.exactOptional(v.pipe(v.string(), v.maxLength(1 << 17))), // the file's text
+  l: flux,
+  w: watts,
+  o: v.exactOptional(v.boolean()),
+  x: v.exactOptional(v.boolean(), false), // not allowed
+  c: count,
+  u: v.exactOptional(turns, () => [0]),
+  k: v.exactOptional(tilt, 0),
+  a: v.exactOptional(aims, () => []),
+});
+
+/** Number of the type, its turn, and where it is aimed (cm). */
+const linkedMounting = v.union([
+  v.strictTuple([v.number(), v.number()]),
+  v.strictTuple([v.number(), v.number(), v.number(), v.number(), v.number()]),
+]);
 
 const payloadSchema = v.object({
   i: identitySchema,
@@ -72,8 +104,10 @@ const payloadSchema = v.object({
         v.pipe(v.array(v.pipe(v.number(), v.integer(), v.minValue(0))), v.maxLength(mostLuminaires)),
         [],
       ),
+      h: v.exactOptional(v.pipe(v.array(linkedMounting), v.maxLength(mostLuminaires))),
     }),
   ),
+  t: v.exactOptional(v.pipe(v.array(linkedType), v.maxLength(mostTypes))),
   k: v.exactOptional(cameraSchema),
   d: v.exactOptional(displaySchema),
 });
@@ -84,16 +118,50 @@ const round = (value: number, digits: number) => Number(value.toFixed(digits));
 const rounded = (point: readonly number[], digits: number, scale = 1) =>
   point.map((value) => round(value * scale, digits) || 0) as [number, number, number];
 
-/** The hash of a link, with its '#'. Throws one readable line when it would be longer than a link may be. */
-export function encodeLink(link: Link): string {
+/** A link's hash, with its '#', and the names of the files that did not fit: the receiver is asked for these. */
+export interface FittedLink {
+  readonly hash: string;
+  readonly left: readonly string[];
+}
+
+/**
+ * The longest files are left out first. Throws one readable line when it would be longer than a link may be
+ * nevertheless.
+ */
+export function fitLink(link: Link): FittedLink {
+  const types = link.luminaires.types ?? [];
+  const carried = { ...link.files };
+  for (;;) {
+    const hash = encode({ ...link, files: carried });
+    if (hash.length <= longestLink)
+      return { hash, left: types.filter((type) => !(type.hash in carried)).map((type) => type.file) };
+    const longest = Object.keys(carried).sort((a, b) => carried[b]!.length - carried[a]!.length)[0];
+    if (longest === undefined)
+      throw new Error('This is more than a link can carry (1800 characters). Save a project file instead.');
+    delete carried[longest];
+  }
+}
+
+export const encodeLink = (link: Link): string => fitLink(link).hash;
+
+function encode(link: Link): string {
+  const bytes = deflateSync(strToU8(JSON.stringify(payloadOf(link))), { level: 9 });
+  const checksum = crc32(bytes).toString(16).padStart(8, '0');
+  const version = link.luminaires.types?.length ? linkVersion : 1;
+  return `#f${version}.${toBase64Url(bytes)}.${checksum}`;
+}
+
+function payloadOf(link: Link): Payload {
   const { layout, camera, display } = link;
-  const uniform = layout && layout.flux.every((flux) => flux === layout.flux[0]);
-  const payload: Payload = {
+  const { types = [], ...rules } = link.luminaires;
+  const uniform = layout && layout.flux.every((each) => each === layout.flux[0]);
+  const numbers = new Map(types.map((type, number) => [type.id, number]));
+  return {
     i: link.scene,
     r: link.room,
     c: structuredClone(link.cards) as Payload['c'],
     ...(link.saving && { w: true }),
-    l: { ...link.luminaires, dimming: [...link.luminaires.dimming], excluded: [...link.luminaires.excluded] },
+    l: { ...rules, dimming: [...rules.dimming], excluded: [...rules.excluded] },
     ...(link.quantity === 'exitance' && { q: link.quantity }),
     s: link.seed,
     ...(layout && {
@@ -102,19 +170,44 @@ export function encodeLink(link: Link): string {
         f: uniform ? layout.flux.slice(0, 1) : [...layout.flux],
         t: round(layout.dimming, 6),
         n: [...layout.pinned],
+        ...(layout.mountings && { h: layout.mountings.map((each) => mountingIn(each, numbers)) }),
       },
     }),
+    ...(types.length > 0 && { t: types.map((type) => typeIn(type, link.files?.[type.hash])) }),
     ...(camera && {
       k: { ...camera, position: rounded(camera.position, 3), target: rounded(camera.target, 3) },
     }),
     ...(display && { d: { ...display, range: [...display.range], exposure: round(display.exposure, 3) } }),
   };
-  const bytes = deflateSync(strToU8(JSON.stringify(payload)), { level: 9 });
-  const checksum = crc32(bytes).toString(16).padStart(8, '0');
-  const hash = `#f${linkVersion}.${toBase64Url(bytes)}.${checksum}`;
-  if (hash.length > longestLink)
-    throw new Error('This is more than a link can carry (1800 characters). Save a project file instead.');
-  return hash;
+}
+
+function typeIn(type: LuminaireType, text: string | undefined): v.InferInput<typeof linkedType> {
+  const isUnturned = type.turns.length === 1 && type.turns[0] === 0;
+  return {
+    i: type.id,
+    n: type.name,
+    ...(type.maker && { m: type.maker }),
+    f: type.file,
+    ...(text === undefined ? { h: type.hash } : { d: text }),
+    l: type.flux,
+    w: type.watts,
+    ...(type.isOverridden && { o: true }),
+    ...(!type.isAllowed && { x: true }),
+    c: [...type.count],
+    ...(!isUnturned && { u: [...type.turns] }),
+    ...(type.tilt !== 0 && { k: type.tilt }),
+    ...(type.aims.length > 0 && {
+      a: type.aims.map((aim) => (typeof aim === 'string' ? aim : rounded(aim, 3))),
+    }),
+  };
+}
+
+function mountingIn(
+  { type, turn, aim }: Mounting,
+  numbers: ReadonlyMap<string, number>,
+): v.InferInput<typeof linkedMounting> {
+  const number = numbers.get(type) ?? 0;
+  return aim ? [number, turn, ...rounded(aim, 1, 100)] : [number, turn];
 }
 
 const damaged = (what: string): Decoded => ({
@@ -133,10 +226,11 @@ export function decodeLink(hash: string): Decoded {
   if (!bytes || crc32(bytes) !== Number.parseInt(parts[3] ?? '', 16))
     return damaged('its checksum does not fit, so a part of it was changed or lost');
   const link = readPayload(bytes);
-  if (version === linkVersion) return typeof link === 'string' ? damaged(link) : { ok: true, link };
+  if (version >= 1 && version <= linkVersion)
+    return typeof link === 'string' ? damaged(link) : { ok: true, link };
   return {
     ok: false,
-    message: `This link was made by another version of Fiat Lux (link version ${version}; this app reads version ${linkVersion}).`,
+    message: `This link was made by another version of Fiat Lux (link version ${version}; this app reads up to version ${linkVersion}).`,
     ...(typeof link !== 'string' && { readable: link }),
   };
 }
@@ -153,15 +247,21 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, y, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, y, t, k, d } = parsed.output;
   if (y && y.f.length !== y.p.length && y.f.length !== 1) return 'luminaires and fluxes differ in number';
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
+  const types = t ? typesFrom(t) : null;
+  if (typeof types === 'string') return types;
+  const mountings = y?.h && mountingsFrom(y.h, types?.types ?? []);
+  if (typeof mountings === 'string') return mountings;
+  if (mountings && mountings.length !== y?.p.length) return 'luminaires and mountings differ in number';
   return {
     scene: i,
     room: r,
     cards: c as readonly Card[],
     saving: w,
-    luminaires: l,
+    luminaires: types ? { ...l, types: types.types } : l,
+    ...(types && { files: types.files }),
     quantity: q,
     seed: s,
     layout: y
@@ -170,9 +270,41 @@ function readPayload(bytes: Uint8Array): Link | string {
           flux: y.p.map((_, index) => y.f[index] ?? y.f[0] ?? 0),
           dimming: y.t,
           pinned: y.n,
+          ...(mountings && { mountings }),
         }
       : null,
     camera: k ?? null,
     display: d ?? null,
   };
+}
+
+/** The types and the files that they carry, or what is wrong with them. */
+function typesFrom(
+  list: readonly v.InferOutput<typeof linkedType>[],
+): { readonly types: LuminaireType[]; readonly files: PhotometricFiles } | string {
+  const files: Record<string, string> = {};
+  const types: LuminaireType[] = [];
+  for (const { i, n, m, f, h, d, l, w, o, x, c, u, k, a } of list) {
+    if (types.some((other) => other.id === i)) return 'two of its luminaire types have one name';
+    const own = d === undefined ? h : hashOf(bytesOfText(d));
+    if (own === undefined) return 'it does not say which file a luminaire type is of';
+    if (d !== undefined) files[own] = d;
+    const overridden = o && { isOverridden: true };
+    const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a };
+    types.push({ id: i, name: n, maker: m, file: f, hash: own, flux: l, watts: w, ...overridden, ...use });
+  }
+  return { types, files };
+}
+
+function mountingsFrom(
+  list: readonly v.InferOutput<typeof linkedMounting>[],
+  types: readonly LuminaireType[],
+): Mounting[] | string {
+  const isBounded = list.every((each) => each.every((value) => Math.abs(value) <= 1e7));
+  if (!isBounded || list.some(([number]) => !types[number])) return 'a luminaire is of no type that it has';
+  return list.map(([number, turn, ...aim]) => ({
+    type: types[number]!.id,
+    turn,
+    aim: aim.length === 3 ? (aim.map((value) => value / 100) as [number, number, number]) : null,
+  }));
 }

@@ -1,4 +1,5 @@
 /** Between sites of a scene and positions in the room: links and exports speak in positions, the core in sites. */
+import { filesOf, type PhotometricFiles } from './photometric-files.ts';
 import type { Link } from './share-link.ts';
 import type { FiatLuxDocument, Layout, Luminaires, SceneInfo } from './types.ts';
 
@@ -33,6 +34,7 @@ export function linkOf(
   layout: Layout | null,
   sites: Sites,
   view: Pick<Link, 'camera' | 'display'>,
+  files: PhotometricFiles = {},
 ): Link {
   const { pinned, ...rules } = document.luminaires;
   const { scene, room, cards, saving, quantity, seed } = document;
@@ -49,7 +51,9 @@ export function linkOf(
       flux: layout.flux,
       dimming: layout.dimming,
       pinned: pinned.map((site) => layout.sites.indexOf(site)).filter((index) => index >= 0),
+      ...(layout.mountings && { mountings: layout.mountings }),
     },
+    ...(rules.types && { files: filesOf(files, document) }),
     ...view,
   };
 }
@@ -65,16 +69,25 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   let pinned: number[] = [];
   if (link.layout) {
     const chosen: number[] = [];
+    const kept: number[] = []; // luminaires that have a place, by their numbers in the link
     for (const [index, position] of link.layout.positions.entries()) {
       const { site, distance: away } = nearestSite(sites, position);
       const reach = exact ? 0.5 * (sites.size[site] ?? 0) : Infinity;
       if (site < 0 || away > reach)
         return `Luminaire L${index + 1} of this link hangs where this room has no place for it.`;
-      if (!chosen.includes(site)) chosen.push(site);
-      else if (exact) return `Two luminaires of this link hang at the same place (L${index + 1}).`;
+      if (!chosen.includes(site)) {
+        chosen.push(site);
+        kept.push(index);
+      } else if (exact) return `Two luminaires of this link hang at the same place (L${index + 1}).`;
     }
-    layout = { sites: chosen, flux: link.layout.flux.slice(0, chosen.length), dimming: link.layout.dimming };
-    pinned = link.layout.pinned.flatMap((index) => chosen[index] ?? []);
+    const { flux, dimming, mountings } = link.layout;
+    layout = {
+      sites: chosen,
+      flux: kept.map((index) => flux[index]!),
+      dimming,
+      ...(mountings && { mountings: kept.map((index) => mountings[index]!) }),
+    };
+    pinned = link.layout.pinned.flatMap((index) => chosen[kept.indexOf(index)] ?? []);
   }
   if (link.luminaires.count > m)
     return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;

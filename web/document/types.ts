@@ -62,7 +62,41 @@ export interface Card {
   readonly contrast?: { readonly over: SurfaceNames; readonly min: number };
 }
 
+/** A point of the room, m. */
+export type Point = readonly [number, number, number];
+
+/** Where luminaires of a type may be aimed: at the middle of a surface, by its name, or at a point. */
+export type Aim = string | Point;
+
+/**
+ * A luminaire type: a photometric file and how luminaires of it may be used. The file itself is kept beside the
+ * document (document/photometric-files.ts), under its hash.
+ */
+export interface LuminaireType {
+  readonly id: string;
+  readonly name: string; // as the file or a person says, never empty
+  readonly maker: string;
+  readonly file: string; // its name
+  readonly hash: string; // of its bytes, 16 hex digits
+  readonly flux: number; // lm of one luminaire
+  readonly watts: number; // W of one luminaire; 0: not known
+  readonly isOverridden?: boolean; // the flux is not that of the file's table
+  readonly isAllowed: boolean; // the search may use it
+  readonly count: readonly [number, number]; // of its luminaires
+  readonly turns: readonly number[]; // degrees about the mount's normal, from its axis; at least one
+  readonly tilt: number; // degrees that gamma 0 leans from the mount's normal towards C0, where it is not aimed
+  readonly aims: readonly Aim[]; // none: it shines along the mount's normal
+}
+
+/** A luminaire of a type as it hangs. */
+export interface Mounting {
+  readonly type: string; // its id
+  readonly turn: number; // degrees
+  readonly aim: Point | null; // that gamma 0 goes through; null: as the type's tilt says
+}
+
 export interface Luminaires {
+  readonly types?: readonly LuminaireType[]; // absent or none: Lambertian squares of `flux`
   readonly count: number;
   readonly flux: number; // lm each
   readonly dimming: readonly [number, number]; // common factor t; equal = not dimmable
@@ -82,6 +116,7 @@ export interface Layout {
   readonly sites: readonly number[];
   readonly flux: readonly number[];
   readonly dimming: number;
+  readonly mountings?: readonly Mounting[]; // one a luminaire; absent: Lambertian squares
 }
 
 export interface FiatLuxDocument {

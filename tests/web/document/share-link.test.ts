@@ -1,7 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { deflateSync, strToU8 } from 'fflate';
 import { crc32, toBase64Url } from '../../../web/document/base64url.ts';
-import { decodeLink, encodeLink, longestLink, type Link } from '../../../web/document/share-link.ts';
+import { decodeLink, encodeLink, fitLink, longestLink, type Link } from '../../../web/document/share-link.ts';
+import { luminaireType, photometricText } from './luminaire-type.ts';
 
 const link: Link = {
   scene: '0123456789abcdef',
@@ -138,6 +139,73 @@ describe('a link', () => {
   });
 });
 
+describe('a link with luminaire types', () => {
+  const texts = [photometricText(20), photometricText(30)];
+  const types = [
+    luminaireType('t1', texts[0]!, { turns: [0, 90], aims: ['picture 3', [1.25, 2, -0.5]], tilt: 0 }),
+    luminaireType('t2', texts[1]!, { isAllowed: false, isOverridden: true, count: [2, 4], tilt: 30 }),
+  ];
+  const files = Object.fromEntries(types.map((type, i) => [type.hash, texts[i]!]));
+  const mountings = [
+    { type: 't2', turn: 0, aim: null },
+    { type: 't1', turn: 90, aim: [1.25, 2, -0.5] as const },
+    { type: 't1', turn: 0, aim: null },
+  ];
+  const typed: Link = {
+    ...link,
+    luminaires: { ...link.luminaires, types },
+    layout: { ...link.layout!, mountings },
+    files,
+  };
+
+  test('comes back as it went, files and all', () => {
+    const { hash, left } = fitLink(typed);
+    expect(hash).toMatch(/^#f2\./);
+    expect(left).toEqual([]);
+    expect(decodeLink(hash)).toEqual({ ok: true, link: typed });
+  });
+
+  test('leaves out the longest file first where they do not fit, and says which', () => {
+    const noise = Array.from({ length: 4000 }, (_, i) => ((i * 7919) % 9973).toString(36)).join(' ');
+    const large = luminaireType('t2', noise);
+    const crowded: Link = {
+      ...typed,
+      luminaires: { ...link.luminaires, types: [types[0]!, large] },
+      files: { ...files, [large.hash]: noise },
+    };
+    const { hash, left } = fitLink(crowded);
+    expect(hash.length).toBeLessThanOrEqual(longestLink);
+    expect(left).toEqual(['spot-t2.ies']);
+    const read = decodeLink(hash);
+    if (!read.ok) throw new Error(read.message);
+    expect(read.link.luminaires.types).toEqual(crowded.luminaires.types);
+    expect(Object.keys(read.link.files ?? {})).toEqual([types[0]!.hash]);
+  });
+
+  test('names what nobody has any more, too', () => {
+    expect(fitLink({ ...typed, files: {} }).left).toEqual(['spot-t1.ies', 'spot-t2.ies']);
+  });
+
+  test.each([
+    ['no such type', { y: { p: [[0, 0, 0]], f: [1], h: [[7, 0]] } }, /of no type/],
+    ['fewer mountings', { y: { p: [[0, 0, 0]], f: [1], h: [] } }, /differ in number/],
+    ['a type twice', { t: [type('a'), type('a')] }, /one name/],
+    ['a type of no file', { t: [{ ...type('a'), h: undefined }] }, /which file/],
+    [
+      'a turn beyond numbers',
+      { y: { p: [[0, 0, 0]], f: [1], h: [[0, 1e99]] }, t: [type('a')] },
+      /of no type/,
+    ],
+  ])('%s is refused', (_, more, message) => {
+    const read = decodeLink(forged(JSON.stringify({ ...plain, l: rules, ...more }), 2));
+    expect(read).toMatchObject({ ok: false, message: expect.stringMatching(message) });
+  });
+
+  function type(id: string) {
+    return { i: id, n: 'x', f: 'x.ies', h: '0'.repeat(16), l: 1, w: 1, c: [0, 1] };
+  }
+});
+
 describe('a hostile link', () => {
   const refused = (hash: string) => {
     const read = decodeLink(hash);
@@ -211,8 +279,8 @@ describe('a hostile link', () => {
   });
 
   test('of a newer version says so and offers what can be read', () => {
-    const read = refused(forged(JSON.stringify({ ...plain, l: rules, future: true }), 2));
-    expect(read).toMatchObject({ message: expect.stringContaining('version 2'), readable: { room: 'box' } });
+    const read = refused(forged(JSON.stringify({ ...plain, l: rules, future: true }), 3));
+    expect(read).toMatchObject({ message: expect.stringContaining('version 3'), readable: { room: 'box' } });
     const opaque = refused(forged('{"all":"new"}', 9));
     expect('readable' in opaque).toBe(false);
   });

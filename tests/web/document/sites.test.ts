@@ -52,6 +52,30 @@ describe('positions and sites', () => {
     expect(documentOf(twice, scene, false)).toMatchObject({ layout: { sites: [0], flux: [1200] } });
   });
 
+  test('mountings stay with their luminaires, also where one of them is dropped', () => {
+    const mountings = [
+      { type: 'a', turn: 0, aim: null },
+      { type: 'b', turn: 90, aim: [1, 2, 3] as const },
+    ];
+    const typed = linkOf(document, { ...layout, mountings }, scene.sites, { camera: null, display: null });
+    expect(documentOf(typed, scene, true)).toMatchObject({ layout: { mountings } });
+    const [, second] = typed.layout!.positions;
+    const other = {
+      ...typed,
+      layout: {
+        ...typed.layout!,
+        positions: [second!, second!, [2, 3, 2] as const],
+        flux: [1, 2, 3],
+        pinned: [2],
+        mountings: [mountings[0]!, mountings[0]!, mountings[1]!],
+      },
+    };
+    expect(documentOf(other, scene, false)).toMatchObject({
+      layout: { sites: [5, 10], flux: [1, 3], mountings },
+      luminaires: { pinned: [10] },
+    });
+  });
+
   test('nearest site', () => {
     expect(nearestSite(scene.sites, [2.2, 3, 0.9])).toEqual({
       site: 6,
