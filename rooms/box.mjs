@@ -1,8 +1,8 @@
 // A box of 4 x 4 x 4 m with a red and a green wall and two blocks, for a first look at interreflected light.
 // The luminaires hang from the ceiling in a grid of 0.4 m (100 sites).
 import { Room } from './room.mjs';
-import { Shape } from './shape.mjs';
-import { panel, slab, wallFrames } from './walls.mjs';
+import { Shape } from '../web/room-maker/shape.mjs';
+import { panel, slab, wallFrames } from '../web/room-maker/walls.mjs';
 
 const edge = 4; // m
 

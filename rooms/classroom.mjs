@@ -1,12 +1,12 @@
 // A classroom, 9 x 7.2 x 3.2 m: a whiteboard wall, twelve tables for two and the teacher's desk.
 // The luminaires hang in the 0.6 m grid of the ceiling (180 sites); a working plane lies at 0.75 m.
 import { paintings } from './art.mjs';
-import { bookcase, cupboard, keyboardAndMouse, monitor, shellChair, swivelChair, table } from './furniture.mjs'; // prettier-ignore
-import { floorPlant } from './plants.mjs';
-import { createRandom } from './random.mjs';
+import { bookcase, cupboard, keyboardAndMouse, monitor, shellChair, swivelChair, table } from '../web/room-maker/furniture.mjs'; // prettier-ignore
+import { floorPlant } from '../web/room-maker/plants.mjs';
+import { createRandom } from '../web/room-maker/random.mjs';
 import { Room } from './room.mjs';
-import { Shape, moved } from './shape.mjs';
-import { door, gridFrame, panel, panelWithHoles, slab, wall, wallFrames } from './walls.mjs';
+import { Shape, moved } from '../web/room-maker/shape.mjs';
+import { door, gridFrame, panel, panelWithHoles, slab, wall, wallFrames } from '../web/room-maker/walls.mjs';
 
 const [width, height, depth] = [9, 3.2, 7.2];
 const rim = 0.5; // m left out of the working plane along the walls

@@ -2,7 +2,7 @@
 // 24736 patches of 0.1875 m, 1546 clusters of 4x4 patches and a yellow wall of 704 patches.
 // The luminaires hang from the spine's 258 ceiling cells.
 import { Room } from './room.mjs';
-import { Shape } from './shape.mjs';
+import { Shape } from '../web/room-maker/shape.mjs';
 
 export const cell = 0.75; // m
 export const height = 4; // cells

@@ -1,11 +1,11 @@
 // A picture gallery, 14 x 9 x 4 m: pictures on all walls, a free-standing wall, sculptures on plinths.
 // The luminaires hang from the ceiling in a grid of 1 m (126 sites).
 import { paintings } from './art.mjs';
-import { bench } from './furniture.mjs';
+import { bench } from '../web/room-maker/furniture.mjs';
 import { Room } from './room.mjs';
 import { beads, knot, twist } from './sculptures.mjs';
-import { Shape } from './shape.mjs';
-import { gridFrame, panel, panelWithHoles, slab, wall, wallFrames } from './walls.mjs';
+import { Shape } from '../web/room-maker/shape.mjs';
+import { gridFrame, panel, panelWithHoles, slab, wall, wallFrames } from '../web/room-maker/walls.mjs';
 
 const [width, height, depth] = [14, 4, 9];
 const eyeHeight = 1.6; // m, where the middle of a picture hangs

@@ -3,6 +3,7 @@
 //   paint        () => picture in linear light (patterns.mjs), tile: its width and height in metres
 //   reflectance  luminance of the material, or the mean of its texture; without it the colour's own
 //   roughness, metallic, alpha: for the display only
+import { plainMaterials } from '../web/room-maker/plain-materials.mjs';
 import * as patterns from './patterns.mjs';
 
 const plaster = (colour, reflectance, seed) => ({
@@ -12,6 +13,8 @@ const plaster = (colour, reflectance, seed) => ({
 });
 
 export const materials = {
+  ...plainMaterials,
+
   // walls and ceilings
   'white plaster': plaster('#f4f1ea', 0.7, 11),
   'gallery plaster': plaster('#f5f3ee', 0.72, 12),
@@ -64,14 +67,7 @@ export const materials = {
     roughness: 0.6,
   },
   'white board': { colour: '#efeeea', reflectance: 0.75, roughness: 0.5 },
-  'white lacquer': { colour: '#efece6', reflectance: 0.68, roughness: 0.5 },
   'blue lacquer': { colour: '#3f6f96', reflectance: 0.15, roughness: 0.5 },
-  'grey lacquer': { colour: '#a9adb0', reflectance: 0.4, roughness: 0.5 },
-  'dark steel': { colour: '#3c3f43', reflectance: 0.06, roughness: 0.45, metallic: 0.2 },
-  'pale steel': { colour: '#c3c6c8', reflectance: 0.5, roughness: 0.4, metallic: 0.2 },
-  'black plastic': { colour: '#26282b', reflectance: 0.04, roughness: 0.6 },
-  screen: { colour: '#11161d', reflectance: 0.03, roughness: 0.25 },
-  glass: { colour: '#1c2a3a', reflectance: 0.06, roughness: 0.1 },
   blind: { paint: () => patterns.slats('#e7e3da', 54), tile: [0.4, 0.4], reflectance: 0.6 },
   'charcoal fabric': { paint: () => patterns.weave('#56595e', 55), tile: [0.2, 0.2], reflectance: 0.1 },
   'blue fabric': { paint: () => patterns.weave('#3f6a86', 56), tile: [0.2, 0.2], reflectance: 0.14 },
@@ -82,16 +78,8 @@ export const materials = {
   'board frame': { colour: '#8f9599', reflectance: 0.3, roughness: 0.5 },
   'picture frame': { colour: '#2b2724', reflectance: 0.05 },
 
-  // plants, sculptures
-  leaf: { colour: '#4f7d3c', reflectance: 0.17, roughness: 0.7 },
-  'dark leaf': { colour: '#37663b', reflectance: 0.11, roughness: 0.7 },
-  stem: { colour: '#6d5a3c', reflectance: 0.11 },
-  earth: { colour: '#4a3b2c', reflectance: 0.06 },
-  pot: { colour: '#d8d3c8', reflectance: 0.55, roughness: 0.7 },
+  // sculptures
   bronze: { colour: '#7d5a35', reflectance: 0.14, roughness: 0.45, metallic: 0.3 },
   marble: { paint: () => patterns.marble('#e9e6e0', 61), tile: [0.8, 0.8], reflectance: 0.7, roughness: 0.5 },
   'red enamel': { colour: '#b4362b', reflectance: 0.16, roughness: 0.4 },
-
-  // seen by nobody: measuring planes
-  'measuring plane': { colour: '#7fb2ff', alpha: 0 },
 };

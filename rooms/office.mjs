@@ -1,12 +1,12 @@
 // An open office, 12 x 7.8 x 2.8 m: twelve desks in three blocks, a meeting corner and a lounge, at dusk.
 // The luminaires hang in the 0.6 m grid of the ceiling (260 sites); a working plane lies at 0.75 m.
 import { paintings } from './art.mjs';
-import { bookcase, cupboard, keyboardAndMouse, monitor, roundTable, shellChair, sofa, swivelChair, table } from './furniture.mjs'; // prettier-ignore
-import { floorPlant } from './plants.mjs';
-import { createRandom } from './random.mjs';
+import { bookcase, cupboard, keyboardAndMouse, monitor, roundTable, shellChair, sofa, swivelChair, table } from '../web/room-maker/furniture.mjs'; // prettier-ignore
+import { floorPlant } from '../web/room-maker/plants.mjs';
+import { createRandom } from '../web/room-maker/random.mjs';
 import { Room } from './room.mjs';
-import { Shape, moved } from './shape.mjs';
-import { door, gridFrame, panel, slab, wall, wallFrames } from './walls.mjs';
+import { Shape, moved } from '../web/room-maker/shape.mjs';
+import { door, gridFrame, panel, slab, wall, wallFrames } from '../web/room-maker/walls.mjs';
 
 const [width, height, depth] = [12, 2.8, 7.8];
 const rim = 0.5; // m left out of the working plane along the walls

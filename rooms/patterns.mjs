@@ -1,7 +1,8 @@
 // Seamless procedural textures: each returns a picture in linear light that repeats in both directions.
 // Tones are rounded to a few levels, which keeps the PNG files small without being visible.
-import { fractal, hash, noise } from './random.mjs';
-import { linearFromHex, mix, paintPicture, shade } from './texture.mjs';
+import { fractal, hash, noise } from '../web/room-maker/random.mjs';
+import { linearFromHex } from '../web/room-maker/colour.mjs';
+import { mix, paintPicture, shade } from './texture.mjs';
 
 const round = (value, levels) => Math.round(value * levels) / levels;
 const chance = (...integers) => hash(...integers) / 4294967296;

@@ -1,5 +1,5 @@
 // Abstract sculptures for the gallery: closed solids around the vertical axis, standing on y = 0.
-import { Shape, moved, scale, turned } from './shape.mjs';
+import { Shape, moved, scale, turned } from '../web/room-maker/shape.mjs';
 
 const gap = 0.001; // m
 

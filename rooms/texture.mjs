@@ -1,24 +1,9 @@
 // Pictures in linear light, and their way into a PNG file of a stated mean reflectance.
 // A picture is { width, height, pixels }: pixels holds linear red, green, blue per pixel, row by row.
 import { PNG } from 'pngjs';
+import { luminance } from '../web/room-maker/colour.mjs';
 
 const srgbFromLinear = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
-const linearFromSrgb = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-
-/** Relative luminance of a linear colour (Rec. 709). */
-export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-
-/** Linear colour of '#rrggbb'. */
-export function linearFromHex(hex) {
-  return [1, 3, 5].map((i) => linearFromSrgb(parseInt(hex.slice(i, i + 2), 16) / 255));
-}
-
-/** The colour scaled to a luminance; without one it stays as it is. Channels stay within 1. */
-export function withReflectance(colour, reflectance) {
-  if (reflectance === undefined) return colour;
-  const factor = reflectance / luminance(colour);
-  return colour.map((c) => Math.min(1, c * factor));
-}
 
 export const mix = (a, b, t) => a.map((c, i) => c + (b[i] - c) * t);
 export const shade = (colour, factor) => colour.map((c) => c * factor);

@@ -8,9 +8,9 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg, tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { createRandom } from '../../rooms/random.mjs';
+import { createRandom } from '../../web/room-maker/random.mjs';
 import { Room } from '../../rooms/room.mjs';
-import { circle, Shape } from '../../rooms/shape.mjs';
+import { circle, Shape } from '../../web/room-maker/shape.mjs';
 
 const [width, height, depth] = [6, 3, 10]; // m
 const promisedSeconds = 180;

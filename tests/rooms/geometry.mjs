@@ -1,6 +1,6 @@
 // Measures of triangle soups for the tests of the sample rooms.
 // A triangle is three points [x, y, z] in metres, counter-clockwise seen from its front.
-import { cross, dot, length, scale, subtract, unit } from '../../rooms/shape.mjs';
+import { cross, dot, length, scale, subtract, unit } from '../../web/room-maker/shape.mjs';
 
 const grid = 1e-4; // m, points closer than this are one
 const snapped = (p) => p.map((c) => Math.round(c / grid + 0.137));

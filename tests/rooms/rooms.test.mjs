@@ -5,13 +5,14 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { NodeIO } from '@gltf-transform/core';
 import { PNG } from 'pngjs';
 import { catalogFile } from '../../rooms/catalog-file.mjs';
 import { catalog } from '../../rooms/catalog.mjs';
 import { cellCounts } from '../../rooms/e-corridor.mjs';
-import { dot, subtract } from '../../rooms/shape.mjs';
-import { encodePng, linearFromHex, luminance, paintPicture } from '../../rooms/texture.mjs';
+import { dot, subtract } from '../../web/room-maker/shape.mjs';
+import { encodePng, paintPicture } from '../../rooms/texture.mjs';
+import { linearFromHex, luminance } from '../../web/room-maker/colour.mjs';
+import { readRoom } from './read-room.mjs';
 import { areaOf, doubleSurfaceArea, normalOf, openEdgeLength, volumeOf } from './geometry.mjs';
 
 const megabyte = 1e6;
@@ -26,39 +27,7 @@ beforeAll(() => {
 }, 120000);
 afterAll(() => folders.forEach((folder) => rmSync(folder, { recursive: true })));
 
-/** What a reader sees: triangles in world space with their vertex normals, by node. */
-async function read(id) {
-  const document = await new NodeIO().readBinary(new Uint8Array(fileOf(id)));
-  const nodes = document.getRoot().listNodes().map((node) => ({
-    name: node.getName(),
-    fiatlux: node.getExtras().fiatlux ?? {},
-    triangles: trianglesOf(node),
-  })); // prettier-ignore
-  const solid = nodes.filter((node) => !node.fiatlux.measure);
-  return { nodes, triangles: solid.flatMap((node) => node.triangles.map((t) => t.points)) };
-}
-
-function trianglesOf(node) {
-  const m = node.getWorldMatrix();
-  const turned = ([x, y, z], w) =>
-    [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i] * w);
-  const triangles = [];
-  for (const primitive of node.getMesh().listPrimitives()) {
-    const [position, normal, uv] = ['POSITION', 'NORMAL', 'TEXCOORD_0'].map((name) =>
-      primitive.getAttribute(name),
-    );
-    const index = primitive.getIndices().getArray();
-    for (let i = 0; i < index.length; i += 3) {
-      const corners = [index[i], index[i + 1], index[i + 2]];
-      triangles.push({
-        points: corners.map((v) => turned(position.getElement(v, []), 1)),
-        normals: corners.map((v) => turned(normal.getElement(v, []), 0)),
-        uvs: corners.map((v) => uv.getElement(v, [])),
-      });
-    }
-  }
-  return triangles;
-}
+const read = (id) => readRoom(fileOf(id));
 
 const surface = (room, name) =>
   room.nodes.filter((node) => (node.fiatlux.surface ?? node.name) === name).flatMap((node) => node.triangles);

@@ -1,0 +1,40 @@
+// Outlines to start from, and "6 x 4 x 2.8" as it is typed.
+
+/** Corners of a room of width x depth (m); what is cut out of it (m) makes the letter. */
+export const outlines = {
+  rectangle: (w, d) => [[0, 0], [w, 0], [w, d], [0, d]],
+  L: (w, d, cutW = w / 2, cutD = d / 2) => [[0, 0], [w, 0], [w, d - cutD], [w - cutW, d - cutD], [w - cutW, d], [0, d]],
+  U: (w, d, cutW = w / 3, cutD = d / 2) => [
+    [0, 0], [w, 0], [w, d], [(w + cutW) / 2, d], [(w + cutW) / 2, d - cutD], [(w - cutW) / 2, d - cutD],
+    [(w - cutW) / 2, d], [0, d],
+  ],
+  T: (w, d, cutW = w / 3, cutD = d / 2) => [
+    [0, 0], [w, 0], [w, d - cutD], [w - cutW, d - cutD], [w - cutW, d], [cutW, d], [cutW, d - cutD], [0, d - cutD],
+  ],
+}; // prettier-ignore
+
+const units = { m: 1, cm: 0.01, mm: 0.001 };
+const usualHeight = 2.8;
+
+/**
+ * "6 x 4 x 2.8", "6 × 4", "600 x 400 x 280 cm", "6,5 by 4 m" -> { width, depth, height } in metres; null where it is none.
+ * Without a height it is 2.8 m; without a unit metres, or centimetres where metres would be no room.
+ */
+export function readSize(text) {
+  const clean = text.trim().toLowerCase().replace(/,/g, '.');
+  const found = /^([\d.]+)\s*(mm|cm|m)?\s*(?:x|×|\*|by)\s*([\d.]+)\s*(mm|cm|m)?(?:\s*(?:x|×|\*|by)\s*([\d.]+)\s*(mm|cm|m)?)?$/.exec(clean); // prettier-ignore
+  if (!found) return null;
+  const [, w, wUnit, d, dUnit, h, hUnit] = found;
+  const unit = hUnit ?? dUnit ?? wUnit;
+  const [width, depth, height] = [w, d, h ?? 'none'].map((each) => (each === 'none' ? null : Number(each)));
+  if ([width, depth, height].some((each) => each !== null && !(each > 0))) return null;
+  const factor = unit ? units[unit] : width >= 100 && depth >= 100 ? 0.01 : 1;
+  const metres = (value) => Math.round(value * factor * 1000) / 1000;
+  const size = {
+    width: metres(width),
+    depth: metres(depth),
+    height: height === null ? usualHeight : metres(height),
+  };
+  const fits = size.width >= 0.5 && size.depth >= 0.5 && size.height >= 0.5;
+  return fits && size.width <= 500 && size.depth <= 500 && size.height <= 50 ? size : null;
+}
