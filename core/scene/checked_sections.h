@@ -32,6 +32,10 @@ class CheckedSections {
     if (ok()) fault_ = faultIn(section, what);
   }
   bool has(std::string_view name) const { return table_.find(name) != nullptr; }
+  bool isThere(std::string_view name) const {
+    const SceneSection* section = table_.find(name);
+    return section && !bytes_[static_cast<std::size_t>(section - table_.sections.data())].empty();
+  }
   const SceneSection& line(std::string_view name) const { return *table_.find(name); }
 
   /// The section's bytes; it must have this type and encoding. kAnyRows leaves the number of rows open.

@@ -10,7 +10,7 @@
 #include "core/scene/covariance_codec.h"
 #include "core/scene/crc32.h"
 #include "core/scene/response_codec.h"
-#include "core/scene/response_streams.h"
+#include "core/scene/response_sections.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/statistics_codec.h"
 #include "core/scene/stored_statistics.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kHuge = 1e30;  // of anything physical in a file
 // Of light in a file, lx for 1 lm: sums and squares of what is below stay finite, as floats too.
-constexpr double kBrightestMean = 1e12, kLargestWeight = 1e6;
+constexpr double kLargestWeight = 1e6;
 constexpr double kBrightestPatch = kBrightestMean * (1 << 24);  // responses count up to 2^24 steps
 constexpr std::size_t kLongestName = 1000;                      // bytes; the writer cuts names far below
 
@@ -115,78 +115,10 @@ void readSites(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   }
 }
 
-/// The blocks of version 1.
-std::vector<float> readStreams(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
-                               std::span<const ResponseScale> scales) {
-  const std::uint32_t rows = counts.rows(), perBlock = responseStreamColumns(rows);
-  std::vector<float> columns(std::size_t{rows} * counts.columns);
-  for (std::uint32_t first = 0, block = 0; first < counts.columns; first += perBlock, ++block) {
-    const std::string name = numberedName("responses", block);
-    const std::uint32_t width = std::min(perBlock, counts.columns - first);
-    const std::vector<std::uint8_t> bytes =
-        in.take(name, ElementType::kUint8, Encoding::kResponses, CheckedSections::kAnyRows, 1);
-    if (!in.ok()) return {};
-    const auto part =
-        scales.subspan(std::size_t{first} * counts.surfaces, std::size_t{width} * counts.surfaces);
-    const std::string fault =
-        decodeResponseStreams(bytes, patches, part, width, &columns[std::size_t{first} * rows]);
-    if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
-  }
-  return columns;
-}
-
-std::vector<ResponseReferences> readReferences(CheckedSections& in, const SceneCounts& counts) {
-  const std::vector<std::uint32_t> before = in.integers("responseReferences", counts.columns, 2);
-  if (!in.ok()) return {};
-  std::vector<ResponseReferences> references(counts.columns, {kNone, kNone});
-  for (std::uint32_t j = 0; j < counts.columns; ++j)
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      const std::uint32_t back = before[2 * j + i];
-      if (back > j) return in.fail("responseReferences", "a column is not there"), references;
-      if (back > 0) references[j][i] = j - back;
-    }
-  return references;
-}
-
-std::vector<float> readPredicted(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
-                                 std::span<const ResponseScale> scales) {
-  const std::uint32_t rows = counts.rows(), perBlock = responseBlockColumns(rows);
-  std::vector<ResponseReferences> references = readReferences(in, counts);
-  if (!in.ok()) return {};
-  std::vector<std::string> names;
-  for (std::uint32_t block = 0; block * perBlock < counts.columns; ++block) {
-    names.push_back(numberedName("responses", block));
-    const std::uint32_t width = std::min(perBlock, counts.columns - block * perBlock);
-    if (!in.has(names.back())) return in.fail(names.back(), "it is missing"), std::vector<float>{};
-    if (in.line(names.back()).inflatedBytes < std::uint64_t{rows} * width / kValuesPerByte)
-      return in.fail(names.back(), "it is too short for the patches and sites"), std::vector<float>{};
-  }
-  ResponseDecoder decoder(patches, counts.surfaces, std::move(references));
-  for (const std::string& name : names) {
-    const std::vector<std::uint8_t> bytes =
-        in.take(name, ElementType::kUint8, Encoding::kPredicted, CheckedSections::kAnyRows, 1);
-    if (!in.ok()) return {};
-    const std::string fault = decoder.decode(bytes);
-    if (!fault.empty()) return in.fail(name, fault), std::vector<float>{};
-  }
-  return decoder.finish(scales);
-}
-
-/// The columns as stored, rows x counts.columns.
-std::vector<float> readColumns(CheckedSections& in, const SceneCounts& counts, const Patches& patches) {
-  const std::vector<float> numbers = in.floats("responseScales", Encoding::kFloatPlanes, counts.columns,
-                                               2 * counts.surfaces, 0, kBrightestMean);
-  if (!in.ok()) return {};
-  std::vector<ResponseScale> scales;
-  for (std::size_t i = 0; i < numbers.size(); i += 2) scales.push_back({numbers[i], numbers[i + 1]});
-  return in.has("responseReferences") ? readPredicted(in, counts, patches, scales)
-                                      : readStreams(in, counts, patches, scales);
-}
-
 /// Site responses = columns x responseWeights.
-void readResponses(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+void readResponses(CheckedSections& in, const SceneCounts& counts, ResponseSections& sections, Scene& scene) {
   const std::uint32_t rows = counts.rows();
-  std::vector<float> columns = readColumns(in, counts, scene.patches);
+  std::vector<float> columns = sections.columns(in, counts, scene.patches);
   const std::vector<std::uint32_t> offsets = in.integers("responseOffsets", counts.sites + 1ull, 1);
   if (!in.ok()) return;
   const std::uint32_t entries = offsets.back();
@@ -339,6 +271,10 @@ Result<Done> SceneReader::provide(std::uint32_t section, std::vector<std::uint8_
   const Result<Done> verified = verify(section, bytes);
   if (!verified) return verified.error();
   bytes_[section] = std::move(bytes);
+  if (!outline_) return Done{};
+  CheckedSections in(table_, bytes_);
+  responses_->advance(in, table_.counts, outline_->patches);
+  if (!in.ok()) return in.fault();
   return Done{};
 }
 
@@ -353,7 +289,8 @@ Result<Done> SceneReader::readOutline() {
   if (in.ok() && in.has("openingLight"))
     opening_ = readOpening(in, scene.patches, counts.surfaces, counts.sites);
   if (!in.ok()) return in.fault();
-  outline_ = std::move(scene);
+  outline_ = std::make_unique<Scene>(std::move(scene));
+  responses_ = std::make_unique<ResponseSections>();
   return Done{};
 }
 
@@ -362,13 +299,13 @@ Result<Scene> SceneReader::finish() {
     const Result<Done> read = readOutline();
     if (!read) return read.error();
   }
-  Scene scene = std::move(*outline_);
-  outline_.reset();
   CheckedSections in(table_, bytes_);
-  readResponses(in, table_.counts, scene);
-  if (in.ok()) readStatistics(in, table_.counts, scene);
+  readResponses(in, table_.counts, *responses_, *outline_);
+  responses_.reset();
+  const std::unique_ptr<Scene> scene = std::move(outline_);
+  if (in.ok()) readStatistics(in, table_.counts, *scene);
   if (!in.ok()) return in.fault();
-  return scene;
+  return std::move(*scene);
 }
 
 }  // namespace fiatlux

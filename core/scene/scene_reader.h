@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/scene/opening_light.h"
+#include "core/scene/response_sections.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 
@@ -33,13 +35,13 @@ class SceneReader {
   bool early(std::uint32_t section) const;
   /// Size and checksum of a section's inflated bytes against the table.
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
-  /// verify(), then keeps the bytes for finish().
+  /// verify(), then keeps the bytes for finish(); after readOutline() responses are decoded as they come.
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
   /// Decodes and checks what is known of the room before its light: surfaces, patches and sites; and the
   /// opening light, where the file has one. Once only, when all early sections have been provided.
   Result<Done> readOutline();
   /// After readOutline() and before finish().
-  const Scene* outline() const { return outline_ ? &*outline_ : nullptr; }
+  const Scene* outline() const { return outline_.get(); }
   const OpeningLight* opening() const { return opening_ ? &*opening_ : nullptr; }
   /// Decodes and checks everything: shapes against the counts, ranges of all indices, no NaN or infinity,
   /// areas > 0. Once only: it frees the sections as it goes.
@@ -49,7 +51,8 @@ class SceneReader {
   explicit SceneReader(SceneTable table) : table_(std::move(table)), bytes_(table_.sections.size()) {}
   SceneTable table_;
   std::vector<std::vector<std::uint8_t>> bytes_;  // of each section, empty until provided
-  std::optional<Scene> outline_;
+  std::unique_ptr<Scene> outline_;                // on the heap, for what decodes the responses refers to it
+  std::unique_ptr<ResponseSections> responses_;   // from readOutline() to finish()
   std::optional<OpeningLight> opening_;
 };
 
