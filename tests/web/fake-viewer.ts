@@ -1,6 +1,21 @@
 // A view that remembers what it was told.
+import type { RoomPlan } from '../../web/document/plan-frame.ts';
 import type { Layout } from '../../web/document/types.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../../web/viewer/types.ts';
+
+/** The room of the fake solver: 4 x 4 m, its patches and sites in the middle of squares of a metre. */
+export const fakePlan: RoomPlan = {
+  frame: { west: -0.5, south: 3.5, floor: 0, size: [4, 4, 3] },
+  outlines: [
+    [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+    ],
+  ],
+  furniture: [],
+};
 
 export interface FakeViewer extends Viewer {
   readonly events: ViewerEvents;
@@ -39,6 +54,8 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       exposureLevel: () => 250,
       setCamera: () => {},
       camera: () => camera,
+      frame: () => fakePlan.frame,
+      plan: () => fakePlan,
       view: () => {},
       fit: () => {},
       home: () => {},

@@ -1,28 +1,26 @@
 /**
- * The luminaires as CSV (RFC 4180): id, x, y, z, flux, watts. Metres, lumens after dimming, watts by the stated efficacy.
- * Where they are of types: the watts of these, then type, turn (degrees) and the point each is aimed at.
+ * The luminaires as CSV: id, x, y, z, flux, watts. Metres in plan from the corner of the floor, lumens after dimming,
+ * watts by the stated efficacy. Where they are of types: the watts of these, then type, turn (degrees) and the point
+ * each is aimed at.
  */
+import { csvText } from './csv.ts';
+import { inPlan, type PlanFrame, type Point3 } from './plan-frame.ts';
 import { positionOf } from './sites.ts';
 import type { Layout, LuminaireType, Mounting, SceneInfo } from './types.ts';
-
-const metres = (values: readonly number[]) => values.map((value) => value.toFixed(3));
-
-/** Names of strangers: quoted where they must be, and no formula for the program that opens the table. */
-function cell(text: string): string {
-  const plain = /^[=+\-@\t]/.test(text) ? `'${text}` : text;
-  return /[",\r\n]/.test(plain) ? `"${plain.replace(/"/g, '""')}"` : plain;
-}
-
-function mountingCells({ turn, aim }: Mounting, type: LuminaireType | undefined): string[] {
-  return [cell(type?.name ?? ''), String(turn), ...(aim ? metres(aim) : ['', '', ''])];
-}
 
 export function luminairesCsv(
   { sites: places, flux: fluxes, dimming, mountings }: Layout,
   sites: SceneInfo['sites'],
+  frame: PlanFrame,
   efficacy: number,
   types: readonly LuminaireType[] = [],
 ): string {
+  const metres = (point: Point3) => inPlan(frame, point).map((value) => (value + 0).toFixed(3));
+  const mountingCells = ({ turn, aim }: Mounting, type: LuminaireType | undefined) => [
+    type?.name ?? '',
+    String(turn),
+    ...(aim ? metres(aim) : ['', '', '']),
+  ];
   const rows = places.map((site, index) => {
     const mounting = mountings?.[index];
     const type = types.find(({ id }) => id === mounting?.type);
@@ -33,5 +31,5 @@ export function luminairesCsv(
   });
   const head = ['id', 'x', 'y', 'z', 'flux', 'watts'];
   const ofTypes = mountings ? ['type', 'turn', 'aim x', 'aim y', 'aim z'] : [];
-  return [[...head, ...ofTypes], ...rows].map((row) => `${row.join(',')}\r\n`).join('');
+  return csvText([[...head, ...ofTypes], ...rows]);
 }

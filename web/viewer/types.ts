@@ -1,4 +1,5 @@
 /** What the app asks of the view; implemented by `createViewer` (viewer/viewer.ts). The viewer draws only on change. */
+import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
@@ -47,6 +48,10 @@ export interface Viewer {
   setCamera(camera: Camera): void;
   /** The view that is on the screen; a movement that is still running out ends there. */
   camera(): Camera;
+  /** Where the corner of the floor is; null before a room is open. */
+  frame(): PlanFrame | null;
+  /** The room in plan, made out of its mesh; null before a room is open. */
+  plan(): RoomPlan | null;
   view(name: ViewName): void;
   fit(): void;
   home(): void;

@@ -1,5 +1,6 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { DoubleSide, FrontSide, Mesh } from 'three';
+import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
@@ -14,6 +15,7 @@ import { freeGpu } from './stage/free-gpu.ts';
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { betterQuadrant, quadrantShares } from './room/facing.ts';
+import { planOf, roomFrame } from './room/floor-plan.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
@@ -40,6 +42,7 @@ class RoomViewer implements Viewer {
   #prepared: { readonly glb: ArrayBuffer; readonly root: ReturnType<typeof readGlb> } | null = null;
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
+  #frame: PlanFrame | null = null; // of the room, once it was asked for
   #display: Display | null = null;
   #aims: readonly number[] = [];
   #planes: number[] = []; // leaves of the measuring planes that are drawn
@@ -171,6 +174,16 @@ class RoomViewer implements Viewer {
     return this.#rig.get();
   }
 
+  frame(): PlanFrame | null {
+    if (this.#room && this.#info) this.#frame ??= roomFrame(this.#room);
+    return this.#frame;
+  }
+
+  plan(): RoomPlan | null {
+    const frame = this.frame();
+    return frame && this.#room && planOf(this.#room, frame);
+  }
+
   view(name: ViewName): void {
     this.#rig.view(name);
   }
@@ -235,7 +248,7 @@ class RoomViewer implements Viewer {
     this.#cutAway.setRoom(null, new Map());
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
-    this.#room = null;
+    this.#room = this.#frame = null;
   }
 
   /** What of the display belongs to meshes and not to shared uniforms. */

@@ -2,6 +2,7 @@
  * What the work is saved as. A row here is an action of its own (menu, palette, key) and a button of the share dialog;
  * what is in the file is made by a module of document/, fetched when it is first wanted.
  */
+import type { PlanFrame } from '../../document/plan-frame.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
 import { writeProject } from '../../document/project-file.ts';
 import type { App } from '../app.ts';
@@ -41,14 +42,54 @@ export const exportFormats: readonly ExportFormat[] = [
   {
     id: 'csv',
     title: 'Export the luminaires (CSV)',
-    button: 'CSV',
+    button: 'Luminaires CSV',
     noun: 'table',
     suffix: '-luminaires.csv',
     type: 'text/csv',
     async content(app) {
       const { luminairesCsv } = await import('../../document/luminaires-csv.ts');
-      const { layout, sites } = hung(app);
-      return luminairesCsv(layout, sites, app.store.efficacy.peek());
+      const { layout, sites, frame } = hung(app);
+      const { types } = app.store.document.peek().luminaires;
+      return luminairesCsv(layout, sites, frame, app.store.efficacy.peek(), types);
+    },
+  },
+  {
+    id: 'results-csv',
+    title: 'Export the results (CSV)',
+    button: 'Results CSV',
+    noun: 'table of results',
+    suffix: '-results.csv',
+    type: 'text/csv',
+    async content(app) {
+      const { resultsCsv } = await import('../../document/results-csv.ts');
+      const { resultLines } = await import('./result-lines.ts');
+      return resultsCsv(resultLines(app.store));
+    },
+  },
+  {
+    id: 'dxf',
+    title: 'Export the plan (DXF)',
+    button: 'Plan DXF',
+    noun: 'DXF drawing',
+    suffix: '-plan.dxf',
+    type: 'image/vnd.dxf',
+    async content(app) {
+      const { planDxf } = await import('../../document/plan-dxf.ts');
+      const { dxfDrawing } = await import('./plan-drawings.ts');
+      return planDxf(dxfDrawing(app));
+    },
+  },
+  {
+    id: 'stf',
+    title: 'Export for DIALux or Relux (STF)',
+    button: 'STF',
+    noun: 'STF file',
+    suffix: '.stf',
+    type: 'text/plain',
+    async content(app) {
+      const { writeStf } = await import('../../document/stf.ts');
+      const { stfProject } = await import('./plan-drawings.ts');
+      return writeStf(stfProject(app, new Date()));
     },
   },
   {
@@ -66,10 +107,15 @@ export const exportFormats: readonly ExportFormat[] = [
   },
 ];
 
-/** The luminaires that are shown, and the places of their room. */
-function hung({ store, keeping }: App): { layout: Layout; sites: SceneInfo['sites'] } {
+/** The luminaires that are shown, the places of their room, and the corner that they are measured from. */
+function hung({ store, keeping, viewer }: App): {
+  layout: Layout;
+  sites: SceneInfo['sites'];
+  frame: PlanFrame;
+} {
   const scene = store.scene.peek();
   const layout = keeping.layout();
-  if (!scene || !layout) throw new Error('no layout is shown yet');
-  return { layout, sites: scene.sites };
+  const frame = viewer.frame();
+  if (!scene || !layout || !frame) throw new Error('no layout is shown yet');
+  return { layout, sites: scene.sites, frame };
 }

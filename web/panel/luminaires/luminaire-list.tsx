@@ -2,14 +2,16 @@
 import { Pin } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact } from '../../app/words/format.ts';
+import { cornerName, inPlan, placeText } from '../../document/plan-frame.ts';
 import { positionOf } from '../../document/sites.ts';
 import { steps } from '../selection-bar.tsx';
 
 export function LuminaireList() {
-  const { store, hand } = useApp();
+  const { store, hand, viewer } = useApp();
+  const frame = viewer.frame();
   const scene = store.scene.value;
   const layout = store.shown.value?.layout;
-  if (!scene || !layout) return null;
+  if (!scene || !layout || !frame) return null;
   const { pinned } = store.document.value.luminaires;
   const move = (luminaire: number) => (event: KeyboardEvent) => {
     const step = steps.find(({ key }) => key === event.key);
@@ -25,7 +27,9 @@ export function LuminaireList() {
       <thead>
         <tr>
           <th scope="col">Tag</th>
-          <th scope="col">Place: x, y, z (m)</th>
+          <th scope="col" title={`East, north and up from the ${cornerName}`}>
+            Place: x, y, z (m)
+          </th>
           <th scope="col" class="number">
             lm
           </th>
@@ -48,11 +52,7 @@ export function LuminaireList() {
                   L{index + 1}
                 </button>
               </th>
-              <td>
-                {positionOf(scene.sites, site)
-                  .map((value) => value.toFixed(2))
-                  .join(', ')}
-              </td>
+              <td>{placeText(inPlan(frame, positionOf(scene.sites, site)))}</td>
               <td class="number">{compact((layout.flux[index] ?? 0) * layout.dimming)}</td>
               <td>
                 <button

@@ -1,5 +1,6 @@
 /** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
 import { useApp } from '../../app/app.ts';
+import { powerOf } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
@@ -24,9 +25,7 @@ function Power() {
   const { layout, surfaces } = store.shown.value ?? {};
   const scene = store.scene.value;
   if (!layout || !surfaces || !scene) return null;
-  const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
-  const floor = floorArea(scene.surfaces);
-  const watts = lumens / store.efficacy.value;
+  const { flux: lumens, watts, floor } = powerOf(layout, scene.surfaces, store.efficacy.value);
   return (
     <dl class="totals">
       <div>
@@ -59,12 +58,4 @@ function Power() {
       </div>
     </dl>
   );
-}
-
-/** Area of what is called floor; null in a room that names none. */
-export function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
-  const area = surfaces
-    .filter(({ name }) => /(^|\/)floor\b/i.test(name))
-    .reduce((sum, surface) => sum + surface.area, 0);
-  return area > 0 ? area : null;
 }

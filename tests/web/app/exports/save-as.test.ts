@@ -5,7 +5,9 @@ import { exportFormats } from '../../../../web/app/exports/formats.ts';
 import { fileStem, saveAs } from '../../../../web/app/exports/save-as.ts';
 import { Store } from '../../../../web/app/state/store.ts';
 import { readProject } from '../../../../web/document/project-file.ts';
-import { fakeScene } from '../../fake-solver.ts';
+import { intentionsOf } from '../../../../web/document/intentions.ts';
+import { fakeScene, fakeShown } from '../../fake-solver.ts';
+import { fakePlan } from '../../fake-viewer.ts';
 import { sampleDocument } from '../../sample-rooms.ts';
 
 const layout = { sites: [0, 5], flux: [1200, 600], dimming: 0.5 };
@@ -29,9 +31,14 @@ beforeEach(() => {
   store.roomTitle.value = 'Büro 2 (Süd)';
   store.scene.value = fakeScene();
   store.reset({ ...sampleDocument('0', 'office'), layout });
+  store.shown.value = fakeShown(fakeScene(), layout, intentionsOf(store.document.peek()).intentions);
   const project = () => ({ document: store.document.peek(), camera: null, display: null });
   const keeping = { layout: () => store.document.peek().layout, project };
-  const viewer = { png: async () => new Blob(['picture'], { type: 'image/png' }) };
+  const viewer = {
+    png: async () => new Blob(['picture'], { type: 'image/png' }),
+    frame: () => fakePlan.frame,
+    plan: () => fakePlan,
+  };
   app = { store, keeping, viewer } as unknown as App;
 });
 
@@ -42,18 +49,19 @@ test('each format is a file of its kind', async () => {
   );
   const textOf = (id: string) => saved[exportFormats.findIndex((format) => format.id === id)]!.blob.text();
   expect(readProject(await textOf('save'))).toMatchObject({ document: { room: 'office', layout } });
-  expect(await textOf('csv')).toContain('L2,1.000,3.000,1.000,300.0');
+  expect(await textOf('csv')).toContain('L2,1.500,2.500,3.000,300.0');
   expect(JSON.parse(await textOf('gltf')).nodes).toHaveLength(2);
 });
 
 test('one that cannot be made is told by its name, and nothing is saved', async () => {
   app.store.scene.value = null;
   const ofTheLayout = exportFormats.filter(({ id }) => id !== 'save' && id !== 'png');
-  for (const format of ofTheLayout) await saveAs(format, app);
+  for (const format of ofTheLayout) {
+    await saveAs(format, app);
+    const text = `The ${format.noun} could not be made: no layout is shown yet`;
+    expect(app.store.messages.value.at(-1)?.text).toBe(text);
+  }
   expect(saved).toEqual([]);
-  expect(app.store.messages.value.map(({ text }) => text)).toEqual(
-    ofTheLayout.map(({ noun }) => `The ${noun} could not be made: no layout is shown yet`),
-  );
 });
 
 test('a title without a letter still gives a name', () => {

@@ -1,0 +1,61 @@
+// What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings, result-lines.
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import DxfParser from 'dxf-parser';
+import { readStf } from '../../web/document/stf.ts';
+import { expect, openApp, places, results, test } from './app.ts';
+
+/** What an entry of the file menu saves. */
+async function saved(page: Page, entry: RegExp): Promise<string> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'File and export' }).click();
+  await page.getByRole('menuitem', { name: entry }).click();
+  return readFileSync(await (await download).path(), 'utf8');
+}
+
+/** Half of the last digit of a place in the list. */
+const listed = 0.0051; // m
+
+test('CSV, DXF and STF of the office hold what the panel shows, to the millimetre', async ({ page }) => {
+  await openApp(page);
+  const shown = (await places(page)).map((text) => text.split(', ').map(Number));
+
+  const table = (await saved(page, /luminaires \(CSV\)/)).trim().split('\r\n').slice(1);
+  const exact = table.map((line) => line.split(',').slice(1, 4).map(Number));
+  expect(exact).toHaveLength(shown.length);
+  const apart = (a: readonly number[], b: readonly number[]) =>
+    Math.max(...a.map((value, axis) => Math.abs(value - b[axis]!)));
+  exact.forEach((place, i) => expect(apart(place, shown[i]!)).toBeLessThan(listed));
+
+  const drawing = new DxfParser().parseSync(await saved(page, /plan \(DXF\)/));
+  const entities = (drawing?.entities ?? []) as unknown as readonly {
+    type: string;
+    layer: string;
+    position?: { x: number; y: number; z: number };
+    vertices?: readonly { x: number; y: number }[];
+  }[];
+  const points = entities.filter(({ layer, type }) => layer === 'LUMINAIRES' && type === 'POINT');
+  expect(points).toHaveLength(exact.length);
+  points.forEach(({ position }, i) =>
+    expect(apart([position!.x, position!.y, position!.z], exact[i]!)).toBeLessThan(1e-3),
+  );
+  const rooms = entities.filter(({ layer }) => layer === 'ROOM');
+  expect(rooms[0]?.vertices?.map(({ x, y }) => `${x.toFixed(2)} ${y.toFixed(2)}`).sort()).toEqual(
+    ['0.00 0.00', '12.00 0.00', '12.00 7.80', '0.00 7.80'].sort(),
+  );
+  expect(entities.filter(({ layer }) => layer === 'ISOLUX').length).toBeGreaterThan(2);
+  expect(entities.filter(({ layer }) => layer === 'FURNITURE').length).toBeGreaterThan(50);
+
+  const project = readStf(await saved(page, /STF/));
+  if (typeof project === 'string') throw new Error(project);
+  const [room] = project.rooms;
+  expect(room).toMatchObject({ name: 'Open office', height: 2.8, workingPlane: 0.75 });
+  expect(room?.outline).toHaveLength(4);
+  room?.luminaires.forEach(({ place }, i) => expect(apart(place, exact[i]!)).toBeLessThan(1e-3));
+  expect(room?.luminaires).toHaveLength(exact.length);
+
+  const lines = (await saved(page, /results \(CSV\)/)).split('\r\n');
+  const plane = (await results(page)).find((row) => row.startsWith('working plane'))!;
+  const mean = Number(lines.find((line) => line.startsWith('surface,working plane,mean'))?.split(',')[4]);
+  expect(plane).toContain(String(Math.round(mean)));
+});

@@ -1,0 +1,94 @@
+/** The DXF plan, read back by a parser of others: layers, places to a millimetre, texts. */
+import { describe, expect, test } from '@jest/globals';
+import DxfParser from 'dxf-parser';
+import { planDxf } from '../../../web/document/plan-dxf.ts';
+import { fakePlan } from '../fake-viewer.ts';
+
+interface Entity {
+  readonly type: string;
+  readonly layer: string;
+  readonly vertices?: readonly { x: number; y: number; z: number }[];
+  readonly shape?: boolean;
+  readonly position?: { x: number; y: number; z: number };
+  readonly text?: string;
+}
+
+const drawing = {
+  plan: {
+    ...fakePlan,
+    furniture: [
+      [
+        [1, 1],
+        [2, 1],
+      ],
+    ] as const,
+  },
+  luminaires: [
+    { tag: 'L1', place: [1.2345, 2.5, 2.8], axis: [1, 0], size: 0.6 },
+    { tag: 'L2', place: [3.3333, 0.6667, 2.8], axis: [Math.SQRT1_2, Math.SQRT1_2], size: 0.4 },
+  ],
+  isolux: [
+    {
+      level: 500,
+      points: [
+        [1, 1],
+        [2, 1.5],
+        [3, 1],
+      ],
+    },
+    {
+      level: 300,
+      points: [
+        [1, 2],
+        [2, 3],
+        [3, 2],
+        [1, 2],
+      ],
+    },
+  ],
+  isoluxHeight: 0.75,
+} as const;
+
+describe('the plan as DXF', () => {
+  const text = planDxf(drawing);
+  const read = new DxfParser().parseSync(text);
+  const entities = (read?.entities ?? []) as unknown as readonly Entity[];
+  const of = (layer: string, type: string) =>
+    entities.filter((entity) => entity.layer === layer && entity.type === type);
+
+  test('is R12 and declares the layers that it draws on', () => {
+    expect(read?.header['$ACADVER']).toBe('AC1009');
+    const declared = Object.keys(read?.tables.layer.layers ?? {});
+    expect(declared).toEqual(expect.arrayContaining(['ROOM', 'FURNITURE', 'LUMINAIRES', 'TAGS', 'ISOLUX']));
+    for (const { layer } of entities) expect(declared).toContain(layer);
+  });
+
+  test('holds the room as a closed line and its furniture', () => {
+    const [room] = of('ROOM', 'POLYLINE');
+    expect(room?.shape).toBe(true);
+    expect(room?.vertices?.map(({ x, y }) => [x, y])).toEqual(fakePlan.outlines[0]);
+    expect(of('FURNITURE', 'LINE')).toHaveLength(1);
+  });
+
+  test('places luminaires to a millimetre, with their tags', () => {
+    const points = of('LUMINAIRES', 'POINT');
+    expect(points).toHaveLength(2);
+    points.forEach(({ position }, i) => {
+      const { place } = drawing.luminaires[i]!;
+      const off = Math.hypot(position!.x - place[0], position!.y - place[1], position!.z - place[2]);
+      expect(off).toBeLessThan(1e-3);
+    });
+    expect(of('TAGS', 'TEXT').map((entity) => entity.text)).toEqual(['L1', 'L2']);
+    const [, turned] = of('LUMINAIRES', 'POLYLINE');
+    for (const { x, y } of turned?.vertices ?? [])
+      expect(Math.hypot(x - 3.3333, y - 0.6667)).toBeCloseTo(0.4 * Math.SQRT1_2, 3);
+  });
+
+  test('draws isolux lines at their height and names them', () => {
+    const lines = of('ISOLUX', 'POLYLINE');
+    expect(lines.map(({ shape }) => shape)).toEqual([false, true]);
+    expect(lines.map(({ vertices }) => vertices?.length)).toEqual([3, 3]);
+    expect(lines[0]?.vertices?.every(({ z }) => z === 0.75)).toBe(true);
+    expect(of('ISOLUX', 'TEXT').map((entity) => entity.text)).toEqual(['500 lx', '300 lx']);
+  });
+});

@@ -1,0 +1,70 @@
+/** The room in plan out of triangles: the floor, its frame, its outline. */
+import { describe, expect, test } from '@jest/globals';
+import { floorTriangles, frameOf, outlinesOf } from '../../../../web/viewer/room/floor-plan.ts';
+import { twiceArea } from '../../../../web/document/plan-frame.ts';
+
+type Corner = readonly [number, number, number];
+
+/** A level rectangle from (x0, z0) to (x1, z1) at a height, facing up. */
+function level(
+  height: number,
+  [x0, z0]: readonly [number, number],
+  [x1, z1]: readonly [number, number],
+): number[] {
+  const [a, b, c, d]: Corner[] = [
+    [x0, height, z0],
+    [x0, height, z1],
+    [x1, height, z1],
+    [x1, height, z0],
+  ] as const satisfies Corner[];
+  return [a!, b!, c!, a!, c!, d!].flat();
+}
+
+/** The same with its back up. */
+const down = (triangles: readonly number[]): number[] => {
+  const flipped: number[] = [];
+  for (let i = 0; i < triangles.length; i += 9)
+    flipped.push(
+      ...triangles.slice(i, i + 3),
+      ...triangles.slice(i + 6, i + 9),
+      ...triangles.slice(i + 3, i + 6),
+    );
+  return flipped;
+};
+
+// An L of three rectangles that are cut differently, a table in it and a ceiling above.
+const floor = [...level(0, [-1, -3], [2, 0]), ...level(0, [2, -3], [5, -1]), ...level(0, [-1, 0], [2, 2])];
+const room = [...floor, ...level(0.7, [0, 0], [1, 1]), ...down(level(2.8, [-1, -3], [5, 2]))];
+
+describe('a plan', () => {
+  test('takes what faces up at the bottom as the floor', () => {
+    expect(floorTriangles(room)).toEqual(floor);
+    expect(floorTriangles(down(floor))).toEqual([]);
+  });
+
+  test('begins at the south-west corner', () => {
+    expect(frameOf(floor, 2.8)).toEqual({ west: -1, south: 2, floor: 0, size: [6, 5, 2.8] });
+  });
+
+  test('has the corners of the outline and no others', () => {
+    const [outline, ...more] = outlinesOf(floor, frameOf(floor, 2.8));
+    expect(more).toEqual([]);
+    expect(outline).toHaveLength(6);
+    expect(Math.abs(twiceArea(outline!)) / 2).toBeCloseTo(9 + 6 + 6);
+    const corners = outline!.map(([x, y]) => `${x.toFixed(3)} ${y.toFixed(3)}`).sort();
+    expect(corners).toEqual(
+      ['0.000 0.000', '3.000 0.000', '3.000 3.000', '6.000 3.000', '6.000 5.000', '0.000 5.000'].sort(),
+    );
+  });
+
+  test('shows a hole in the floor as a loop of its own', () => {
+    const ring = [
+      ...level(0, [0, 0], [4, 1]),
+      ...level(0, [0, 1], [1, 3]),
+      ...level(0, [3, 1], [4, 3]),
+      ...level(0, [0, 3], [4, 4]),
+    ];
+    const loops = outlinesOf(ring, frameOf(ring, 3));
+    expect(loops.map((loop) => Math.round(Math.abs(twiceArea(loop)) / 2))).toEqual([16, 4]);
+  });
+});

@@ -1,0 +1,112 @@
+/** The room and its luminaires as drawings for other programs: a DXF plan with isolux lines, and an STF project. */
+import { isoluxLines } from '../../document/isolux-lines.ts';
+import { lightField, type LightField } from '../../document/light-field.ts';
+import type { DxfDrawing } from '../../document/plan-dxf.ts';
+import { inPlan, type PlanFrame, type Point2, type RoomPlan } from '../../document/plan-frame.ts';
+import { positionOf } from '../../document/sites.ts';
+import type { StfProject, StfType } from '../../document/stf.ts';
+import type { Layout, SceneInfo } from '../../document/types.ts';
+import { isoluxLevels } from '../../viewer/light/isolux.ts';
+import type { App } from '../app.ts';
+
+interface Drawn {
+  readonly scene: SceneInfo;
+  readonly plan: RoomPlan;
+  readonly layout: Layout;
+}
+
+/** What is on the screen as a plan. Throws one readable line where there is none yet. */
+export function drawn({ store, keeping, viewer }: Pick<App, 'store' | 'keeping' | 'viewer'>): Drawn {
+  const scene = store.scene.peek();
+  const layout = keeping.layout();
+  const plan = viewer.plan();
+  if (!scene || !layout || !plan) throw new Error('no layout is shown yet');
+  return { scene, plan, layout };
+}
+
+/** The leaf that is read in plan: the first measuring plane that is level, or else the floor; null where neither is. */
+export function readSurface(scene: SceneInfo, light: ArrayLike<number>, frame: PlanFrame): number | null {
+  const leaves = [...scene.surfaces.keys()];
+  const isFloor = (leaf: number) => /(^|\/)floor\b/i.test(scene.surfaces[leaf]?.name ?? '');
+  const measuring = leaves.filter((leaf) => scene.surfaces[leaf]?.measuring);
+  return (
+    [...measuring, ...leaves.filter(isFloor)].find((leaf) => lightField(scene, leaf, light, frame)) ?? null
+  );
+}
+
+/** The luminaires in plan. `axis`: unit, of the first side of the square. */
+export function hungInPlan({ scene: { sites }, plan: { frame }, layout }: Drawn) {
+  return layout.sites.map((site, i) => {
+    const [ax, , az] = [0, 1, 2].map((axis) => sites.axis[3 * site + axis] ?? 0) as [number, number, number];
+    const length = Math.hypot(ax, az);
+    const axis: Point2 = length > 1e-6 ? [ax / length, -az / length] : [1, 0];
+    return {
+      tag: `L${i + 1}`,
+      place: inPlan(frame, positionOf(sites, site)),
+      axis,
+      size: sites.size[site] ?? 0,
+      flux: (layout.flux[i] ?? 0) * layout.dimming,
+    };
+  });
+}
+
+export function dxfDrawing(app: App): DxfDrawing {
+  const what = drawn(app);
+  const light = app.store.shown.peek()?.illuminance;
+  const leaf = light && readSurface(what.scene, light, what.plan.frame);
+  const field: LightField | null =
+    light && typeof leaf === 'number' ? lightField(what.scene, leaf, light, what.plan.frame) : null;
+  return {
+    plan: what.plan,
+    luminaires: hungInPlan(what),
+    isolux: field ? isoluxLines(field, isoluxLevels) : [],
+    isoluxHeight: field?.height ?? 0,
+  };
+}
+
+export function stfProject(app: App, today: Date): StfProject {
+  const what = drawn(app);
+  const { scene, plan } = what;
+  const outline = plan.outlines[0];
+  if (!outline) throw new Error('the outline of its floor is not closed, and STF needs one');
+  const title = app.store.roomTitle.peek();
+  const efficacy = app.store.efficacy.peek();
+  const types: StfType[] = [];
+  const luminaires = hungInPlan(what).map(({ place, axis, size, flux }) => {
+    let type = types.findIndex((each) => each.size[0] === size && each.flux === flux);
+    if (type < 0)
+      type =
+        types.push({
+          name: `Lambertian square ${size.toFixed(2)} m, ${Math.round(flux)} lm`,
+          size: [size, size, 0],
+          flux,
+          watts: flux / efficacy,
+        }) - 1;
+    const turned = (Math.atan2(axis[1], axis[0]) * 180) / Math.PI;
+    return { type, place, rotation: [0, 0, turned] as const };
+  });
+  const plane = scene.surfaces.findIndex(({ measuring }) => measuring);
+  const row = scene.surfaceOfPatch.indexOf(plane);
+  const height = row < 0 ? 0.75 : (scene.patchCenter[3 * row + 1] ?? 0) - plan.frame.floor;
+  const reflectance = {
+    ceiling: reflectanceOf(scene, /ceiling/i),
+    walls: reflectanceOf(scene, /wall/i),
+    floor: reflectanceOf(scene, /floor/i),
+  };
+  const room = {
+    name: title,
+    height: plan.frame.size[2],
+    workingPlane: height,
+    outline,
+    reflectance,
+    luminaires,
+  };
+  return { name: title, date: today.toISOString().slice(0, 10), rooms: [room], types };
+}
+
+/** Of the surfaces of that name, by area; one half where none is called so. */
+function reflectanceOf({ surfaces }: SceneInfo, name: RegExp): number {
+  const named = surfaces.filter((surface) => !surface.measuring && name.test(surface.name));
+  const area = named.reduce((sum, surface) => sum + surface.area, 0);
+  return area > 0 ? named.reduce((sum, each) => sum + each.area * each.reflectance, 0) / area : 0.5;
+}

@@ -1,0 +1,152 @@
+/**
+ * The plan as DXF R12 (AC1009), the oldest dialect that every drawing program reads: lines, polylines, points and
+ * texts on layers of their own. Metres from the corner of the floor (plan-frame.ts); heights are kept.
+ */
+import type { IsoluxLine } from './isolux-lines.ts';
+import type { Point2, Point3, RoomPlan } from './plan-frame.ts';
+
+export interface DxfLuminaire {
+  readonly tag: string;
+  readonly place: Point3; // of its middle
+  readonly axis: Point2; // unit, in plan
+  readonly size: number; // m
+}
+
+export interface DxfDrawing {
+  readonly plan: RoomPlan;
+  readonly luminaires: readonly DxfLuminaire[];
+  readonly isolux: readonly IsoluxLine[];
+  readonly isoluxHeight: number; // m above the floor
+}
+
+/** Names and colours (AutoCAD's index). */
+const layers = {
+  ROOM: 7,
+  FURNITURE: 8,
+  LUMINAIRES: 2,
+  TAGS: 2,
+  ISOLUX: 3,
+  DIMENSIONS: 1,
+} as const;
+type Layer = keyof typeof layers;
+
+const letter = 0.15; // m, height of texts
+
+/** A group: its code and its value. */
+type Group = readonly [code: number, value: string | number];
+
+export function planDxf({ plan, luminaires, isolux, isoluxHeight }: DxfDrawing): string {
+  const [east, north] = plan.frame.size;
+  const groups: Group[] = [
+    ...section('HEADER', [
+      [9, '$ACADVER'],
+      [1, 'AC1009'],
+      [9, '$EXTMIN'],
+      ...at([0, 0, 0]),
+      [9, '$EXTMAX'],
+      ...at(plan.frame.size),
+    ]),
+    ...section('TABLES', tables()),
+    ...section('ENTITIES', [
+      ...plan.outlines.flatMap((loop) => polyline('ROOM', loop, 0, true)),
+      ...plan.furniture.flatMap(([a, b]) => line('FURNITURE', a, b)),
+      ...luminaires.flatMap((luminaire) => luminaireGroups(luminaire)),
+      ...isolux.flatMap((each) => isoluxGroups(each, isoluxHeight)),
+      ...text('DIMENSIONS', [east / 2, -0.5, 0], `${east.toFixed(2)} m`),
+      ...text('DIMENSIONS', [-1.2, north / 2, 0], `${north.toFixed(2)} m`),
+    ]),
+    [0, 'EOF'],
+  ];
+  return groups.map(([code, value]) => `${String(code).padStart(3)}\r\n${value}\r\n`).join('');
+}
+
+const metres = (value: number): string => (Math.round(value * 1e4) / 1e4 + 0).toFixed(4);
+
+const at = ([x, y, z]: Point3): Group[] => [
+  [10, metres(x)],
+  [20, metres(y)],
+  [30, metres(z)],
+];
+
+const section = (name: string, groups: readonly Group[]): Group[] => [
+  [0, 'SECTION'],
+  [2, name],
+  ...groups,
+  [0, 'ENDSEC'],
+];
+
+function tables(): Group[] {
+  const names = Object.entries(layers);
+  return [
+    [0, 'TABLE'],
+    [2, 'LTYPE'],
+    [70, 1],
+    [0, 'LTYPE'],
+    [2, 'CONTINUOUS'],
+    [70, 0],
+    [3, 'Solid line'],
+    [72, 65],
+    [73, 0],
+    [40, '0.0'],
+    [0, 'ENDTAB'],
+    [0, 'TABLE'],
+    [2, 'LAYER'],
+    [70, names.length],
+    ...names.flatMap(([name, color]): Group[] => [
+      [0, 'LAYER'],
+      [2, name],
+      [70, 0],
+      [62, color],
+      [6, 'CONTINUOUS'],
+    ]),
+    [0, 'ENDTAB'],
+  ];
+}
+
+function luminaireGroups({ tag, place, axis: [ax, ay], size }: DxfLuminaire): Group[] {
+  const half = size / 2;
+  const corner = (u: number, v: number): Point2 => [
+    place[0] + half * (u * ax - v * ay),
+    place[1] + half * (u * ay + v * ax),
+  ];
+  const square = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
+  const above: Point3 = [place[0], place[1] + half + 0.05, place[2]];
+  return [
+    ...polyline('LUMINAIRES', square, place[2], true),
+    [0, 'POINT'],
+    [8, 'LUMINAIRES'],
+    ...at(place),
+    ...text('TAGS', above, tag),
+  ];
+}
+
+function isoluxGroups({ level, points }: IsoluxLine, height: number): Group[] {
+  const isClosed = points.length > 3 && points[0]!.every((value, axis) => value === points.at(-1)![axis]);
+  const middle = points[points.length >> 1]!;
+  return [
+    ...polyline('ISOLUX', isClosed ? points.slice(0, -1) : points, height, isClosed),
+    ...text('ISOLUX', [...middle, height], `${level} lx`),
+  ];
+}
+
+function line(layer: Layer, [x1, y1]: Point2, [x2, y2]: Point2): Group[] {
+  return [[0, 'LINE'], [8, layer], ...at([x1, y1, 0]), [11, metres(x2)], [21, metres(y2)], [31, metres(0)]];
+}
+
+/** Of one height: an R12 polyline carries it as its elevation, vertices repeat it. */
+function polyline(layer: Layer, points: readonly Point2[], height: number, isClosed: boolean): Group[] {
+  return [
+    [0, 'POLYLINE'],
+    [8, layer],
+    [66, 1],
+    ...at([0, 0, height]),
+    [70, isClosed ? 1 : 0],
+    ...points.flatMap(([x, y]): Group[] => [[0, 'VERTEX'], [8, layer], ...at([x, y, height])]),
+    [0, 'SEQEND'],
+    [8, layer],
+  ];
+}
+
+function text(layer: Layer, place: Point3, content: string): Group[] {
+  return [[0, 'TEXT'], [8, layer], ...at(place), [40, letter], [1, content]];
+}

@@ -1,0 +1,176 @@
+/**
+ * The room in plan, out of its display mesh: the floor is what faces up at the lowest height, its open edges are chained
+ * to loops; furniture is drawn by its edges as seen from above.
+ */
+import { Box3, Vector3 } from 'three';
+import {
+  inPlan,
+  twiceArea,
+  type PlanFrame,
+  type Point2,
+  type Point3,
+  type RoomPlan,
+} from '../../document/plan-frame.ts';
+import type { RoomMesh } from './room-mesh.ts';
+import { surfaceEdges } from './surface-edges.ts';
+
+const level = 0.05; // m above the lowest place: still floor
+const upright = 0.99; // cosine of the slope that a floor may have
+const shortest = 0.04; // m: shorter edges of furniture are not drawn
+const crease = 35; // degrees
+const aPart = 0.03; // of the largest surface underfoot: what is smaller belongs to something else
+const smallest = 0.05; // m2: a smaller loop is a gap between things
+
+/** Corners of triangles in world space, 9 numbers each. */
+type Triangles = readonly number[];
+
+/** The triangles of the floor: those that face up at the `lowest` height (by default that of the lowest of them). */
+export function floorTriangles(all: Triangles, lowest?: number): number[] {
+  const faces: { readonly at: number; readonly height: number }[] = [];
+  for (let at = 0; at + 8 < all.length; at += 9) {
+    const p = (i: number) => all[at + i]!;
+    const [ux, uy, uz] = [p(3) - p(0), p(4) - p(1), p(5) - p(2)];
+    const [vx, vy, vz] = [p(6) - p(0), p(7) - p(1), p(8) - p(2)];
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx] as const;
+    const length = Math.hypot(...normal);
+    if (length > 1e-12 && normal[1] > upright * length) faces.push({ at, height: (p(1) + p(4) + p(7)) / 3 });
+  }
+  const bottom = lowest ?? faces.reduce((least, { height }) => Math.min(least, height), Infinity);
+  return faces.filter(({ height }) => height < bottom + level).flatMap(({ at }) => all.slice(at, at + 9));
+}
+
+/** The frame that a floor spans; `top`: the highest place of the room, m. */
+export function frameOf(floor: Triangles, top: number): PlanFrame {
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  floor.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3]!, value);
+    high[i % 3] = Math.max(high[i % 3]!, value);
+  });
+  const [west, bottom, north] = low as [number, number, number];
+  const [east, , south] = high as [number, number, number];
+  return { west, south, floor: bottom, size: [east - west, south - north, top - bottom] };
+}
+
+/** Closed loops of the open edges of some triangles, in plan, the largest first; what runs straight has no corner. */
+export function outlinesOf(floor: Triangles, frame: PlanFrame): Point2[][] {
+  const index = Array.from({ length: floor.length / 3 }, (_, i) => i);
+  const segments = inSegments(surfaceEdges(index, floor, 180), frame);
+  return chained(segments)
+    .map(straightened)
+    .filter((loop) => loop.length > 2 && Math.abs(twiceArea(loop)) > 2 * smallest)
+    .sort((a, b) => Math.abs(twiceArea(b)) - Math.abs(twiceArea(a)));
+}
+
+/** The plan of a room that is displayed; null where it has no floor. */
+export function planOf(room: RoomMesh, frame: PlanFrame): RoomPlan {
+  const furniture = new Map<string, readonly [Point2, Point2]>();
+  for (const { mesh, measuring } of room.lit) {
+    if (measuring || !room.standing.has(mesh)) continue;
+    const corners = trianglesOf([mesh]);
+    const index = Array.from({ length: corners.length / 3 }, (_, i) => i);
+    for (const [a, b] of inSegments(surfaceEdges(index, corners, crease), frame)) {
+      if (Math.hypot(b[0] - a[0], b[1] - a[1]) < shortest) continue;
+      const ends = [keyOf(a), keyOf(b)].sort().join('|');
+      furniture.set(ends, [a, b]);
+    }
+  }
+  const outlines = outlinesOf(floorOf(room), frame);
+  return { frame, outlines, furniture: [...furniture.values()] };
+}
+
+/** The frame of a room that is displayed; where nothing faces up, that of its box. */
+export function roomFrame(room: RoomMesh): PlanFrame {
+  const floor = floorOf(room);
+  const { min, max } = room.box;
+  return frameOf(floor.length > 0 ? floor : [...min, ...max], max[1]);
+}
+
+/** The floor of a room that is displayed, without the sills of doors and what else is low and small. */
+function floorOf({ lit }: RoomMesh): number[] {
+  const solid = lit.filter(({ measuring }) => !measuring);
+  const bottoms = solid.map(({ mesh }) => new Box3().setFromObject(mesh).min.y);
+  const lowest = Math.min(...bottoms);
+  const floors = new Map<number, number[]>(); // by surface
+  for (const { mesh, surface } of solid.filter((_, i) => bottoms[i]! < lowest + level)) {
+    const faces = floorTriangles(trianglesOf([mesh]), lowest);
+    floors.set(surface, [...(floors.get(surface) ?? []), ...faces]);
+  }
+  const most = Math.max(0, ...[...floors.values()].map(levelArea));
+  return [...floors.values()].filter((faces) => levelArea(faces) > aPart * most).flat();
+}
+
+/** Seen from above, m2. */
+function levelArea(faces: Triangles): number {
+  let sum = 0;
+  for (let at = 0; at + 8 < faces.length; at += 9) {
+    const p = (i: number) => faces[at + i]!;
+    sum += Math.abs((p(3) - p(0)) * (p(8) - p(2)) - (p(5) - p(2)) * (p(6) - p(0))) / 2;
+  }
+  return sum;
+}
+
+function trianglesOf(meshes: readonly RoomMesh['lit'][number]['mesh'][]): number[] {
+  const corners: number[] = [];
+  const point = new Vector3();
+  for (const { geometry, matrixWorld } of meshes) {
+    const position = geometry.getAttribute('position');
+    const count = geometry.index?.count ?? position.count;
+    for (let i = 0; i < count; i++) {
+      point.fromBufferAttribute(position, geometry.index?.getX(i) ?? i).applyMatrix4(matrixWorld);
+      corners.push(point.x, point.y, point.z);
+    }
+  }
+  return corners;
+}
+
+function inSegments(ends: Float32Array, frame: PlanFrame): [Point2, Point2][] {
+  const segments: [Point2, Point2][] = [];
+  const at = (i: number): Point2 => {
+    const place = inPlan(frame, [ends[i]!, ends[i + 1]!, ends[i + 2]!] satisfies Point3);
+    return [place[0], place[1]];
+  };
+  for (let i = 0; i + 5 < ends.length; i += 6) segments.push([at(i), at(i + 3)]);
+  return segments;
+}
+
+/** Ends within about a millimetre are one; an odd offset keeps round measures off the borders of the cells. */
+const keyOf = ([x, y]: Point2): string => `${Math.round(x * 997 + 0.317)} ${Math.round(y * 997 + 0.317)}`;
+
+/** Loops along segments that share their ends; a chain that does not return to its beginning is left out. */
+function chained(segments: readonly (readonly [Point2, Point2])[]): Point2[][] {
+  const meeting = new Map<string, number[]>();
+  segments.forEach((ends, i) => {
+    for (const end of ends) meeting.set(keyOf(end), [...(meeting.get(keyOf(end)) ?? []), i]);
+  });
+  const used = new Set<number>();
+  const loops: Point2[][] = [];
+  for (const [first, [start, second]] of segments.entries()) {
+    if (used.has(first)) continue;
+    used.add(first);
+    const loop = [start];
+    let at = second;
+    while (keyOf(at) !== keyOf(start)) {
+      const next = meeting.get(keyOf(at))?.find((i) => !used.has(i));
+      if (next === undefined) break;
+      used.add(next);
+      loop.push(at);
+      const [a, b] = segments[next]!;
+      at = keyOf(a) === keyOf(at) ? b : a;
+    }
+    if (keyOf(at) === keyOf(start)) loops.push(loop);
+  }
+  return loops;
+}
+
+/** A loop without the points that lie on a straight line between their neighbours. */
+function straightened(loop: readonly Point2[]): Point2[] {
+  return loop.filter(([x, y], i) => {
+    const [beforeX, beforeY] = loop[(i + loop.length - 1) % loop.length]!;
+    const [nextX, nextY] = loop[(i + 1) % loop.length]!;
+    const [ux, uy, vx, vy] = [x - beforeX, y - beforeY, nextX - x, nextY - y];
+    return Math.abs(ux * vy - uy * vx) > 1e-3 * Math.hypot(ux, uy) * Math.hypot(vx, vy);
+  });
+}
