@@ -1,7 +1,7 @@
 // The one list of rooms: what the gallery says about them, how fine the precompute cuts them, and what is asked of them
 // at first. rooms/make.mjs writes it as scenes/catalog.json, which the page reads.
 // precompute: command-line options for `fiatlux precompute`; the opening's intentions are added to them.
-// opening: cards as in a project file, the luminaires, and what differs from { saving: false, quantity: 'illuminance',
+// opening: cards as in a project file (`aim`: about this mean), the luminaires, and what differs from { saving: false, quantity: 'illuminance',
 //   seed: 1 }. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
 //   { illuminate: 0.5 } is half of the largest mean there is.
 
@@ -18,8 +18,8 @@ const rooms = [
     precompute: ['--patch', '0.2', '--cluster', '4', '--refine', '3'],
     opening: {
       cards: [
-        { verb: 'homogenize', surfaces: ['working plane'], mean: { min: 500, max: 650 } },
-        { verb: 'keep', surfaces: ['whiteboard'], mean: { min: 200, max: 500 } },
+        { verb: 'homogenize', surfaces: ['working plane'], aim: 500 },
+        { verb: 'illuminate', surfaces: ['whiteboard'], aim: 300, weight: 0.3 },
       ],
       luminaires: { count: 15, flux: 4000, minDistance: 1.8 },
     },
@@ -41,8 +41,8 @@ const rooms = [
     precompute: ['--patch', '0.16', '--cluster', '4'],
     opening: {
       cards: [
-        { verb: 'homogenize', surfaces: ['working plane'], mean: { min: 500, max: 650 } },
-        { verb: 'keep', surfaces: ['whiteboard'], mean: { min: 300 } },
+        { verb: 'homogenize', surfaces: ['working plane'], aim: 500 },
+        { verb: 'illuminate', surfaces: ['whiteboard'], aim: 350, weight: 0.3 },
       ],
       luminaires: { count: 12, flux: 3500, minDistance: 1.5 },
     },
@@ -54,7 +54,7 @@ const rooms = [
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.5'],
     opening: {
       cards: [
-        { verb: 'homogenize', surfaces: pictures, mean: { min: 150, max: 200 } },
+        { verb: 'homogenize', surfaces: pictures, aim: 150 },
         { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
       ],
       luminaires: { count: 14, flux: 2200 },
@@ -66,7 +66,7 @@ const rooms = [
     description: 'Two blocks between a red and a green wall, for a first look.',
     precompute: ['--patch', '0.1', '--cluster', '4'],
     opening: {
-      cards: [{ verb: 'homogenize', surfaces: ['floor'], mean: { min: 200, max: 350 } }],
+      cards: [{ verb: 'homogenize', surfaces: ['floor'], aim: 250 }],
       luminaires: { count: 4, flux: 5000 },
     },
   },

@@ -8,6 +8,16 @@ const goals = {
   vary: { statistic: 'sigma', sense: 'max' },
 };
 
+const aimWeight = 10; // of a mean that is aimed at, over the spread beside it
+
+function goalsOf({ verb, aim, surfaces, weight = 1 }) {
+  if (!goals[verb]) return [];
+  const goal = { surface: surfaces, ...goals[verb], weight };
+  if (aim === undefined) return [goal];
+  const near = { surface: surfaces, statistic: 'mean', sense: 'near', target: aim };
+  return goal.statistic === 'mean' ? [{ ...near, weight }] : [{ ...near, weight: aimWeight * weight }, goal];
+}
+
 /** `opening`: cards and luminaires as in the catalogue, with numbers for its bounds, and bounds on means alone. */
 export function openingIntentions({ cards, luminaires, quantity = 'illuminance' }) {
   const bounds = ({ surfaces, mean = {} }) =>
@@ -16,9 +26,7 @@ export function openingIntentions({ cards, luminaires, quantity = 'illuminance' 
       .map((end) => ({ surface: surfaces, statistic: 'mean', [end]: mean[end] }));
   return {
     luminaires,
-    goals: cards
-      .filter(({ verb }) => goals[verb])
-      .map(({ verb, surfaces, weight = 1 }) => ({ surface: surfaces, ...goals[verb], weight })),
+    goals: cards.flatMap(goalsOf),
     constraints: cards.flatMap(bounds),
     quantity,
   };

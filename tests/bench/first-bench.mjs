@@ -20,7 +20,7 @@ async function visit(address) {
       null,
       { polling: 'raf', timeout: 120_000 },
     );
-    const slider = page.getByRole('slider', { name: 'mean at least' }).first();
+    const slider = page.getByRole('slider', { name: /: about$/ }).first();
     await slider.waitFor({ timeout: 120_000 });
     const before = await page.evaluate(() => globalThis.__record.asked.length);
     await slider.press('ArrowRight');

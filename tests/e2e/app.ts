@@ -87,10 +87,9 @@ export async function places(page: Page): Promise<string[]> {
 /** Every number of the table of results. */
 export async function results(page: Page): Promise<string[]> {
   await tab(page, 'Results');
-  return page
-    .getByRole('table', { name: /Light by surface/ })
-    .locator('tbody tr')
-    .allInnerTexts();
+  const rows = page.getByRole('table', { name: /Light by surface/ }).locator('tbody tr');
+  await expect(rows.first()).toBeVisible();
+  return rows.allInnerTexts();
 }
 
 /** Where the tags stand on the picture: what tells that luminaires moved while a pointer is held. */

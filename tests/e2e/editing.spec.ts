@@ -33,6 +33,14 @@ async function thumb(slider: Locator): Promise<{ x: number; y: number; width: nu
   return { x: box.x + size / 2 + at * (box.width - size), y: box.y + box.height / 2, width: box.width };
 }
 
+const card = (page: Page) => page.getByRole('article').filter({ has: page.getByRole('figure') });
+
+/** Asks for bounds of the mean on the opened card. */
+async function boundTheMean(page: Page): Promise<void> {
+  await card(page).getByRole('button', { name: 'More' }).click();
+  await card(page).getByRole('button', { name: 'Bounds of the mean' }).click();
+}
+
 const undo = (page: Page) => page.getByRole('button', { name: 'Undo', exact: true });
 const redo = (page: Page) => page.getByRole('button', { name: 'Redo', exact: true });
 
@@ -155,11 +163,12 @@ test('intentions are added, edited and removed, with every verb', async ({ page 
   expect(mean('Illuminate')).toBeGreaterThan(mean('Overshadow'));
   await expect(page.getByRole('textbox', { name: /wall north: mean at least/ })).not.toHaveValue('');
 
-  await page.getByRole('button', { name: 'Guarantee a least or a most' }).click();
-  await expect(page.getByRole('group', { name: 'Guarantee', exact: true })).toBeVisible();
-  await page.getByRole('button', { name: 'True minimum' }).click();
+  await card(page).getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Darkest or brightest spot' }).click();
+  const spots = page.getByRole('group', { name: 'Darkest and brightest spot' });
+  await spots.getByRole('button', { name: 'Chebyshev' }).click();
   await settled(page);
-  await page.getByRole('button', { name: 'Remove the guarantee' }).click();
+  await page.getByRole('button', { name: 'Remove: darkest and brightest spot' }).click();
 
   await page.getByRole('button', { name: 'Remove: keep wall north' }).click();
   await expect(cards).toHaveCount(1);
@@ -208,14 +217,17 @@ test('what cannot be placed is told once, with a way back, and forgotten when it
 
 test('what cannot be met is named, and one click asks for what can', async ({ page }) => {
   await openRoom(page, 'Box');
+  await boundTheMean(page);
   await page.getByRole('textbox', { name: /mean at least/ }).fill('90000');
   await page.getByRole('textbox', { name: /mean at least/ }).press('Enter');
   const help = page.getByRole('region', { name: 'What cannot be met' });
   await expect(help).toContainText(/mean at least 90.000 lx, the best found has/);
+  await expect(page.getByText('1 bound not met')).toBeVisible();
   await help.getByRole('button', { name: /^Ask for/ }).click();
   await expect(help).toHaveCount(0);
   await settled(page);
   await expect(help).toHaveCount(0);
+  await expect(page.getByText('not met')).toHaveCount(0);
 });
 
 test('a bound far beyond the light leaves the histogram its shape', async ({ page }) => {
@@ -223,6 +235,7 @@ test('a bound far beyond the light leaves the histogram its shape', async ({ pag
   const bars = page.locator('.histogram .bar');
   const before = await bars.count();
   expect(before).toBeGreaterThan(8);
+  await boundTheMean(page);
   await page.getByRole('textbox', { name: /mean at most/ }).fill('9000000');
   await page.getByRole('textbox', { name: /mean at most/ }).press('Enter');
   await settled(page);

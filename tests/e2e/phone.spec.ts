@@ -128,9 +128,9 @@ test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet'
   await expect.poll(async () => (await places(page))[0]).not.toBe(held[0]);
   await settled(page);
 
-  // The room is in sight while a bound is dragged, and follows it.
+  // The room is in sight while the aim is dragged, and follows it.
   await tab(page, 'Intentions');
-  const thumb = page.getByRole('slider', { name: 'floor: mean at least' }).and(page.locator('input'));
+  const thumb = page.getByRole('slider', { name: 'floor: about' });
   await thumb.scrollIntoViewIfNeeded();
   expect(stage.height).toBeGreaterThan(300);
   const track = (await thumb.boundingBox())!;

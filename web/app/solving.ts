@@ -11,7 +11,8 @@ import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-
 import type { Viewer } from '../viewer/types.ts';
 import { Showing } from './showing.ts';
 import type { Message, Store } from './state/store.ts';
-import { sentence } from './words/format.ts';
+import { counted, sentence } from './words/format.ts';
+import { withNearMisses } from './words/near-miss.ts';
 
 /** Something newer was asked for: nothing that a person has to be told. */
 export class Superseded extends Error {}
@@ -233,16 +234,21 @@ export class Solving {
     }
     this.#forgetRefusal();
     const state = evaluations === 0 ? 'shown' : type === 'settled' ? 'settled' : 'improving';
-    this.#showing.present(shown, { state, evaluations, milliseconds }, (seen) => {
+    this.#showing.present(this.#forgiven(shown), { state, evaluations, milliseconds }, (seen) => {
       if (state === 'settled') this.#settled(seen);
     });
   }
 
+  #forgiven(shown: Shown): Shown {
+    return withNearMisses(shown, this.#store.traced.peek().intentions.constraints);
+  }
+
   #settled(shown: Shown): void {
     const unmet = shown.constraints.filter((constraint) => !constraint.met).length;
-    const met = unmet === 0 ? 'every intention is met' : `${unmet} bounds cannot be met`;
-    this.#store.announcement.value = `Settled: ${shown.layout.sites.length} luminaires, ${met}.`;
+    const met = unmet === 0 ? 'every bound is met' : `${counted(unmet, 'bound')} cannot be met`;
     const { intentions } = this.#store.traced.peek();
+    const outcome = intentions.constraints.length === 0 ? '' : `, ${met}`;
+    this.#store.announcement.value = `Settled: ${counted(shown.layout.sites.length, 'luminaire')}${outcome}.`;
     if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(intentions);
   }
 
@@ -268,7 +274,7 @@ export class Solving {
     };
     this.#store.edit('Find alpha', set, null, { by: 'nothing' });
     const { evaluations, milliseconds } = this.#store.progress.peek();
-    this.#showing.present(shown, { state: 'settled', evaluations, milliseconds }, (seen) =>
+    this.#showing.present(this.#forgiven(shown), { state: 'settled', evaluations, milliseconds }, (seen) =>
       this.#settled(seen),
     );
   }

@@ -39,12 +39,23 @@ const goalOfVerb: Record<Verb, Pick<Goal, 'statistic' | 'sense'> | null> = {
   keep: null,
 };
 
-/** What a card's verb asks for: an extreme, or where a mean is aimed at, to come near to it. */
-function goalOf({ verb, aim, weight, surfaces }: Card): Goal | null {
+// How much more the mean that is aimed at counts than the spread beside it: the spread decides among layouts near the aim.
+const aimWeight = 10;
+
+/**
+ * What a card's verb asks for: an extreme; where a mean is aimed at, to come near to it, in the place of the most or the
+ * least of it, and before the spread.
+ */
+function goalsOf({ verb, aim, weight, surfaces }: Card): Goal[] {
   const goal = goalOfVerb[verb];
-  if (!goal || !(weight > 0)) return null;
-  const isAimed = aim !== undefined && goal.statistic === 'mean';
-  return { ...goal, ...(isAimed && { sense: 'near', target: aim }), weight, surfaces };
+  if (!goal || !(weight > 0)) return [];
+  if (aim === undefined) return [{ ...goal, weight, surfaces }];
+  const near = { statistic: 'mean', sense: 'near', target: aim, surfaces } as const;
+  if (goal.statistic === 'mean') return [{ ...near, weight }];
+  return [
+    { ...near, weight: aimWeight * weight },
+    { ...goal, weight, surfaces },
+  ];
 }
 
 /** One constraint a bound, in the order of the fields. A bound that asks for nothing (a mean of at least 0) is left out. */
@@ -82,8 +93,7 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   const constraints: Constraint[] = [];
   const origins: Origin[] = [];
   for (const card of document.cards) {
-    const goal = goalOf(card);
-    if (goal) {
+    for (const goal of goalsOf(card)) {
       goals.push(goal);
       goalCards.push(card.id);
     }

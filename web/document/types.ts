@@ -49,7 +49,7 @@ export interface Card {
   readonly surfaces: SurfaceNames;
   readonly verb: Verb;
   readonly weight: number;
-  readonly aim?: number; // illuminate and overshadow: a mean to come near to, in the unit of the quantity
+  readonly aim?: number; // a mean to come near to, in the unit of the quantity; keep has none
   readonly mean?: { readonly min?: number; readonly max?: number };
   readonly spread?: { readonly max?: number; readonly min?: number }; // sigma
   readonly guarantee?: {

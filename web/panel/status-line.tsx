@@ -1,7 +1,7 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, duration, percentAtMost } from '../app/words/format.ts';
+import { count, counted, duration, percentAtMost } from '../app/words/format.ts';
 
 const words = {
   idle: 'Not solved',
@@ -18,19 +18,22 @@ export function StatusLine() {
   const { state, evaluations, milliseconds } = store.progress.value;
   const shown = store.shown.value;
   const bound = store.bound.value;
-  const isMet = shown !== null && shown.violation === 0;
+  const unmet = shown?.constraints.filter((result) => !result.met).length ?? 0;
+  const isMet = shown !== null && unmet === 0;
+  const isMissing = state === 'settled' && unmet > 0;
   const isTelling = state === 'settled' && isMet && bound !== null && bound.gap <= loosest;
   const took = duration(milliseconds);
   return (
     <footer class="status-line">
-      <span class={`lamp ${state}`} aria-hidden="true" />
+      <span class={`lamp ${isMissing ? 'unmet' : state}`} aria-hidden="true" />
       <span class="status-state">{words[state]}</span>
       {evaluations > 0 && (
         <span class="status-figures" title={`in ${took}`}>
           {count(evaluations)} layouts
-          {!isTelling && ` · ${took}`}
+          {!isTelling && !isMissing && ` · ${took}`}
         </span>
       )}
+      {isMissing && <span class="status-unmet">{counted(unmet, 'bound')} not met</span>}
       {isTelling && (
         <span class="status-bound" title="A proved bound: no layout can be better by more than this">
           within {percentAtMost(bound.gap)} of the best

@@ -27,7 +27,7 @@ const documentOf = (cards: readonly Card[], more: Partial<FiatLuxDocument> = {})
 });
 const asked = (card: Partial<Card>) => intentionsOf(documentOf([{ ...wall, ...card }]));
 
-describe('cards become goals and constraints', () => {
+describe('verbs become goals', () => {
   test.each([
     ['illuminate', 'mean', 'max'],
     ['overshadow', 'mean', 'min'],
@@ -37,14 +37,22 @@ describe('cards become goals and constraints', () => {
     expect(asked({ verb }).intentions.goals).toEqual([{ statistic, sense, weight: 1, surfaces: ['wall'] }]);
   });
 
-  test('a mean that is aimed at is a goal to come near, of the verbs that ask for a mean', () => {
+  test('a mean that is aimed at takes the place of its extreme, and comes before the spread', () => {
     for (const verb of ['illuminate', 'overshadow'] as const)
       expect(asked({ verb, aim: 500 }).intentions.goals).toEqual([
         { statistic: 'mean', sense: 'near', target: 500, weight: 1, surfaces: ['wall'] },
       ]);
-    expect(asked({ verb: 'homogenize', aim: 500 }).intentions.goals[0]).not.toHaveProperty('target');
+    const { intentions, goalCards } = asked({ verb: 'homogenize', aim: 500, weight: 2 });
+    expect(intentions.goals).toEqual([
+      { statistic: 'mean', sense: 'near', target: 500, weight: 20, surfaces: ['wall'] },
+      { statistic: 'sigma', sense: 'min', weight: 2, surfaces: ['wall'] },
+    ]);
+    expect(goalCards).toEqual(['w', 'w']);
+    expect(asked({ verb: 'keep', aim: 500 }).intentions.goals).toEqual([]);
   });
+});
 
+describe('what else cards ask for becomes constraints', () => {
   test.each([231.3, 0.0537, 12.04, 999.6, 4712.8, 1])(
     'keep asks for round bounds that %f lx meets',
     (mean) => {

@@ -83,7 +83,7 @@ export function shareBelow({ values, areas, area }: AreaSample, bound: number): 
   return below / area;
 }
 
-/** Share of the area in each of `bins` equal intervals of [0, high]. */
+/** Share of the area in each of `bins` equal intervals of [0, high]; what is brighter counts in the last. */
 export function histogram(sample: AreaSample, high: number, bins: number): number[] {
   const shares = Array.from({ length: bins }, () => 0);
   sample.values.forEach((value, index) => {
@@ -91,6 +91,19 @@ export function histogram(sample: AreaSample, high: number, bins: number): numbe
     shares[bin] = (shares[bin] ?? 0) + (sample.areas[index] ?? 0) / sample.area;
   });
   return shares;
+}
+
+const outliers = 0.005; // of the area
+const fineBins = 400;
+
+/** What an axis has to hold: the most light there is, or what all but a two-hundredth of the area keeps well below it. */
+export function mostShown(sample: AreaSample): number {
+  const shares = histogram(sample, sample.most, fineBins);
+  let above = 0;
+  let bin = fineBins;
+  while (bin > 0 && above + shares[bin - 1]! <= outliers) above += shares[--bin]!;
+  const usual = (bin / fineBins) * sample.most;
+  return sample.most < 1.5 * usual ? sample.most : usual;
 }
 
 /** What the inequalities promise of the share below mu - alpha sigma: two-sided Chebyshev, one-sided Cantelli. */

@@ -5,7 +5,7 @@
 import { boundOf, isRatio, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
-import { easedBound } from './format.ts';
+import { alphaText, easedBound } from './format.ts';
 
 export interface BindingBound {
   readonly card: Card;
@@ -63,8 +63,8 @@ export function fluxThatWouldDo(document: FiatLuxDocument, bounds: readonly Bind
 }
 
 export function fieldText(card: Card, field: BoundField): string {
-  const guarantee =
-    card.guarantee?.by === 'patches' ? 'true' : `guaranteed (α ${card.guarantee?.alpha ?? 2})`;
+  const { by, alpha = 2 } = card.guarantee ?? {};
+  const guaranteed = by === 'patches' ? '' : ` (guaranteed, α ${alphaText(alpha)})`;
   switch (field) {
     case 'mean.min':
       return 'mean at least';
@@ -75,11 +75,11 @@ export function fieldText(card: Card, field: BoundField): string {
     case 'spread.max':
       return 'spread at most';
     case 'guarantee.min':
-      return `${guarantee} minimum`;
+      return `darkest spot${guaranteed} at least`;
     case 'guarantee.max':
-      return `${guarantee} maximum`;
+      return `brightest spot${guaranteed} at most`;
     case 'uniformity':
-      return 'uniformity Uₒ at least';
+      return 'evenness Uₒ at least';
     case 'contrast':
       return `contrast over ${card.contrast?.over.join(', ') ?? ''} at least`;
   }

@@ -35,6 +35,11 @@ export function count(value: number): string {
   return value >= 1e6 ? `${(value / 1e6).toPrecision(3)} M` : grouped(String(value));
 }
 
+/** 1 luminaire, 12 luminaires. */
+export function counted(value: number, what: string): string {
+  return `${grouped(String(value))} ${what}${value === 1 ? '' : 's'}`;
+}
+
 /** 0.8 ms, 42 ms, 2.8 s. */
 export function duration(milliseconds: number): string {
   if (milliseconds >= 1000) return `${(milliseconds / 1000).toFixed(1)} s`;
@@ -59,6 +64,11 @@ export function percentAtMost(share: number): string {
 export function ratio(value: number): string {
   if (value === Infinity) return '∞';
   return Number.isFinite(value) ? value.toFixed(2) : '–';
+}
+
+/** 1.844: an alpha, the same wherever it is written. */
+export function alphaText(alpha: number): string {
+  return String(Number(alpha.toPrecision(4)));
 }
 
 export function unitOf(quantity: Quantity): string {

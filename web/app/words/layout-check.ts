@@ -44,8 +44,9 @@ export function checkText(
 // Rounding of the sums, and of bounds that are met exactly.
 const exactly = 1e-6;
 
-/** "3.0 % to spare", "0.4 % short". */
-export function marginText(margin: number): string {
+/** "3.0 % to spare", "0.4 % short", "within 0.02 %" where that counts as met. */
+export function marginText(margin: number, isMet = false): string {
   if (Math.abs(margin) <= exactly) return 'met exactly';
+  if (isMet && margin < 0) return `within ${fine(-margin)}`;
   return margin > 0 ? `${percent(margin)} to spare` : `${percent(-margin)} short`;
 }

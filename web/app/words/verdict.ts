@@ -44,8 +44,8 @@ export function verdicts(
         },
       ];
     });
-    const wish = wishOf(card, reachedOn(card.surfaces, shown, scene, document.quantity));
-    return wish ? [{ where, unit, margin: null, met: null, ...wish }, ...bounds] : bounds;
+    const wishes = wishesOf(card, reachedOn(card.surfaces, shown, scene, document.quantity));
+    return [...wishes.map((wish) => ({ where, unit, margin: null, met: null, ...wish })), ...bounds];
   });
 }
 
@@ -63,25 +63,18 @@ export const namesOf = (names: SurfaceNames): string =>
 
 type Readings = Pick<SurfaceResult, 'mean' | 'sigma'>;
 
-function wishOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 'target' | 'actual'> | null {
-  if (!reached || !(card.weight > 0)) return null;
+function wishesOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 'target' | 'actual'>[] {
+  if (!reached || !(card.weight > 0) || card.verb === 'keep') return [];
   const { mean, sigma } = reached;
-  switch (card.verb) {
-    case 'illuminate':
-    case 'overshadow':
-      if (card.aim !== undefined) return { what: 'mean about', target: card.aim, actual: mean };
-      return {
-        what: `mean as ${card.verb === 'illuminate' ? 'high' : 'low'} as can be`,
-        target: null,
-        actual: mean,
-      };
-    case 'homogenize':
-      return { what: 'as even as can be (σ)', target: null, actual: sigma };
-    case 'vary':
-      return { what: 'as varied as can be (σ)', target: null, actual: sigma };
-    case 'keep':
-      return null;
-  }
+  const best = {
+    illuminate: { what: 'mean as high as can be', target: null, actual: mean },
+    overshadow: { what: 'mean as low as can be', target: null, actual: mean },
+    homogenize: { what: 'as even as can be (σ)', target: null, actual: sigma },
+    vary: { what: 'as varied as can be (σ)', target: null, actual: sigma },
+  }[card.verb];
+  if (card.aim === undefined) return [best];
+  const about = { what: 'mean about', target: card.aim, actual: mean };
+  return card.verb === 'illuminate' || card.verb === 'overshadow' ? [about] : [about, best];
 }
 
 /** The readings of a set of surfaces: the solver's where it is one leaf or the whole room, else those of its patches. */

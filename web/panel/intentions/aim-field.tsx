@@ -1,23 +1,30 @@
 /**
- * The one handle of Illuminate and Overshadow: a mean to come near to. At its end nothing is aimed at: as much, or as
- * little, light as there can be.
+ * The one handle of a card: about which mean. Where nothing is aimed at, Illuminate asks for as much light as there can be,
+ * Overshadow for as little, and the others take the mean as it comes.
  */
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, unitOf } from '../../app/words/format.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { withOptional } from '../../document/intentions.ts';
-import { useScale, type CardProps } from './card-hooks.ts';
+import type { Verb } from '../../document/types.ts';
+import type { Axis, CardProps } from './card-hooks.ts';
 import { useReached } from './use-reached.ts';
 
-export function AimField({ card }: CardProps) {
+const withoutAim: Record<Exclude<Verb, 'keep'>, readonly [placeholder: string, text: string]> = {
+  illuminate: ['most', 'as much as possible'],
+  overshadow: ['least', 'as little as possible'],
+  homogenize: ['any', 'any mean'],
+  vary: ['any', 'any mean'],
+};
+
+export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   const app = useApp();
   const reached = useReached(card.surfaces);
   const unit = unitOf(app.store.document.value.quantity);
-  const { scale, hold, release } = useScale(Math.max(1, (reached?.mean ?? 0) * 1.5, (card.aim ?? 0) * 1.2));
+  const { scale, hold, release } = axis;
   const step = niceStep(scale);
-  const isMost = card.verb === 'illuminate';
-  const atEnd = isMost ? 'as much as possible' : 'as little as possible';
+  const [placeholder, text] = withoutAim[card.verb === 'keep' ? 'homogenize' : card.verb];
   const name = card.surfaces[0] ?? '';
   const set = (value: number | undefined) =>
     app.changeCard(
@@ -33,37 +40,35 @@ export function AimField({ card }: CardProps) {
   return (
     <div class="field">
       <div class="field-head">
-        <span class="field-name">About</span>
+        <span class="field-name">Mean, about</span>
         {reached && (
           <span class="field-note">
             now {compact(reached.mean)} {unit}
           </span>
         )}
-      </div>
-      <div class="field-pair">
-        <Slider
-          label={`${name}: about`}
-          value={card.aim ?? (isMost ? scale : 0)}
-          min={0}
-          max={scale}
-          step={step}
-          text={card.aim === undefined ? atEnd : `${compact(card.aim)} ${unit}`}
-          onInput={(value) => {
-            hold();
-            set(value > 0 && value < scale ? value : undefined);
-          }}
-          onEnd={end}
-        />
         <NumberField
           label={`${name}: aim at a mean of`}
           value={card.aim}
           unit={unit}
           step={step}
-          placeholder={isMost ? 'most' : 'least'}
+          placeholder={placeholder}
           onInput={set}
           onEnd={end}
         />
       </div>
+      <Slider
+        label={`${name}: about`}
+        value={card.aim ?? (card.verb === 'illuminate' ? scale : 0)}
+        min={0}
+        max={scale}
+        step={step}
+        text={card.aim === undefined ? text : `${compact(card.aim)} ${unit}`}
+        onInput={(value) => {
+          hold();
+          set(value > 0 && value < scale ? value : undefined);
+        }}
+        onEnd={end}
+      />
     </div>
   );
 }

@@ -1,6 +1,6 @@
 /** The search for alpha, iteration by iteration (paper, figure 10 a): alpha tried, and the interval it is known to lie in. */
 import type { AlphaRun } from '../../app/state/store.ts';
-import { niceCeiling } from '../../app/words/format.ts';
+import { alphaText, niceCeiling } from '../../app/words/format.ts';
 
 const width = 320;
 const height = 130;
@@ -56,7 +56,7 @@ export function AlphaPlot({ run }: { run: AlphaRun }) {
       </ul>
       {done && (
         <figcaption>
-          {done.alpha !== null && <strong>α = {Number(done.alpha.toFixed(3))}. </strong>}
+          {done.alpha !== null && <strong>α = {alphaText(done.alpha)}. </strong>}
           {done.verdict}
         </figcaption>
       )}
@@ -68,5 +68,5 @@ const finite = (value: number) => (Number.isFinite(value) ? value : 0);
 
 function describe({ steps, done }: AlphaRun): string {
   const tried = steps.map((step) => `${step.alpha.toFixed(2)} (region ${step.region})`).join(', ');
-  return `Alphas tried: ${tried || 'none yet'}.${done?.alpha ? ` Found: ${done.alpha.toFixed(2)}.` : ''}`;
+  return `Alphas tried: ${tried || 'none yet'}.${done?.alpha ? ` Found: ${alphaText(done.alpha)}.` : ''}`;
 }

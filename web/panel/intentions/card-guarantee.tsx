@@ -1,7 +1,7 @@
 /** "At least 300 lx": by Chebyshev (mu - alpha sigma) or by the true minimum; and the search for the smallest alpha. */
 import { LocateFixed, Plus, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { compact, easedBound, niceStep, unitOf } from '../../app/words/format.ts';
+import { alphaText, compact, easedBound, niceStep, unitOf } from '../../app/words/format.ts';
 import { intentionsOf, withBound, withOptional } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
@@ -20,18 +20,18 @@ export function CardGuarantee({ card }: CardProps) {
   if (!guarantee) {
     const floor = Math.max(1, Number((0.5 * (reached?.mean ?? 100)).toPrecision(1)));
     return (
-      <button class="add-field" onClick={() => change({ by: 'chebyshev', alpha: 2, min: floor })}>
+      <button class="add-field" onClick={() => change({ by: 'patches', alpha: 2, min: floor })}>
         <Plus size={14} aria-hidden />
-        Guarantee a least or a most
+        Darkest or brightest spot
       </button>
     );
   }
   return (
     <fieldset class="field group">
-      <legend>Guarantee</legend>
+      <legend>Darkest and brightest spot</legend>
       <button
         class="icon-button small corner"
-        aria-label="Remove the guarantee"
+        aria-label="Remove: darkest and brightest spot"
         onClick={() => change(undefined)}
       >
         <X size={14} aria-hidden />
@@ -65,23 +65,23 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
     <>
       <div class="segments wide" role="group" aria-label="Guaranteed by">
         <button
+          aria-pressed={guarantee.by === 'patches'}
+          title="Every patch keeps within the bounds"
+          onClick={() => change({ ...guarantee, by: 'patches' })}
+        >
+          Every spot
+        </button>
+        <button
           aria-pressed={guarantee.by === 'chebyshev'}
           title="μ − ασ stays above the bound: fast, holds for all but a stated share of the area"
           onClick={() => change({ ...guarantee, by: 'chebyshev' })}
         >
           Chebyshev
         </button>
-        <button
-          aria-pressed={guarantee.by === 'patches'}
-          title="Every patch stays above the bound"
-          onClick={() => change({ ...guarantee, by: 'patches' })}
-        >
-          True minimum
-        </button>
       </div>
       <div class="field-pair">
         <NumberField
-          label="Guaranteed at least"
+          label="Darkest spot at least"
           value={guarantee.min}
           unit={unit}
           step={step}
@@ -92,7 +92,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
         />
         <span aria-hidden="true">to</span>
         <NumberField
-          label="Guaranteed at most"
+          label="Brightest spot at most"
           value={guarantee.max}
           unit={unit}
           step={step}
@@ -107,7 +107,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
           <span>Alpha</span>
           <NumberField
             label="Alpha"
-            value={guarantee.alpha}
+            value={Number(alphaText(guarantee.alpha))}
             step={0.1}
             max={100}
             onInput={setAlpha}
@@ -156,8 +156,7 @@ function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
             )
           }
         >
-          Guarantee {compact(feasible)} {unitOf(store.document.value.quantity)} by the true{' '}
-          {isLeast ? 'minimum' : 'maximum'}
+          Ask for {compact(feasible)} {unitOf(store.document.value.quantity)} on every spot
         </button>
       )}
     </>

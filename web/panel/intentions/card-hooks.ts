@@ -9,6 +9,19 @@ export interface CardProps {
   readonly card: Card;
 }
 
+/**
+ * Whether the panel speaks as the paper does (mu, sigma, exitance): in the rooms of its experiments, and wherever its
+ * quantity is asked for. Elsewhere it speaks a designer's words.
+ */
+export function usePaperWords(): boolean {
+  const { store, rooms } = useApp();
+  const { room, quantity } = store.document.value;
+  return quantity === 'exitance' || rooms.catalog.value.experiments.some((each) => each.room === room);
+}
+
+/** The scale that a card's slider and histogram share. */
+export type Axis = ReturnType<typeof useScale>;
+
 /** Sets a bound of a card; all changes until the gesture ends are one step. */
 export function useBound(card: Card) {
   const app = useApp();

@@ -1,8 +1,9 @@
-/** What else may be asked of a surface: limits of the spread, uniformity, contrast to another surface. Shown once asked for. */
+/** What else may be asked of a surface: bounds of mean and spread, evenness, contrast to another surface. Shown once asked for. */
 import { Plus, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, ratio, unitOf } from '../../app/words/format.ts';
 import { withOptional } from '../../document/intentions.ts';
+import type { Card } from '../../document/types.ts';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
@@ -16,23 +17,16 @@ export function CardMore({ card }: CardProps) {
   const other = app.store.scene.value?.surfaces.find(
     (surface) => !card.surfaces.includes(surface.name),
   )?.name;
-  const rounded = (value: number | undefined) => Number((value ?? 1).toPrecision(2));
   return (
     <>
       {card.spread && <SpreadFields card={card} reached={reached} />}
       {card.uniformity !== undefined && <UniformityField card={card} reached={reached} />}
       {card.contrast && <ContrastFields card={card} />}
       <div class="add-fields">
-        {(card.verb === 'illuminate' || card.verb === 'overshadow') && !card.mean && (
+        {card.verb !== 'keep' && !card.mean && (
           <button
             class="add-field"
-            onClick={() =>
-              add((each) =>
-                withOptional(each, 'mean', {
-                  [each.verb === 'illuminate' ? 'min' : 'max']: rounded(reached?.mean),
-                }),
-              )
-            }
+            onClick={() => add((each) => withOptional(each, 'mean', firstRange(each, reached?.mean ?? 1)))}
           >
             <Plus size={14} aria-hidden />
             Bounds of the mean
@@ -41,7 +35,7 @@ export function CardMore({ card }: CardProps) {
         {!card.spread && (
           <button
             class="add-field"
-            onClick={() => add((each) => withOptional(each, 'spread', { max: rounded(reached?.sigma) }))}
+            onClick={() => add((each) => withOptional(each, 'spread', { max: rounded(reached?.sigma ?? 1) }))}
           >
             <Plus size={14} aria-hidden />
             Spread
@@ -50,7 +44,7 @@ export function CardMore({ card }: CardProps) {
         {card.uniformity === undefined && (
           <button class="add-field" onClick={() => add((each) => withOptional(each, 'uniformity', 0.4))}>
             <Plus size={14} aria-hidden />
-            Uniformity
+            Evenness
           </button>
         )}
         {!card.contrast && other && (
@@ -67,15 +61,27 @@ export function CardMore({ card }: CardProps) {
   );
 }
 
+const rounded = (value: number) => Number(value.toPrecision(2));
+
+/** Where bounds of the mean begin: at what there is, from the side that the verb pushes against. */
+function firstRange({ verb }: Card, mean: number): NonNullable<Card['mean']> {
+  return verb === 'overshadow' ? { max: rounded(mean) } : { min: rounded(mean) };
+}
+
 type FieldsProps = CardProps & { readonly reached: Reached | null };
 
-function Remove({ card, what }: CardProps & { what: 'spread' | 'uniformity' | 'contrast' }) {
+interface RemoveProps extends CardProps {
+  readonly what: 'spread' | 'uniformity' | 'contrast';
+  readonly name?: string;
+}
+
+function Remove({ card, what, name = what }: RemoveProps) {
   const app = useApp();
   return (
     <button
       class="icon-button small corner"
-      aria-label={`Remove: ${what}`}
-      onClick={() => app.changeCard(card.id, `Remove ${what}`, (each) => withOptional(each, what, undefined))}
+      aria-label={`Remove: ${name}`}
+      onClick={() => app.changeCard(card.id, `Remove ${name}`, (each) => withOptional(each, what, undefined))}
     >
       <X size={14} aria-hidden />
     </button>
@@ -123,13 +129,13 @@ function UniformityField({ card, reached }: FieldsProps) {
   return (
     <fieldset class="field group">
       <legend>
-        Uniformity Uₒ {reached && <span class="field-note">now {ratio(reached.min / reached.mean)}</span>}
+        Evenness Uₒ {reached && <span class="field-note">now {ratio(reached.min / reached.mean)}</span>}
       </legend>
-      <Remove card={card} what="uniformity" />
+      <Remove card={card} what="uniformity" name="evenness" />
       <div class="setting-row">
-        <span>Least / mean at least</span>
+        <span>Darkest spot / mean at least</span>
         <NumberField
-          label="Uniformity at least"
+          label="Evenness at least"
           value={card.uniformity}
           step={0.01}
           max={1}

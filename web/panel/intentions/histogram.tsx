@@ -7,7 +7,7 @@ import { useApp } from '../../app/app.ts';
 import { compact, niceStep, percent, unitOf } from '../../app/words/format.ts';
 import { histogram, promises, shareBelow, type AreaSample } from '../../app/state/statistics.ts';
 import { boundOf, type BoundField } from '../../document/intentions.ts';
-import { useBound, useScale, type CardProps } from './card-hooks.ts';
+import { useBound, usePaperWords, type Axis, type CardProps } from './card-hooks.ts';
 import { stepped } from '../controls/slider.tsx';
 import { useSample } from './use-reached.ts';
 
@@ -15,28 +15,25 @@ const width = 320;
 const height = 96;
 const base = 78; // y of the axis
 const bins = 48;
-const farthest = 6; // times the most light there is
+const inset = 8; // both ends of the axis lie under the middle of the slider's thumb at its ends
+const span = width - 2 * inset;
 
 const handles: readonly { field: BoundField; title: string; mark: string }[] = [
-  { field: 'mean.min', title: 'mean at least', mark: 'μ ≥' },
-  { field: 'mean.max', title: 'mean at most', mark: 'μ ≤' },
-  { field: 'guarantee.min', title: 'guaranteed at least', mark: '≥' },
-  { field: 'guarantee.max', title: 'guaranteed at most', mark: '≤' },
+  { field: 'mean.min', title: 'mean at least', mark: '≥' },
+  { field: 'mean.max', title: 'mean at most', mark: '≤' },
+  { field: 'guarantee.min', title: 'darkest spot at least', mark: '≥' },
+  { field: 'guarantee.max', title: 'brightest spot at most', mark: '≤' },
 ];
 
-export function Histogram({ card }: CardProps) {
+export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
   const { store } = useApp();
   const sample = useSample(card.surfaces);
   const bound = useBound(card);
   const svg = useRef<SVGSVGElement>(null);
-  const most = Math.max(1e-3, sample?.most ?? 1);
-  // A bound far beyond the light stands at the edge, so that the light keeps its shape.
-  const bounds = handles
-    .flatMap((handle) => boundOf(card, handle.field) ?? [])
-    .filter((value) => value <= farthest * most);
-  const { scale, hold, release } = useScale(Math.max(most, ...bounds.map((value) => value * 1.1)));
+  const inPaperWords = usePaperWords();
+  const { scale, hold, release } = axis;
   if (!sample) return null;
-  const x = (value: number) => Math.min(1, Math.max(0, value / scale)) * width;
+  const x = (value: number) => inset + Math.min(1, Math.max(0, value / scale)) * span;
   const alpha = card.guarantee?.by === 'chebyshev' ? card.guarantee.alpha : 1;
   const unit = unitOf(store.document.value.quantity);
   const drag: Drag = {
@@ -63,18 +60,18 @@ export function Histogram({ card }: CardProps) {
           height={base - 8}
         />
         <Bars sample={sample} scale={scale} />
-        <line class="axis" x1="0" x2={width} y1={base} y2={base} />
+        <line class="axis" x1={inset} x2={width - inset} y1={base} y2={base} />
         <line class="mean-line" x1={x(sample.mean)} x2={x(sample.mean)} y1="6" y2={base} />
-        {x(sample.mean) > 40 && (
-          <text x="1" y={height - 4}>
+        {x(sample.mean) > 50 && (
+          <text x={inset} y={height - 4}>
             0
           </text>
         )}
         <text class="mean-text" x={x(sample.mean)} y={height - 4} text-anchor={anchorOf(x(sample.mean))}>
-          μ {compact(sample.mean)}
+          {inPaperWords ? 'μ' : 'mean'} {compact(sample.mean)}
         </text>
-        <text x={width - 1} y={height - 4} text-anchor="end">
-          {x(sample.mean) < width * 0.72 ? compact(scale) : ''}
+        <text x={width - inset} y={height - 4} text-anchor="end">
+          {x(sample.mean) < width * 0.66 && endText(scale, sample.most)}
         </text>
         {handles.map(({ field, title, mark }) => {
           const value = boundOf(card, field);
@@ -97,11 +94,16 @@ export function Histogram({ card }: CardProps) {
   );
 }
 
+/** What stands at the end of the axis; that a few spots are brighter is said. */
+const endText = (scale: number, most: number): string =>
+  most > scale * 1.001 ? `${compact(scale)}, few to ${compact(most)}` : compact(scale);
+
 /** The value at a point of the page, on a round step of the scale and above 0. */
 function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): number {
   const box = svg?.getBoundingClientRect();
   if (!box) return 0;
-  const value = Math.min(1, Math.max(0, (clientX - box.left) / box.width)) * scale;
+  const at = ((clientX - box.left) / box.width) * width;
+  const value = Math.min(1, Math.max(0, (at - inset) / span)) * scale;
   const step = niceStep(scale);
   return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
 }
@@ -119,8 +121,8 @@ function Bars({ sample, scale }: { sample: AreaSample; scale: number }) {
             <rect
               key={bin}
               class="bar"
-              x={(bin / bins) * width + 0.5}
-              width={width / bins - 1}
+              x={inset + (bin / bins) * span + 0.5}
+              width={span / bins - 1}
               y={base - tall}
               height={tall}
             />
@@ -191,8 +193,10 @@ function Handle({ value, at, scale, kind, mark, label, text, drag, set }: Handle
 
 /** The true share of the area below the bound, and the promises at the alpha that this bound stands for. */
 function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: string }) {
+  const inPaperWords = usePaperWords();
   const floor = card.guarantee?.min ?? card.mean?.min;
   if (floor === undefined) return null;
+  const isPromised = inPaperWords || card.guarantee?.by === 'chebyshev';
   const alpha = sample.sigma > 0 ? (sample.mean - floor) / sample.sigma : Infinity;
   const promise = promises(alpha);
   return (
@@ -200,7 +204,7 @@ function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: 
       <span>
         Below {compact(floor)} {unit}: <strong>{percent(shareBelow(sample, floor))}</strong> of the area
       </span>
-      {alpha > 0 && Number.isFinite(alpha) && promise.cantelli < 0.995 && (
+      {isPromised && alpha > 0 && Number.isFinite(alpha) && promise.cantelli < 0.995 && (
         <span title={`The bound lies ${alpha.toFixed(2)} σ below the mean`}>
           promised: {alpha > 1 && `Chebyshev ≤ ${percent(promise.chebyshev)}, `}Cantelli ≤{' '}
           {percent(promise.cantelli)}

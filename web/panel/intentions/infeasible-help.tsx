@@ -63,7 +63,7 @@ export function InfeasibleHelp() {
                 </button>
                 {bound.card.guarantee?.by === 'chebyshev' && bound.field.startsWith('guarantee') && (
                   <button class="button small" onClick={() => byPatches(bound)}>
-                    By the true {bound.field.endsWith('min') ? 'minimum' : 'maximum'}
+                    Every spot instead
                   </button>
                 )}
               </span>

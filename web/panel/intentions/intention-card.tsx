@@ -1,6 +1,7 @@
 /** A card: surface, verb, what is asked and what it reaches. The opened card carries all its controls and the histogram. */
 import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
+import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { leavesOf } from '../../document/surface-names.ts';
@@ -8,13 +9,14 @@ import { keepRange, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
 import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
-import type { CardProps } from './card-hooks.ts';
+import { usePaperWords, useScale, type CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
+import { More } from '../controls/more.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { MeanRange } from './mean-range.tsx';
 import { namesText, SurfacePicker } from './surface-picker.tsx';
-import { useReached } from './use-reached.ts';
+import { useReached, useSample, type Reached } from './use-reached.ts';
 import { verbs } from './verbs.ts';
 
 export function IntentionCard({ card }: CardProps) {
@@ -41,7 +43,8 @@ export function IntentionCard({ card }: CardProps) {
         </button>
         {reached && (
           <span class="card-reached">
-            {compact(reached.mean)} {unit}
+            {compact(reached.mean)}
+            {card.aim !== undefined && ` of ${compact(card.aim)}`} {unit}
           </span>
         )}
         <Met status={status} />
@@ -84,26 +87,42 @@ function Met({ status }: { status: Status | null }) {
       class={`met ${status.met ? 'met' : 'unmet'}`}
       role="img"
       aria-label={status.met ? 'met' : 'not met'}
-      title={`${status.met ? 'Met' : 'Not met'}: ${marginText(status.margin)}`}
+      title={`${status.met ? 'Met' : 'Not met'}: ${marginText(status.margin, status.met)}`}
     >
       {status.met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
     </span>
   );
 }
 
-/** Verbs that ask for a mean: one handle says how much, and bounds come only where they are asked for. */
-const isAimed = ({ verb }: Card): boolean => verb === 'illuminate' || verb === 'overshadow';
+/** Whether a card asks for something that is behind "more". */
+const asksMore = ({ verb, mean, spread, guarantee, uniformity, contrast }: Card): boolean =>
+  [verb === 'keep' ? undefined : mean, spread, guarantee, uniformity, contrast].some(
+    (each) => each !== undefined,
+  );
+
+/** One scale for the slider and the histogram of a card: what is asked and the light, but not its few brightest spots. */
+function useAxis({ aim, mean, guarantee, surfaces }: Card, reached: Reached | null) {
+  const sample = useSample(surfaces);
+  const most = sample ? mostShown(sample) : 0;
+  // A bound far beyond the light stands at the edge, so that the light keeps its shape.
+  const near = (bound: number | undefined) => (bound !== undefined && bound <= 6 * most ? bound : 0);
+  const bounds = [aim, mean?.min, mean?.max, guarantee?.min, guarantee?.max].map(near);
+  return useScale(Math.max(1e-3, most, 1.5 * (reached?.mean ?? 0), 1.2 * Math.max(...bounds)));
+}
 
 function CardBody({ card }: CardProps) {
   const app = useApp();
   const { store } = app;
   const reached = useReached(card.surfaces);
+  const axis = useAxis(card, reached);
+  const inPaperWords = usePaperWords();
   const setVerb = (verb: Verb) =>
     app.changeCard(card.id, `Change to ${verb}`, (each) =>
       verb === 'keep' && reached
         ? withOptional({ ...each, verb }, 'mean', keepRange(reached.mean))
         : { ...each, verb },
     );
+  const isKeep = card.verb === 'keep';
   return (
     <div class="card-body">
       <div class="verbs" role="group" aria-label="What the light should do">
@@ -121,32 +140,44 @@ function CardBody({ card }: CardProps) {
           app.changeCard(card.id, 'Change the surfaces', (each) => ({ ...each, surfaces }))
         }
       />
-      {isAimed(card) && <AimField card={card} />}
-      {(!isAimed(card) || card.mean) && <MeanRange card={card} />}
-      <Histogram card={card} />
-      <CardGuarantee card={card} />
-      <CardMore card={card} />
+      {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
+      <Histogram {...{ card, axis }} />
       {reached && (
         <dl class="readings">
-          <Reading name="σ" value={compact(reached.sigma)} />
-          <Reading name="min" value={compact(reached.min)} />
-          <Reading name="max" value={compact(reached.max)} />
-          <Reading name="U" sub="o" value={ratio(reached.min / reached.mean)} />
-          <Reading name="U" sub="d" value={ratio(reached.min / reached.max)} />
+          <Reading name="Mean" value={compact(reached.mean)} />
+          <Reading
+            name="Evenness"
+            title="Uₒ: darkest spot / mean"
+            value={ratio(reached.min / reached.mean)}
+          />
+          <Reading name="Darkest" title="The least of its patches" value={compact(reached.min)} />
+          <Reading name="Brightest" title="The most of its patches" value={compact(reached.max)} />
         </dl>
       )}
-      {store.document.value.cards.length > 1 && card.verb !== 'keep' && <Weight card={card} />}
+      <More isUsed={inPaperWords || asksMore(card)}>
+        {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
+        <CardGuarantee card={card} />
+        <CardMore card={card} />
+        {reached && (
+          <dl class="readings">
+            <Reading name="Spread σ" value={compact(reached.sigma)} />
+            <Reading
+              name="Darkest / brightest"
+              title="U_d: darkest spot / brightest spot"
+              value={ratio(reached.min / reached.max)}
+            />
+          </dl>
+        )}
+        {store.document.value.cards.length > 1 && !isKeep && <Weight card={card} />}
+      </More>
     </div>
   );
 }
 
-function Reading({ name, sub, value }: { name: string; sub?: string; value: string }) {
+function Reading({ name, title, value }: { name: string; title?: string; value: string }) {
   return (
-    <div>
-      <dt>
-        {name}
-        {sub && <sub>{sub}</sub>}
-      </dt>
+    <div title={title}>
+      <dt>{name}</dt>
       <dd>{value}</dd>
     </div>
   );

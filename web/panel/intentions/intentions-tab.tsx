@@ -3,10 +3,12 @@ import { BookOpen, Plus } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { opposedCards } from '../../app/words/explain.ts';
 import type { Verb } from '../../document/types.ts';
+import { usePaperWords } from './card-hooks.ts';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
 import { namesText } from './surface-picker.tsx';
 import { verbs } from './verbs.ts';
+import { More } from '../controls/more.tsx';
 import { Check } from '../view-toolbar.tsx';
 
 const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title ?? verb;
@@ -14,26 +16,12 @@ const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title 
 export function IntentionsTab() {
   const app = useApp();
   const { store } = app;
-  const { cards, quantity, saving } = store.document.value;
+  const { cards, saving } = store.document.value;
+  const inPaperWords = usePaperWords();
   const selected = store.scene.value?.surfaces[store.surface.value ?? -1]?.name;
   return (
     <>
-      <div class="segments wide" role="group" aria-label="Quantity">
-        <button
-          aria-pressed={quantity === 'illuminance'}
-          title="Light that arrives, lx"
-          onClick={() => app.setQuantity('illuminance')}
-        >
-          Illuminance <small>lx</small>
-        </button>
-        <button
-          aria-pressed={quantity === 'exitance'}
-          title="Light that is reflected, lm/m²: B of the paper"
-          onClick={() => app.setQuantity('exitance')}
-        >
-          Exitance <small>lm/m²</small>
-        </button>
-      </div>
+      {inPaperWords && <QuantityChoice />}
       <InfeasibleHelp />
       <ul class="cards">
         {cards.map((card) => (
@@ -72,6 +60,34 @@ export function IntentionsTab() {
         checked={saving}
         set={(on) => store.edit('Save power', (draft) => void (draft.saving = on))}
       />
+      {!inPaperWords && (
+        <More isUsed={false}>
+          <QuantityChoice />
+        </More>
+      )}
     </>
+  );
+}
+
+function QuantityChoice() {
+  const app = useApp();
+  const { quantity } = app.store.document.value;
+  return (
+    <div class="segments wide" role="group" aria-label="Quantity">
+      <button
+        aria-pressed={quantity === 'illuminance'}
+        title="Light that arrives, lx"
+        onClick={() => app.setQuantity('illuminance')}
+      >
+        Illuminance <small>lx</small>
+      </button>
+      <button
+        aria-pressed={quantity === 'exitance'}
+        title="Light that is reflected, lm/m²: B of the paper"
+        onClick={() => app.setQuantity('exitance')}
+      >
+        Exitance <small>lm/m²</small>
+      </button>
+    </div>
   );
 }

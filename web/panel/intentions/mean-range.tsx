@@ -1,20 +1,18 @@
 /** The two-handled range for the mean of a card: roughly by sliding, exactly by typing. */
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, unitOf } from '../../app/words/format.ts';
-import { useBound, useScale, type CardProps } from './card-hooks.ts';
+import { useBound, type Axis, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { RangeSlider } from '../controls/slider.tsx';
 import { useReached } from './use-reached.ts';
 
-export function MeanRange({ card }: CardProps) {
+export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
   const { store } = useApp();
   const { set, end } = useBound(card);
   const reached = useReached(card.surfaces);
   const unit = unitOf(store.document.value.quantity);
   const { min, max } = card.mean ?? {};
-  const { scale, hold, release } = useScale(
-    Math.max(1, (reached?.mean ?? 0) * 1.8, (min ?? 0) * 1.4, (max ?? 0) * 1.25),
-  );
+  const { scale, hold, release } = axis;
   const step = niceStep(scale);
   const name = card.surfaces[0] ?? '';
   const finish = () => {

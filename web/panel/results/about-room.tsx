@@ -12,8 +12,8 @@ export function AboutRoom() {
   return (
     <>
       <p class="fine-print">
-        σ, min, max and U<sub>o</sub> are of patches of {patchSize(scene).toFixed(2)} m: smaller patches would
-        show more contrast.
+        Darkest and brightest are of patches of {patchSize(scene).toFixed(2)} m, and evenness is darkest /
+        mean: smaller patches would show more contrast.
       </p>
       <details class="about-room">
         <summary>

@@ -8,7 +8,7 @@ import { useApp } from '../../app/app.ts';
 import { folded, type Fold } from '../../app/rooms/families.ts';
 import { ratio, spanText, tabular, unitOf } from '../../app/words/format.ts';
 import { unionOf } from '../../app/state/statistics.ts';
-import type { Quantity } from '../../document/types.ts';
+import { usePaperWords } from '../intentions/card-hooks.ts';
 import type { SurfaceResult } from '../../solver/protocol.ts';
 
 const enough = 12; // surfaces: more of them get a field to find one by
@@ -54,7 +54,7 @@ export function SurfaceTable() {
         <caption>
           Light by surface <small>{unitOf(quantity)}</small>
         </caption>
-        <Head quantity={quantity} />
+        <Head />
         <tbody>
           {folded(lines, ({ row }) => row.name).map((fold) => {
             const [first] = fold.items;
@@ -70,29 +70,34 @@ export function SurfaceTable() {
   );
 }
 
-function Head({ quantity }: { quantity: Quantity }) {
+function Head() {
+  const inPaperWords = usePaperWords();
   return (
     <thead>
       <tr>
         <th scope="col">Surface</th>
-        <th scope="col" class="number" title="Mean">
-          {quantity === 'illuminance' ? 'E' : 'M'}
-          <sub>m</sub>
+        <th scope="col" class="number">
+          Mean
         </th>
-        <th scope="col" class="number" title="Least of the patches">
-          min
+        <th scope="col" class="number" title="Darkest spot: the least of the patches">
+          Dark
+          <wbr />
+          est
         </th>
-        <th scope="col" class="number" title="Most of the patches">
-          max
+        <th scope="col" class="number" title="Brightest spot: the most of the patches">
+          Bright
+          <wbr />
+          est
         </th>
-        <th scope="col" class="number" title="Spread">
-          σ
-        </th>
-        <th scope="col" class="number" title="Least / mean, and least / most">
-          U<sub>o</sub>{' '}
-          <span class="faint">
-            U<sub>d</sub>
-          </span>
+        {inPaperWords && (
+          <th scope="col" class="number" title="Spread">
+            σ
+          </th>
+        )}
+        <th scope="col" class="number" title="Uₒ: darkest spot / mean">
+          Even
+          <wbr />
+          ness
         </th>
       </tr>
     </thead>
@@ -154,13 +159,14 @@ function SurfaceRow({ row, leaf, isMember }: Line & { isMember?: boolean }) {
 }
 
 function Readings({ mean, sigma, min, max }: Pick<SurfaceResult, 'mean' | 'sigma' | 'min' | 'max'>) {
+  const inPaperWords = usePaperWords();
   return (
     <>
       <td class="number">{tabular(min)}</td>
       <td class="number">{tabular(max)}</td>
-      <td class="number">{tabular(sigma)}</td>
-      <td class="number">
-        {ratio(min / mean)} <span class="faint">{ratio(min / max)}</span>
+      {inPaperWords && <td class="number">{tabular(sigma)}</td>}
+      <td class="number" title={`darkest / brightest ${ratio(min / max)}`}>
+        {ratio(min / mean)}
       </td>
     </>
   );

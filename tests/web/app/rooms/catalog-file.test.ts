@@ -26,7 +26,7 @@ describe('the list that is shipped', () => {
   test('asks in the words of a project file, with shares where a bound depends on the room', () => {
     const { rooms, experiments } = sampleCatalog();
     expect(rooms[0]?.opening).toMatchObject({
-      cards: [{ id: 'c-1', verb: 'homogenize', weight: 1, mean: { min: 500, max: 650 } }, { id: 'c-2' }],
+      cards: [{ id: 'c-1', verb: 'homogenize', weight: 1, aim: 500 }, { id: 'c-2' }],
       luminaires: { count: 15, dimming: [1, 1], pinned: [], minDistance: 1.8 },
       quantity: 'illuminance',
       saving: false,

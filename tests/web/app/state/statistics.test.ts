@@ -3,6 +3,7 @@ import { describe, expect, test } from '@jest/globals';
 import { spanText } from '../../../../web/app/words/format.ts';
 import {
   histogram,
+  mostShown,
   patchesOf,
   promises,
   sampleOf,
@@ -40,6 +41,21 @@ describe('statistics of an area', () => {
     expect(shareBelow(sample, 5)).toBeCloseTo(0.25);
     expect(shareBelow(sample, 7)).toBe(1);
     expect(histogram(sample, 8, 4)).toEqual([0, 0.25, 0, 0.75]);
+  });
+
+  test('an axis holds the light, but not one bright spot that would squeeze it', () => {
+    const values = Float32Array.from({ length: 1000 }, (_, i) => (i === 7 ? 5000 : 100 + (i % 100)));
+    const of = (light: Float32Array) =>
+      mostShown({
+        ...sample,
+        values: light,
+        areas: values.map(() => 1),
+        area: 1000,
+        most: Math.max(...light),
+      });
+    expect(of(values)).toBeGreaterThan(198);
+    expect(of(values)).toBeLessThan(220);
+    expect(of(values.map((value) => Math.min(value, 250)))).toBe(250);
   });
 
   test('the promises hold for the true share', () => {

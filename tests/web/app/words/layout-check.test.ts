@@ -41,7 +41,12 @@ describe('the check', () => {
     expect(checked(0.3, 0.12)).toMatch(/met with 12 % or more to spare/);
   });
   test('margins read as words', () => {
-    expect([0, 0.004, -0.2].map(marginText)).toEqual(['met exactly', '0.4 % to spare', '20 % short']);
+    expect([0, 0.004, -0.2].map((margin) => marginText(margin))).toEqual([
+      'met exactly',
+      '0.4 % to spare',
+      '20 % short',
+    ]);
+    expect(marginText(-0.0004, true)).toBe('within 0.04 %');
   });
 });
 

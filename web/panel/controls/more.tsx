@@ -1,0 +1,23 @@
+/** What most people do not need, behind one word: unfolded where something in it is used already. */
+import { ChevronRight } from 'lucide-preact';
+import type { ComponentChildren } from 'preact';
+import { useState } from 'preact/hooks';
+
+interface Props {
+  readonly isUsed: boolean; // unfolded at first, and as soon as it becomes so
+  readonly children: ComponentChildren;
+}
+
+export function More({ isUsed, children }: Props) {
+  const [wish, setWish] = useState<boolean | null>(null); // null: nobody has said
+  const isOpen = wish ?? isUsed;
+  return (
+    <div class="more">
+      <button class="more-toggle" aria-expanded={isOpen} onClick={() => setWish(!isOpen)}>
+        <ChevronRight size={14} aria-hidden class="twist" />
+        More
+      </button>
+      {isOpen && <div class="more-body">{children}</div>}
+    </div>
+  );
+}
