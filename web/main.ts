@@ -7,6 +7,7 @@ import './styles/controls.css';
 import './styles/layout.css';
 import './styles/panel.css';
 import './styles/cards.css';
+import './styles/types.css';
 import './styles/plots.css';
 import './styles/tables.css';
 import './styles/overlays.css';

@@ -126,6 +126,26 @@ const luminaires: readonly Action[] = [
   },
 ];
 
+const types: readonly Action[] = [
+  {
+    id: 'luminaire-catalog',
+    title: 'Generic luminaires',
+    group: 'Luminaires',
+    enabled: hasRoom,
+    run({ store, types }) {
+      types.offer.value = null;
+      store.dialog.value = 'luminaires';
+    },
+  },
+  {
+    id: 'open-luminaire',
+    title: 'Open a photometric file (.ies, .ldt, .gldf, .xml)',
+    group: 'Luminaires',
+    enabled: hasRoom,
+    run: ({ opening }) => opening.pick('.ies,.ldt,.gldf,.xml,.zip'),
+  },
+];
+
 const viewKeys: readonly [ViewName, string][] = [
   ['plan', 'Plan view'],
   ['north', 'View from the north'],
@@ -193,7 +213,7 @@ const file: readonly Action[] = [
   },
   {
     id: 'open',
-    title: 'Open a .flux, .glb or project file',
+    title: 'Open a room, project or luminaire file',
     group: 'File',
     keys: ['Mod+O'],
     run: ({ opening }) => opening.pick(),
@@ -218,6 +238,7 @@ export const actions: readonly Action[] = [
   ...editing,
   ...intentions,
   ...luminaires,
+  ...types,
   ...view,
   ...file,
   ...help,

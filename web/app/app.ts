@@ -9,6 +9,7 @@ import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
+import { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { Opening } from './opening/opening.ts';
 import { Rooms } from './rooms/rooms.ts';
 import { Solving } from './solving.ts';
@@ -30,14 +31,16 @@ export class App {
   readonly hand: Hand;
   readonly opening: Opening;
   readonly keeping: Keeping;
+  readonly types: LuminaireTypes;
 
   constructor(store: Store, { canvas, labels, createViewer, createWorker }: Parts) {
     this.store = store;
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
-    this.keeping = new Keeping(store, this.solving, this.viewer);
-    this.opening = new Opening(store, this.rooms, this.solving, this.viewer, this.keeping);
+    this.types = new LuminaireTypes(store, this.solving);
+    this.keeping = new Keeping(store, this.solving, this.viewer, this.types);
+    this.opening = new Opening(store, this.rooms, this.solving, this.viewer, this.keeping, this.types);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room));
   }

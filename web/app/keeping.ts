@@ -1,12 +1,14 @@
 /** The work as it can be kept: as a project, as a link, and in the browser's own storage. */
 import { effect } from '@preact/signals';
+import { filesOf } from '../document/photometric-files.ts';
 import type { Project } from '../document/project-file.ts';
 import type { Work } from '../document/work.ts';
 import { keepForReload } from '../document/reload.ts';
-import { encodeLink } from '../document/share-link.ts';
+import { fitLink } from '../document/share-link.ts';
 import { linkOf } from '../document/sites.ts';
 import type { Layout } from '../document/types.ts';
 import type { Viewer } from '../viewer/types.ts';
+import type { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { hasLink } from './opening/address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
@@ -18,19 +20,27 @@ export interface Visited {
   readonly bytes: ArrayBuffer | null;
 }
 
+/** The address of a layout, and the names of photometric files that it could not take along. */
+export interface SharedLink {
+  readonly address: string;
+  readonly left: readonly string[];
+}
+
 const quiet = 1200; // ms without a change before the work is stored
 
 export class Keeping {
   readonly #store: Store;
   readonly #solving: Solving;
   readonly #viewer: Viewer;
+  readonly #types: LuminaireTypes;
   readonly #visited = new Map<string, Visited>(); // by room, since the page was opened
   #isRefusalTold = false;
 
-  constructor(store: Store, solving: Solving, viewer: Viewer) {
+  constructor(store: Store, solving: Solving, viewer: Viewer, types: LuminaireTypes) {
     this.#store = store;
     this.#solving = solving;
     this.#viewer = viewer;
+    this.#types = types;
   }
 
   /** The layout that answers what is asked, where there is one. */
@@ -40,11 +50,18 @@ export class Keeping {
 
   /** What is asked together with the layout that answers it. */
   project(): Project {
+    return this.#projectBeside('');
+  }
+
+  /** `history`: JSON that may name photometric files that the document no longer names. */
+  #projectBeside(history: string): Project {
     const { document, camera, display } = this.#store;
+    const files = filesOf(this.#types.files.peek(), document.peek(), history);
     return {
       document: { ...document.peek(), layout: this.layout() },
       camera: camera.peek(),
       display: display.peek(),
+      ...(Object.keys(files).length > 0 && { files }),
     };
   }
 
@@ -67,13 +84,14 @@ export class Keeping {
   }
 
   /** The whole address of the present layout. Throws one readable line where it does not fit a link. */
-  link(): string {
+  link(): SharedLink {
     const { scene, display, document } = this.#store;
     const sites = scene.peek()?.sites;
     if (!sites) throw new Error('No room is open yet.');
     const view = { camera: this.#viewer.camera(), display: display.peek() };
-    const hash = encodeLink(linkOf(document.peek(), this.layout(), sites, view));
-    return `${location.href.split('#')[0]}${hash}`;
+    const files = this.#types.files.peek();
+    const { hash, left } = fitLink(linkOf(document.peek(), this.layout(), sites, view, files));
+    return { address: `${location.href.split('#')[0]}${hash}`, left };
   }
 
   /**
@@ -105,7 +123,8 @@ export class Keeping {
   /** The work as a reload finds it; while a search runs its layout does not answer what is asked. */
   #left(): Work {
     const { past, future } = this.#store.history.peek();
-    const project = this.project();
+    const hasFiles = Object.keys(this.#types.files.peek()).length > 0;
+    const project = this.#projectBeside(hasFiles ? JSON.stringify([past, future]) : '');
     const isSearching = this.#store.progress.peek().state === 'improving';
     const layout = isSearching ? null : project.document.layout;
     return { project: { ...project, document: { ...project.document, layout } }, past, future };

@@ -191,7 +191,7 @@ function typeIn(type: LuminaireType, text: string | undefined): v.InferInput<typ
     ...(text === undefined ? { h: type.hash } : { d: text }),
     l: type.flux,
     w: type.watts,
-    ...(type.isOverridden && { o: true }),
+    ...(type.isOverridden !== undefined && { o: type.isOverridden }),
     ...(!type.isAllowed && { x: true }),
     c: [...type.count],
     ...(!isUnturned && { u: [...type.turns] }),
@@ -289,7 +289,7 @@ function typesFrom(
     const own = d === undefined ? h : hashOf(bytesOfText(d));
     if (own === undefined) return 'it does not say which file a luminaire type is of';
     if (d !== undefined) files[own] = d;
-    const overridden = o && { isOverridden: true };
+    const overridden = o !== undefined && { isOverridden: o };
     const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a };
     types.push({ id: i, name: n, maker: m, file: f, hash: own, flux: l, watts: w, ...overridden, ...use });
   }

@@ -80,7 +80,7 @@ export interface LuminaireType {
   readonly hash: string; // of its bytes, 16 hex digits
   readonly flux: number; // lm of one luminaire
   readonly watts: number; // W of one luminaire; 0: not known
-  readonly isOverridden?: boolean; // the flux is not that of the file's table
+  readonly isOverridden?: boolean; // the flux is not the table's; absent: nobody has said which one holds
   readonly isAllowed: boolean; // the search may use it
   readonly count: readonly [number, number]; // of its luminaires
   readonly turns: readonly number[]; // degrees about the mount's normal, from its axis; at least one
@@ -167,6 +167,7 @@ export interface SceneInfo {
   readonly patchArea: Float32Array; // rows, m2
   readonly patchCenter: Float32Array; // 3 rows, m
   readonly patchReflectance: Float32Array; // rows: exitance = this x illuminance; 0 on measuring planes
+  readonly hasOperator?: boolean; // its file knows the light of any photometry, not of squares only
   readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size
 }
 

@@ -22,13 +22,10 @@ export function DropZone() {
       drop: (event) => {
         depth = 0;
         setOver(false);
-        const { files } = event.dataTransfer ?? {};
-        const file = files?.[0];
+        const files = [...(event.dataTransfer?.files ?? [])];
         if (!hasFiles(event)) return;
         event.preventDefault();
-        if (!files || !file) return;
-        void app.opening.file(file);
-        if (files.length > 1) app.store.say('info', `Of ${files.length} files the first is opened.`);
+        if (files.length > 0) void app.opening.files(files);
       },
     };
     const entries = Object.entries(listeners) as [string, EventListener][];
@@ -43,7 +40,9 @@ export function DropZone() {
       <div>
         <Upload size={28} aria-hidden />
         <strong>Drop it here</strong>
-        <span>a scene (.flux), a room (.glb) or a project. It stays on this computer.</span>
+        <span>
+          a luminaire (.ies, .ldt), a scene (.flux), a room (.glb) or a project. It stays on this computer.
+        </span>
       </div>
     </div>
   );

@@ -30,7 +30,7 @@ const file = (name: string) => new File([new Uint8Array(4)], name);
 
 /** A .flux of one's own: floor and wall, sixteen sites. */
 async function openRoom(): Promise<void> {
-  const opening = app.opening.file(file('room.flux'));
+  const opening = app.opening.files([file('room.flux')]);
   await turn();
   solver.flush();
   await opening;
@@ -70,7 +70,7 @@ describe('a room that begins with its light', () => {
   async function openLit(count: number): Promise<void> {
     solver.light = lit(count);
     viewer.light = null;
-    const opening = app.opening.file(file('lit.flux'));
+    const opening = app.opening.files([file('lit.flux')]);
     await turn();
     solver.flush();
     await opening;
@@ -194,7 +194,7 @@ describe('links', () => {
   test('show exactly the layout, nothing is searched', async () => {
     globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
     const wish = app.store.shown.value!.layout;
-    const hash = app.keeping.link().slice('https://example.test/sub/'.length);
+    const hash = app.keeping.link().address.slice('https://example.test/sub/'.length);
     await app.opening.link(hash); // about a file that is not part of the site: it waits for that file
     expect(app.store.messages.value.at(-1)?.text).toMatch(/room\.flux/);
     const solves = solver.asked.filter((message) => message.type === 'solve').length;
@@ -272,7 +272,7 @@ describe('rooms of the site', () => {
     globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
     await app.rooms.load();
     await opened(app.opening.entry('attic'));
-    const hash = app.keeping.link().split('/').at(-1)!;
+    const hash = app.keeping.link().address.split('/').at(-1)!;
     await opened(app.opening.link(hash));
     expect(app.store.roomTitle.value).toBe('Attic');
     expect(app.store.document.value.room).toBe('My_attic.v2');
@@ -312,15 +312,15 @@ describe('when things go wrong', () => {
   });
 
   test('files that are nothing are named', async () => {
-    await app.opening.file(file('notes.txt'));
+    await app.opening.files([file('notes.txt')]);
     expect(app.store.messages.value.at(-1)?.text).toMatch(/notes\.txt.*not a file/);
-    await app.opening.file(file('broken.fiatlux.json'));
+    await app.opening.files([file('broken.fiatlux.json')]);
     expect(app.store.messages.value.at(-1)?.text).toMatch(/not JSON/);
   });
 
   test('a scene that does not open leaves the room as it is', async () => {
     const scene = app.store.scene.value;
-    const opening = app.opening.file(file('bad.flux'));
+    const opening = app.opening.files([file('bad.flux')]);
     await turn();
     const request = solver.last('open')!;
     const message = 'section "sites": checksum differs';

@@ -1,6 +1,8 @@
 /** What the browser keeps and when: rooms of the site, once it is quiet, never what a link shows; a refusal is told once. */
 import { afterEach, beforeEach, expect, jest, test } from '@jest/globals';
+import { signal } from '@preact/signals';
 import { Keeping } from '../../../web/app/keeping.ts';
+import type { LuminaireTypes } from '../../../web/app/luminaires/luminaire-types.ts';
 import type { Solving } from '../../../web/app/solving.ts';
 import { Store } from '../../../web/app/state/store.ts';
 import { takeFromReload } from '../../../web/document/reload.ts';
@@ -11,6 +13,7 @@ import { sampleDocument } from '../sample-rooms.ts';
 const layout = { sites: [1, 2], flux: [5, 5], dimming: 1 };
 const page = new EventTarget();
 let kept: Map<string, string>;
+const types = { files: signal({}) } as unknown as LuminaireTypes;
 let store: Store;
 let keeping: Keeping;
 let stop: () => void;
@@ -30,7 +33,7 @@ beforeEach(() => {
   put('addEventListener', page.addEventListener.bind(page));
   put('removeEventListener', page.removeEventListener.bind(page));
   store = new Store();
-  keeping = new Keeping(store, { layout: () => layout } as unknown as Solving, {} as Viewer);
+  keeping = new Keeping(store, { layout: () => layout } as unknown as Solving, {} as Viewer, types);
   stop = keeping.keepSaved((room) => room === 'office');
   show('office');
 });

@@ -102,7 +102,8 @@ export const exportFormats: readonly ExportFormat[] = [
     async content(app) {
       const { gltfLights } = await import('../../document/gltf-lights.ts');
       const { layout, sites } = hung(app);
-      return gltfLights(layout, sites);
+      const { all: types, descriptions, files } = app.types;
+      return gltfLights(layout, sites, { types, descriptions: descriptions.peek(), files: files.peek() });
     },
   },
 ];

@@ -1,9 +1,14 @@
-/** Files by button or drop: scenes, projects, and rooms that have no light yet. Nothing of them leaves the computer. */
+/**
+ * Files by button or drop: scenes, projects, photometric files, and rooms that have no light yet. Nothing of them leaves
+ * the computer.
+ */
 import { readProject, type Project } from '../../document/project-file.ts';
+import { isPhotometricName } from '../../document/photometric-container.ts';
 import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Placement, Placing } from './placing.ts';
@@ -14,32 +19,47 @@ export class FileOpening {
   readonly #store: Store;
   readonly #viewer: Viewer;
   readonly #placing: Placing;
+  readonly #types: LuminaireTypes;
   readonly #openProject: (project: Project) => Promise<boolean>;
 
   constructor(
     store: Store,
     viewer: Viewer,
     placing: Placing,
+    types: LuminaireTypes,
     openProject: (project: Project) => Promise<boolean>,
   ) {
     this.#store = store;
     this.#viewer = viewer;
     this.#placing = placing;
+    this.#types = types;
     this.#openProject = openProject;
   }
 
-  async open(file: File): Promise<void> {
+  /** Photometric files all, in their order; of other files the first one, for one room is shown at a time. */
+  async open(files: readonly File[]): Promise<void> {
+    const arePhotometric = files.every(({ name }) => isPhotometricName(name));
+    for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file);
+    if (!arePhotometric && files.length > 1)
+      this.#store.say('info', `Of ${files.length} files the first is opened.`);
+  }
+
+  async #open(file: File): Promise<void> {
     const name = cleanName(file.name);
     if (file.size > largestFile)
       return this.#refuse(`“${name}” is larger than 256 MB, which is more than the browser can hold.`);
     const bytes = await file.arrayBuffer().catch(() => null);
     if (!bytes) return this.#refuse(`“${name}” could not be read from the disk.`);
+    if (isPhotometricName(name)) return this.#types.open(name, new Uint8Array(bytes));
     if (/\.glb$/i.test(name)) return this.#preview(name, bytes);
     if (/\.flux$/i.test(name)) return this.#openFlux(name, bytes);
     const project = readProject(new TextDecoder().decode(bytes));
     if (typeof project !== 'string') await this.#openProject(project);
     else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(`“${name}”: ${project}`);
-    else this.#refuse(`“${name}” is not a file of Fiat Lux: it takes .flux, .glb and project files.`);
+    else
+      this.#refuse(
+        `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .ies, .ldt and project files.`,
+      );
   }
 
   async #openFlux(name: string, bytes: ArrayBuffer): Promise<void> {
@@ -56,7 +76,7 @@ export class FileOpening {
     const document = link?.scene === scene.identity ? documentOf(link, scene, true) : null;
     if (link && document && typeof document !== 'string') {
       this.#store.pendingLink.value = null;
-      return { document, view: link };
+      return { document, view: link, files: link.files };
     }
     const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
     return { document: documentFrom(asked, scene.identity, name) };

@@ -9,6 +9,7 @@ import { documentOf } from '../../document/sites.ts';
 import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { Keeping } from '../keeping.ts';
+import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import type { GalleryEntry } from '../rooms/catalog-file.ts';
 import {
   askedOfUnknown,
@@ -34,13 +35,21 @@ export class Opening {
   readonly #files: FileOpening;
   readonly #keeping: Keeping;
 
-  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer, keeping: Keeping) {
+  constructor(
+    store: Store,
+    rooms: Rooms,
+    solving: Solving,
+    viewer: Viewer,
+    keeping: Keeping,
+    types: LuminaireTypes,
+  ) {
     this.#store = store;
     this.#solving = solving;
     this.#rooms = rooms;
     this.#keeping = keeping;
-    this.#placing = new Placing(store, rooms, solving, viewer, keeping);
-    this.#files = new FileOpening(store, viewer, this.#placing, (project) => this.#openProject(project));
+    this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
+    const openProject = (project: Project) => this.#openProject(project);
+    this.#files = new FileOpening(store, viewer, this.#placing, types, openProject);
   }
 
   /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
@@ -84,20 +93,19 @@ export class Opening {
     this.#store.card.value = document.cards[0]?.id ?? null;
   }
 
-  async file(file: File): Promise<void> {
+  /** Files of a person: one room or project, or any number of photometric files. */
+  async files(files: readonly File[]): Promise<void> {
     this.#store.messages.value = [];
-    await this.#files.open(file);
+    await this.#files.open(files);
   }
 
   /** Lets a person choose a file of their own. */
-  pick(): void {
+  pick(accept = '.flux,.glb,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip'): void {
     const input = document.createElement('input');
     input.type = 'file';
-    input.accept = '.flux,.glb,.json,.fiatlux';
-    input.onchange = () => {
-      const file = input.files?.[0];
-      if (file) void this.file(file);
-    };
+    input.multiple = true;
+    input.accept = accept;
+    input.onchange = () => void this.files([...(input.files ?? [])]);
     input.click();
   }
 
@@ -202,7 +210,7 @@ export class Opening {
         }
         const document = documentOf(link, scene, same);
         if (typeof document === 'string') throw new Error(document);
-        return { document, view: link };
+        return { document, view: link, files: link.files };
       }),
     );
   }
@@ -260,6 +268,7 @@ const placementOf = ({ project, past, future }: Work): Placement => ({
   document: project.document,
   history: { past, future },
   view: project,
+  files: project.files,
 });
 
 /** The history of an experiment: the work that was in its room, and the step that replaced it. */

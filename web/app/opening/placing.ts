@@ -5,7 +5,9 @@ import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts
 import type { FileBytes } from '../../solver/solver-client.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { History } from '../../document/history.ts';
+import type { PhotometricFiles } from '../../document/photometric-files.ts';
 import type { Keeping } from '../keeping.ts';
+import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import type { Rooms } from '../rooms/rooms.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import { leavesOf } from '../../document/surface-names.ts';
@@ -25,6 +27,7 @@ export interface Placement {
   readonly document: FiatLuxDocument;
   readonly history?: Pick<History, 'past' | 'future'>;
   readonly view?: Pick<Link, 'camera' | 'display'>;
+  readonly files?: PhotometricFiles | undefined; // of its luminaire types
 }
 
 /** Leaves that the intentions name, but for those about the whole room. */
@@ -40,15 +43,24 @@ export class Placing {
   readonly #solving: Solving;
   readonly #viewer: Viewer;
   readonly #keeping: Keeping;
+  readonly #types: LuminaireTypes;
   #turn = 0; // the latest wish to open something wins
   #placed: Placed | null = null;
 
-  constructor(store: Store, rooms: Rooms, solving: Solving, viewer: Viewer, keeping: Keeping) {
+  constructor(
+    store: Store,
+    rooms: Rooms,
+    solving: Solving,
+    viewer: Viewer,
+    keeping: Keeping,
+    types: LuminaireTypes,
+  ) {
     this.#store = store;
     this.#rooms = rooms;
     this.#solving = solving;
     this.#viewer = viewer;
     this.#keeping = keeping;
+    this.#types = types;
   }
 
   /**
@@ -119,10 +131,11 @@ export class Placing {
 
   /** The app's whole state in one step; the new document then asks the solver by itself. */
   #show(scene: SceneInfo, title: string, placement: Placement, isReturn: boolean): void {
-    const { document, history, view } = placement;
+    const { document, history, view, files = {} } = placement;
     const store = this.#store;
     if (this.#rooms.has(document.room)) rememberRoom(document.room);
     batch(() => {
+      this.#types.provide(files);
       store.scene.value = scene;
       store.roomTitle.value = title;
       store.preview.value = null;
@@ -137,6 +150,7 @@ export class Placing {
       store.legendLocked.value = Boolean(view?.display);
       store.display.value = { ...display, quantity: document.quantity };
     });
+    void this.#types.findMissing();
     if (view?.camera) this.#viewer.setCamera(view.camera);
     else this.#viewer.home();
   }

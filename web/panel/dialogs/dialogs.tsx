@@ -1,6 +1,7 @@
 /** Whichever dialogue is open. */
 import { useApp } from '../../app/app.ts';
 import { GalleryDialog } from './gallery-dialog.tsx';
+import { LuminaireDialog } from './luminaire-dialog.tsx';
 import { HelpDialog } from './help-dialog.tsx';
 import { Palette } from './palette.tsx';
 import { PresetsDialog } from './presets-dialog.tsx';
@@ -20,6 +21,8 @@ export function Dialogs() {
       return <Palette close={close} />;
     case 'presets':
       return <PresetsDialog close={close} />;
+    case 'luminaires':
+      return <LuminaireDialog close={close} />;
     case null:
       return null;
   }

@@ -10,7 +10,7 @@ export function ShareDialog({ close }: { close: () => void }) {
   const app = useApp();
   const { store, keeping } = app;
   const field = useRef<HTMLInputElement>(null);
-  const [link, fault] = useMemo(() => {
+  const [shared, fault] = useMemo(() => {
     try {
       return [keeping.link(), null];
     } catch (error) {
@@ -20,7 +20,7 @@ export function ShareDialog({ close }: { close: () => void }) {
   const isOwn = !app.rooms.has(store.document.value.room);
   const copy = async () => {
     try {
-      await navigator.clipboard.writeText(link ?? '');
+      await navigator.clipboard.writeText(shared?.address ?? '');
       store.say('info', 'The link is on the clipboard.');
       close();
     } catch {
@@ -30,7 +30,7 @@ export function ShareDialog({ close }: { close: () => void }) {
   };
   return (
     <Dialog title="Share this layout" close={close}>
-      {link ? (
+      {shared ? (
         <>
           <p>
             Whoever opens the link sees this very layout, its intentions and this view. Nothing is uploaded:
@@ -41,7 +41,7 @@ export function ShareDialog({ close }: { close: () => void }) {
               ref={field}
               class="link-field"
               readOnly
-              value={link}
+              value={shared.address}
               aria-label="Link"
               onFocus={(event) => event.currentTarget.select()}
             />
@@ -51,10 +51,17 @@ export function ShareDialog({ close }: { close: () => void }) {
             </button>
           </div>
           <p class="fine-print">
-            {link.length} characters.{' '}
+            {shared.address.length} characters.{' '}
             {isOwn &&
               `It names the room “${store.document.value.room}” but does not hold it: send the .flux file along.`}
           </p>
+          {shared.left.length > 0 && (
+            <p class="fine-print">
+              {shared.left.length === 1 ? 'One photometric file is' : 'Photometric files are'} too long for a
+              link and only named in it: send {shared.left.map((name) => `“${name}”`).join(', ')} along, or a
+              project file, which holds all.
+            </p>
+          )}
         </>
       ) : (
         <p class="fault">{fault}</p>

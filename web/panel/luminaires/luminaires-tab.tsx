@@ -2,6 +2,7 @@
 import { useApp } from '../../app/app.ts';
 import type { Luminaires } from '../../document/types.ts';
 import { LuminaireList } from './luminaire-list.tsx';
+import { TypeList } from './type-list.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { Check } from '../view-toolbar.tsx';
@@ -11,6 +12,7 @@ export function LuminairesTab() {
   const { luminaires } = store.document.value;
   return (
     <>
+      <TypeList />
       <CountAndFlux />
       <Dimming luminaires={luminaires} />
       <Distance luminaires={luminaires} />

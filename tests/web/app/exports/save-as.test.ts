@@ -1,5 +1,6 @@
 /** What the work is saved as: every format of the table, under the room's name, and what is said where it fails. Covers formats. */
 import { beforeEach, expect, test } from '@jest/globals';
+import { signal } from '@preact/signals';
 import type { App } from '../../../../web/app/app.ts';
 import { exportFormats } from '../../../../web/app/exports/formats.ts';
 import { fileStem, saveAs } from '../../../../web/app/exports/save-as.ts';
@@ -39,7 +40,8 @@ beforeEach(() => {
     frame: () => fakePlan.frame,
     plan: () => fakePlan,
   };
-  app = { store, keeping, viewer } as unknown as App;
+  const types = { all: [], descriptions: signal({}), files: signal({}) };
+  app = { store, keeping, viewer, types } as unknown as App;
 });
 
 test('each format is a file of its kind', async () => {

@@ -1,0 +1,41 @@
+/** The generic luminaires of the site: a list, and a photometric file for each. */
+import * as v from 'valibot';
+import { nameSchema } from '../../document/schema.ts';
+
+export interface GenericLuminaire {
+  readonly title: string;
+  readonly description: string;
+  readonly file: string; // its name
+}
+
+const listSchema = v.array(
+  v.object({
+    title: nameSchema,
+    description: nameSchema,
+    file: v.pipe(v.string(), v.regex(/^[A-Za-z0-9][\w.-]{0,79}\.(ies|ldt)$/)),
+  }),
+);
+
+const addressOf = (file: string) => new URL(`./luminaires/${file}`, document.baseURI).href;
+
+async function request(file: string): Promise<Response> {
+  const response = await fetch(addressOf(file)).catch(() => null);
+  if (!response) throw new Error('the luminaires of the site could not be loaded: no connection; try again');
+  // note: some hosts answer with a page where a file is missing
+  if (!response.ok || response.headers.get('content-type')?.startsWith('text/html'))
+    throw new Error(`luminaires/${file} is not on this server; build it with npm run build`);
+  return response;
+}
+
+/** Rejects with one readable clause. */
+export async function genericLuminaires(): Promise<readonly GenericLuminaire[]> {
+  const json: unknown = await (await request('catalog.json')).json().catch(() => null);
+  const list = v.safeParse(listSchema, json);
+  if (!list.success) throw new Error('luminaires/catalog.json is not a list of luminaires');
+  return list.output;
+}
+
+/** Its photometric file. Rejects with one readable clause. */
+export async function genericFile(file: string): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await (await request(file)).arrayBuffer());
+}

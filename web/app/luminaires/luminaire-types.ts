@@ -1,0 +1,209 @@
+/**
+ * The luminaire types of the document, with their photometric files and what these say: opened by a person, taken from the
+ * site's generic ones, or come with a link or a project.
+ */
+import { effect, signal, untracked } from '@preact/signals';
+import { partsOf, type PhotometricPart } from '../../document/photometric-container.ts';
+import {
+  bytesOfText,
+  hashOf,
+  largestPhotometricFile,
+  withFile,
+  type PhotometricFiles,
+} from '../../document/photometric-files.ts';
+import type { PhotometricDescription } from '../../document/photometry.ts';
+import { cleanName, mostLuminaires, mostTypes } from '../../document/schema.ts';
+import type { LuminaireType } from '../../document/types.ts';
+import type { Solving } from '../solving.ts';
+import type { Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
+import { genericFile, genericLuminaires } from './generic-luminaires.ts';
+
+/** Files to choose from, and what holds them. */
+export interface Offer {
+  readonly from: string;
+  readonly parts: readonly PhotometricPart[];
+}
+
+const parseXml = (text: string) => new DOMParser().parseFromString(text, 'text/xml');
+const reason = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+export class LuminaireTypes {
+  readonly files = signal<PhotometricFiles>({});
+  readonly descriptions = signal<Readonly<Record<string, PhotometricDescription>>>({}); // by hash
+  readonly offer = signal<Offer | null>(null); // of a container with several files
+  readonly opened = signal<string | null>(null); // id of the card that is open
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #asked = new Set<string>(); // hashes whose description is on its way, or was refused
+  readonly #missed = new Set<string>(); // hashes whose file has been asked for
+
+  constructor(store: Store, solving: Solving) {
+    this.#store = store;
+    this.#solving = solving;
+    effect(() => {
+      const { types } = store.document.value.luminaires;
+      const files = this.files.value;
+      untracked(() => types?.forEach((type) => void this.#describe(type, files[type.hash])));
+    });
+  }
+
+  get all(): readonly LuminaireType[] {
+    return this.#store.document.value.luminaires.types ?? [];
+  }
+
+  /** A photometric file, or a container of them, that a person opens. What cannot be read is told in one sentence. */
+  async open(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+    if (!this.#store.scene.peek()) {
+      this.#store.say('warning', 'Open a room first: a luminaire is chosen for a room.');
+      return;
+    }
+    try {
+      const parts = partsOf(name, bytes, parseXml);
+      if (parts.length > 1) this.#choose({ from: name, parts });
+      else if (parts[0]) await this.#add(parts[0], true);
+    } catch (error) {
+      this.#store.say('error', sentence(`“${cleanName(name)}”: ${reason(error)}`));
+    }
+  }
+
+  /** One that was offered or is generic; it is told of faults as `open` tells them. */
+  async take(part: PhotometricPart): Promise<void> {
+    try {
+      await this.#add(part, false);
+    } catch (error) {
+      this.#store.say('error', sentence(`“${cleanName(part.name)}”: ${reason(error)}`));
+    }
+  }
+
+  /** Files that came with a project or a link; for those that are still missing the site is asked, and then the person. */
+  provide(files: PhotometricFiles): void {
+    const fresh = Object.entries(files).filter(([hash]) => !(hash in this.files.peek()));
+    if (fresh.length > 0) this.files.value = { ...this.files.peek(), ...Object.fromEntries(fresh) };
+  }
+
+  /** Looks for the files that the document names and nobody has brought. */
+  async findMissing(): Promise<void> {
+    const isMissing = ({ hash }: LuminaireType) => !(hash in this.files.peek());
+    const missing = this.all.filter(isMissing).filter(({ hash }) => !this.#missed.has(hash));
+    if (missing.length === 0) return;
+    for (const { hash } of missing) this.#missed.add(hash);
+    await this.#findGeneric(missing).catch(() => undefined); // no list: the person is asked
+    const lost = missing.filter(isMissing);
+    if (lost.length === 0) return;
+    const names = lost.map(({ file }) => `“${file}”`).join(', ');
+    const [are, them] = lost.length === 1 ? ['is', 'it'] : ['are', 'them'];
+    this.#store.say(
+      'warning',
+      `This layout uses luminaires of ${names}, which ${are} not here: open ${them}, and the light appears.`,
+    );
+  }
+
+  change(id: string, label: string, change: (type: LuminaireType) => LuminaireType, gesture?: string): void {
+    this.#store.edit(
+      label,
+      ({ luminaires }) => {
+        const index = luminaires.types?.findIndex((type) => type.id === id) ?? -1;
+        const type = this.all[index];
+        if (type && luminaires.types) luminaires.types[index] = structuredClone(change(type)) as never;
+      },
+      gesture,
+      this.#answering,
+    );
+  }
+
+  remove(id: string): void {
+    this.#store.edit(
+      'Remove a luminaire type',
+      ({ luminaires }) => {
+        const left = luminaires.types?.filter((type) => type.id !== id) ?? [];
+        if (left.length > 0) luminaires.types = left;
+        else delete luminaires.types;
+      },
+      null,
+      this.#answering,
+    );
+  }
+
+  /** How many luminaires of a type hang in the layout that is shown. */
+  used(id: string): number {
+    return this.#store.shown.value?.layout.mountings?.filter(({ type }) => type === id).length ?? 0;
+  }
+
+  /** A room that knows squares only has nothing to answer to a change of types. */
+  get #answering(): { readonly by: 'nothing' } | { readonly by: 'search' } {
+    return { by: 'nothing' };
+  }
+
+  #choose(offer: Offer): void {
+    this.offer.value = offer;
+    this.#store.dialog.value = 'luminaires';
+  }
+
+  async #add({ name, bytes }: PhotometricPart, isOpened: boolean): Promise<void> {
+    if (bytes.length > largestPhotometricFile)
+      throw new Error('it has more than 4 MB, which no photometric table has');
+    const description = await this.#solving.describe(bytes);
+    const { hash, files } = withFile(this.files.peek(), bytes);
+    this.files.value = files;
+    this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
+    this.#store.tab.value = 'luminaires';
+    const known = this.all.find((type) => type.hash === hash);
+    if (!known && this.all.length >= mostTypes)
+      throw new Error(`there are ${mostTypes} luminaire types already; remove one first`);
+    const type = known ?? this.#typeOf(cleanName(name) || 'luminaire', hash, description);
+    if (!known)
+      this.#store.edit(
+        `Add ${type.name}`,
+        ({ luminaires }) => void (luminaires.types ??= []).push(structuredClone(type) as never),
+        null,
+        this.#answering,
+      );
+    if (isOpened) this.opened.value = type.id;
+    this.#store.announcement.value = known
+      ? `${type.name} is here already.`
+      : `Luminaire type added: ${type.name}.`;
+  }
+
+  #typeOf(file: string, hash: string, description: PhotometricDescription): LuminaireType {
+    const ids = new Set(this.all.map(({ id }) => id));
+    let number = 1;
+    while (ids.has(`t${number}`)) number++;
+    return {
+      id: `t${number}`,
+      name: cleanName(description.name) || file.replace(/\.\w+$/, ''),
+      maker: cleanName(description.maker),
+      file,
+      hash,
+      flux: Number(description.integratedFlux.toPrecision(6)),
+      watts: description.watts,
+      isAllowed: true,
+      count: [0, mostLuminaires],
+      turns: [0],
+      tilt: 0,
+      aims: [],
+    };
+  }
+
+  async #describe({ hash }: LuminaireType, text: string | undefined): Promise<void> {
+    if (text === undefined || this.#asked.has(hash) || hash in this.descriptions.peek()) return;
+    this.#asked.add(hash);
+    try {
+      const description = await this.#solving.describe(bytesOfText(text));
+      this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
+    } catch (error) {
+      this.#store.say('error', sentence(`A luminaire’s file cannot be read: ${reason(error)}`));
+    }
+  }
+
+  /** Files of the site that are among the missing ones. */
+  async #findGeneric(missing: readonly LuminaireType[]): Promise<void> {
+    const names = new Set(missing.map(({ file }) => file));
+    for (const { file } of await genericLuminaires()) {
+      if (!names.has(file)) continue;
+      const bytes = await genericFile(file);
+      if (missing.some(({ hash }) => hash === hashOf(bytes)))
+        this.files.value = withFile(this.files.peek(), bytes).files;
+    }
+  }
+}

@@ -1,0 +1,139 @@
+/** A luminaire type: what its file says, what has to be asked about it, and how it may be used. */
+import { ChevronRight, X } from 'lucide-preact';
+import { useApp } from '../../app/app.ts';
+import { compact, sentence } from '../../app/words/format.ts';
+import type { PhotometricDescription } from '../../document/photometry.ts';
+import type { LuminaireType } from '../../document/types.ts';
+import { PolarCurve } from './polar-curve.tsx';
+import { TypeUse } from './type-use.tsx';
+
+export interface TypeProps {
+  readonly type: LuminaireType;
+}
+
+export function TypeCard({ type }: TypeProps) {
+  const { types } = useApp();
+  const description = types.descriptions.value[type.hash];
+  const isOpen = types.opened.value === type.id;
+  return (
+    <article class={isOpen ? 'card type-card open' : 'card type-card'} aria-label={type.name}>
+      <header>
+        <button
+          class="card-title"
+          aria-expanded={isOpen}
+          onClick={() => (types.opened.value = isOpen ? null : type.id)}
+        >
+          <ChevronRight size={15} aria-hidden class="twist" />
+          <span class="type-name">{type.name}</span>
+        </button>
+        <span class="card-reached">{usedText(types.used(type.id), type.isAllowed)}</span>
+        <button
+          class="icon-button small"
+          aria-label={`Remove ${type.name}`}
+          onClick={() => types.remove(type.id)}
+        >
+          <X size={14} aria-hidden />
+        </button>
+      </header>
+      <div class="type-facts">
+        <PolarCurve description={description} />
+        <Facts type={type} description={description} />
+      </div>
+      {description?.disputed && type.isOverridden === undefined && (
+        <Dispute type={type} description={description} />
+      )}
+      <Notes type={type} description={description} />
+      {isOpen && <TypeUse type={type} />}
+    </article>
+  );
+}
+
+function usedText(used: number, isAllowed: boolean): string {
+  if (used > 0) return `${used} used`;
+  return isAllowed ? '' : 'not used';
+}
+
+const unknown = '–';
+
+interface Described extends TypeProps {
+  readonly description: PhotometricDescription | undefined;
+}
+
+function Facts({ type, description }: Described) {
+  const { flux, watts, maker } = type;
+  const facts: readonly (readonly [string, string])[] = [
+    ['Flux', `${compact(flux)} lm`],
+    ['Power', watts > 0 ? `${compact(watts)} W` : unknown],
+    ['Efficacy', watts > 0 ? `${compact(flux / watts)} lm/W` : unknown],
+    ['Beam', description ? `${Math.round(description.beamAngle)}°` : unknown],
+    ['Colour', description?.cct ? `${Math.round(description.cct)} K` : unknown],
+    ['UGR 4H 8H', typeof description?.ugr4h8h === 'number' ? description.ugr4h8h.toFixed(1) : unknown],
+  ];
+  return (
+    <div>
+      {maker && <p class="type-maker">{maker}</p>}
+      <dl>
+        {facts.map(([what, value]) => (
+          <div key={what}>
+            <dt>{what}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+    </div>
+  );
+}
+
+/** A file whose own lumens cannot be those of its table: which ones count only a person can say. */
+function Dispute({ type, description }: TypeProps & { description: PhotometricDescription }) {
+  const { types } = useApp();
+  const { flux, integratedFlux } = description;
+  const take = (lumens: number, isOverridden: boolean) =>
+    types.change(type.id, `Flux of ${type.name}`, (each) => ({
+      ...each,
+      flux: Number(lumens.toPrecision(6)),
+      isOverridden,
+    }));
+  return (
+    <div class="type-question" role="group" aria-label={`Which flux does ${type.name} have?`}>
+      <p>
+        The file says {compact(flux)} lm, its table holds {compact(integratedFlux)}: which?
+      </p>
+      <div class="row">
+        <button class="button small" onClick={() => take(flux, true)}>
+          {compact(flux)} lm
+        </button>
+        <button class="button small" onClick={() => take(integratedFlux, false)}>
+          {compact(integratedFlux)} lm
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function Notes({ type, description }: Described) {
+  const { store, types, opening } = useApp();
+  const isMissing = !(type.hash in types.files.value);
+  // The question above says it with both numbers.
+  const warnings = description?.warnings.filter((text) => !text.endsWith('which is right?')) ?? [];
+  return (
+    <>
+      {isMissing && (
+        <p class="type-note warn">
+          “{type.file}” is not here.{' '}
+          <button class="link-button" onClick={() => opening.pick('.ies,.ldt,.gldf,.xml,.zip')}>
+            Open it
+          </button>
+        </p>
+      )}
+      {store.scene.value && !store.scene.value.hasOperator && (
+        <p class="type-note">This room’s file knows Lambertian squares only: compute it again.</p>
+      )}
+      {warnings.map((text) => (
+        <p key={text} class="type-note warn">
+          {sentence(text)}
+        </p>
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,33 @@
+/** The luminaire types that may light the room: a card each, and the doors for more of them. */
+import { FileUp, LibraryBig } from 'lucide-preact';
+import { useApp } from '../../app/app.ts';
+import { actions } from '../../app/actions.ts';
+import { TypeCard } from './type-card.tsx';
+
+const run = (id: string) => actions.find((action) => action.id === id)?.run;
+
+export function TypeList() {
+  const app = useApp();
+  const { types = [] } = app.store.document.value.luminaires;
+  return (
+    <section class="types" aria-label="Luminaire types">
+      <div class="field-head">
+        <span class="field-name">Luminaire types</span>
+        {types.length === 0 && <span class="field-note">plain squares of light</span>}
+      </div>
+      {types.map((type) => (
+        <TypeCard key={type.id} type={type} />
+      ))}
+      <div class="row">
+        <button class="button small" onClick={() => run('luminaire-catalog')?.(app)}>
+          <LibraryBig size={14} aria-hidden />
+          <span>Generic luminaires</span>
+        </button>
+        <button class="button small" onClick={() => run('open-luminaire')?.(app)}>
+          <FileUp size={14} aria-hidden />
+          <span>Open .ies or .ldt</span>
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,129 @@
+/** How luminaires of a type may be used: at all, how strong, how turned and tilted, and where aimed. */
+import { useApp } from '../../app/app.ts';
+import type { LuminaireType } from '../../document/types.ts';
+import { NumberField } from '../controls/number-field.tsx';
+import { Check } from '../view-toolbar.tsx';
+import { TypeAims } from './type-aims.tsx';
+import type { TypeProps } from './type-card.tsx';
+
+/** Edits of a type; typing in one field is one step. */
+export function useTypeEdit({ id, name }: LuminaireType) {
+  const { store, types } = useApp();
+  return {
+    set: (what: string, change: Partial<LuminaireType>, isGesture = true) =>
+      types.change(
+        id,
+        `${what} of ${name}`,
+        (type) => ({ ...type, ...change }),
+        isGesture ? `type ${id} ${what}` : undefined,
+      ),
+    end: () => store.endGesture(),
+  };
+}
+
+export function TypeUse({ type }: TypeProps) {
+  const { types } = useApp();
+  const { set, end } = useTypeEdit(type);
+  const held = types.descriptions.value[type.hash]?.integratedFlux;
+  return (
+    <div class="card-body">
+      <Check
+        label="The search may use it"
+        checked={type.isAllowed}
+        set={(isAllowed) => set('Use', { isAllowed }, false)}
+      />
+      <div class="setting-row">
+        <span>Flux of one</span>
+        <NumberField
+          label={`Flux of one ${type.name}`}
+          unit="lm"
+          value={type.flux}
+          step={50}
+          min={1}
+          onInput={(flux) =>
+            flux !== undefined && set('Flux', { flux, isOverridden: held === undefined || flux !== held })
+          }
+          onEnd={end}
+        />
+      </div>
+      <div class="setting-row">
+        <span>Power of one</span>
+        <NumberField
+          label={`Power of one ${type.name}`}
+          unit="W"
+          value={type.watts}
+          step={1}
+          max={1e5}
+          onInput={(watts) => watts !== undefined && set('Power', { watts })}
+          onEnd={end}
+        />
+      </div>
+      <Turn type={type} />
+      <div class="setting-row">
+        <span>Tilt from the mount</span>
+        <NumberField
+          label={`Tilt of ${type.name}`}
+          unit="°"
+          value={type.tilt}
+          step={5}
+          max={180}
+          onInput={(tilt) => tilt !== undefined && set('Tilt', { tilt })}
+          onEnd={end}
+        />
+      </div>
+      <TypeAims type={type} />
+    </div>
+  );
+}
+
+const usualTurns: readonly (readonly [string, readonly number[]])[] = [
+  ['0', [0]],
+  ['90', [90]],
+  ['either', [0, 90]],
+  ['quarters', [0, 90, 180, 270]],
+];
+const titles: Readonly<Record<string, string>> = {
+  0: 'As the mount (0°)',
+  90: 'Crosswise (90°)',
+  either: '0° or 90°, the search picks',
+  quarters: 'Any quarter turn',
+  free: 'By an angle',
+};
+
+/** The angle about the mount's normal; which way is along the luminaire its file says. */
+function Turn({ type }: TypeProps) {
+  const { set, end } = useTypeEdit(type);
+  const same = (turns: readonly number[]) => turns.join(' ') === type.turns.join(' ');
+  const choice = usualTurns.find(([, turns]) => same(turns))?.[0] ?? 'free';
+  const choose = (next: string) =>
+    set('Turn', { turns: usualTurns.find(([name]) => name === next)?.[1] ?? [45] }, false);
+  return (
+    <>
+      <label class="setting-row">
+        <span>Turn</span>
+        <select value={choice} onChange={(event) => choose(event.currentTarget.value)}>
+          {Object.entries(titles).map(([name, title]) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      {choice === 'free' && (
+        <div class="setting-row">
+          <span>Angle</span>
+          <NumberField
+            label={`Turn of ${type.name}`}
+            unit="°"
+            value={type.turns[0] ?? 0}
+            step={5}
+            min={-360}
+            max={360}
+            onInput={(turn) => turn !== undefined && set('Turn', { turns: [turn] })}
+            onEnd={end}
+          />
+        </div>
+      )}
+    </>
+  );
+}
