@@ -220,6 +220,7 @@ class RoomViewer implements Viewer {
     this.#room = room;
     this.#info = info;
     this.#light.setScene(info);
+    this.#light.setBox(room.box);
     this.#planeLabels.setScene(info);
     this.#hand.setSites(info?.sites ?? null);
     this.#emphasis.setRoom(room.lit);

@@ -23,7 +23,12 @@ import {
 function roomMaterials(shared: SharedUniforms): Material[] {
   const plain = { color: new Color(), opacity: 1, alphaCut: 0, vertexColors: false, transparent: false };
   return [null, new Texture()].map((map) =>
-    createLightMaterial(shared, { albedo: { ...plain, map }, measuring: false, reflectance: 0 }),
+    createLightMaterial(shared, {
+      albedo: { ...plain, map },
+      measuring: false,
+      standing: false,
+      reflectance: 0,
+    }),
   );
 }
 

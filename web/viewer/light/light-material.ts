@@ -30,6 +30,7 @@ uniform mat3 mapTransform;
 varying float vLight;
 varying float vQuantity;
 varying vec2 vMapUv;
+varying vec3 vPlace; // in the room, m
 #ifdef USE_COLOR
 varying vec3 vTint;
 #endif
@@ -55,6 +56,7 @@ void main() {
 #ifdef USE_COLOR
   vTint = color.rgb;
 #endif
+  vPlace = (modelMatrix * vec4(position, 1.0)).xyz;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }
 `;
@@ -76,14 +78,28 @@ uniform float reflectance;
 uniform float pixelRatio;
 uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
+uniform bool standing;    // furniture
+uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
+uniform float usualLight; // lx, what an eye is adapted to
 const float veil = 0.16;  // how much a measuring plane hides of a realistic picture
 varying float vLight;
 varying float vQuantity;
 varying vec2 vMapUv;
+varying vec3 vPlace;
 #ifdef USE_COLOR
 varying vec3 vTint;
 #endif
 ${isoluxShader}
+
+// The back of furniture is dark where it stands at a wall, and would look hollow where that wall is not drawn.
+float drawnLight() {
+  if (!standing) return vLight;
+  vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+  const float gap = 0.4, upright = 0.9;
+  vec4 facing = vec4(-normal.xz, normal.xz), distance = vec4(vPlace.xz - sides.xy, sides.zw - vPlace.xz);
+  vec4 isBack = step(upright, facing) * step(distance, vec4(gap));
+  return max(vLight, 0.3 * usualLight * min(1.0, dot(isBack, vec4(1.0))));
+}
 
 vec3 colorOnLegend(float quantity) {
   float value = logarithmic ? log(max(quantity, 1e-12)) : quantity;
@@ -122,7 +138,7 @@ void main() {
   }
   vec3 color = falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
-                          : toneCurve(surface.rgb * vLight * exposure);
+                          : toneCurve(surface.rgb * drawnLight() * exposure);
   float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
   if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
     float line = isoluxLine(vQuantity, 0.7 * pixelRatio);
@@ -152,6 +168,8 @@ export function sharedUniforms() {
     exitance: { value: false },
     pixelRatio: { value: 1 },
     accent: { value: new Color('#4f9dff') },
+    sides: { value: new Vector4() },
+    usualLight: { value: 0 },
   };
 }
 
@@ -170,6 +188,7 @@ export interface Albedo {
 export interface LightMaterialOptions {
   readonly albedo: Albedo;
   readonly measuring: boolean;
+  readonly standing: boolean;
   readonly reflectance: number; // mean of its surface: how bright it looks behind an isolux line
 }
 
@@ -187,6 +206,7 @@ export function createLightMaterial(shared: SharedUniforms, options: LightMateri
       albedo: { value: new Vector4(albedo.color.r, albedo.color.g, albedo.color.b, albedo.opacity) },
       alphaCut: { value: albedo.alphaCut },
       measuring: { value: measuring },
+      standing: { value: options.standing },
       reflectance: { value: options.reflectance },
       tint: { value: 0 },
     },

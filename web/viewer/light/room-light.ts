@@ -2,6 +2,7 @@
 import { Color, DataTexture, LinearFilter, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
 import type { Adaptation, ColorMap, Display, SceneInfo } from '../../document/types.ts';
 import { colorTable, tableSize } from './color-maps.ts';
+import type { Box } from '../eye/framing.ts';
 import { adaptationLevel, automaticExposure } from './exposure.ts';
 import { legendEnds } from './false-color.ts';
 import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
@@ -51,6 +52,11 @@ export class RoomLight {
     this.uniforms.lightTexture.value = this.#texture?.texture ?? null;
     this.uniforms.reflectanceTexture.value = this.#reflectances?.texture ?? null;
     this.#level = 0;
+  }
+
+  /** The room's box: furniture at its sides has backs that are seen only where walls are cut away. */
+  setBox({ min, max }: Box): void {
+    this.uniforms.sides.value.set(min[0], min[2], max[0], max[2]);
   }
 
   set(illuminance: Float32Array): void {
@@ -136,6 +142,7 @@ export class RoomLight {
   };
 
   #expose(): void {
+    this.uniforms.usualLight.value = this.level;
     this.uniforms.exposure.value = automaticExposure(this.level, this.#ev, this.#adaptation);
   }
 

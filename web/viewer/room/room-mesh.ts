@@ -147,7 +147,12 @@ export function loadRoomMesh(
     const surface = surfaceIndex(mesh, scene);
     const measuring = isMeasuring(mesh, scene);
     const reflectance = scene.surfaces[surface]?.reflectance ?? 0;
-    const material = createLightMaterial(shared, { albedo: albedoOf(source), measuring, reflectance });
+    const material = createLightMaterial(shared, {
+      albedo: albedoOf(source),
+      measuring,
+      standing: standing.has(mesh),
+      reflectance,
+    });
     mesh.material = material;
     if (measuring) [mesh.visible, mesh.renderOrder] = [false, 2];
     lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring });
