@@ -50,7 +50,7 @@ class CheckedSections {
     return takeAny(name);
   }
   std::vector<std::uint8_t> takeAny(std::string_view name) {
-    const auto index = static_cast<std::size_t>(&line(name) - table_.sections.data());
+    const std::size_t index = indexOf(name);
     if (bytes_[index].size() != table_.sections[index].inflatedBytes)
       return fail(name, "it was not provided"), std::vector<std::uint8_t>{};
     return std::move(bytes_[index]);
@@ -83,6 +83,9 @@ class CheckedSections {
   }
 
  private:
+  std::size_t indexOf(std::string_view name) const {
+    return static_cast<std::size_t>(&line(name) - table_.sections.data());
+  }
   template <class T>
   void checkRange(std::string_view name, const std::vector<T>& values, double low, double high) {
     for (T v : values)

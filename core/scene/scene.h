@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/scene/layout.h"
+#include "core/scene/light_operator.h"
 #include "core/scene/patches.h"
 
 namespace fiatlux {
@@ -35,6 +37,7 @@ struct Scene {
                                   // the surface's mean response to that site; guards true minima and maxima
   std::vector<SurfaceStatistics> illuminance;  // per leaf surface
   std::vector<SurfaceStatistics> exitance;     // per leaf surface; empty for measuring planes
+  std::optional<LightOperator> lightOperator;  // what other photometries need; older files have none
 };
 
 /// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,

@@ -9,6 +9,7 @@
 #include "core/scene/checked_sections.h"
 #include "core/scene/covariance_codec.h"
 #include "core/scene/crc32.h"
+#include "core/scene/operator_sections.h"
 #include "core/scene/response_codec.h"
 #include "core/scene/response_sections.h"
 #include "core/scene/scene_sections.h"
@@ -259,6 +260,14 @@ bool SceneReader::needed(std::uint32_t section) const {
          std::find(std::begin(kLight), std::end(kLight), name.substr(0, name.find('.'))) != std::end(kLight);
 }
 
+bool SceneReader::ofOperator(std::uint32_t section) const {
+  constexpr std::string_view kOperator[] = {"siteVisibility", "charts",   "chartFrames",
+                                            "groups",         "exchange", "exchangeRest"};
+  const std::string_view name = table_.sections[section].name;
+  return std::find(std::begin(kOperator), std::end(kOperator), name.substr(0, name.find('.'))) !=
+         std::end(kOperator);
+}
+
 Result<Done> SceneReader::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
   if (section >= table_.sections.size()) return Error{"there is no section " + std::to_string(section)};
   const SceneSection& line = table_.sections[section];
@@ -304,6 +313,7 @@ Result<Scene> SceneReader::finish() {
   responses_.reset();
   const std::unique_ptr<Scene> scene = std::move(outline_);
   if (in.ok()) readStatistics(in, table_.counts, *scene);
+  if (in.ok()) readOperator(in, table_.counts, *scene);
   if (!in.ok()) return in.fault();
   return std::move(*scene);
 }

@@ -31,6 +31,9 @@ class SceneReader {
   const SceneTable& table() const { return table_; }
   /// Whether finish() wants this section.
   bool needed(std::uint32_t section) const;
+  /// Whether finish() makes the scene's light operator of this section and others: of all of them or, where
+  /// nobody wants it, of none.
+  bool ofOperator(std::uint32_t section) const;
   /// Whether readOutline() wants it.
   bool early(std::uint32_t section) const;
   /// Size and checksum of a section's inflated bytes against the table.

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/scene/covariance_codec.h"
+#include "core/scene/operator_sections.h"
 #include "core/scene/response_codec.h"
 #include "core/scene/section_codec.h"
 #include "core/scene/statistics_codec.h"
@@ -254,6 +255,9 @@ Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport
     addCorrections(scene, encoded.stored, sections);
   else
     addStatistics(scene, sections, report);
+  if (scene.lightOperator) {
+    if (const Result<Done> encoded = encodeOperator(scene, sections); !encoded) return encoded.error();
+  }
   if (report) report->responseRms = std::move(encoded.rms);
   return sections;
 }

@@ -33,6 +33,7 @@
 //   openingLayout           N + 1 x 2 dimming and 0; then site and flux (lm) of each luminaire
 //   openingScales           S x 2     step and floor of its light, lx
 //   openingLight            bytes     its light, quantised
+// and, where other photometries are to be lit with, the light operator (operator_sections.h);
 // and, not needed to light the scene: `room` (a .glb), `provenance` (JSON), and the paper's matrices.
 #pragma once
 

@@ -61,7 +61,7 @@ Result<Scene> readScene(std::span<const std::uint8_t> file) {
   Result<SceneReader> reader = SceneReader::open(file);
   if (!reader) return reader.error();
   for (std::uint32_t i = 0; i < reader->table().sections.size(); ++i) {
-    if (!reader->needed(i)) continue;
+    if (!reader->needed(i) && !reader->ofOperator(i)) continue;
     Result<std::vector<std::uint8_t>> bytes = inflateSection(file, reader->table().sections[i]);
     if (!bytes) return bytes.error();
     const Result<Done> provided = reader->provide(i, std::move(bytes.value()));

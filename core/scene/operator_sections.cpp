@@ -1,0 +1,147 @@
+// Writer and reader of one thing side by side, so that they stay each other's inverse.
+#include "core/scene/operator_sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/exchange_codec.h"
+#include "core/scene/scene_sections.h"
+#include "core/scene/section_codec.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr double kLongestCell = 1e6;  // m
+
+/// How many sites' shares fit one section, even if no two rows were alike.
+std::uint32_t visibilityBlockSites(std::uint32_t rows) {
+  return static_cast<std::uint32_t>(
+      std::max<std::uint64_t>(1, kMaxInflatedBytes / (6 * std::uint64_t{rows} + 6)));
+}
+
+PlainSection bytesSection(std::string name, std::vector<std::uint8_t> bytes) {
+  const auto length = static_cast<std::uint32_t>(bytes.size());
+  return plainSection(std::move(name), ElementType::kUint8, Encoding::kPlain, length, 1, std::move(bytes));
+}
+
+PlainSection integersSection(const char* name, const std::vector<std::uint32_t>& values,
+                             std::uint32_t columns) {
+  return plainSection(name, ElementType::kUint32, Encoding::kDeltaPlanes,
+                      static_cast<std::uint32_t>(values.size() / columns), columns,
+                      encodeDeltaPlanes(values, columns));
+}
+
+std::vector<std::uint8_t> takeBytes(CheckedSections& in, const std::string& name) {
+  return in.take(name, ElementType::kUint8, Encoding::kPlain, CheckedSections::kAnyRows, 1);
+}
+
+void readVisibility(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
+                    SiteVisibility& visibility) {
+  visibility.rows = counts.rows();
+  visibility.sites = counts.sites;
+  visibility.steps.resize(std::size_t{visibility.rows} * visibility.sites);
+  const std::uint32_t perBlock = visibilityBlockSites(visibility.rows);
+  for (std::uint32_t first = 0, block = 0; in.ok() && first < counts.sites; first += perBlock, ++block) {
+    const std::string name = numberedName("siteVisibility", block);
+    const std::vector<std::uint8_t> bytes = takeBytes(in, name);
+    if (!in.ok()) return;
+    const std::string fault =
+        decodeVisibility(bytes, patches, first, std::min(first + perBlock, counts.sites), visibility);
+    if (!fault.empty()) in.fail(name, fault);
+  }
+}
+
+void readCharts(CheckedSections& in, const SceneCounts& counts, Charts& charts) {
+  charts.ofRow = in.integers("charts", counts.rows(), 1);
+  const std::vector<float> numbers =
+      in.floats("chartFrames", Encoding::kFloatPlanes, CheckedSections::kAnyRows, kChartColumns,
+                -kLongestCell, kLongestCell);
+  if (!in.ok()) return;
+  for (std::size_t i = 0; i + kChartColumns <= numbers.size(); i += kChartColumns) {
+    const float* v = &numbers[i];
+    const Charts::Frame frame{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], v[7]};
+    const bool unit = std::abs(length(frame.uAxis) - 1) < 1e-3 && std::abs(length(frame.vAxis) - 1) < 1e-3 &&
+                      std::abs(dot(frame.uAxis, frame.vAxis)) < 1e-3;
+    if (!unit || !(frame.cellU > 0) || !(frame.cellV > 0))
+      return in.fail("chartFrames", "a chart has no size or direction");
+    charts.frames.push_back(frame);
+  }
+  for (const std::uint32_t chart : charts.ofRow)
+    if (chart >= charts.frames.size()) return in.fail("charts", "a row is on a chart that is not there");
+}
+
+void readGroups(CheckedSections& in, const SceneCounts& counts, ExchangeGroups& groups) {
+  const std::vector<std::uint32_t> values = in.integers("groups", counts.rows(), kGroupColumns);
+  if (!in.ok()) return;
+  for (std::uint32_t p = 0; p < counts.rows(); ++p) {
+    const std::uint32_t group = values[kGroupColumns * p], barriers = values[kGroupColumns * p + 1];
+    if (group >= counts.rows() || barriers > 3) return in.fail("groups", "a value is out of range");
+    groups.ofRow.push_back(group);
+    groups.barriers.push_back(static_cast<std::uint8_t>(barriers));
+    groups.total = std::max(groups.total, group + 1);
+    if (p < counts.patches)
+      groups.count = groups.total;
+    else if (group < groups.count)
+      return in.fail("groups", "a receiver is in a group of patches");
+  }
+  std::vector<char> seen(groups.total, 0);
+  for (const std::uint32_t group : groups.ofRow) seen[group] = 1;
+  if (std::find(seen.begin(), seen.end(), 0) != seen.end()) return in.fail("groups", "a group is empty");
+  if (std::uint64_t{groups.total} * groups.count > kMaxExchangeValues)
+    in.fail("groups", "there are too many");
+}
+
+void readExchange(CheckedSections& in, const Patches& patches, LightOperator& op) {
+  const std::vector<std::uint8_t> means = takeBytes(in, "exchange"), rest = takeBytes(in, "exchangeRest");
+  if (!in.ok()) return;
+  std::string fault = decodeExchangeMeans(means, patches, op.groups, op.exchange);
+  if (!fault.empty()) return in.fail("exchange", fault);
+  fault = decodeExchangeRest(rest, patches, op.groups, op.exchange);
+  if (!fault.empty()) in.fail("exchangeRest", fault);
+}
+
+}  // namespace
+
+Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& sections) {
+  const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
+  if (std::uint64_t{groups.total} * groups.count > kMaxExchangeValues)
+    return Error{std::to_string(groups.total) +
+                 " groups of patches are too many for a scene file: use larger patches"};
+  const std::uint32_t perBlock = visibilityBlockSites(visibility.rows);
+  for (std::uint32_t first = 0, block = 0; first < visibility.sites; first += perBlock, ++block)
+    sections.push_back(bytesSection(
+        numberedName("siteVisibility", block),
+        encodeVisibility(scene.patches, visibility, first, std::min(first + perBlock, visibility.sites))));
+  std::vector<float> frames;
+  for (const Charts::Frame& frame : charts.frames) {
+    for (const Vec3& v : {frame.uAxis, frame.vAxis})
+      for (const double x : {v.x, v.y, v.z}) frames.push_back(static_cast<float>(x));
+    for (const double edge : {frame.cellU, frame.cellV}) frames.push_back(static_cast<float>(edge));
+  }
+  sections.push_back(integersSection("charts", charts.ofRow, 1));
+  sections.push_back(plainSection("chartFrames", ElementType::kFloat32, Encoding::kFloatPlanes,
+                                  static_cast<std::uint32_t>(charts.frames.size()), kChartColumns,
+                                  encodeFloatPlanes(frames)));
+  std::vector<std::uint32_t> labels;
+  for (std::size_t p = 0; p < groups.ofRow.size(); ++p)
+    labels.insert(labels.end(), {groups.ofRow[p], groups.barriers[p]});
+  sections.push_back(integersSection("groups", labels, kGroupColumns));
+  sections.push_back(bytesSection("exchange", encodeExchangeMeans(scene.patches, groups, exchange)));
+  sections.push_back(bytesSection("exchangeRest", encodeExchangeRest(scene.patches, groups, exchange)));
+  return Done{};
+}
+
+void readOperator(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  constexpr const char* kNames[] = {"siteVisibility", "charts",   "chartFrames",
+                                    "groups",         "exchange", "exchangeRest"};
+  if (std::none_of(std::begin(kNames), std::end(kNames), [&](const char* name) { return in.isThere(name); }))
+    return;
+  LightOperator op;
+  readVisibility(in, counts, scene.patches, op.visibility);
+  if (in.ok()) readCharts(in, counts, op.charts);
+  if (in.ok()) readGroups(in, counts, op.groups);
+  if (in.ok()) readExchange(in, scene.patches, op);
+  if (in.ok()) scene.lightOperator = std::move(op);
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,152 @@
+// A light operator in a file: there and back, absent in older files, and refused where it lies.
+#include "core/scene/operator_sections.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/scene/exchange_codec.h"
+#include "core/scene/scene_reader.h"
+#include "core/scene/scene_sections.h"
+#include "tests/core/operator_scene.h"
+
+namespace fiatlux {
+namespace {
+
+Result<Scene> readBack(const Scene& scene, const std::vector<PlainSection>& plain, bool withOperator = true) {
+  std::vector<StoredSection> sections;
+  for (const PlainSection& part : plain) sections.push_back({part.section, part.bytes});
+  const std::vector<std::uint8_t> file = assembleSceneFile(scene.identity, countsOf(scene), sections);
+  Result<SceneReader> reader = SceneReader::open(file);
+  if (!reader) return reader.error();
+  for (std::uint32_t i = 0; i < plain.size(); ++i) {
+    if (!reader->needed(i) && !(withOperator && reader->ofOperator(i))) continue;
+    const Result<Done> provided = reader->provide(i, plain[i].bytes);
+    if (!provided) return provided.error();
+  }
+  return reader->finish();
+}
+
+/// What reading says once `change` has had its way with the bytes of one section.
+template <class Change>
+std::string errorWith(const std::string& name, Change change) {
+  const Scene scene = operatorScene(8, 3);
+  std::vector<PlainSection> plain = encodeScene(scene).value();
+  for (PlainSection& part : plain) {
+    if (part.section.name != name) continue;
+    change(part.bytes);
+    const SceneSection& s = part.section;
+    part = plainSection(s.name, s.type, s.encoding,
+                        static_cast<std::uint32_t>(part.bytes.size() / sizeOf(s.type) / s.columns), s.columns,
+                        std::move(part.bytes));
+  }
+  const Result<Scene> back = readBack(scene, plain);
+  return back ? "no error" : back.error().message;
+}
+
+TEST(OperatorSections, ComeBackWithinTheirSteps) {
+  const Scene scene = operatorScene(8, 3);
+  const Result<Scene> back = readBack(scene, encodeScene(scene).value());
+  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back->lightOperator);
+  const LightOperator &in = *scene.lightOperator, &out = *back->lightOperator;
+  EXPECT_EQ(out.visibility.steps, in.visibility.steps);
+  EXPECT_EQ(out.charts.ofRow, in.charts.ofRow);
+  EXPECT_EQ(out.groups.ofRow, in.groups.ofRow);
+  EXPECT_EQ(out.groups.barriers, in.groups.barriers);
+  EXPECT_EQ(out.groups.count, in.groups.count);
+  EXPECT_EQ(out.groups.total, in.groups.total);
+  ASSERT_EQ(out.charts.frames.size(), in.charts.frames.size());
+  EXPECT_DOUBLE_EQ(out.charts.frames[1].cellU, 0.25);
+  EXPECT_EQ(out.exchange.offset, in.exchange.offset);
+  EXPECT_EQ(out.exchange.group, in.exchange.group);
+
+  const std::vector<double> area = areasOf(scene.patches, in.groups);
+  ASSERT_EQ(out.exchange.means.size(), in.exchange.means.size());
+  for (std::uint32_t c = 0; c < in.groups.total; ++c)
+    for (std::uint32_t d = 0; d < in.groups.count; ++d) {
+      const std::size_t at = std::size_t{c} * in.groups.count + d;
+      const double unit = std::sqrt(area[c] * area[d]);
+      EXPECT_NEAR(std::sqrt(out.exchange.means[at] * unit), std::sqrt(in.exchange.means[at] * unit),
+                  0.501 * kExchangeMeanStep);
+    }
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    for (std::uint32_t i = in.exchange.offset[p]; i < in.exchange.offset[p + 1]; ++i)
+      EXPECT_NEAR(out.exchange.rest[i], in.exchange.rest[i],
+                  0.501 * kExchangeRestStep / std::sqrt(scene.patches.area[p] * area[in.exchange.group[i]]));
+}
+
+TEST(OperatorSections, EncodingWhatWasDecodedChangesNothing) {
+  const Scene scene = operatorScene(8, 3);
+  const Result<Scene> once = readBack(scene, encodeScene(scene).value());
+  ASSERT_TRUE(once);
+  const Patches& patches = once->patches;
+  const LightOperator& op = *once->lightOperator;
+  LightOperator again = op;
+  const auto means = encodeExchangeMeans(patches, op.groups, op.exchange);
+  const auto rest = encodeExchangeRest(patches, op.groups, op.exchange);
+  ASSERT_EQ(decodeExchangeMeans(means, patches, op.groups, again.exchange), "");
+  ASSERT_EQ(decodeExchangeRest(rest, patches, op.groups, again.exchange), "");
+  EXPECT_EQ(again.exchange.means, op.exchange.means);
+  EXPECT_EQ(again.exchange.rest, op.exchange.rest);
+}
+
+TEST(OperatorSections, OlderFilesHaveNone) {
+  const Scene scene = syntheticScene(4, 2);
+  const Result<Scene> back = readBack(scene, encodeScene(scene).value());
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_FALSE(back->lightOperator);
+}
+
+TEST(OperatorSections, ArePassedOverWhereNobodyWantsThem) {
+  const Scene scene = operatorScene(8, 3);
+  const Result<Scene> back = readBack(scene, encodeScene(scene).value(), false);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_FALSE(back->lightOperator);
+  EXPECT_EQ(back->responses.sites, 3u);
+}
+
+TEST(OperatorSections, AllOrNothing) {
+  const Scene scene = operatorScene(8, 3);
+  for (const char* name : {"siteVisibility", "charts", "chartFrames", "groups", "exchange", "exchangeRest"}) {
+    std::vector<PlainSection> plain = encodeScene(scene).value();
+    std::erase_if(plain, [&](const PlainSection& part) { return part.section.name == name; });
+    const Result<Scene> back = readBack(scene, plain);
+    ASSERT_FALSE(back) << name;
+    EXPECT_NE(back.error().message.find(std::string(name) + ": it is missing"), std::string::npos)
+        << back.error().message;
+  }
+}
+
+TEST(OperatorSections, RefusesWhatDoesNotFit) {
+  using Bytes = std::vector<std::uint8_t>;
+  const auto cut = [](Bytes& bytes) { bytes.pop_back(); };
+  const auto longer = [](Bytes& bytes) { bytes.push_back(0); };
+  for (const char* name : {"siteVisibility", "exchange", "exchangeRest"}) {
+    EXPECT_NE(errorWith(name, cut), "no error") << name;
+    EXPECT_NE(errorWith(name, longer), "no error") << name;
+    EXPECT_NE(errorWith(name, [](Bytes& bytes) { bytes.clear(); }), "no error") << name;
+  }
+  // A run that is longer than all rows, a share beyond the whole, a coupling below zero, too many entries.
+  EXPECT_NE(errorWith("siteVisibility", [](Bytes& bytes) { bytes[0] = 254; }), "no error");
+  EXPECT_NE(errorWith("siteVisibility", [](Bytes& bytes) { bytes[1] = 128; }), "no error");
+  EXPECT_NE(errorWith("exchange", [](Bytes& bytes) { bytes[0] = 1; }), "no error");
+  EXPECT_NE(errorWith("exchangeRest", [](Bytes& bytes) { bytes[0] = 200; }), "no error");
+}
+
+TEST(OperatorSections, RefusesLabelsOfNothing) {
+  const auto labels = [](const char* name, std::uint32_t columns, std::size_t at, std::uint32_t value) {
+    return errorWith(name, [=](std::vector<std::uint8_t>& bytes) {
+      std::vector<std::uint32_t> values = decodeDeltaPlanes(bytes, columns);
+      values[at] = value;
+      bytes = encodeDeltaPlanes(values, columns);
+    });
+  };
+  EXPECT_NE(labels("charts", 1, 5, 3).find("a chart that is not there"), std::string::npos);
+  EXPECT_NE(labels("groups", 2, 0, 1u << 30).find("out of range"), std::string::npos);
+  EXPECT_NE(labels("groups", 2, 1, 4).find("out of range"), std::string::npos);
+  EXPECT_NE(labels("groups", 2, 0, 100).find("a group is empty"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fiatlux
