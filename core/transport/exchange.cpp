@@ -1,0 +1,70 @@
+#include "core/transport/exchange.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kTogether = 16;  // columns: each entry of H is read once for them
+
+using GroupMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+ExchangeOperator::ExchangeOperator(const Patches& patches, const ExchangeGroups& groups,
+                                   const Exchange& exchange)
+    : patches_(patches),
+      exchange_(exchange),
+      count_(groups.count),
+      total_(groups.total),
+      interpolation_(patches, groups) {}
+
+std::vector<float> ExchangeOperator::indirect(const std::vector<float>& direct, std::uint32_t columns) const {
+  const std::size_t rows = patches_.rows();
+  std::vector<float> light(rows * columns), in, out;
+  for (std::uint32_t first = 0; first < columns; first += kTogether) {
+    const std::uint32_t width = std::min(kTogether, columns - first);
+    in.resize(rows * width);
+    out.resize(rows * width);
+    for (std::uint32_t j = 0; j < width; ++j)
+      for (std::size_t p = 0; p < rows; ++p) in[p * width + j] = direct[(first + j) * rows + p];
+    indirectBlock(in.data(), width, out.data());
+    for (std::uint32_t j = 0; j < width; ++j)
+      for (std::size_t p = 0; p < rows; ++p) light[(first + j) * rows + p] = out[p * width + j];
+  }
+  return light;
+}
+
+void ExchangeOperator::indirectBlock(const float* direct, std::uint32_t width, float* out) const {
+  // First reflected lumens of each patch; receivers reflect nothing.
+  std::vector<float> phi(std::size_t{patches_.rows()} * width, 0.0f);
+  for (std::uint32_t p = 0; p < patches_.count; ++p) {
+    const auto weight = static_cast<float>(patches_.area[p] * patches_.reflectance[p]);
+    for (std::uint32_t j = 0; j < width; ++j)
+      phi[std::size_t{p} * width + j] = weight * direct[std::size_t{p} * width + j];
+  }
+
+  // Means over the groups: H W^T phi + R^T phi.
+  std::vector<float> sums(std::size_t{total_} * width), sources(sums.size()), means(sums.size());
+  interpolation_.reduce(phi.data(), width, sums.data(), sources.data());
+  Eigen::Map<GroupMatrix>(means.data(), total_, width).noalias() =
+      Eigen::Map<const GroupMatrix>(exchange_.means.data(), total_, count_) *
+      Eigen::Map<const GroupMatrix>(sources.data(), count_, width);
+  for (std::uint32_t p = 0; p < patches_.count; ++p)
+    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
+      float* mean = &means[std::size_t{exchange_.group[i]} * width];
+      for (std::uint32_t j = 0; j < width; ++j)
+        mean[j] += exchange_.rest[i] * phi[std::size_t{p} * width + j];
+    }
+
+  // Spread over the groups, and what is not smooth: R times the sums.
+  interpolation_.apply(means.data(), width, out);
+  for (std::uint32_t p = 0; p < patches_.rows(); ++p)
+    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
+      const float* sum = &sums[std::size_t{exchange_.group[i]} * width];
+      for (std::uint32_t j = 0; j < width; ++j) out[std::size_t{p} * width + j] += exchange_.rest[i] * sum[j];
+    }
+}
+
+}  // namespace fiatlux

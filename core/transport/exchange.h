@@ -1,0 +1,35 @@
+// Interreflection by the operator of a scene: what direct light of any kind becomes once it has been
+// reflected, without the form factors. With phi = A rho D (lm, first reflected) and S ~ W H W^T + W R^T + R:
+//   E_indirect = S phi;   H between groups, W interpolation, R the rest (core/scene/light_operator.h).
+// S is read both ways: the mean over a group knows each source patch by itself, only what is left of the
+// light's detail within a group sees the sources group by group.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/light_operator.h"
+#include "core/scene/patches.h"
+#include "core/transport/group_interpolation.h"
+
+namespace fiatlux {
+
+/// Refers to patches and exchange, which must outlive it and agree with the groups.
+class ExchangeOperator {
+ public:
+  ExchangeOperator(const Patches& patches, const ExchangeGroups& groups, const Exchange& exchange);
+
+  /// lx of every row, column-major rows x columns, for direct light of the same shape (lx). May be a hair
+  /// below zero where it is dark.
+  std::vector<float> indirect(const std::vector<float>& direct, std::uint32_t columns) const;
+
+ private:
+  void indirectBlock(const float* direct, std::uint32_t width, float* out) const;
+
+  const Patches& patches_;
+  const Exchange& exchange_;
+  std::uint32_t count_, total_;
+  GroupInterpolation interpolation_;
+};
+
+}  // namespace fiatlux
