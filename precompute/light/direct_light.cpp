@@ -9,6 +9,7 @@
 #include "core/transport/polygon_form_factor.h"
 #include "precompute/base/parallel.h"
 #include "precompute/light/emission.h"
+#include "precompute/light/photometric_shadow.h"
 #include "precompute/rays/effort.h"
 #include "precompute/rays/ray_sequence.h"
 
@@ -124,35 +125,44 @@ class Shadow {
   std::size_t lane_[RayPacket::kSize];
 };
 
+/// What a source does to a patch: lx, and the share 0..1 that arrives of what would without any shadow.
+struct PatchLight {
+  double illuminance = 0, visible = 0;
+};
+
 /// Mean illuminance over one patch by its `points`: shadow rays to split x split parts of the source from
 /// each, and to penumbra x penumbra where a shadow's edge crosses the patch. `facing` is scratch.
-double patchLight(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
-                  std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed,
-                  std::vector<char>& facing) {
+PatchLight patchLight(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
+                      std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed,
+                      std::vector<char>& facing) {
   facing.clear();
   for (const PatchPoint& point : points) facing.push_back(faces(source, point.position, point.normal));
   Shadow probe(tracer, source);
   probe.cast(points, facing, split, true, Random(seed));
-  if (probe.verdict() < 0) return 0;
+  if (probe.verdict() < 0) return {};
 
   Shadow shadow(tracer, source);
   if (probe.verdict() == 0) shadow.cast(points, facing, penumbra, false, Random(seed, 1));
-  double sum = 0;
+  double sum = 0, all = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!facing[i]) continue;
     const double lit = points[i].weight * unshadowed(source, points[i].position, points[i].normal);
     sum += probe.verdict() > 0 ? lit : lit * shadow.visibleShare(points[i], i);
+    all += lit;
   }
-  return sum;
+  return {sum, all > 0 ? sum / all : 0};
 }
 
 }  // namespace
 
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
-                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options) {
+                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options,
+                               SiteVisibility* visibility) {
   const std::uint32_t rows = room.patches.rows();
   const std::vector<Emission> sources(luminaires.begin(), luminaires.end());
   std::vector<float> light(std::size_t{rows} * sources.size());
+  if (visibility)
+    *visibility = {rows, static_cast<std::uint32_t>(sources.size()), std::vector<std::uint8_t>(light.size())};
   const std::uint64_t seed = mixBits(options.seed ^ 0xd1ec7u);
   const std::vector<std::uint32_t> effort = effortOfRows(room.patches);
   constexpr std::uint32_t kRows = 32;   // a thread's portion
@@ -161,13 +171,21 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
     std::vector<char> facing;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p) {
-      const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(kPoints);
+      const PatchSampler sampler(room, p);
+      const std::vector<PatchPoint> points = sampler.quadrature(kPoints);
+      const double radius = 0.5 * std::sqrt(room.patches.area[p]);
       const bool isSmall = effort[p] >= 2;
       const std::uint32_t split = (isSmall ? 2 : 1) * options.split, penumbra = (isSmall ? 4 : 2) * split;
       for (std::size_t j = 0; j < sources.size(); ++j) {
-        light[j * rows + p] =
-            static_cast<float>(patchLight(tracer, sources[j], points, split, penumbra,
-                                          mixBits(seed ^ (std::uint64_t{p} << 32 | j)), facing));
+        const std::uint64_t own = mixBits(seed ^ (std::uint64_t{p} << 32 | j));
+        if (sources[j].isPhotometric()) {
+          light[j * rows + p] = static_cast<float>(photometricPatchLight(
+              tracer, sampler, room.patches.center[p], radius, luminaires[j], split, own));
+          continue;
+        }
+        const PatchLight lit = patchLight(tracer, sources[j], points, split, penumbra, own, facing);
+        light[j * rows + p] = static_cast<float>(lit.illuminance);
+        if (visibility) visibility->steps[j * rows + p] = SiteVisibility::stepOf(lit.visible);
       }
     }
   };
@@ -178,6 +196,7 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
 double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const Luminaire& luminaire,
                      std::uint32_t split, std::uint64_t seed) {
   const Emission source(luminaire);
+  if (source.isPhotometric()) return photometricPointLight(tracer, receiver, luminaire, split, mixBits(seed));
   if (!faces(source, receiver.position, receiver.normal)) return 0;
   Shadow shadow(tracer, source);
   shadow.cast({receiver}, {1}, split, false, Random(mixBits(seed)));

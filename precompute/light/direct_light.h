@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/scene/light_operator.h"
 #include "core/scene/luminaire.h"
 #include "precompute/rays/patch_sampler.h"
 #include "precompute/rays/ray_tracer.h"
@@ -24,8 +25,10 @@ struct DirectLightOptions {
 };
 
 /// Illuminance (lx) of every row by each luminaire at its own flux: column-major rows() x luminaires.
+/// `visibility`, where given, becomes the share of that light which shadows let through.
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
-                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options);
+                               const std::vector<Luminaire>& luminaires, const DirectLightOptions& options,
+                               SiteVisibility* visibility = nullptr);
 
 /// Illuminance (lx) at a point by one luminaire, `split` x `split` shadow rays on the source (one for a point
 /// source).

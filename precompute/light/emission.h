@@ -1,5 +1,6 @@
 // The light that leaves a luminaire: from where, which way and how much. The one place that knows how a
-// luminaire shines: Lambertian areas, and points that are Lambertian or isotropic.
+// luminaire shines: Lambertian areas, points that are Lambertian or isotropic, and those of any photometry,
+// each part of whose area has the whole's distribution.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +28,7 @@ class Emission {
         corners_(part(0, 1, 0, 1)) {}
 
   bool isPoint() const { return isPoint_; }
+  bool isPhotometric() const { return luminaire_.distribution == Luminaire::Distribution::kPhotometric; }
   double width() const { return luminaire_.width; }    // m
   double height() const { return luminaire_.height; }  // m
   const Vec3& position() const { return luminaire_.position; }
@@ -36,7 +38,7 @@ class Emission {
   /// rounding.
   bool isBehind(const Vec3& point) const {
     constexpr double kFront = 1e-5;  // m: what lies in the plane that it hangs on, rounded
-    return !isIsotropic_ && dot(point - luminaire_.position, luminaire_.normal) <= kFront;
+    return !isIsotropic_ && !isPhotometric() && dot(point - luminaire_.position, luminaire_.normal) <= kFront;
   }
 
   Vec3 at(double u, double v) const {
@@ -50,22 +52,30 @@ class Emission {
     return {at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)};
   }
 
-  /// cd of a point, towards what lies `way` from it (m; of any length but 0, and not behind it).
+  /// cd of a point, or of all of a photometric area, towards what lies `way` from it (m; of any length but 0,
+  /// and not behind it).
   double intensity(const Vec3& way) const {
-    assert(isPoint_ && dot(way, way) > 0);
+    assert((isPoint_ || isPhotometric()) && dot(way, way) > 0);
+    if (isPhotometric()) {
+      const Vec3 d = normalized(way);
+      const Vec3 across = cross(luminaire_.normal, luminaire_.axis);
+      return luminaire_.intensity({dot(d, luminaire_.axis), dot(d, across), dot(d, luminaire_.normal)});
+    }
     if (isIsotropic_) return luminaire_.flux / (4 * std::numbers::pi);
     return luminaire_.flux / std::numbers::pi * dot(way, luminaire_.normal) / length(way);
   }
   /// lm/m2 of an area, the same at every place and Lambertian.
   double exitance() const { return luminaire_.flux / (luminaire_.width * luminaire_.height); }
 
-  /// A unit direction for (s, t) in [0, 1)^2, as many as its light takes.
+  /// A unit direction for (s, t) in [0, 1)^2: as many as its light takes, times weight().
   Vec3 direction(double s, double t) const {
-    if (!isIsotropic_) return cosineDirection(frame_, s, t);
+    if (!isIsotropic_ && !isPhotometric()) return cosineDirection(frame_, s, t);
     const double z = 1 - 2 * s, r = std::sqrt(std::max(0.0, 1 - z * z));
     const double angle = 2 * std::numbers::pi * t;
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
+  /// How much more light goes there than direction() says: of photometric ones, whose directions are even.
+  double weight(const Vec3& direction) const { return isPhotometric() ? intensity(direction) : 1; }
 
  private:
   Luminaire luminaire_;

@@ -46,18 +46,20 @@ double lostShare(const Room& room, const RayTracer& tracer, const Luminaire& lum
                  const RaySequence& sequence, std::uint64_t seed) {
   const auto scramble = RaySequence::scramble(seed);
   const Emission source(luminaire);
-  std::uint32_t lost = 0;
+  double lost = 0, all = 0;
   for (std::uint32_t i = 0; i < sequence.count(); ++i) {
     const auto sample = sequence.point(i, scramble);
     const Vec3 origin = source.startAt(sample[2], sample[3]),
                direction = source.direction(sample[0], sample[1]);
+    const double weight = source.weight(direction);
     RayPacket packet;
     tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
     HitPacket hit;
     tracer.intersect(packet, hit);
-    lost += room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
+    all += weight;
+    if (room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone) lost += weight;
   }
-  return static_cast<double>(lost) / sequence.count();
+  return all > 0 ? lost / all : 0;
 }
 
 double emittedFlux(const Patches& patches, const std::vector<Luminaire>& luminaires,
