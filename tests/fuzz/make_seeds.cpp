@@ -14,6 +14,7 @@
 #include "core/scene/scene_sections.h"
 #include "precompute/files/scene_io.h"
 #include "tests/core/corridor_scene.h"
+#include "tests/core/operator_scene.h"
 #include "tests/core/photometry/photometric_files.h"
 #include "tests/core/scene/base64.h"
 #include "tests/core/scene/golden_scene_v1.h"
@@ -180,6 +181,8 @@ void writeScenes(const std::filesystem::path& folder) {
   write(folder / "small.flux", sceneFile(small, false));
   write(folder / "small-deflated.flux", sceneFile(small, true));
   write(folder / "wide.flux", sceneFile(wide, false));
+  write(folder / "operator.flux", sceneFile(operatorScene(4, 2), false));
+  write(folder / "operator-deflated.flux", sceneFile(operatorScene(8, 3), true));
   write(folder / "box-deflated.flux", sceneFile(testing::syntheticScene(testing::boxPlan(3, 2, 2), 1), true));
 }
 

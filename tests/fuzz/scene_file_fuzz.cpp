@@ -13,6 +13,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/section_codec.h"
 #include "core/session/session.h"
+#include "core/transport/photometric_light.h"
 #include "precompute/files/scene_io.h"
 #include "tests/fuzz/one_line.h"
 
@@ -163,6 +164,13 @@ void require(bool good, const char* what) {
 void use(fiatlux::Scene scene) {
   for (const float light : scene.responses.illuminance)
     require(light >= 0 && std::isfinite(light), "has wrong light");
+  if (scene.lightOperator) {
+    const std::vector<float> even(scene.patches.rows(), 1.0f);
+    const fiatlux::ExchangeOperator exchange(scene.patches, scene.lightOperator->groups,
+                                             scene.lightOperator->exchange);
+    require(exchange.indirect(even, 1).size() == even.size(), "exchanges no light");
+    (void)fiatlux::PhotometricLight(scene).direct({{0, fiatlux::lambertianOn(scene.sites[0])}});
+  }
   fiatlux::Session session;
   session.adopt(std::move(scene));
   fiatlux::Intentions intentions;

@@ -1,0 +1,61 @@
+#include "core/transport/mounted_luminaire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/photometry/intensity.h"
+#include "core/photometry/photometric_values.h"
+#include "core/transport/photometric_light.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180;  // of a degree
+constexpr double kNarrowest = 2;                    // degrees: beams below that are sampled as if they had it
+
+/// `wish` turned into the plane of `normal`; any direction of the plane where the two are parallel.
+Vec3 inPlane(const Vec3& wish, const Vec3& normal) {
+  for (const Vec3& direction : {wish, Vec3{1, 0, 0}, Vec3{0, 0, 1}}) {
+    const Vec3 flat = direction - dot(direction, normal) * normal;
+    if (length(flat) > 1e-6) return normalized(flat);
+  }
+  return {0, 1, 0};
+}
+
+}  // namespace
+
+Luminaire photometricLuminaire(std::shared_ptr<const Photometry> photometry, double flux, double width,
+                               double height) {
+  const double held = integratedFlux(*photometry);
+  const double scale = flux > 0 && held > 0 ? flux / held : 1;
+  const LuminousArea& area = photometry->luminous;
+  const bool lengthAlongC0 = photometry->longAxis == PhotometricAxis::kC0;
+  Luminaire luminaire;
+  luminaire.distribution = Luminaire::Distribution::kPhotometric;
+  luminaire.width = width > 0 ? width : lengthAlongC0 ? area.length : area.width;
+  luminaire.height = height > 0 ? height : lengthAlongC0 ? area.width : area.length;
+  luminaire.flux = flux > 0 ? flux : held;
+  luminaire.beam = kRadian * std::max(openingAngle(*photometry, 0.5), kNarrowest);
+  luminaire.intensity = [table = std::move(photometry), scale](const Vec3& direction) {
+    return scale * intensity(*table, direction);
+  };
+  return luminaire;
+}
+
+Luminaire mountedLuminaire(std::shared_ptr<const Photometry> photometry, double flux, const Site& site,
+                           const Mounting& mounting) {
+  Luminaire luminaire = photometricLuminaire(std::move(photometry), flux, mounting.width, mounting.height);
+  const double turn = kRadian * mounting.turn;
+  const Vec3 turned = std::cos(turn) * site.axis + std::sin(turn) * cross(site.normal, site.axis);
+  luminaire.normal = site.normal;
+  if (mounting.aim && length(*mounting.aim - site.position) > 1e-6)
+    luminaire.normal = normalized(*mounting.aim - site.position);
+  if (mounting.normal) luminaire.normal = normalized(*mounting.normal);
+  luminaire.axis = inPlane(mounting.axis.value_or(turned), luminaire.normal);
+  luminaire.position =
+      mountedPosition(site, luminaire.normal, luminaire.axis, luminaire.width, luminaire.height);
+  return luminaire;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,55 @@
+// Light of a luminaire of any photometry on a site, without rays: visible share x mean over the patch of
+// I cos / d^2, and all interreflections by the exchange of the scene. The responses that the file holds for a
+// Lambertian square serve as control variate:
+//   E_indirect = alpha E_lambert + S (phi - alpha phi_lambert),  alpha = <phi, phi_lambert> /
+//   |phi_lambert|^2.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/luminaire.h"
+#include "core/scene/scene.h"
+#include "core/transport/exchange.h"
+
+namespace fiatlux {
+
+/// One luminaire on one site.
+struct PhotometricCandidate {
+  std::uint32_t site = 0;
+  Luminaire luminaire;  // photometric
+};
+
+/// The Lambertian square of 1 lm that a site's response knows, as a photometry.
+Luminaire lambertianOn(const Site& site);
+
+/// Where a luminaire hangs whose light leaves along `normal`: at the site, or so far before it that no corner
+/// of its luminous area lies behind the mount.
+Vec3 mountedPosition(const Site& site, const Vec3& normal, const Vec3& axis, double width, double height);
+
+/// Refers to the scene, which must have a light operator and outlive it. Columns are column-major rows x
+/// candidates, lx.
+class PhotometricLight {
+ public:
+  explicit PhotometricLight(const Scene& scene);
+
+  std::vector<float> direct(const std::vector<PhotometricCandidate>& candidates) const;
+  /// Direct light and all interreflections, given what direct() said.
+  std::vector<float> total(const std::vector<PhotometricCandidate>& candidates,
+                           const std::vector<float>& direct) const;
+
+ private:
+  struct Tile {
+    Vec3 edgeU, edgeV;        // m, of a rectangle as large as the patch
+    double lengthU, lengthV;  // m
+  };
+  void directColumn(const PhotometricCandidate& candidate, float* column) const;
+  double directOn(std::uint32_t row, const Luminaire& luminaire) const;
+  double controlShare(const float* direct, const float* lambertian) const;
+
+  const Scene& scene_;
+  ExchangeOperator exchange_;
+  std::vector<Tile> tiles_;  // rows
+};
+
+}  // namespace fiatlux
