@@ -27,6 +27,18 @@ nlohmann::json provenanceOf(std::span<const std::uint8_t> file, const SceneTable
   return json && json->is_object() ? std::move(json.value()) : nlohmann::json::object();
 }
 
+/// What a file holds for other photometries than that of its responses.
+Json exchangeJson(const SceneTable& table, const LightOperator& op) {
+  std::uint64_t visibility = 0, exchange = 0;
+  for (const SceneSection& section : table.sections) {
+    const std::string name = section.name.substr(0, section.name.find('.'));
+    if (name == "siteVisibility") visibility += section.storedBytes;
+    for (const char* part : {"charts", "chartFrames", "groups", "exchange", "exchangeRest"})
+      if (name == part) exchange += section.storedBytes;
+  }
+  return {{"groups", op.groups.total}, {"visibilityBytes", visibility}, {"exchangeBytes", exchange}};
+}
+
 /// Everything, as --json prints it and as the table is made of.
 Json infoOf(const std::string& path) {
   const std::vector<std::uint8_t> file = orThrow(readFileBytes(path));
@@ -58,6 +70,7 @@ Json infoOf(const std::string& path) {
                                 {"bytes", section.storedBytes},
                                 {"inflated", section.inflatedBytes},
                                 {"errorBound", section.errorBound}});
+  if (scene.lightOperator) json["exchange"] = exchangeJson(table, *scene.lightOperator);
   // note: whoever made the file wrote this; it never replaces what was read off the file
   const nlohmann::json provenance = provenanceOf(file, table);
   for (const auto& item : provenance.items())
@@ -86,6 +99,19 @@ std::string textOf(const Json& json, const char* key) {
   return printable(jsonText(value));
 }
 
+/// Bytes of the light operator, and how far light by it is from the whole solution.
+void printExchange(const Json& json) {
+  if (!json.contains("exchange")) return;
+  const Json& exchange = json["exchange"];
+  std::printf("%-10s %u groups, visibility %llu + exchange %llu bytes\n", "exchange",
+              exchange["groups"].get<unsigned>(), exchange["visibilityBytes"].get<unsigned long long>(),
+              exchange["exchangeBytes"].get<unsigned long long>());
+  if (!json.contains("exchangeErrors") || !json["exchangeErrors"].is_object()) return;
+  for (const auto& item : json["exchangeErrors"].items())
+    std::printf("%-10s   %s: %s\n", "", printable(item.key()).c_str(),
+                textOf(json["exchangeErrors"], item.key().c_str()).c_str());
+}
+
 void printTable(const std::string& path, const Json& json) {
   const auto count = [&](const char* key) { return json[key].get<unsigned>(); };
   std::printf("%s: identity %s, version %u, %.2f MB\n", path.c_str(),
@@ -107,6 +133,7 @@ void printTable(const std::string& path, const Json& json) {
        {"source", "options", "patchSize", "seconds", "lost", "residuals", "ranks", "errors", "peakMiB"})
     if (const std::string text = textOf(json, key); !text.empty())
       std::printf("%-10s %s\n", key, text.c_str());
+  printExchange(json);
   if (const std::string names = textOf(json, "fewPatches"); !names.empty())
     std::printf("%-10s too few patches, sigma may move by more than 1 %% with the ray seed: %s\n", "note",
                 names.c_str());

@@ -93,6 +93,9 @@ void addPrecomputeCommand(CLI::App& app) {
                     "The paper's formulation to the letter, with Y, V and k x k covariances");
   command->add_option("--opening", o->opening,
                       "Intentions (a file, or its text) whose light is to be seen while the rest is loading");
+  transport.exchange = true;
+  command->add_flag("!--no-exchange", transport.exchange,
+                    "Leave out what other photometries need: visible shares and the exchange of light");
   command->callback([o] { precompute(*o); });
 }
 

@@ -10,6 +10,7 @@
 #include "precompute/base/parallel.h"
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/direct_light.h"
+#include "precompute/light/exchange.h"
 #include "precompute/light/paper_transport.h"
 
 namespace fiatlux {
@@ -91,8 +92,12 @@ void respondRefined(const Room& room, const RayTracer& tracer, const LowRankRadi
   direct.seed = options.seed;
   direct.threads = options.threads;
   direct.progress = beginStage(options.progress, "direct light");
-  result.direct = directLight(room, tracer, luminaires, direct);
+  SiteVisibility visibility;
+  result.direct = directLight(room, tracer, luminaires, direct, options.exchange ? &visibility : nullptr);
   solveSites(room, lowRank, options, result, beginStage(options.progress, "interreflection"));
+  if (options.exchange)
+    result.lightOperator = lightOperator(room, tracer, result.factors, lowRank, std::move(visibility),
+                                         {0, options.threads, beginStage(options.progress, "exchange")});
 }
 
 Transport transportOf(const Room& room, const RayTracer& tracer, const TransportOptions& options) {

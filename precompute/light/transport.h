@@ -20,7 +20,8 @@ namespace fiatlux {
 struct TransportOptions {
   std::uint32_t rays = kUsualRays;  // from every patch and receiver
   std::uint32_t refine = 2;         // refinement steps after the low-rank answer
-  bool paper = false;  // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
+  bool paper = false;     // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
+  bool exchange = false;  // the light operator too, for other photometries; not in paper mode
   std::uint64_t seed = 1;
   unsigned threads = 0;          // 0: all cores; the result does not depend on it
   Progress* progress = nullptr;  // of its stages; nullptr: nobody listens
@@ -35,6 +36,7 @@ struct Transport {
   std::vector<double>
       residuals;  // refine + 1: |e - (I - R F) b| / |e| over all sites before each step, after the last
   std::optional<PaperTransport> paper;
+  std::optional<LightOperator> lightOperator;
 };
 
 /// `tracer`: of the room's triangles. Errors: no patches, a singular system, too little memory, stopped. The

@@ -57,7 +57,9 @@ MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& 
 
   beginStage(host.progress, "scene file");
   const std::optional<PaperTransport> paper = std::move(transport.paper);
+  const FormFactors factors = std::move(transport.factors);
   const Scene scene = sceneOf(room, std::move(transport), report.identity);
+  if (scene.lightOperator) report.operatorErrors = orThrow(measureOperator(scene, factors));
   std::optional<Layout> opening;
   if (options.opening) opening = orThrow(options.opening(scene));
   EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate));

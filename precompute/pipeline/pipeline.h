@@ -12,6 +12,7 @@
 #include "precompute/base/progress.h"
 #include "precompute/geometry/room_options.h"
 #include "precompute/gltf/source_scene.h"
+#include "precompute/light/operator_errors.h"
 #include "precompute/light/transport.h"
 #include "precompute/pipeline/scene_build.h"
 #include "precompute/rays/ray_tracer.h"
@@ -51,6 +52,7 @@ struct SceneReport {
   double lost = 0;                // share of the rays of all surfaces, by area
   std::vector<double> residuals;  // Transport::residuals
   FileErrors errors;
+  std::vector<OperatorError> operatorErrors;  // of light that is exchanged; empty without a light operator
 };
 
 struct MadeScene {

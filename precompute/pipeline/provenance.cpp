@@ -101,6 +101,11 @@ std::string provenanceOf(const Account& account) {
                     {"sigma", report.errors.sigma},
                     {"patchRmsMedian", report.errors.patchRmsMedian},
                     {"patchRmsWorst", report.errors.patchRmsWorst}};
+  for (const OperatorError& error : report.operatorErrors)
+    json["exchangeErrors"][error.photometry] = {{"meanMedian", error.meanMedian},
+                                                {"meanWorst", error.meanWorst},
+                                                {"sigmaMedian", error.sigmaMedian},
+                                                {"sigmaWorst", error.sigmaWorst}};
   return jsonText(json);
 }
 

@@ -102,7 +102,7 @@ Result<Scene> readBack(std::span<const std::uint8_t> file, const std::vector<Pla
   Result<SceneReader> reader = SceneReader::open(file);
   if (!reader) return reader.error();
   for (std::uint32_t i = 0; i < sections.size(); ++i) {
-    if (!reader->needed(i)) continue;
+    if (!reader->needed(i) && !reader->ofOperator(i)) continue;
     const Result<Done> provided = reader->provide(i, sections[i].bytes);
     if (!provided) return provided.error();
   }
@@ -143,6 +143,7 @@ Scene sceneOf(const Room& room, Transport&& transport, const std::string& identi
   scene.errorBound.assign(scene.surfaces.size(), 0);
   scene.illuminance = std::move(transport.illuminance);
   scene.exitance = std::move(transport.exitance);
+  scene.lightOperator = std::move(transport.lightOperator);
   return scene;
 }
 

@@ -1,0 +1,145 @@
+// The light operator of small rooms against the radiosity solution that it stands for.
+#include "precompute/light/exchange.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/transport/exchange.h"
+#include "core/transport/site_responses.h"
+#include "precompute/light/exchange_groups.h"
+#include "precompute/light/operator_errors.h"
+#include "precompute/light/transport.h"
+#include "precompute/pipeline/scene_build.h"
+#include "precompute/validation/rectangle_room.h"
+#include "tests/precompute/transport_of.h"
+
+namespace fiatlux {
+namespace {
+
+/// 4 x 2.5 x 5 m with a free-standing wall that reaches neither side nor ceiling, and a measuring plane.
+Room dividedRoom() {
+  auto faces = boxSurfaces({0, 0, 0}, {4, 2.5, 5}, 0.5, 0.25);
+  faces[0].reflectance = 0.3;
+  faces[1].reflectance = 0.7;
+  const auto wall = blockSurfaces("wall", {1, 0, 2.4}, {2, 1.6, 0.1}, 0.6, 0.25);
+  faces.insert(faces.end(), wall.begin(), wall.end());
+  RectangleSurface plane = faces[0];
+  plane.name = "plane";
+  plane.corner.y = 0.75;
+  plane.measuring = true;
+  faces.push_back(plane);
+  Room room = rectangleRoom(faces);
+  room.sites = siteGrid(faces[1], 3, 4, 0.5);
+  return room;
+}
+
+TransportOptions quick(bool exchange) {
+  TransportOptions options;
+  options.rays = 512;
+  options.exchange = exchange;
+  return options;
+}
+
+class DividedRoom : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    room = new Room(dividedRoom());
+    transport = new Transport(testing::transportOf(*room, quick(true)).value());
+  }
+  static void TearDownTestSuite() {
+    delete transport;
+    delete room;
+  }
+  static Room* room;
+  static Transport* transport;
+};
+Room* DividedRoom::room = nullptr;
+Transport* DividedRoom::transport = nullptr;
+
+TEST_F(DividedRoom, ResponsesAreTheSameBitsWithAndWithoutExchange) {
+  const auto without = testing::transportOf(*room, quick(false));
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(without->lightOperator);
+  EXPECT_EQ(without->responses.illuminance, transport->responses.illuminance);
+  EXPECT_EQ(without->direct, transport->direct);
+}
+
+TEST_F(DividedRoom, GroupsDoNotReachAcrossTheWall) {
+  const ExchangeGroups& groups = transport->lightOperator->groups;
+  const Patches& patches = room->patches;
+  std::uint32_t barriers = 0;
+  std::vector<std::vector<std::uint32_t>> members(groups.total);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+    barriers += groups.barriers[p] != 0;
+    members[groups.ofRow[p]].push_back(p);
+  }
+  EXPECT_GT(barriers, 4u);
+  for (const auto& group : members)
+    for (const std::uint32_t p : group) {
+      EXPECT_GT(dot(patches.normal[p], patches.normal[group[0]]), 0.99);
+      const Vec3 &a = patches.center[p], &b = patches.center[group[0]];
+      const bool onFloor = patches.normal[p].y > 0.9 && a.y < 0.01;
+      const bool beside = onFloor && a.x > 1.3 && a.x < 2.7 && b.x > 1.3 && b.x < 2.7;
+      if (beside) EXPECT_EQ(a.z < 2.45, b.z < 2.45) << "group of the floor around " << a.x << " " << a.z;
+    }
+}
+
+TEST_F(DividedRoom, ExchangeIsReciprocal) {
+  const auto& [visibility, charts, groups, exchange] = *transport->lightOperator;
+  for (std::uint32_t c = 0; c < groups.count; ++c)
+    for (std::uint32_t d = 0; d < c; ++d)
+      ASSERT_EQ(exchange.means[std::size_t{c} * groups.count + d],
+                exchange.means[std::size_t{d} * groups.count + c]);
+}
+
+TEST_F(DividedRoom, ReflectedLightIsAbsorbedOnce) {
+  // Of phi lumens that leave the patches, all are absorbed in the end: sum of A (1 - rho) S phi = sum of phi.
+  const Patches& patches = room->patches;
+  const ExchangeOperator exchange(patches, transport->lightOperator->groups,
+                                  transport->lightOperator->exchange);
+  const std::uint32_t rows = patches.rows();
+  for (const std::uint32_t site : {0u, 5u}) {
+    const std::vector<float> direct(transport->direct.begin() + std::size_t{site} * rows,
+                                    transport->direct.begin() + std::size_t{site + 1} * rows);
+    const std::vector<float> light = exchange.indirect(direct, 1);
+    double left = 0, absorbed = 0;
+    for (std::uint32_t p = 0; p < patches.count; ++p) {
+      left += patches.area[p] * patches.reflectance[p] * direct[p];
+      absorbed += patches.area[p] * (1 - patches.reflectance[p]) * light[p];
+    }
+    EXPECT_NEAR(absorbed / left, 1, 0.01);
+  }
+}
+
+TEST_F(DividedRoom, VisibilityIsDirectLightOverUnshadowedLight) {
+  const SiteVisibility& visibility = transport->lightOperator->visibility;
+  const std::uint32_t rows = room->patches.rows();
+  ASSERT_EQ(visibility.steps.size(), transport->direct.size());
+  std::uint32_t partly = 0;
+  for (std::size_t i = 0; i < visibility.steps.size(); ++i) {
+    if (visibility.steps[i] > 0) EXPECT_GT(transport->direct[i], 0);
+    if (transport->direct[i] == 0) EXPECT_EQ(visibility.steps[i], 0);
+    partly += visibility.steps[i] > 0 && visibility.steps[i] < SiteVisibility::kSteps;
+  }
+  EXPECT_GT(partly, 10u);
+  EXPECT_LT(partly, rows * room->sites.size() / 4);
+}
+
+TEST_F(DividedRoom, OtherPhotometriesComeOutAsTheWholeSolution) {
+  Transport copy = *transport;
+  const Scene scene = sceneOf(*room, std::move(copy), "0123456789abcdef");
+  ASSERT_TRUE(scene.lightOperator);
+  const auto errors = measureOperator(scene, transport->factors);
+  ASSERT_TRUE(errors);
+  ASSERT_EQ(errors->size(), 2u);
+  for (const OperatorError& error : *errors) {
+    EXPECT_GT(error.meanWorst, 0) << error.photometry;
+    EXPECT_LT(error.meanMedian, 0.003) << error.photometry;
+    EXPECT_LT(error.meanWorst, 0.02) << error.photometry;
+    EXPECT_LT(error.sigmaMedian, 0.02) << error.photometry;
+  }
+}
+
+}  // namespace
+}  // namespace fiatlux
