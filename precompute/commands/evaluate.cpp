@@ -10,6 +10,7 @@
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/layout_json.h"
 #include "precompute/files/light_results.h"
+#include "precompute/files/photometric_layout.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/terminal.h"
 
@@ -35,10 +36,14 @@ void evaluate(const EvaluateOptions& options) {
   const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
   printNotes(options.layout, notes);
 
-  const LightResults results = lightResults(scene, layout);
+  const bool photometric = hasPhotometry(file);
+  const std::vector<float> light = photometric
+                                       ? orThrow(options.scene, photometricIlluminance(file, layout, scene))
+                                       : illuminanceOf(scene, layout);
+  const LightResults results =
+      photometric ? lightResults(scene.patches, scene.surfaces, light) : lightResults(scene, layout);
   if (!options.patches.empty())
-    orThrow(replaceFile(options.patches,
-                        patchesCsv(scene.patches, scene.surfaces, illuminanceOf(scene, layout))));
+    orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
   if (!options.json) {
     std::fputs(surfacesTable(results).c_str(), stdout);
     return;

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "core/photometry/photometric_values.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/json_fields.h"
 
@@ -13,6 +16,8 @@ namespace {
 
 constexpr std::size_t kMostLuminaires = 10000;
 constexpr double kLargestFlux = 1e9;                         // lm
+constexpr double kLeastFlux = 1e-6;                          // lm, of a photometric file that is scaled
+constexpr double kMostTurn = 3600;                           // degrees
 constexpr double kLargestDistance = 1e6;                     // m
 constexpr double kSmallestSize = 1e-6, kLargestSize = 1000;  // m
 constexpr double kLargestDimming = 1000;
@@ -47,6 +52,12 @@ Vec3 worldAxisIn(const Vec3& normal) {
   return inPlane(best, normal);
 }
 
+/// m, along the axis and across it.
+std::pair<double, double> sidesOf(const JsonField& size) {
+  const std::vector<double> sides = size.numbers(2, "[width, height] in metres", kSmallestSize, kLargestSize);
+  return {sides[0], sides[1]};
+}
+
 Luminaire freeLuminaire(const JsonField& json, const JsonField& position, double flux) {
   using Distribution = Luminaire::Distribution;
   Luminaire luminaire;
@@ -58,12 +69,7 @@ Luminaire freeLuminaire(const JsonField& json, const JsonField& position, double
     luminaire.axis = inPlane(directionOf(*axis), luminaire.normal);
     if (length(luminaire.axis) == 0) axis->fail("it must not be parallel to the normal");
   }
-  if (const auto size = json.find("size")) {
-    const std::vector<double> sides =
-        size->numbers(2, "[width, height] in metres", kSmallestSize, kLargestSize);
-    luminaire.width = sides[0];
-    luminaire.height = sides[1];
-  }
+  if (const auto size = json.find("size")) std::tie(luminaire.width, luminaire.height) = sidesOf(*size);
   if (const auto name = json.find("distribution")) {
     luminaire.distribution = name->oneOf<Distribution>(
         {{"lambertian", Distribution::kLambertian}, {"isotropic", Distribution::kIsotropic}});
@@ -73,25 +79,69 @@ Luminaire freeLuminaire(const JsonField& json, const JsonField& position, double
   return luminaire;
 }
 
-LayoutEntry entryOf(const JsonField& json) {
-  json.requireKeys({"site", "position", "flux", "normal", "size", "axis", "distribution"});
-  LayoutEntry entry;
-  entry.flux = json.at("flux", "give it in lumens").number(0, kLargestFlux);
-  if (const auto site = json.find("site")) entry.site = site->whole();
-  if (const auto position = json.find("position")) entry.free = freeLuminaire(json, *position, entry.flux);
-  if (!entry.site && !entry.free) json.fail("neither \"site\" nor \"position\"; say where it hangs");
-  for (const char* key : {"normal", "size", "axis", "distribution"})
-    if (json.has(key)) entry.freeKeys.push_back(key);
+std::shared_ptr<const Photometry> photometryOf(const JsonField& name, const ReadNamed& read) {
+  if (!read) name.fail("there is no folder in which to look for the file");
+  const Result<std::vector<std::uint8_t>> bytes = read(name.text());
+  if (!bytes) name.fail("the file " + bytes.error().message);
+  Result<Photometry> photometry = readPhotometry(*bytes);
+  if (!photometry) name.fail(photometry.error().message);
+  return std::make_shared<const Photometry>(std::move(*photometry));
+}
+
+PhotometricEntry photometricOf(const JsonField& json, const JsonField& name, double flux,
+                               const ReadNamed& read) {
+  if (const auto distribution = json.find("distribution"))
+    distribution->fail("the photometric file says it; leave one of them out");
+  PhotometricEntry entry{photometryOf(name, read), flux, {}};
+  Mounting& mounting = entry.mounting;
+  if (const auto turn = json.find("turn")) mounting.turn = turn->number(-kMostTurn, kMostTurn);
+  if (const auto aim = json.find("aim")) mounting.aim = vectorOf(*aim);
+  if (const auto normal = json.find("normal")) mounting.normal = directionOf(*normal);
+  if (const auto axis = json.find("axis")) mounting.axis = directionOf(*axis);
+  if (mounting.normal && mounting.aim) json.fail("give \"aim\" or \"normal\", not both");
+  if (const auto size = json.find("size")) std::tie(mounting.width, mounting.height) = sidesOf(*size);
   return entry;
 }
 
-LayoutFile layoutOf(const JsonField& json) {
+/// The luminaire of a file where `place` says.
+Luminaire photometricAt(const PhotometricEntry& entry, const Luminaire& place) {
+  Luminaire luminaire =
+      photometricLuminaire(entry.photometry, entry.flux, entry.mounting.width, entry.mounting.height);
+  luminaire.position = place.position;
+  luminaire.normal = place.normal;
+  luminaire.axis = place.axis;
+  return luminaire;
+}
+
+LayoutEntry entryOf(const JsonField& json, const ReadNamed& read) {
+  json.requireKeys(
+      {"site", "position", "flux", "normal", "size", "axis", "distribution", "photometry", "turn", "aim"});
+  LayoutEntry entry;
+  if (const auto name = json.find("photometry")) {
+    if (const auto flux = json.find("flux")) entry.flux = flux->number(kLeastFlux, kLargestFlux);
+    entry.photometric = photometricOf(json, *name, entry.flux, read);
+    if (entry.flux == 0) entry.flux = integratedFlux(*entry.photometric->photometry);
+  } else {
+    for (const char* key : {"turn", "aim"})
+      if (const auto member = json.find(key)) member->fail("it is of luminaires with a \"photometry\"");
+    entry.flux = json.at("flux", "give it in lumens").number(0, kLargestFlux);
+  }
+  if (const auto site = json.find("site")) entry.site = site->whole();
+  if (const auto position = json.find("position")) entry.free = freeLuminaire(json, *position, entry.flux);
+  if (entry.free && entry.photometric) entry.free = photometricAt(*entry.photometric, *entry.free);
+  if (!entry.site && !entry.free) json.fail("neither \"site\" nor \"position\"; say where it hangs");
+  for (const char* key : {"normal", "size", "axis", "distribution"})
+    if (json.has(key) && !entry.photometric) entry.freeKeys.push_back(key);
+  return entry;
+}
+
+LayoutFile layoutOf(const JsonField& json, const ReadNamed& read) {
   json.requireKeys({"dimming", "luminaires"});
   LayoutFile file;
   if (const auto dimming = json.find("dimming")) file.dimming = dimming->number(0, kLargestDimming);
   for (const JsonField& luminaire :
        json.at("luminaires", "list them: [{\"site\": 12, \"flux\": 3000}]").list(kMostLuminaires))
-    file.luminaires.push_back(entryOf(luminaire));
+    file.luminaires.push_back(entryOf(luminaire, read));
   return file;
 }
 
@@ -114,20 +164,41 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
   const Site& site = sites[*entry.site];
   if (entry.free && length(site.position - entry.free->position) > kSamePlace)
     return Error{name + " of this room is not at the \"position\" beside it" + cure};
-  return luminaireOf(site);
+  if (!entry.photometric) return luminaireOf(site);
+  const auto& [photometry, flux, mounting] = *entry.photometric;
+  return mountedLuminaire(photometry, flux, site, mounting);
+}
+
+/// Files in the folder of `path` and below.
+ReadNamed filesBeside(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  return [folder](const std::string& name) -> Result<std::vector<std::uint8_t>> {
+    std::error_code error;
+    const fs::path root = fs::canonical(folder, error), file = fs::canonical(root / name, error);
+    if (error) return Error{"does not exist; its path is relative to the layout"};
+    // note: after links are followed, so that none leads out
+    if (std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end())
+      return Error{"is outside the layout's folder; put it beside the layout"};
+    Result<std::vector<std::uint8_t>> bytes = readFileBytes(file.string(), kMaxPhotometricBytes);
+    if (!bytes) return Error{"cannot be read, or has more than 4 MB"};
+    return bytes;
+  };
 }
 
 }  // namespace
 
-Result<LayoutFile> parseLayout(const std::string& text) {
+Result<LayoutFile> parseLayout(const std::string& text, const ReadNamed& read) {
   LayoutFile file;
-  const Result<Done> read = readJson(text, [&](const JsonField& json) { file = layoutOf(json); });
-  if (!read) return read.error();
+  const Result<Done> done = readJson(text, [&](const JsonField& json) { file = layoutOf(json, read); });
+  if (!done) return done.error();
   return file;
 }
 
 Result<LayoutFile> readLayoutFile(const std::string& path) {
-  return parsedFile(path, kLongestJson, [](const std::string& text) { return parseLayout(text); });
+  return parsedFile(path, kLongestJson,
+                    [&](const std::string& text) { return parseLayout(text, filesBeside(path)); });
 }
 
 Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::vector<std::string>& notes) {
@@ -169,6 +240,10 @@ Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std:
     if (!luminaire) return Error{"luminaires[" + std::to_string(i) + "]: " + luminaire.error().message};
     luminaires.push_back(*luminaire);
     luminaires.back().flux = file.dimming * entry.flux;
+    if (entry.photometric)
+      luminaires.back().intensity = [whole = luminaire->intensity, dimming = file.dimming](const Vec3& way) {
+        return dimming * whole(way);
+      };
   }
   return luminaires;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -10,12 +12,21 @@
 #include "core/base/result.h"
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
+#include "core/transport/mounted_luminaire.h"
 
 namespace fiatlux {
+
+/// A luminaire of a photometric file, and how it is to hang on a site.
+struct PhotometricEntry {
+  std::shared_ptr<const Photometry> photometry;
+  double flux = 0;  // lm, before dimming; 0: what the file holds
+  Mounting mounting;
+};
 
 /// One luminaire as it was written: a site, a position, or both.
 struct LayoutEntry {
   double flux = 0;  // lm, before dimming
+  std::optional<PhotometricEntry> photometric;
   std::optional<std::uint32_t> site;
   std::optional<Luminaire> free;      // has a position; flux as above
   std::vector<std::string> freeKeys;  // those given of normal, size, axis, distribution: of free ones alone
@@ -26,8 +37,12 @@ struct LayoutFile {
   std::vector<LayoutEntry> luminaires;
 };
 
-Result<LayoutFile> parseLayout(const std::string& text);
-/// The same from a file; errors begin with the path.
+/// The bytes of a file that a layout names.
+using ReadNamed = std::function<Result<std::vector<std::uint8_t>>(const std::string& name)>;
+
+/// Without `read`, luminaires of photometric files are refused.
+Result<LayoutFile> parseLayout(const std::string& text, const ReadNamed& read = {});
+/// The same from a file, which may name others in its folder and below; errors begin with the path.
 Result<LayoutFile> readLayoutFile(const std::string& path);
 
 /// On the sites of a scene: a site number as it is, a position on the nearest site. Notes say where a

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/core/photometry/photometric_files.h"
 #include "tests/core/synthetic_scene.h"
 
 namespace fiatlux {
@@ -91,6 +92,54 @@ TEST(LayoutJson, LuminairesOnTheSitesOfARoom) {
   EXPECT_THAT(read(R"({"site": 2, "flux": 1})", sites).error().message, HasSubstr("sites 0 to 1"));
   EXPECT_THAT(read(R"({"site": 2, "flux": 1})", {}).error().message, HasSubstr("--mount"));
   EXPECT_THAT(read(R"({"site": 0, "size": [1, 1], "flux": 1})", sites).value()[0].width, 0.5);
+}
+
+/// A reader that knows "spot.ies" only.
+Result<std::vector<std::uint8_t>> spotFile(const std::string& name) {
+  if (name != "spot.ies") return Error{"does not exist"};
+  samples::IesFile file;
+  file.candela = samples::cosinePower(1000, 20);
+  const std::string text = file.text();
+  return std::vector<std::uint8_t>(text.begin(), text.end());
+}
+
+TEST(LayoutJson, LuminairesOfPhotometricFiles) {
+  const Scene scene = syntheticScene(40, 5);
+  const auto file = parseLayout(R"({"dimming": 0.5, "luminaires": [
+      {"site": 1, "photometry": "spot.ies", "aim": [5, 0, 1]},
+      {"site": 2, "photometry": "spot.ies", "flux": 700, "turn": 90, "size": [0.2, 0.1]},
+      {"position": [1, 2, 1], "photometry": "spot.ies", "normal": [1, 0, 0]}]})",
+                                spotFile);
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_TRUE(file->luminaires[0].photometric);
+  EXPECT_GT(file->luminaires[0].flux, 100);
+  const auto luminaires = freeLuminaires(*file, scene.sites);
+  ASSERT_TRUE(luminaires) << luminaires.error().message;
+  const Luminaire &aimed = luminaires->at(0), &turned = luminaires->at(1), &free = luminaires->at(2);
+  EXPECT_GT(aimed.normal.x, 0.5);
+  EXPECT_NEAR(aimed.intensity({0, 0, 1}), 500, 1e-6);
+  EXPECT_NEAR(turned.flux, 350, 1e-9);
+  EXPECT_NEAR(dot(turned.axis, scene.sites[2].axis), 0, 1e-9);
+  EXPECT_EQ(turned.width, 0.2);
+  EXPECT_EQ(turned.height, 0.1);
+  EXPECT_EQ(free.position.y, 2);
+  EXPECT_EQ(free.normal.x, 1);
+  EXPECT_EQ(free.distribution, Luminaire::Distribution::kPhotometric);
+}
+
+TEST(LayoutJson, PhotometryIsRefusedWithItsPlace) {
+  const auto error = [](const std::string& keys) {
+    const auto file = parseLayout("{\"luminaires\": [{\"site\": 0, " + keys + "}]}", spotFile);
+    return file ? "no error" : file.error().message;
+  };
+  EXPECT_THAT(error(R"("photometry": "spot.ies", "distribution": "lambertian")"),
+              HasSubstr("the photometric file says it"));
+  EXPECT_THAT(error(R"("photometry": "other.ies")"), HasSubstr("the file does not exist"));
+  EXPECT_THAT(error(R"("photometry": 7)"), HasSubstr("expected a text"));
+  EXPECT_THAT(error(R"("flux": 100, "turn": 90)"), HasSubstr("of luminaires with a \"photometry\""));
+  EXPECT_THAT(error(R"("photometry": "spot.ies", "aim": [0, 0, 0], "normal": [0, 0, 1])"),
+              HasSubstr("not both"));
+  EXPECT_THAT(errorOf(R"({"luminaires": [{"site": 0, "photometry": "spot.ies"}]})"), HasSubstr("no folder"));
 }
 
 TEST(LayoutJson, BadTextIsRefusedWithItsPlace) {

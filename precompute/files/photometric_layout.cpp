@@ -1,0 +1,42 @@
+#include "precompute/files/photometric_layout.h"
+
+#include <algorithm>
+
+#include "core/transport/photometric_light.h"
+
+namespace fiatlux {
+
+bool hasPhotometry(const LayoutFile& file) {
+  return std::any_of(file.luminaires.begin(), file.luminaires.end(),
+                     [](const LayoutEntry& entry) { return entry.photometric.has_value(); });
+}
+
+Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
+                                                  const Scene& scene) {
+  if (!scene.lightOperator)
+    return Error{
+        "the scene file knows Lambertian squares only; make it again with fiatlux precompute, without "
+        "--no-exchange"};
+  Layout squares;
+  squares.dimming = layout.dimming;
+  std::vector<PhotometricCandidate> candidates;
+  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
+    const std::uint32_t site = layout.sites[i];
+    const auto& photometric = file.luminaires[i].photometric;
+    if (photometric) {
+      candidates.push_back({site, mountedLuminaire(photometric->photometry, photometric->flux,
+                                                   scene.sites[site], photometric->mounting)});
+    } else {
+      squares.sites.push_back(site);
+      squares.flux.push_back(layout.flux[i]);
+    }
+  }
+  std::vector<float> light = illuminanceOf(scene, squares);
+  const PhotometricLight operatorLight(scene);
+  const std::vector<float> columns = operatorLight.total(candidates, operatorLight.direct(candidates));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    light[i % light.size()] += static_cast<float>(layout.dimming) * columns[i];
+  return light;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,21 @@
+// Layouts with luminaires of photometric files, on the sites of a scene.
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "precompute/files/layout_json.h"
+
+namespace fiatlux {
+
+/// Whether any luminaire has a photometric file.
+bool hasPhotometry(const LayoutFile& file);
+
+/// Illuminance (lx) of every row: luminaires of photometric files by the scene's light operator, the others
+/// by its responses. `layout` is that of the same file (layoutOnSites). An error where the scene has no
+/// operator.
+Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
+                                                  const Scene& scene);
+
+}  // namespace fiatlux
