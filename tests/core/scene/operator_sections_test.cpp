@@ -1,4 +1,5 @@
-// A light operator in a file: there and back, absent in older files, and refused where it lies.
+// A light operator (light_operator) in a file, and its numbers in bytes (exchange_codec): there and back,
+// absent in older files, and refused where it lies.
 #include "core/scene/operator_sections.h"
 
 #include <gtest/gtest.h>

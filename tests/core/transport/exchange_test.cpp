@@ -1,4 +1,5 @@
-// The exchange of light against its own definition written out in full.
+// The exchange of light, and the interpolation in it (group_interpolation), against their definitions written
+// out.
 #include "core/transport/exchange.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The light operator of small rooms against the radiosity solution that it stands for.
+// The light operator of a small room against the radiosity solution that it stands for (exchange_groups and
+// operator_errors too).
 #include "precompute/light/exchange.h"
 
 #include <gtest/gtest.h>
