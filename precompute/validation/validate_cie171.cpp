@@ -19,16 +19,6 @@ std::string at(const char* where, double x, double y) {
   return text;
 }
 
-/// A box from 0, 0, 0 in z-up coordinates, seen from inside.
-std::vector<RectangleSurface> room(double x, double y, double z, double reflectance) {
-  return {zUpRectangle("floor", {0, 0, 0}, {x, 0, 0}, {0, y, 0}, reflectance),
-          zUpRectangle("ceiling", {0, 0, z}, {0, y, 0}, {x, 0, 0}, reflectance),
-          zUpRectangle("wall x=0", {0, 0, 0}, {0, y, 0}, {0, 0, z}, reflectance),
-          zUpRectangle("wall x=max", {x, 0, 0}, {0, 0, z}, {0, y, 0}, reflectance),
-          zUpRectangle("wall y=0", {0, 0, 0}, {0, 0, z}, {x, 0, 0}, reflectance),
-          zUpRectangle("wall y=max", {0, y, 0}, {x, 0, 0}, {0, 0, z}, reflectance)};
-}
-
 Luminaire pointSource(const Vec3& position, double flux, Luminaire::Distribution distribution) {
   Luminaire luminaire;
   luminaire.position = position;
@@ -65,7 +55,7 @@ void pointSources(Validation& validation) {
 }
 
 void areaSource(Validation& validation) {
-  const ValidationScene scene(validation, "CIE 171 5.3", sceneOfRectangles(room(4, 4, 3, 0)), 0.25);
+  const ValidationScene scene(validation, "CIE 171 5.3", sceneOfRectangles(zUpBox(4, 4, 3, 0)), 0.25);
   if (!scene) return;
   Luminaire source = pointSource(zUp(2, 2, 3), 1000 * std::numbers::pi, Luminaire::Distribution::kLambertian);
   source.width = source.height = 1;
@@ -86,7 +76,7 @@ void areaSource(Validation& validation) {
 }
 
 void fluxOnSurfaces(Validation& validation) {
-  const ValidationScene scene(validation, "CIE 171 5.4", sceneOfRectangles(room(4, 4, 3, 0)), 0.25);
+  const ValidationScene scene(validation, "CIE 171 5.4", sceneOfRectangles(zUpBox(4, 4, 3, 0)), 0.25);
   if (!scene) return;
   const ForwardLight light =
       scene.light({pointSource(zUp(2, 2, 1.5), 10000, Luminaire::Distribution::kIsotropic)});
@@ -109,7 +99,7 @@ std::vector<PointReading> percentOf(const ValidationScene& scene, const std::str
 }
 
 void evenlyLitFloor(Validation& validation) {
-  const ValidationScene scene(validation, "CIE 171 5.6", sceneOfRectangles(room(4, 4, 3, 0)), 0.25);
+  const ValidationScene scene(validation, "CIE 171 5.6", sceneOfRectangles(zUpBox(4, 4, 3, 0)), 0.25);
   if (!scene) return;
   const double wall[5] = {35.901, 27.992, 21.639, 16.716, 12.967};
   const double ceiling[8] = {26.80, 30.94, 33.98, 35.57, 35.57, 33.98, 30.94, 26.80};
@@ -128,7 +118,7 @@ void evenlyLitFloor(Validation& validation) {
 }
 
 void litWallBehindBox(Validation& validation) {
-  std::vector<RectangleSurface> surfaces = room(4, 4, 3, 0);
+  std::vector<RectangleSurface> surfaces = zUpBox(4, 4, 3, 0);
   surfaces.push_back(zUpRectangle("box front", {0, 2.5, 0}, {4, 0, 0}, {0, 0, 1}, 0));
   surfaces.push_back(zUpRectangle("box top", {0, 2.5, 1}, {4, 0, 0}, {0, 0.2, 0}, 0));
   surfaces.push_back(zUpRectangle("box back", {0, 2.7, 0}, {0, 0, 1}, {4, 0, 0}, 0));
@@ -158,7 +148,7 @@ void interreflectedCube(Validation& validation) {
   const double indirect[11] = {5.482,  11.574,  26.042,  44.643, 69.444, 104.167,
                                156.25, 243.056, 416.667, 937.5,  1979.17};
   for (int i = 0; i < 11; ++i) {
-    const ValidationScene scene(validation, "CIE 171 5.8", sceneOfRectangles(room(4, 4, 4, reflectance[i])),
+    const ValidationScene scene(validation, "CIE 171 5.8", sceneOfRectangles(zUpBox(4, 4, 4, reflectance[i])),
                                 0.5);
     if (!scene) return;
     const ForwardLight light =

@@ -27,6 +27,7 @@ std::vector<ValidationRow> validateAll(const ValidationOptions& options) {
   validateFurnaces(validation);
   validateDirectCie171(validation);
   validateReflectedCie171(validation);
+  validatePhotometricFiles(validation);
   return validation.rows;
 }
 

@@ -1,6 +1,6 @@
 // The analytic cases that `fiatlux validate` and the tests run through the real pipeline: geometry, patches,
-// rays, direct light and solver, on generated scenes whose light is known in closed form or from CIE
-// 171:2006.
+// rays, direct light and solver, on generated scenes whose light is known in closed form, from CIE 171:2006
+// or by an independent sum.
 #pragma once
 
 #include <cstdint>
@@ -46,6 +46,7 @@ void validateIdentities(Validation& validation);
 void validateFurnaces(Validation& validation);
 void validateDirectCie171(Validation& validation);     // 5.2, 5.3, 5.4
 void validateReflectedCie171(Validation& validation);  // 5.6, 5.7, 5.8
+void validatePhotometricFiles(Validation& validation);
 
 /// All of them.
 std::vector<ValidationRow> validateAll(const ValidationOptions& options);

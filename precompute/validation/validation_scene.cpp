@@ -4,6 +4,15 @@
 
 namespace fiatlux {
 
+std::vector<RectangleSurface> zUpBox(double x, double y, double z, double reflectance) {
+  return {zUpRectangle("floor", {0, 0, 0}, {x, 0, 0}, {0, y, 0}, reflectance),
+          zUpRectangle("ceiling", {0, 0, z}, {0, y, 0}, {x, 0, 0}, reflectance),
+          zUpRectangle("wall x=0", {0, 0, 0}, {0, y, 0}, {0, 0, z}, reflectance),
+          zUpRectangle("wall x=max", {x, 0, 0}, {0, 0, z}, {0, y, 0}, reflectance),
+          zUpRectangle("wall y=0", {0, 0, 0}, {0, 0, z}, {x, 0, 0}, reflectance),
+          zUpRectangle("wall y=max", {0, y, 0}, {x, 0, 0}, {0, 0, z}, reflectance)};
+}
+
 ValidationScene::ValidationScene(Validation& validation, const std::string& topic, const SourceScene& source,
                                  double patch)
     : options_(validation.options) {
@@ -29,7 +38,7 @@ double ValidationScene::area(const std::string& name) const {
 }
 
 double ValidationScene::mean(const std::vector<float>& values, const std::string& name) const {
-  assert(values.size() >= room_->patches.count);
+  assert(values.size() >= traced_->room.patches.count);
   double sum = 0;
   for (std::uint32_t p = 0; p < traced_->room.patches.count; ++p) {
     if (belongs(p, name)) sum += traced_->room.patches.area[p] * values[p];

@@ -22,6 +22,10 @@ inline RectangleSurface zUpRectangle(const std::string& name, const Vec3& corner
           false};
 }
 
+/// A box from 0, 0, 0 to x, y, z, seen from inside: floor, ceiling, "wall x=0", "wall x=max", "wall y=0" and
+/// "wall y=max".
+std::vector<RectangleSurface> zUpBox(double x, double y, double z, double reflectance);
+
 class ValidationScene {
  public:
   /// Reports to `validation` and is empty (false) where the room cannot be built.

@@ -1,5 +1,6 @@
-// Every analytic case of `fiatlux validate` (validate_form_factors, validate_identities, validate_cie171),
-// with the rays of the default; all stand on generated_scene, rectangle_room and validation_scene.
+// Every analytic case of `fiatlux validate` (validate_form_factors, validate_identities, validate_cie171,
+// validate_photometry), with the rays of the default; all stand on generated_scene, rectangle_room and
+// validation_scene.
 #include "precompute/validation/validation.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,8 @@ TEST_P(ValidationTest, EveryRowIsWithinItsTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, ValidationTest,
                          testing::Values(validateFormFactors, validateIdentities, validateFurnaces,
-                                         validateDirectCie171, validateReflectedCie171));
+                                         validateDirectCie171, validateReflectedCie171,
+                                         validatePhotometricFiles));
 
 TEST(Validation, ARowFailsBeyondItsToleranceAndWhenItIsNoNumber) {
   Validation validation({});
