@@ -21,6 +21,9 @@ namespace {
 // centre will do.
 constexpr double kExactEdges = 3;
 
+// How far before its site a tilted luminaire hangs, about; and what light must rise above a patch's plane, m.
+constexpr double kTilted = 0.05, kInPlane = 1e-3;
+
 /// Whether a point gets any light of the source if nothing is between.
 bool faces(const Emission& source, const Vec3& position, const Vec3& normal) {
   if (source.isBehind(position)) return false;
@@ -59,7 +62,9 @@ double partWeight(const Emission& source, const Vec3& position, const Vec3& norm
 /// Shadow rays from some points of one patch to split x split parts of the source.
 class Shadow {
  public:
-  Shadow(const RayTracer& tracer, const Emission& source) : tracer_(tracer), source_(source) {}
+  /// Rays end on the source, or `lower` m before it.
+  Shadow(const RayTracer& tracer, const Emission& source, double lower = 0)
+      : tracer_(tracer), source_(source), lower_(lower * source.normal()) {}
 
   /// visible[i * split^2 + part] for each point i that faces the source; true elsewhere. `untilMixed`: no
   /// further than it takes to see that the verdict is 0.
@@ -75,7 +80,7 @@ class Shadow {
       for (std::uint32_t part = 0; part < parts; ++part) {
         const double u = (part % split_ + random.unit()) / split_,
                      v = (part / split_ + random.unit()) / split_;
-        tracer_.aim(packet_, origin, source_.startAt(u, v) - origin, 1);
+        tracer_.aim(packet_, origin, source_.startAt(u, v) + lower_ - origin, 1);
         lane_[packet_.count - 1] = i * parts + part;
         if (packet_.count == RayPacket::kSize) flush();
       }
@@ -88,6 +93,9 @@ class Shadow {
     if (cast_ == blocked_) return -1;
     return blocked_ == 0 ? 1 : 0;
   }
+
+  /// Share of the rays that nothing blocked.
+  double openShare() const { return cast_ > 0 ? static_cast<double>(cast_ - blocked_) / cast_ : 0; }
 
   /// Share of the light of the whole source that reaches point i.
   double visibleShare(const PatchPoint& point, std::size_t i) const {
@@ -118,6 +126,7 @@ class Shadow {
 
   const RayTracer& tracer_;
   const Emission& source_;
+  Vec3 lower_;  // m
   std::uint32_t split_ = 1;
   std::size_t cast_ = 0, blocked_ = 0;
   std::vector<char> visible_;
@@ -153,6 +162,24 @@ PatchLight patchLight(const RayTracer& tracer, const Emission& source, const std
   return {sum, all > 0 ? sum / all : 0};
 }
 
+/// Share 0..1 of the source, a little lowered, that is seen where a Lambertian square sends nothing, but a
+/// luminaire may that is tilted or shines upwards: beside it on its mount, and above.
+double shareFromBehind(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
+                       std::uint64_t seed, std::vector<char>& facing) {
+  const Vec3 place = source.position() + kTilted * source.normal();
+  facing.clear();
+  bool any = false;
+  for (const PatchPoint& point : points) {
+    facing.push_back(!faces(source, point.position, point.normal) &&
+                     dot(place - point.position, point.normal) > kInPlane);
+    any |= facing.back() != 0;
+  }
+  if (!any) return 0;
+  Shadow shadow(tracer, source, kTilted);
+  shadow.cast(points, facing, 1, false, Random(seed, 2));
+  return shadow.openShare();
+}
+
 }  // namespace
 
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
@@ -183,8 +210,10 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
               tracer, sampler, room.patches.center[p], radius, luminaires[j], split, own));
           continue;
         }
-        const PatchLight lit = patchLight(tracer, sources[j], points, split, penumbra, own, facing);
+        PatchLight lit = patchLight(tracer, sources[j], points, split, penumbra, own, facing);
         light[j * rows + p] = static_cast<float>(lit.illuminance);
+        if (visibility && lit.visible == 0)
+          lit.visible = shareFromBehind(tracer, sources[j], points, own, facing);
         if (visibility) visibility->steps[j * rows + p] = SiteVisibility::stepOf(lit.visible);
       }
     }

@@ -25,7 +25,8 @@ struct DirectLightOptions {
 };
 
 /// Illuminance (lx) of every row by each luminaire at its own flux: column-major rows() x luminaires.
-/// `visibility`, where given, becomes the share of that light which shadows let through.
+/// `visibility`, where given, becomes the share of that light which shadows let through; behind a luminaire,
+/// of its area that is seen.
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
                                const std::vector<Luminaire>& luminaires, const DirectLightOptions& options,
                                SiteVisibility* visibility = nullptr);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "precompute/files/scene_io.h"
+#include "tests/core/photometry/photometric_files.h"
 #include "tests/precompute/commands/command_run.h"
 
 namespace fiatlux {
@@ -73,10 +74,15 @@ TEST_F(Commands, InfoTellsWhatIsInIt) {
   EXPECT_LT(info["errors"]["mean"].get<double>(), 1e-4);
   EXPECT_LT(info["errors"]["patchRmsMedian"].get<double>(), 0.005);
   EXPECT_TRUE(info["seconds"].contains("form factors"));
+  EXPECT_GT(info["exchange"]["groups"], 20);
+  EXPECT_GT(info["exchange"]["visibilityBytes"], 0);
+  EXPECT_GT(info["exchange"]["exchangeBytes"], 1000);
+  EXPECT_LT(info["exchangeErrors"]["spot"]["meanMedian"], 0.01);
   double bytes = 0;
   for (const json& section : info["sections"]) bytes += section["bytes"].get<double>();
   EXPECT_GT(bytes, 1000);
   EXPECT_THAT(runFiatlux(*folder_, "info box.flux").out, HasSubstr("1056 patches"));
+  EXPECT_THAT(runFiatlux(*folder_, "info box.flux").out, HasSubstr("groups, visibility"));
 }
 
 TEST_F(Commands, EvaluateKeepsTheEnergyBalance) {
@@ -125,6 +131,51 @@ TEST_F(Commands, LightSaysWhatEvaluateSays) {
   const std::string table = runFiatlux(*folder_, line).out;
   for (const char* part : {"floor", "energy: 1500 lm emitted", "grid on floor", "direct,total"})
     EXPECT_THAT(table, HasSubstr(part));
+}
+
+TEST_F(Commands, PhotometricFilesShineInEvaluateAsInLight) {
+  samples::IesFile spot;
+  spot.candela = samples::cosinePower(3000, 4);
+  writeTextFile(*folder_ / "spot.ies", spot.text());
+  writeTextFile(*folder_ / "spots.json", R"({"dimming": 0.5, "luminaires": [
+      {"site": 1, "photometry": "spot.ies", "size": [0.1, 0.1], "aim": [2, 0, 2]},
+      {"site": 7, "photometry": "spot.ies", "size": [0.6, 0.2], "turn": 90, "flux": 2000},
+      {"site": 4, "flux": 1000}]})");
+  // As fine for its size as the sample rooms are, so that groups of 4 x 4 patches are small beside the room.
+  const std::string fine = "--patch 0.125 --rays 256 --site-size 0.5";
+  ASSERT_EQ(runFiatlux(*folder_, "precompute box.gltf -o fine.flux " + fine).status, 0);
+  const CommandRun light = runFiatlux(*folder_, "light box.gltf --layout spots.json --json " + fine);
+  ASSERT_EQ(light.status, 0) << light.err;
+  const CommandRun evaluate = runFiatlux(*folder_, "evaluate fine.flux --layout spots.json --json");
+  ASSERT_EQ(evaluate.status, 0) << evaluate.err;
+  const json lit = json::parse(light.out), evaluated = json::parse(evaluate.out);
+  ASSERT_EQ(evaluated["surfaces"].size(), 6u);
+  for (std::size_t s = 0; s < 6; ++s) {
+    const json &truth = lit["surfaces"][s], &got = evaluated["surfaces"][s];
+    EXPECT_NEAR(got["mean"].get<double>() / truth["mean"].get<double>(), 1, 0.01) << truth;
+    EXPECT_NEAR(got["sigma"].get<double>() / truth["sigma"].get<double>(), 1, 0.06) << truth;
+  }
+}
+
+TEST_F(Commands, PhotometricFilesAreRefusedWithACure) {
+  writeTextFile(*folder_ / "lamp.ies", samples::IesFile{}.text());
+  writeTextFile(*folder_ / "lamp.json", R"({"luminaires": [{"site": 1, "photometry": "lamp.ies"}]})");
+  ASSERT_EQ(
+      runFiatlux(*folder_, "precompute box.gltf -o plain.flux --patch 0.5 --rays 64 --no-exchange").status,
+      0);
+  EXPECT_FALSE(json::parse(runFiatlux(*folder_, "info plain.flux --json").out).contains("exchange"));
+  EXPECT_THAT(failure("evaluate plain.flux --layout lamp.json"), HasSubstr("without --no-exchange"));
+  for (const char* name : {"../lamp.ies", "/etc/passwd"}) {
+    writeTextFile(*folder_ / "bad.json",
+                  R"({"luminaires": [{"site": 1, "photometry": ")" + std::string(name) + "\"}]}");
+    const std::string error = failure("evaluate box.flux --layout bad.json");
+    EXPECT_TRUE(error.find("outside the layout's folder") != std::string::npos ||
+                error.find("does not exist") != std::string::npos)
+        << error;
+  }
+  writeTextFile(*folder_ / "cut.ies", samples::IesFile{}.text().substr(0, 120));
+  writeTextFile(*folder_ / "bad.json", R"({"luminaires": [{"site": 1, "photometry": "cut.ies"}]})");
+  EXPECT_THAT(failure("light box.gltf --layout bad.json"), HasSubstr("line "));
 }
 
 TEST_F(Commands, ExperimentsWriteAReportWithItsPlots) {

@@ -46,7 +46,9 @@ double absorbed(const Room& room, const std::vector<float>& light) {
 
 TEST(PhotometricShadow, ALambertianTableIsALambertianSquare) {
   const Room room = blockRoom();
-  const RayTracer tracer = RayTracer::build(room).value();
+  const Result<RayTracer> built = RayTracer::build(room);
+  ASSERT_TRUE(built) << built.error().message;
+  const RayTracer& tracer = *built;
   const Luminaire square = squareAt({2, 2.5, 2.5}, 0.5, 1000);
   const auto lambert = [](const Vec3& d) { return 1000 / std::numbers::pi * std::max(0.0, d.z); };
   DirectLightOptions options;
@@ -64,7 +66,9 @@ TEST(PhotometricShadow, ALambertianTableIsALambertianSquare) {
 
 TEST(PhotometricShadow, ANarrowBeamLosesNoFlux) {
   const Room room = blockRoom();
-  const RayTracer tracer = RayTracer::build(room).value();
+  const Result<RayTracer> built = RayTracer::build(room);
+  ASSERT_TRUE(built) << built.error().message;
+  const RayTracer& tracer = *built;
   // cos^126 from the ceiling straight down beside the block: 2 pi / 127 lm for each cd.
   const auto spot = [](const Vec3& d) { return d.z > 0 ? 1000 * std::pow(d.z, 126) : 0.0; };
   const Luminaire luminaire = withTable(squareAt({2.9, 2.5, 2.6}, 0.1, 0), spot, 0.21);
@@ -74,7 +78,9 @@ TEST(PhotometricShadow, ANarrowBeamLosesNoFlux) {
 
 TEST(PhotometricShadow, LightGoesUpToo) {
   const Room room = blockRoom();
-  const RayTracer tracer = RayTracer::build(room).value();
+  const Result<RayTracer> built = RayTracer::build(room);
+  ASSERT_TRUE(built) << built.error().message;
+  const RayTracer& tracer = *built;
   const auto upwards = [](const Vec3& d) { return 100 * std::max(0.0, -d.z); };
   const auto light = directLight(room, tracer, {withTable(squareAt({2, 1.5, 2.5}, 0.3, 0), upwards, 2)}, {});
   EXPECT_NEAR(absorbed(room, light), 100 * std::numbers::pi, 5);
@@ -84,7 +90,9 @@ TEST(PhotometricShadow, LightGoesUpToo) {
 
 TEST(PhotometricShadow, APointReadsTheInverseSquare) {
   const Room room = blockRoom();
-  const RayTracer tracer = RayTracer::build(room).value();
+  const Result<RayTracer> built = RayTracer::build(room);
+  ASSERT_TRUE(built) << built.error().message;
+  const RayTracer& tracer = *built;
   const auto even = [](const Vec3&) { return 500.0; };
   const Luminaire lamp = withTable(squareAt({3, 2, 4}, 0, 0), even, 2);
   const PatchPoint below{{3, 0.5, 4}, {0, 1, 0}, 1}, behind{{1.5, 0.3, 1.0}, {0, 0, 1}, 1};
