@@ -3,9 +3,9 @@
 //   siteVisibility[.1 ...]  bytes     visible shares, in blocks of sites (exchange_codec.h)
 //   charts                  rows      the chart of a row
 //   chartFrames             F x 8     u axis, v axis, edges of a cell (m)
-//   groups                  rows x 2  the group of a row; barriers towards its left (1) and upper (2)
-//   neighbour exchange                bytes     means between groups exchangeRest            bytes     what
-//   their interpolation leaves over
+//   groups                  rows x 2  the group of a row; barriers to its left (1) and upper (2) neighbour
+//   exchange                bytes     means between groups
+//   exchangeRest            bytes     what their interpolation leaves over
 #pragma once
 
 #include <vector>

@@ -2,6 +2,7 @@
 // absent in older files, and refused where it lies.
 #include "core/scene/operator_sections.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +14,8 @@
 
 namespace fiatlux {
 namespace {
+
+using testing::HasSubstr;
 
 Result<Scene> readBack(const Scene& scene, const std::vector<PlainSection>& plain, bool withOperator = true) {
   std::vector<StoredSection> sections;
@@ -36,10 +39,9 @@ std::string errorWith(const std::string& name, Change change) {
   for (PlainSection& part : plain) {
     if (part.section.name != name) continue;
     change(part.bytes);
-    const SceneSection& s = part.section;
-    part = plainSection(s.name, s.type, s.encoding,
-                        static_cast<std::uint32_t>(part.bytes.size() / sizeOf(s.type) / s.columns), s.columns,
-                        std::move(part.bytes));
+    const SceneSection s = part.section;
+    const auto rows = static_cast<std::uint32_t>(part.bytes.size() / sizeOf(s.type) / s.columns);
+    part = plainSection(s.name, s.type, s.encoding, rows, s.columns, std::move(part.bytes));
   }
   const Result<Scene> back = readBack(scene, plain);
   return back ? "no error" : back.error().message;
@@ -143,11 +145,11 @@ TEST(OperatorSections, RefusesLabelsOfNothing) {
       bytes = encodeDeltaPlanes(values, columns);
     });
   };
-  EXPECT_NE(labels("charts", 1, 5, 3).find("a chart that is not there"), std::string::npos);
-  EXPECT_NE(labels("groups", 2, 0, 1u << 30).find("out of range"), std::string::npos);
-  EXPECT_NE(labels("groups", 2, 1, 4).find("out of range"), std::string::npos);
-  EXPECT_NE(labels("groups", 2, 0, 100).find("a receiver is in a group of patches"), std::string::npos);
-  EXPECT_NE(labels("groups", 2, 350, 100).find("a group is empty"), std::string::npos);  // of the last row
+  EXPECT_THAT(labels("charts", 1, 5, 3), HasSubstr("a chart that is not there"));
+  EXPECT_THAT(labels("groups", 2, 0, 1u << 30), HasSubstr("out of range"));
+  EXPECT_THAT(labels("groups", 2, 1, 4), HasSubstr("out of range"));
+  EXPECT_THAT(labels("groups", 2, 0, 100), HasSubstr("a receiver is in a group of patches"));
+  EXPECT_THAT(labels("groups", 2, 350, 100), HasSubstr("a group is empty"));  // of the last row
 }
 
 }  // namespace
