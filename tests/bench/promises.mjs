@@ -232,6 +232,8 @@ does the app under "About this room".
 
 const document = path.join(root, 'docs/fidelity.md');
 const heading = (room) => `## ${room.title}\n`;
+/** Made by photometry-fidelity.mjs. */
+const photometry = { title: 'Luminaires of photometric files' };
 
 /** A room's section as the document has it. */
 function written(text, room) {
@@ -245,6 +247,7 @@ try {
   const measured = (room) => ids.length === 0 || ids.includes(room.id);
   const before = existsSync(document) ? readFileSync(document, 'utf8') : '';
   const sections = catalog.map((room) => (measured(room) ? section(measure(room)) : written(before, room)));
+  if (before.includes(heading(photometry))) sections.push(written(before, photometry));
   writeFileSync(document, `${introduction}${sections.map((text) => text.trimEnd()).join('\n\n')}\n`);
 } finally {
   if (options.work === undefined) rmSync(work, { recursive: true });
