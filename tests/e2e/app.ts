@@ -2,6 +2,8 @@
  * The real app for a test: opened, watched (console, violations of the content security policy, requests that leave
  * the site; a test fails on any of them), and read the way a person reads it.
  */
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { test as base, expect, type BrowserContext, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 
@@ -136,4 +138,19 @@ export function difference(a: PNG, b: PNG): number {
 export async function expectLit(page: Page, colors = 150): Promise<void> {
   await expect.poll(async () => look(await picture(page)).colors, patience).toBeGreaterThan(colors);
   expect(look(await picture(page)).mean).toBeGreaterThan(20);
+}
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** Serious and critical violations of the page as it is. */
+export async function violations(page: Page): Promise<string[]> {
+  // note: evaluated, not added as a script element, which the policy of the page forbids
+  await page.evaluate(`{ const module = undefined; ${axe} }`);
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: any[] }> } };
+    const found = (await axe.run()).violations.filter(({ impact }) => /serious|critical/.test(impact));
+    return found.map(
+      ({ id, nodes }) => `${id}: ${nodes.map((node: any) => node.target.join(' ')).join(', ')}`,
+    );
+  });
 }

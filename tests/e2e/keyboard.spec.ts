@@ -1,24 +1,6 @@
 // Without a pointer: every control has its turn, the palette and help open by key, luminaires move by arrows.
 // Covers panel, top-bar, palette, luminaire-list, keyboard, view-input.
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import type { Page } from '@playwright/test';
-import { expect, openRoom, places, settled, tab, test } from './app.ts';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
-/** Serious and critical violations of the page as it is. */
-async function violations(page: Page): Promise<string[]> {
-  // note: evaluated, not added as a script element, which the policy of the page forbids
-  await page.evaluate(`{ const module = undefined; ${axe} }`);
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: any[] }> } };
-    const found = (await axe.run()).violations.filter(({ impact }) => /serious|critical/.test(impact));
-    return found.map(
-      ({ id, nodes }) => `${id}: ${nodes.map((node: any) => node.target.join(' ')).join(', ')}`,
-    );
-  });
-}
+import { expect, openRoom, places, settled, tab, test, violations } from './app.ts';
 
 test('everything can be reached and done by keyboard', async ({ page }) => {
   await openRoom(page, 'Box');

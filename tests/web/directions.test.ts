@@ -20,9 +20,10 @@ const floors: readonly (readonly [floor: string, below: readonly string[]])[] = 
   ['viewer/room/', ['viewer/eye/', 'viewer/light/', 'viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/luminaires/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/', ['document/']],
-  ['app/', ['viewer/', 'solver/', 'document/']],
+  ['room-maker/', ['document/']],
+  ['app/', ['room-maker/', 'viewer/', 'solver/', 'document/']],
   ['panel/controls/', ['app/', 'document/']],
-  ['panel/', ['app/', 'viewer/', 'solver/', 'document/']],
+  ['panel/', ['app/', 'room-maker/', 'viewer/', 'solver/', 'document/']],
 ];
 
 const floorOf = (file: string) => floors.find(([floor]) => file.startsWith(floor))?.[0];

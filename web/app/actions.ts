@@ -205,6 +205,20 @@ const view: readonly Action[] = [
 const file: readonly Action[] = [
   { id: 'gallery', title: 'Rooms and experiments', group: 'File', keys: ['G'], run: show('gallery') },
   {
+    id: 'new-room',
+    title: 'New room',
+    group: 'File',
+    keys: ['N'],
+    run: ({ opening }) => opening.make(null),
+  },
+  {
+    id: 'edit-room',
+    title: 'Edit the made room',
+    group: 'File',
+    enabled: ({ store }) => store.plan.value !== null && store.making.value === null,
+    run: ({ opening, store }) => opening.make(store.plan.peek()),
+  },
+  {
     id: 'afresh',
     title: 'Start this room afresh',
     group: 'File',

@@ -1,5 +1,5 @@
 /** What to do with a dropped .glb: it is shown without light, with the line that would make it live. */
-import { Copy, X } from 'lucide-preact';
+import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 
 /** A file name as one word of a shell. */
@@ -14,7 +14,8 @@ export function precomputeLine(name: string): string {
 export function PreviewNote() {
   const { store, opening } = useApp();
   const name = store.preview.value;
-  if (!name) return null;
+  const plan = store.plan.value;
+  if (!name || store.making.value) return null;
   const line = precomputeLine(name);
   const copy = async () => {
     try {
@@ -40,6 +41,14 @@ export function PreviewNote() {
         This is the room as it will look. Its light is computed once, by the command; then drop the .flux file
         here. Nothing is uploaded.
       </p>
+      {plan && (
+        <div class="row">
+          <button class="button small" onClick={() => opening.make(plan)}>
+            <PencilRuler size={14} aria-hidden />
+            <span>Edit the room</span>
+          </button>
+        </div>
+      )}
       <div class="command">
         <code>{line}</code>
         <button class="icon-button small" aria-label="Copy the command" onClick={() => void copy()}>

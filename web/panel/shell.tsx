@@ -9,6 +9,7 @@ import type { Store } from '../app/state/store.ts';
 import { takeFromReload } from '../document/reload.ts';
 import { Dialogs } from './dialogs/dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
+import { MakingPanel } from './making-panel.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';
 import { Stage } from './stage.tsx';
@@ -52,7 +53,11 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     const forget = effect(() => {
       if (store.history.value.past.length > 0) forgetLink();
     });
-    const deaf = listenToKeys(app, actions, () => store.dialog.peek() !== null);
+    const deaf = listenToKeys(
+      app,
+      actions,
+      () => store.dialog.peek() !== null || store.making.peek() !== null,
+    );
     return () => {
       window.removeEventListener('hashchange', listen);
       window.removeEventListener('popstate', travel);
@@ -66,7 +71,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
       <div class="shell">
         {app && <TopBar />}
         <Stage canvas={canvas} labels={labels} ready={app !== null} />
-        {app && <Panel />}
+        {app && <RightPanel store={store} />}
         {app && <Dialogs />}
         {app && <DropZone />}
         <Messages store={store} />
@@ -74,6 +79,12 @@ export function Shell({ store, createViewer, createWorker }: Props) {
       </div>
     </AppContext.Provider>
   );
+}
+
+/** What is asked of the room, or the room itself while it is being made. */
+function RightPanel({ store }: { store: Store }) {
+  const making = store.making.value;
+  return making ? <MakingPanel plan={making.plan} /> : <Panel />;
 }
 
 async function lastWork() {

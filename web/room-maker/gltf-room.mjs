@@ -3,6 +3,17 @@ import { Document, WebIO } from '@gltf-transform/core';
 import { linearFromHex, withReflectance } from './colour.mjs';
 import { vertexArrays } from './shape.mjs';
 
+/** Vertex arrays by shape and material: the same shape in another room need not be joined again. */
+const joined = new WeakMap();
+
+function arraysOf(triangles, shape, material, tile) {
+  const known = joined.get(shape) ?? new Map();
+  joined.set(shape, known);
+  const key = `${material} ${tile}`;
+  if (!known.has(key)) known.set(key, vertexArrays(triangles, tile));
+  return known.get(key);
+}
+
 /**
  * What a room is made of, by name: { colour: '#rrggbb' or [r, g, b] linear, reflectance, roughness, metallic, alpha },
  * or instead of the colour a painted, seamless texture of `tile` metres, whose PNG bytes `pngOf` makes.
@@ -51,13 +62,14 @@ export class GltfRoom {
       if (!byMaterial.has(triangle.material)) byMaterial.set(triangle.material, []);
       byMaterial.get(triangle.material).push(triangle);
     }
-    for (const [material, triangles] of byMaterial) mesh.addPrimitive(this.#primitive(material, triangles));
+    for (const [material, triangles] of byMaterial)
+      mesh.addPrimitive(this.#primitive(material, triangles, shape));
     this.meshes.set(shape, mesh);
     return mesh;
   }
 
-  #primitive(material, triangles) {
-    const arrays = vertexArrays(triangles, this.specifications[material]?.tile ?? [1, 1]);
+  #primitive(material, triangles, shape) {
+    const arrays = arraysOf(triangles, shape, material, this.specifications[material]?.tile ?? [1, 1]);
     const accessor = (type, array) =>
       this.document.createAccessor().setType(type).setArray(array).setBuffer(this.buffer);
     const Index = arrays.positions.length / 3 > 65535 ? Uint32Array : Uint16Array;

@@ -70,6 +70,8 @@ export function planeOutline({ outline, plane }) {
   return plane && inset(outline, plane.rim);
 }
 
+const shapes = new ItemShapes();
+
 /** The room as glTF under construction. */
 export function makeRoom(plan) {
   const finish = ({ colour, reflectance }) => ({ colour: tintOf(colour, reflectance), reflectance });
@@ -83,6 +85,7 @@ export function makeRoom(plan) {
       walls: finish(walls),
       floor: finish(floor),
       column: finish(walls),
+      air: { colour: '#7fb2ff', alpha: 0 }, // met by no light
       rail: plainMaterials['white lacquer'],
     },
   });
@@ -143,7 +146,6 @@ function openingShape(frame, opening) {
 }
 
 function placeItems(room, plan, clear) {
-  const shapes = new ItemShapes();
   const numbers = new Map();
   for (const item of plan.items) {
     const { kind, x, z, turn } = item;

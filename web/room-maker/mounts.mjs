@@ -1,4 +1,5 @@
-// The ceiling of a made room and where its luminaires may hang: on all of it, in the tiles of its grid, or on rails below.
+// The ceiling of a made room and where its luminaires may hang: on all of it, in the tiles of its grid, on rails or in a
+// plane below.
 import { clipped, rotated, signedArea, stretchesAt, triangles } from './polygon.mjs';
 import { Shape } from './shape.mjs';
 
@@ -30,6 +31,12 @@ export function placeCeiling(room, plan, holes) {
   const shape = new Shape();
   for (const triangle of triangles(outline, holes)) shape.triangle('ceiling', facingDown(triangle, height));
   room.place('ceiling', shape, mount.kind === 'ceiling' ? { fiatlux: marks } : {});
+  if (mount.kind === 'plane') {
+    const plane = new Shape();
+    for (const triangle of triangles(outline, holes))
+      plane.triangle('air', facingDown(triangle, height - mount.drop));
+    room.place('suspended plane', plane, { fiatlux: marks });
+  }
   if (mount.kind !== 'rails') return;
   const rails = railsOf(plan, holes);
   if (rails.triangles.length > 0) room.place('rails', rails, { fiatlux: marks });

@@ -14,7 +14,7 @@ export const itemKinds = [
   'partition', 'plant', 'column', 'round column',
 ]; // prettier-ignore
 export const openingKinds = ['door', 'window'];
-export const mountKinds = ['ceiling', 'tiles', 'rails'];
+export const mountKinds = ['ceiling', 'tiles', 'rails', 'plane'];
 
 export const mostItems = 500;
 export const mostCorners = 64;
@@ -47,7 +47,7 @@ const mount = v.object({
   kind: v.picklist(mountKinds),
   spacing: number(0.05, 20), // m between places; the tile's edge where the ceiling has tiles
   luminaire: number(0.02, 5), // m, edge of a luminaire
-  drop: number(0, 40), // m below the ceiling: rails
+  drop: number(0, 40), // m below the ceiling: rails and suspended planes
   rows: number(0.1, 50), // m between rails
   origin: v.tuple([coordinate, coordinate]), // a corner of a tile
   turn: degrees, // of tiles and rails

@@ -29,7 +29,7 @@ export interface Viewer {
   /** Shows a room's display mesh; resolves when it can be drawn. Rejects with one readable line. */
   open(glb: ArrayBuffer, scene: SceneInfo): Promise<void>;
   /** Shows a plain .glb without light (a dropped file that still needs `fiatlux precompute`). */
-  preview(glb: ArrayBuffer): Promise<void>;
+  preview(glb: ArrayBuffer, options?: { readonly keepView?: boolean }): Promise<void>;
   /** The light of a layout: n + receivers values, lx. Cheap: once per solver update. */
   setLight(illuminance: Float32Array): void;
   /** `pinned`: sites. */

@@ -107,12 +107,12 @@ class RoomViewer implements Viewer {
     this.#awaitLight(turn);
   }
 
-  async preview(glb: ArrayBuffer): Promise<void> {
+  async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
     const turn = ++this.#opening;
     const room = await loadPreview(glb, this.#display?.cutAway ?? true);
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#unlit = false;
-    this.#show(room, null);
+    this.#show(room, null, keepView);
   }
 
   setLight(illuminance: Float32Array): void {
@@ -215,7 +215,7 @@ class RoomViewer implements Viewer {
       part.dispose();
   }
 
-  #show(room: RoomMesh, info: SceneInfo | null): void {
+  #show(room: RoomMesh, info: SceneInfo | null, keepView = false): void {
     this.#clearRoom();
     this.#room = room;
     this.#info = info;
@@ -227,7 +227,7 @@ class RoomViewer implements Viewer {
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
-    this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims));
+    this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims), keepView);
     this.#applyDisplay();
     this.#loop.invalidate();
   }

@@ -21,7 +21,8 @@ export function fileStem(title: string): string {
   return plain.replace(/^-|-$/g, '') || 'room';
 }
 
-function download(name: string, blob: Blob): void {
+/** Hands bytes to the browser under a name. */
+export function download(name: string, blob: Blob): void {
   const anchor = document.createElement('a');
   anchor.href = URL.createObjectURL(blob);
   anchor.download = name;

@@ -8,6 +8,7 @@ import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import type { Keeping } from '../keeping.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import type { GalleryEntry } from '../rooms/catalog-file.ts';
@@ -34,6 +35,7 @@ export class Opening {
   readonly #placing: Placing;
   readonly #files: FileOpening;
   readonly #keeping: Keeping;
+  readonly #viewer: Viewer;
 
   constructor(
     store: Store,
@@ -47,6 +49,7 @@ export class Opening {
     this.#solving = solving;
     this.#rooms = rooms;
     this.#keeping = keeping;
+    this.#viewer = viewer;
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
     const openProject = (project: Project) => this.#openProject(project);
     this.#files = new FileOpening(store, viewer, this.#placing, types, openProject);
@@ -116,6 +119,25 @@ export class Opening {
     const run = () => readable && void this.#openLink(readable, false);
     this.#store.say('error', message, readable && { label: 'Open what can be read', run });
     return false;
+  }
+
+  /** Opens the room maker, on a plan or for a new room. */
+  make(plan: RoomPlan | null): void {
+    this.#store.messages.value = [];
+    this.#placing.supersede();
+    this.#store.making.value = { plan };
+  }
+
+  /** A room as it is being made, without light. */
+  async showMaking(name: string, bytes: ArrayBuffer, isFirst: boolean): Promise<void> {
+    this.#store.preview.value = name;
+    await this.#viewer.preview(bytes, { keepView: !isFirst });
+  }
+
+  /** Closes the room maker without a room. */
+  async endMaking(): Promise<void> {
+    this.#store.making.value = null;
+    await this.endPreview();
   }
 
   /** Leaves the preview of a .glb: the room that was open is shown again as it was. */

@@ -85,6 +85,12 @@ export class Placing {
     }
   }
 
+  /** What is still on its way must not come any more. */
+  supersede(): void {
+    this.#turn += 1;
+    this.#store.loading.value = null;
+  }
+
   /** Puts a scene on the screen. `make` gives its document; nothing changes before everything is there. */
   async place(
     bytes: FileBytes,
@@ -124,7 +130,7 @@ export class Placing {
     return this.attempt('Going back', async (isCurrent) => {
       await this.#viewer.open(back.room, back.scene);
       if (!isCurrent()) return;
-      this.#store.preview.value = null;
+      this.#store.preview.value = this.#store.plan.value = null;
       this.#solving.relight();
     });
   }
@@ -138,7 +144,7 @@ export class Placing {
       this.#types.provide(files);
       store.scene.value = scene;
       store.roomTitle.value = title;
-      store.preview.value = null;
+      store.preview.value = store.making.value = store.plan.value = null;
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = store.check.value = null;

@@ -10,6 +10,7 @@ import type { LayoutCheck } from '../words/layout-check.ts';
 import type { Link } from '../../document/share-link.ts';
 import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { AlphaStep, Shown } from '../../solver/protocol.ts';
+import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
@@ -115,6 +116,8 @@ export class Store {
   readonly tab = signal<Tab>('intentions');
   readonly loading = signal<string | null>(null);
   readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
+  readonly making = signal<{ readonly plan: RoomPlan | null } | null>(null); // the room maker is open; null: a new room
+  readonly plan = signal<RoomPlan | null>(null); // of the room on the screen, where it was made here
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
@@ -126,12 +129,14 @@ export class Store {
   readonly undoes = computed(() => {
     const { past } = this.history.value;
     const arrival = this.arrival.value;
+    if (this.making.value) return null; // it has an undo of its own
     if (arrival?.by === 'opening' && arrival.past === past) return 'room';
     return past.length > 0 ? 'step' : null;
   });
   readonly redoes = computed(() => {
     const { past, future } = this.history.value;
     const arrival = this.arrival.value;
+    if (this.making.value) return null;
     if (future.length > 0) return 'step';
     return arrival?.by === 'return' && arrival.past === past ? 'room' : null;
   });

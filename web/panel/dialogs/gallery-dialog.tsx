@@ -1,5 +1,5 @@
 /** The rooms that come with the app, the experiments of the paper, and the door for files of one's own. */
-import { FolderOpen, Lightbulb } from 'lucide-preact';
+import { FolderOpen, Lightbulb, PencilRuler } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import type { GalleryEntry } from '../../app/rooms/catalog-file.ts';
@@ -27,6 +27,21 @@ export function GalleryDialog({ close }: { close: () => void }) {
             />
           </li>
         ))}
+        <li>
+          <button
+            class="room-card own"
+            onClick={() => {
+              close();
+              app.opening.make(null);
+            }}
+          >
+            <span class="thumbnail empty">
+              <PencilRuler size={26} aria-hidden />
+            </span>
+            <strong>New room</strong>
+            <span>From its size or its plan: walls, windows, furniture, where luminaires hang.</span>
+          </button>
+        </li>
         <li>
           <button
             class="room-card own"

@@ -51,9 +51,11 @@ export class CameraRig {
     return this.active === this.#orthographic;
   }
 
-  setRoom(box: Box, facing: readonly number[]): void {
+  /** `keepView`: the same room, a little changed: who has moved away from its first view stays where they are. */
+  setRoom(box: Box, facing: readonly number[], keepView = false): void {
     this.#poses = new RoomPoses(box, facing, this.#poses.aspect);
     this.controls.maxDistance = 6 * this.#poses.home().spherical.radius;
+    if (keepView && !this.#atHome) return;
     this.#apply(this.#poses.home());
     this.#atHome = true;
   }

@@ -1,0 +1,26 @@
+/** The place of the room maker, which is fetched when it is opened for the first time. */
+import type { FunctionComponent } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { useApp } from '../app/app.ts';
+import type { RoomPlan } from '../room-maker/room-plan.mjs';
+
+type RoomMaker = FunctionComponent<{ plan: RoomPlan | null }>;
+
+export function MakingPanel({ plan }: { plan: RoomPlan | null }) {
+  const app = useApp();
+  const [Maker, setMaker] = useState<RoomMaker | null>(null);
+  useEffect(() => {
+    import('./room-maker/room-maker.tsx').then(
+      ({ RoomMaker: loaded }) => setMaker(() => loaded),
+      () => {
+        app.store.say('error', 'The room maker could not be loaded: check the connection and try again.');
+        void app.opening.endMaking();
+      },
+    );
+  }, []);
+  return Maker ? (
+    <Maker plan={plan} />
+  ) : (
+    <aside class="panel maker" aria-label="Room maker" aria-busy="true" />
+  );
+}

@@ -1,0 +1,126 @@
+/** A plan drawn corner by corner: by clicks on the grid, or by typed coordinates. */
+import { useRef, useState } from 'preact/hooks';
+import { snapped, withNewOutline } from '../../room-maker/plan-edits.ts';
+import { distance } from '../../room-maker/polygon.mjs';
+import { mostCorners, type Point } from '../../room-maker/room-plan.mjs';
+import { NumberField } from '../controls/number-field.tsx';
+import { useMaking } from './making-context.ts';
+import { gridOf, pointUnder, useSize, viewOf } from './plan-view.ts';
+
+const grid = 0.1; // m
+const near = 14; // px within which a click on the first corner closes the outline
+
+export function DrawOutline({ end }: { end: () => void }) {
+  const making = useMaking();
+  const { element, size } = useSize();
+  const svg = useRef<SVGSVGElement>(null);
+  const [corners, setCorners] = useState<readonly Point[]>([]);
+  const [at, setAt] = useState<Point>([0, 0]);
+  const [fault, setFault] = useState<string | null>(null);
+  const [extent] = useState(() => making.plan.peek().outline);
+  const view = viewOf([...extent, ...corners], ...size);
+  const [step] = gridOf(view.scale);
+
+  const close = () => {
+    const isMade = making.edit((plan) => ({ ...withNewOutline(plan, corners), openings: [] }));
+    if (isMade) return end();
+    setFault(
+      corners.length < 3 ? 'A room has at least three corners.' : 'These walls cross or touch each other.',
+    );
+  };
+  const add = (corner: Point) => {
+    const [first] = corners;
+    setFault(null);
+    if (first && corners.length > 2 && distance(first, corner) * view.scale < near) close();
+    else if (corners.length < mostCorners) setCorners([...corners, corner]);
+  };
+  const under = (event: PointerEvent): Point => {
+    const [x, z] = svg.current ? pointUnder(svg.current, event) : [0, 0];
+    return [snapped(x, grid), snapped(z, grid)];
+  };
+  return (
+    <div class="maker-draw">
+      <div class="plan" ref={element}>
+        <svg
+          ref={svg}
+          role="group"
+          aria-label="Draw the plan: click its corners one after the other"
+          viewBox={`${view.x} ${view.z} ${view.width} ${view.depth}`}
+          onPointerMove={(event) => setAt(under(event))}
+          onPointerUp={(event) => add(under(event))}
+        >
+          <pattern id="draw-grid" width={step} height={step} patternUnits="userSpaceOnUse">
+            <path class="plan-tile" d={`M0 ${step}V0H${step}`} />
+          </pattern>
+          <rect x={view.x} y={view.z} width={view.width} height={view.depth} fill="url(#draw-grid)" />
+          <polygon class="plan-floor" points={corners.map((each) => each.join(',')).join(' ')} />
+          <polyline class="plan-drawn" points={[...corners, at].map((each) => each.join(',')).join(' ')} />
+          {corners.map(([x, z], i) => (
+            <circle key={i} class="plan-corner" cx={x} cy={z} r={5.5 / view.scale} />
+          ))}
+        </svg>
+      </div>
+      <Fields
+        {...{ corners, at, fault, setAt, add, close, end }}
+        back={() => setCorners(corners.slice(0, -1))}
+      />
+    </div>
+  );
+}
+
+interface FieldsProps {
+  readonly corners: readonly Point[];
+  readonly at: Point; // of the next corner
+  readonly fault: string | null;
+  readonly setAt: (at: Point) => void;
+  readonly add: (corner: Point) => void;
+  readonly back: () => void;
+  readonly close: () => void;
+  readonly end: () => void;
+}
+
+function Fields({ corners, at, fault, setAt, add, back, close, end }: FieldsProps) {
+  const last = corners.at(-1);
+  const coordinate = { unit: 'm', step: 0.1, min: -1000, max: 1000 };
+  return (
+    <div class="maker-fields">
+      <p>
+        Click the corners one after the other; the first one again closes the room.
+        {last && ` This wall: ${Number(distance(last, at).toFixed(2))} m.`}
+      </p>
+      <div class="maker-line">
+        <NumberField
+          label="x of the next corner"
+          value={at[0]}
+          {...coordinate}
+          onInput={(x) => setAt([x ?? 0, at[1]])}
+        />
+        <NumberField
+          label="y of the next corner"
+          value={at[1]}
+          {...coordinate}
+          onInput={(z) => setAt([at[0], z ?? 0])}
+        />
+        <button class="button small" onClick={() => add(at)}>
+          Add the corner
+        </button>
+      </div>
+      {fault && (
+        <p class="fault" role="alert">
+          {fault}
+        </p>
+      )}
+      <div class="row">
+        <button class="button small primary" disabled={corners.length < 3} onClick={close}>
+          Close the room
+        </button>
+        <button class="button small" disabled={corners.length === 0} onClick={back}>
+          Take the last corner back
+        </button>
+        <button class="button small" onClick={end}>
+          Cancel
+        </button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,65 @@
+/** The working plane with its rim, and task areas within the room. */
+import { Plus } from 'lucide-preact';
+import type { RoomPlan } from '../../room-maker/room-plan.mjs';
+import { toMillimetres } from '../../room-maker/plan-edits.ts';
+import { Field, Section } from './field.tsx';
+import { useMaking } from './making-context.ts';
+
+const usualPlane = { height: 0.75, rim: 0.5 };
+
+function middleOf({ outline }: RoomPlan): [number, number] {
+  const mean = (axis: 0 | 1) => outline.reduce((sum, corner) => sum + corner[axis], 0) / outline.length;
+  return [toMillimetres(mean(0)), toMillimetres(mean(1))];
+}
+
+export function PlaneSection() {
+  const making = useMaking();
+  const { plane } = making.plan.value;
+  const change = (part: Partial<typeof usualPlane>, gesture: string) =>
+    making.edit((plan) => ({ ...plan, plane: { ...(plan.plane ?? usualPlane), ...part } }), gesture);
+  const addTask = () => {
+    making.edit((plan) => {
+      const [x, z] = middleOf(plan);
+      const task = { x, z, width: 1.6, depth: 0.8, height: plan.plane?.height ?? 0.75, turn: 0 };
+      return { ...plan, tasks: [...plan.tasks, task] };
+    });
+    making.selected.value = { what: 'task', index: making.plan.peek().tasks.length - 1 };
+  };
+  return (
+    <Section title="Where light is measured">
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={plane !== null}
+          onChange={() => making.edit((plan) => ({ ...plan, plane: plan.plane ? null : usualPlane }))}
+        />
+        <span>A working plane</span>
+      </label>
+      {plane && (
+        <div class="maker-grid">
+          <Field
+            label="Height"
+            spoken="Height of the working plane"
+            value={plane.height}
+            max={50}
+            step={0.05}
+            onInput={(height, gesture) => change({ height }, gesture)}
+          />
+          <Field
+            label="Rim"
+            spoken="Rim of the working plane"
+            value={plane.rim}
+            max={50}
+            onInput={(rim, gesture) => change({ rim }, gesture)}
+          />
+        </div>
+      )}
+      <div class="row">
+        <button class="button small" onClick={addTask}>
+          <Plus size={14} aria-hidden />
+          <span>Task area</span>
+        </button>
+      </div>
+    </Section>
+  );
+}

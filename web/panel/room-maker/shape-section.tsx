@@ -1,0 +1,122 @@
+/** Where a room begins: its size as one types it, the shape of its plan, its height and its name. */
+import { PencilRuler } from 'lucide-preact';
+import { useState } from 'preact/hooks';
+import { withNewOutline } from '../../room-maker/plan-edits.ts';
+import { outlines, readSize, type ShapeName } from '../../room-maker/plan-shapes.mjs';
+import { signedArea } from '../../room-maker/polygon.mjs';
+import type { RoomPlan } from '../../room-maker/room-plan.mjs';
+import { Choice, Field, Section } from './field.tsx';
+import { useMaking } from './making-context.ts';
+
+const shapes: readonly (readonly [ShapeName, string])[] = [
+  ['rectangle', 'Rectangle'],
+  ['L', 'L'],
+  ['U', 'U'],
+  ['T', 'T'],
+];
+
+/** The letter by the number of right angles; null for any other outline. */
+function shapeOf({ outline }: RoomPlan): ShapeName | null {
+  const isAlongAxes = outline.every(([x, z], i) => {
+    const [nx, nz] = outline[(i + 1) % outline.length]!;
+    return x === nx || z === nz;
+  });
+  if (!isAlongAxes) return null;
+  if (outline.length === 4) return 'rectangle';
+  if (outline.length === 6) return 'L';
+  // note: a U has its two inner corners side by side, a T has two outer ones between them
+  if (outline.length !== 8) return null;
+  const inner = outline.map((corner, i) => {
+    const [before, next] = [outline[(i + 7) % 8]!, outline[(i + 1) % 8]!];
+    return (corner[0] - before[0]) * (next[1] - corner[1]) - (corner[1] - before[1]) * (next[0] - corner[0]) < 0; // prettier-ignore
+  });
+  return inner.some((each, i) => each && inner[(i + 1) % 8]) ? 'U' : 'T';
+}
+
+function extentOf({ outline }: RoomPlan): [number, number] {
+  const along = (axis: 0 | 1) => outline.map((corner) => corner[axis]);
+  return [Math.max(...along(0)) - Math.min(...along(0)), Math.max(...along(1)) - Math.min(...along(1))];
+}
+
+export function ShapeSection({ draw }: { draw: () => void }) {
+  const making = useMaking();
+  const plan = making.plan.value;
+  const choose = (shape: ShapeName) => {
+    const [width, depth] = extentOf(plan);
+    making.edit((before) => withNewOutline(before, outlines[shape](width, depth)));
+    making.selected.value = null;
+  };
+  return (
+    <Section title="Room">
+      <SizeField />
+      <div class="maker-line">
+        <Choice label="Shape of the plan" choices={shapes} value={shapeOf(plan)} choose={choose} />
+        <button class="button small" onClick={draw}>
+          <PencilRuler size={14} aria-hidden />
+          <span>Draw</span>
+        </button>
+      </div>
+      <div class="maker-grid">
+        <Field
+          label="Height"
+          value={plan.height}
+          min={0.5}
+          max={50}
+          onInput={(height, gesture) => making.edit((before) => ({ ...before, height }), gesture)}
+        />
+        <label class="maker-field">
+          <span>Name</span>
+          <input
+            type="text"
+            class="maker-text"
+            maxLength={60}
+            placeholder={making.title.value}
+            value={plan.name}
+            onInput={(event) => {
+              const name = event.currentTarget.value;
+              making.edit((before) => ({ ...before, name }), 'name');
+            }}
+            onBlur={() => making.endGesture()}
+          />
+        </label>
+      </div>
+      <p class="fine-print">
+        {plan.outline.length} walls, {signedArea(plan.outline).toFixed(1)} m² floor. Drag corners and walls in
+        the plan, or choose a wall to type its length and to put doors and windows in it.
+      </p>
+    </Section>
+  );
+}
+
+/** "6 x 4 x 2.8" */
+function SizeField() {
+  const making = useMaking();
+  const [text, setText] = useState('');
+  const isWrong = text.trim() !== '' && readSize(text) === null;
+  const take = (typed: string) => {
+    setText(typed);
+    const size = readSize(typed);
+    if (!size) return;
+    making.edit((plan) => {
+      const outline = outlines.rectangle(size.width, size.depth);
+      return { ...withNewOutline(plan, outline), height: size.height };
+    }, 'size');
+  };
+  return (
+    <label class="maker-field wide">
+      <span>Width × depth × height</span>
+      <input
+        type="text"
+        class="maker-text"
+        autoFocus
+        spellcheck={false}
+        autoComplete="off"
+        placeholder="6 x 4 x 2.8"
+        aria-invalid={isWrong}
+        value={text}
+        onInput={(event) => take(event.currentTarget.value)}
+        onBlur={() => making.endGesture()}
+      />
+    </label>
+  );
+}

@@ -1,0 +1,130 @@
+/** Changes of a plan by hand: pure functions, a new plan each. Where a change would break the outline it is null. */
+import { distance, isSimple } from './polygon.mjs';
+import { mostCorners, mostItems, type Item, type Opening, type Point, type RoomPlan } from './room-plan.mjs';
+
+const leastWall = 0.05; // m
+
+const at = <T>(list: readonly T[], index: number): T => list[(index + list.length) % list.length] as T;
+
+/** Whole millimetres. */
+export const toMillimetres = (value: number): number => Math.round(value * 1000) / 1000 || 0;
+
+export const snapped = (value: number, step: number): number =>
+  toMillimetres(Math.round(value / step) * step);
+
+export function wallLength({ outline }: RoomPlan, wall: number): number {
+  return distance(at(outline, wall), at(outline, wall + 1));
+}
+
+function withOutline(plan: RoomPlan, outline: readonly Point[]): RoomPlan | null {
+  const isLong = outline.every((corner, i) => distance(corner, at(outline, i + 1)) >= leastWall);
+  return isLong && isSimple(outline) ? { ...plan, outline } : null;
+}
+
+export function withCorner(plan: RoomPlan, corner: number, [x, z]: Point): RoomPlan | null {
+  const moved: Point = [toMillimetres(x), toMillimetres(z)];
+  return withOutline(
+    plan,
+    plan.outline.map((each, i) => (i === corner ? moved : each)),
+  );
+}
+
+/** A wall moved sideways by (dx, dz): both its corners. */
+export function withWallMoved(plan: RoomPlan, wall: number, [dx, dz]: Point): RoomPlan | null {
+  const next = (wall + 1) % plan.outline.length;
+  const move = ([x, z]: Point): Point => [toMillimetres(x + dx), toMillimetres(z + dz)];
+  return withOutline(
+    plan,
+    plan.outline.map((each, i) => (i === wall || i === next ? move(each) : each)),
+  );
+}
+
+/** The wall gets a length; the next wall moves along, so that right angles stay. */
+export function withWallLength(plan: RoomPlan, wall: number, length: number): RoomPlan | null {
+  const [a, b] = [at(plan.outline, wall), at(plan.outline, wall + 1)];
+  const old = distance(a, b);
+  if (!(length >= leastWall)) return null;
+  const by: Point = [((b[0] - a[0]) / old) * (length - old), ((b[1] - a[1]) / old) * (length - old)];
+  return withWallMoved(plan, (wall + 1) % plan.outline.length, by);
+}
+
+/** A new corner in the middle of a wall; openings go with the part that they begin in. */
+export function withWallSplit(plan: RoomPlan, wall: number): RoomPlan | null {
+  if (plan.outline.length >= mostCorners) return null;
+  const [a, b] = [at(plan.outline, wall), at(plan.outline, wall + 1)];
+  const middle: Point = [toMillimetres((a[0] + b[0]) / 2), toMillimetres((a[1] + b[1]) / 2)];
+  const half = distance(a, middle);
+  const openings = plan.openings.map((opening) => {
+    if (opening.wall > wall) return { ...opening, wall: opening.wall + 1 };
+    if (opening.wall < wall || opening.at < half) return opening;
+    return { ...opening, wall: wall + 1, at: toMillimetres(opening.at - half) };
+  });
+  const outline = [...plan.outline.slice(0, wall + 1), middle, ...plan.outline.slice(wall + 1)];
+  return { ...plan, outline, openings };
+}
+
+/** Without a corner; openings of the two walls that become one keep their places as far as they can. */
+export function withoutCorner(plan: RoomPlan, corner: number): RoomPlan | null {
+  const count = plan.outline.length;
+  if (count <= 3) return null;
+  const before = (corner + count - 1) % count;
+  const first = wallLength(plan, before);
+  const openings = plan.openings.map((opening) => {
+    const joined = opening.wall === corner ? { ...opening, wall: before, at: first + opening.at } : opening;
+    return joined.wall > corner ? { ...joined, wall: joined.wall - 1 } : joined;
+  });
+  return withOutline(
+    { ...plan, openings },
+    plan.outline.filter((_, i) => i !== corner),
+  );
+}
+
+/** Another outline: openings whose wall is gone go, too. */
+export function withNewOutline(plan: RoomPlan, outline: readonly Point[]): RoomPlan {
+  return { ...plan, outline, openings: plan.openings.filter(({ wall }) => wall < outline.length) };
+}
+
+export function withItem(plan: RoomPlan, index: number, change: Partial<Item>): RoomPlan {
+  return { ...plan, items: plan.items.map((item, i) => (i === index ? { ...item, ...change } : item)) };
+}
+
+export function withOpening(plan: RoomPlan, index: number, change: Partial<Opening>): RoomPlan {
+  return { ...plan, openings: plan.openings.map((each, i) => (i === index ? { ...each, ...change } : each)) };
+}
+
+/** A free stretch of a wall for an opening of this width: its middle if it can be, else where there is room; m or null. */
+export function freePlace(plan: RoomPlan, wall: number, width: number): number | null {
+  const margin = 0.15; // m, of frames and a little wall
+  const length = wallLength(plan, wall);
+  const taken = plan.openings.filter((each) => each.wall === wall);
+  const isFree = (from: number) =>
+    from >= margin - 1e-9 &&
+    from + width <= length - margin + 1e-9 &&
+    taken.every((each) => from + width + margin <= each.at || each.at + each.width + margin <= from);
+  const places = [(length - width) / 2, margin, length - margin - width];
+  for (const each of taken) places.push(each.at + each.width + 2 * margin, each.at - 2 * margin - width);
+  const free = places.find(isFree);
+  return free === undefined ? null : toMillimetres(free);
+}
+
+export interface Rows {
+  readonly across: number; // how many along the item's width
+  readonly down: number; // how many along its depth
+  readonly acrossPitch: number; // m from centre to centre
+  readonly downPitch: number; // m
+}
+
+/** An item repeated in rows that begin with it, turned as it is. */
+export function withRows(plan: RoomPlan, index: number, rows: Rows): RoomPlan {
+  const first = plan.items[index];
+  if (!first) return plan;
+  const [c, s] = [Math.cos((first.turn * Math.PI) / 180), Math.sin((first.turn * Math.PI) / 180)];
+  const more: Item[] = [];
+  for (let j = 0; j < rows.down; j++)
+    for (let i = 0; i < rows.across; i++) {
+      const [u, v] = [i * rows.acrossPitch, j * rows.downPitch];
+      const [x, z] = [toMillimetres(first.x + c * u + s * v), toMillimetres(first.z - s * u + c * v)];
+      if (i + j > 0) more.push({ ...first, x, z });
+    }
+  return { ...plan, items: [...plan.items, ...more].slice(0, mostItems) };
+}
