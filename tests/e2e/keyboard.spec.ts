@@ -1,5 +1,5 @@
 // Without a pointer: every control has its turn, the palette and help open by key, luminaires move by arrows.
-// Covers panel, top-bar, palette, luminaire-list, keyboard, view-input.
+// Covers panel, top-bar, palette, surface-picker, luminaire-list, keyboard, view-input.
 import { expect, openRoom, places, settled, tab, test, violations } from './app.ts';
 
 test('everything can be reached and done by keyboard', async ({ page }) => {
@@ -91,4 +91,41 @@ test('what is typed right after the key of the palette arrives in it', async ({ 
   await page.keyboard.type('csv');
   await page.keyboard.press('Enter');
   expect((await download).suggestedFilename()).toBe('box-luminaires.csv');
+});
+
+test('surfaces and luminaires are found by name; Delete takes a luminaire away', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await page.getByRole('button', { name: /^Surfaces: / }).press('Enter');
+  await expect(page.getByRole('searchbox', { name: 'Find a surface' })).toBeFocused();
+  await page.keyboard.type('wall n'); // and no key of the page
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: 'Surfaces: wall north' })).toBeFocused();
+
+  await page.keyboard.press('Control+K');
+  await page.keyboard.type('wall south');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('toolbar', { name: 'Intentions for wall south' })).toBeVisible();
+
+  await page.keyboard.press('Control+K');
+  await page.keyboard.type('L2');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('toolbar', { name: 'Luminaire L2' })).toBeVisible();
+  expect(await places(page)).toHaveLength(4);
+  await page.keyboard.press('Delete');
+  await expect(page.getByRole('toolbar', { name: /^Luminaire/ })).toHaveCount(0);
+  await expect.poll(() => places(page)).toHaveLength(3);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect.poll(() => places(page)).toHaveLength(4);
+});
+
+test('a number field says how it read a comma, and what it cut', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const field = page.getByRole('textbox', { name: /aim at a mean/ });
+  await field.fill('1,250');
+  await expect(page.getByRole('status').filter({ hasText: /^Read as 1.250$/ })).toBeVisible();
+  await field.press('Enter');
+  await expect(field).toHaveValue('1250');
+  await tab(page, 'Luminaires');
+  await page.getByRole('textbox', { name: 'Luminaires', exact: true }).fill('5000');
+  await expect(page.getByRole('status').filter({ hasText: /^At most/ })).toBeVisible();
 });

@@ -9,7 +9,7 @@ import type { Dialog } from './state/store.ts';
 export interface Action {
   readonly id: string;
   readonly title: string;
-  readonly group: 'Intentions' | 'Luminaires' | 'View' | 'File' | 'Edit' | 'Rooms' | 'Help';
+  readonly group: 'Intentions' | 'Luminaires' | 'View' | 'File' | 'Edit' | 'Rooms' | 'Surfaces' | 'Help';
   readonly keys?: readonly string[]; // "Mod+Z": Mod is Ctrl, or Cmd on a Mac
   readonly enabled?: (app: App) => boolean;
   readonly run: (app: App) => void;
@@ -110,6 +110,17 @@ const luminaires: readonly Action[] = [
     run({ store, hand }) {
       const luminaire = store.luminaire.peek();
       if (luminaire !== null) hand.togglePin(luminaire);
+    },
+  },
+  {
+    id: 'remove-luminaire',
+    title: 'Remove the selected luminaire',
+    group: 'Luminaires',
+    keys: ['Delete', 'Backspace'],
+    enabled: ({ store }) => store.luminaire.value !== null,
+    run({ store, hand }) {
+      const luminaire = store.luminaire.peek();
+      if (luminaire !== null) hand.remove(luminaire);
     },
   },
   {
@@ -258,12 +269,31 @@ export const actions: readonly Action[] = [
   ...help,
 ];
 
-/** The rooms of the site as actions. */
-export function placesOf({ rooms }: App): Action[] {
-  return rooms.entries.value.map((entry) => ({
-    id: `open-${entry.id}`,
-    title: `Open: ${entry.title}`,
-    group: 'Rooms',
-    run: ({ opening }) => void opening.entry(entry.id),
-  }));
+/** The surfaces and luminaires of the room, to be selected, and the rooms of the site as actions. */
+export function placesOf({ rooms, store }: App): Action[] {
+  const surfaces = store.scene.value?.surfaces ?? [];
+  const luminaires = store.shown.value?.layout.sites ?? [];
+  return [
+    ...surfaces.map(({ name }, surface): Action => ({
+      id: `surface-${surface}`,
+      title: name,
+      group: 'Surfaces',
+      run(app) {
+        app.selectSurface(surface);
+        app.viewer.reveal([surface]);
+      },
+    })),
+    ...luminaires.map((_, luminaire): Action => ({
+      id: `luminaire-${luminaire}`,
+      title: `L${luminaire + 1}`,
+      group: 'Luminaires',
+      run: (app) => void (app.store.luminaire.value = luminaire),
+    })),
+    ...rooms.entries.value.map((entry): Action => ({
+      id: `open-${entry.id}`,
+      title: `Open: ${entry.title}`,
+      group: 'Rooms',
+      run: ({ opening }) => void opening.entry(entry.id),
+    })),
+  ];
 }

@@ -65,6 +65,36 @@ export class Hand {
     });
   }
 
+  /** One luminaire less; the others go on from where they hang. */
+  remove(luminaire: number): void {
+    const layout = this.#layout();
+    const site = layout?.sites[luminaire];
+    if (!layout || site === undefined) return;
+    if (layout.sites.length === 1) {
+      this.#store.say('info', 'The last luminaire stays: there is no light without one.');
+      return;
+    }
+    const others = <T>(list: readonly T[]): T[] => list.filter((_, i) => i !== luminaire);
+    const { sites, flux, mountings } = layout;
+    const from = {
+      ...layout,
+      sites: others(sites),
+      flux: others(flux),
+      ...(mountings && { mountings: others(mountings) }),
+    };
+    this.#store.luminaire.value = null;
+    this.#store.edit(
+      `Remove ${tag(luminaire)}`,
+      ({ luminaires }) => {
+        luminaires.count = sites.length - 1;
+        luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
+      },
+      null,
+      { by: 'search', from },
+    );
+    this.#store.announcement.value = `${tag(luminaire)} is removed; the others compensate.`;
+  }
+
   unpinAll(): void {
     this.#store.edit('Unpin all', (draft) => void (draft.luminaires.pinned = []));
   }

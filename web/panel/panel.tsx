@@ -60,7 +60,15 @@ export function Panel() {
           {sheet === 'full' ? <ChevronDown size={18} aria-hidden /> : <ChevronUp size={18} aria-hidden />}
         </button>
       </div>
-      <div class="tab-panel" id="tab-panel" role="tabpanel" aria-labelledby={`tab-${active}`} tabIndex={-1}>
+      {/* Each tab begins at its top. */}
+      <div
+        key={active}
+        class="tab-panel"
+        id="tab-panel"
+        role="tabpanel"
+        aria-labelledby={`tab-${active}`}
+        tabIndex={-1}
+      >
         {active === 'intentions' && <IntentionsTab />}
         {active === 'luminaires' && <LuminairesTab />}
         {active === 'results' && <ResultsTab />}

@@ -1,5 +1,5 @@
 /** What can be done with what is selected: a verb for a surface, pin or move for a luminaire. */
-import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, X } from 'lucide-preact';
+import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, Trash2, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, unitOf } from '../app/words/format.ts';
 import { verbs } from './intentions/verbs.ts';
@@ -81,6 +81,10 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
       <button class="chip" title="No luminaire may hang here" onClick={() => hand.exclude(site)}>
         <Ban size={15} aria-hidden />
         <span>Keep this place free</span>
+      </button>
+      <button class="chip" title="One luminaire less (Delete)" onClick={() => hand.remove(luminaire)}>
+        <Trash2 size={15} aria-hidden />
+        <span>Remove</span>
       </button>
       <button
         class="icon-button small"

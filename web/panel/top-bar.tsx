@@ -1,5 +1,5 @@
 /** The slim bar: which room, undo and redo, files, all actions, share. */
-import { ChevronDown, Command, Ellipsis, Redo2, Share2, Undo2 } from 'lucide-preact';
+import { ChevronDown, Ellipsis, Redo2, Search, Share2, Undo2 } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { actions, isEnabled, type Action } from '../app/actions.ts';
 import { keyText } from '../app/keyboard.ts';
@@ -48,7 +48,7 @@ export function TopBar() {
       <ActionButton id="undo" icon={Undo2} />
       <ActionButton id="redo" icon={Redo2} />
       <span class="rule" />
-      <ActionButton id="palette" icon={Command} class="wide-only" />
+      <ActionButton id="palette" icon={Search} class="wide-only" />
       <Menu
         label="File and export"
         icon={Ellipsis}

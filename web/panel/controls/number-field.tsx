@@ -1,5 +1,6 @@
 /** A number that is typed exactly, with its unit. Live while it can be read; empty means "no such bound" where allowed. */
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
+import { grouped } from '../../app/words/format.ts';
 import { stepped } from './slider.tsx';
 
 interface Props {
@@ -17,33 +18,76 @@ interface Props {
   readonly onEnd?: () => void;
 }
 
-/**
- * "1 250,5", "1.250,5", "1,250.5", "1250.5 lx" -> 1250.5; null where it is no number. A single comma or point is the
- * decimal one; where both occur it is the last, and the others must stand between groups of three.
- */
-export function readNumber(text: string, unit = ''): number | null {
+/** The decimal sign of the page's locale. */
+const localSign = (): string =>
+  new Intl.NumberFormat().formatToParts(1.5).find(({ type }) => type === 'decimal')?.value ?? '.';
+
+/** "1,250": three digits behind one comma or point, which may be thousands or thousandths. */
+const isAmbiguous = (bare: string): boolean => /^[+-]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
+
+const bareOf = (text: string, unit: string): string => {
   const clean = text.replace(/[\s'\u2019]/g, '');
-  const bare = unit && clean.endsWith(unit) ? clean.slice(0, -unit.length) : clean;
-  const grouped = /^([+-]?\d{1,3})((?:\.\d{3})+),(\d*)$|^([+-]?\d{1,3})((?:,\d{3})+)\.(\d*)$/.exec(bare);
-  const [whole, groups, decimals] = grouped?.slice(1).filter((part) => part !== undefined) ?? [];
-  const plain = grouped ? `${whole}${groups?.replace(/[.,]/g, '')}.${decimals}` : bare.replace(',', '.');
+  return unit && clean.endsWith(unit) ? clean.slice(0, -unit.length) : clean;
+};
+
+/**
+ * "1 250,5", "1.250,5", "1,250.5", "1250.5 lx" -> 1250.5; null where it is no number. Where both a comma and a point occur
+ * the last is the decimal one, and the others must stand between groups of three, as must one that occurs more than
+ * once. A single one is decimal, unless three digits follow and the decimal sign of the locale is the other.
+ */
+export function readNumber(text: string, unit = '', sign = localSign()): number | null {
+  const bare = bareOf(text, unit);
+  const mixed = /^[+-]?\d{1,3}(?:(?:\.\d{3})+,\d*|(?:,\d{3})+\.\d*)$/.test(bare);
+  const repeated = /^[+-]?\d{1,3}(?:(?:\.\d{3}){2,}|(?:,\d{3}){2,})$/.test(bare);
+  const isGrouped = repeated || (isAmbiguous(bare) && !bare.includes(sign));
+  const last = Math.max(bare.lastIndexOf(','), bare.lastIndexOf('.'));
+  const whole = (part: string) => part.replace(/[.,]/g, '');
+  const plain = isGrouped
+    ? whole(bare)
+    : mixed
+      ? `${whole(bare.slice(0, last))}.${bare.slice(last + 1)}`
+      : bare.replace(',', '.');
   if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain)) return null;
   const value = Number(plain);
   return Number.isFinite(value) ? value : null;
 }
 
+/** What a person is told of what was typed: how it was read where that is not plain, and that it was cut. */
+export function remarkOn(text: string, unit: string, [min, max]: readonly [number, number]): string | null {
+  const value = readNumber(text, unit);
+  if (value === null) return null;
+  if (value > max) return `At most ${grouped(String(max))}`;
+  if (value < min) return `At least ${grouped(String(min))}`;
+  return isAmbiguous(bareOf(text, unit)) ? `Read as ${grouped(String(value))}` : null;
+}
+
 const written = (value: number | undefined) =>
   value === undefined ? '' : String(Number(value.toPrecision(5)));
+
+const readable = 4000; // ms
+
+/** A remark goes by itself, some time after the typing. */
+function useRemark(isTyping: boolean) {
+  const [remark, setRemark] = useState<string | null>(null);
+  useEffect(() => {
+    if (remark === null || isTyping) return;
+    const timer = setTimeout(() => setRemark(null), readable);
+    return () => clearTimeout(timer);
+  }, [remark, isTyping]);
+  return [remark, setRemark] as const;
+}
 
 export function NumberField(props: Props) {
   const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const [before, setBefore] = useState(value); // the typing began
+  const [remark, setRemark] = useRemark(draft !== null);
   const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
   const isWrong = draft !== null && draft !== '' && readNumber(draft, unit) === null;
   const take = (text: string) => {
     if (draft === null) setBefore(value);
     setDraft(text);
+    setRemark(remarkOn(text, unit ?? '', [min, max]));
     const next = readNumber(text, unit);
     if (next !== null && !waits?.(next)) onInput(fit(next));
     else if (next !== null) return;
@@ -89,6 +133,11 @@ export function NumberField(props: Props) {
         }}
       />
       {unit && <span class="unit">{unit}</span>}
+      {remark && (
+        <span class="remark" role="status">
+          {remark}
+        </span>
+      )}
     </span>
   );
 }

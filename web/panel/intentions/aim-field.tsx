@@ -40,7 +40,7 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   return (
     <div class="field">
       <div class="field-head">
-        <span class="field-name">Mean, about</span>
+        <span class="field-name">Mean about</span>
         {reached && (
           <span class="field-note">
             now {compact(reached.mean)} {unit}

@@ -44,7 +44,7 @@ export function IntentionCard({ card }: CardProps) {
         {reached && (
           <span class="card-reached">
             {compact(reached.mean)}
-            {card.aim !== undefined && ` of ${compact(card.aim)}`} {unit}
+            {isOff(card.aim, reached.mean) && ` of ${compact(card.aim)}`} {unit}
           </span>
         )}
         <Met status={status} />
@@ -60,6 +60,10 @@ export function IntentionCard({ card }: CardProps) {
     </article>
   );
 }
+
+/** Whether the mean is not quite what is aimed at. */
+const isOff = (aim: number | undefined, mean: number): aim is number =>
+  aim !== undefined && Math.abs(mean - aim) > 0.01 * aim;
 
 interface Status {
   readonly met: boolean;

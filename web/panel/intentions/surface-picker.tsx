@@ -1,6 +1,6 @@
 /** Which surfaces a card is about: one, several, a family ("desk 1" to "desk 12"), or the whole room. */
 import { ChevronDown, ChevronRight } from 'lucide-preact';
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { familyOf, folded } from '../../app/rooms/families.ts';
 import type { SurfaceNames } from '../../document/types.ts';
@@ -34,11 +34,21 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   const [filter, setFilter] = useState('');
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
+  // What is typed next is the name of a surface, and no key of the page.
+  useEffect(() => {
+    if (open) root.current?.querySelector<HTMLElement>('input')?.focus();
+  }, [open]);
   const leaves = store.scene.value?.surfaces.map((surface) => surface.name) ?? [];
   const wanted = (name: string) => name.toLowerCase().includes(filter.toLowerCase());
   const only = (next: SurfaceNames) => {
     onChange(next);
     setOpen(false);
+    root.current?.querySelector<HTMLElement>('.picker-button')?.focus();
+  };
+  // Enter takes the first that is found.
+  const firstFound = (): SurfaceNames => {
+    const name = filter === '' ? undefined : leaves.find(wanted);
+    return name === undefined ? names : [name];
   };
   const set = (some: readonly string[], on: boolean) => {
     const rest = names.filter((each) => !some.includes(each) && each !== 'all');
@@ -64,6 +74,9 @@ export function SurfacePicker({ label, names, onChange }: Props) {
             aria-label="Find a surface"
             value={filter}
             onInput={(event) => setFilter(event.currentTarget.value)}
+            onKeyDown={(event) => {
+              if (event.key === 'Enter') only(firstFound());
+            }}
           />
           <div class="picker-scroll" tabIndex={-1}>
             {wanted('all') && (

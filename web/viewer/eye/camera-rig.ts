@@ -53,7 +53,8 @@ export class CameraRig {
 
   /** `keepView`: the same room, a little changed: who has moved away from its first view stays where they are. */
   setRoom(box: Box, facing: readonly number[], keepView = false): void {
-    this.#poses = new RoomPoses(box, facing, this.#poses.aspect);
+    const { aspect, planAspect } = this.#poses;
+    this.#poses = new RoomPoses(box, facing, aspect, planAspect);
     this.controls.maxDistance = 6 * this.#poses.home().spherical.radius;
     if (keepView && !this.#atHome) return;
     this.#apply(this.#poses.home());
@@ -74,12 +75,15 @@ export class CameraRig {
   }
 
   /** What is covered is drawn, too, but the room is framed in what is left between. */
-  resize(width: number, height: number, { top, bottom }: Covered): void {
-    const free = Math.max(1, height - top - bottom);
-    this.#poses.aspect = width / free;
-    for (const camera of [this.#perspective, this.#orthographic])
-      if (top + bottom > 0) camera.setViewOffset(width, free, 0, -top, width, height);
+  resize(width: number, height: number, { top, planTop, bottom }: Covered): void {
+    const frame = (camera: PerspectiveCamera | OrthographicCamera, above: number) => {
+      const free = Math.max(1, height - above - bottom);
+      if (above + bottom > 0) camera.setViewOffset(width, free, 0, -above, width, height);
       else camera.clearViewOffset();
+      return width / free;
+    };
+    this.#poses.aspect = frame(this.#perspective, top);
+    this.#poses.planAspect = frame(this.#orthographic, planTop);
     if (this.#atHome) this.#apply(this.#poses.home());
     this.#project();
   }
@@ -227,11 +231,11 @@ export class CameraRig {
 
   #project(): void {
     const distance = this.active.position.distanceTo(this.controls.target);
-    const { aspect, size } = this.#poses;
+    const { aspect, planAspect, size } = this.#poses;
     this.#perspective.aspect = aspect;
     this.#perspective.near = Math.max(0.03, 0.02 * distance);
     this.#perspective.far = distance + 4 * size + 10;
-    this.#orthographic.right = this.#orthographic.top * aspect;
+    this.#orthographic.right = this.#orthographic.top * planAspect;
     this.#orthographic.left = -this.#orthographic.right;
     this.#orthographic.near = distance - 2 * size - 10;
     this.#orthographic.far = distance + 2 * size + 10;

@@ -9,14 +9,16 @@ const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, w
 
 export class RoomPoses {
   aspect: number;
+  planAspect: number;
   #box: framing.Box;
   #facing: readonly number[];
 
-  /** `facing`: how much of the room faces an eye in each quadrant (framing.ts); `aspect`: width / height of the picture. */
-  constructor(box: framing.Box, facing: readonly number[], aspect = 1) {
+  /** `facing`: how much of the room faces an eye in each quadrant (framing.ts); `aspect`: width / height of the picture, and where it is a plan. */
+  constructor(box: framing.Box, facing: readonly number[], aspect = 1, planAspect = aspect) {
     this.#box = box;
     this.#facing = facing;
     this.aspect = aspect;
+    this.planAspect = planAspect;
   }
 
   /** Diagonal of the room, m. */
@@ -43,7 +45,7 @@ export class RoomPoses {
   }
 
   plan(): CameraPose {
-    const { height } = framing.planFrame(this.#box, this.aspect);
+    const { height } = framing.planFrame(this.#box, this.planAspect);
     const target = new Vector3(...framing.boxCenter(this.#box));
     return this.of(target.clone().setY(target.y + height / (2 * tangent)), target, true);
   }
@@ -58,7 +60,7 @@ export class RoomPoses {
 
   /** What is up on the page of a plan: north, or a quarter turned where that fills the picture better. */
   #planAzimuth(): number {
-    if (!framing.planFrame(this.#box, this.aspect).turned) return 0;
+    if (!framing.planFrame(this.#box, this.planAspect).turned) return 0;
     return (framing.cornerAzimuth(this.#box, this.aspect, this.#facing) < 180 ? 0.5 : -0.5) * Math.PI;
   }
 }

@@ -17,9 +17,13 @@ import { createBackground } from './background.ts';
 const maxPixelRatio = 2;
 const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
 
-/** Strips that controls lie over, CSS px: the custom properties --view-top and --view-bottom of the canvas. */
+/**
+ * Strips that controls lie over, CSS px: the custom properties --view-top, --plan-top and --view-bottom of the canvas. A
+ * plan fills its corners, where the other views have nothing to hide, and keeps further down.
+ */
 export interface Covered {
   readonly top: number;
+  readonly planTop: number;
   readonly bottom: number;
 }
 
@@ -101,7 +105,9 @@ export class Stage {
     const style = getComputedStyle(this.#canvas);
     const strip = (name: string) =>
       Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
-    this.#host.resized(width, height, ratio, { top: strip('--view-top'), bottom: strip('--view-bottom') });
+    const top = strip('--view-top');
+    const planTop = Math.max(top, strip('--plan-top'));
+    this.#host.resized(width, height, ratio, { top, planTop, bottom: strip('--view-bottom') });
   };
 
   #rescheme = (): void => {

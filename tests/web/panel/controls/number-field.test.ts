@@ -1,6 +1,6 @@
 /** What is typed into a number field. */
 import { expect, test } from '@jest/globals';
-import { readNumber } from '../../../../web/panel/controls/number-field.tsx';
+import { readNumber, remarkOn } from '../../../../web/panel/controls/number-field.tsx';
 
 test('numbers are read as people write them, with their unit or without', () => {
   expect(['1.250,5', '1,250.5', "1'250.5", '1.000.000,', '1,5.5'].map((text) => readNumber(text))).toEqual([
@@ -25,4 +25,21 @@ test('numbers are read as people write them, with their unit or without', () => 
     null,
     null,
   ]);
+});
+
+test('three digits behind a comma or a point are thousands where the locale has the other sign', () => {
+  const english = (text: string) => readNumber(text, 'lx', '.');
+  const german = (text: string) => readNumber(text, 'lx', ',');
+  expect(['1,250', '1.250', '1,250 lx', '0,250', '1,25', '1,250,000'].map(english)).toEqual([
+    1250, 1.25, 1250, 0.25, 1.25, 1250000,
+  ]);
+  expect(['1,250', '1.250', '0.250', '12.500'].map(german)).toEqual([1.25, 1250, 0.25, 12500]);
+});
+
+test('what was read unexpectedly, or cut, is told', () => {
+  expect(remarkOn('1,250', 'lx', [0, 1e7])).toBe('Read as 1\u202f250'); // tests run in English
+  expect(remarkOn('1,25', 'lx', [0, 1e7])).toBeNull();
+  expect(remarkOn('99', '', [1, 60])).toBe('At most 60');
+  expect(remarkOn('-5', '', [0, 60])).toBe('At least 0');
+  expect(remarkOn('abc', '', [0, 60])).toBeNull();
 });
