@@ -310,7 +310,7 @@ val advanceAlpha(Session& session, std::uint32_t evaluations, std::uint32_t from
 std::string startBound(Session& session) { return errorOf(session.startBound()); }
 
 val advanceBound(Session& session, std::uint32_t steps) {
-  OptimumBound* bound = session.bound();
+  LayoutBound* bound = session.bound();
   if (!bound) return val(std::string("no bound is being looked for"));
   bound->advance(steps);
   const std::optional<double> gap = session.boundGap();

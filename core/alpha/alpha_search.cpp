@@ -31,7 +31,7 @@ AlphaSearch::AlphaSearch(PreparedScene& prepared, const Intentions& intentions, 
 void AlphaSearch::advance(std::uint32_t evaluations) {
   while (evaluations > 0 && !done()) {
     const std::uint32_t slice = std::min(evaluations, left_);
-    vns_->advance(slice);
+    search_->advance(slice);
     evaluations_ += slice;
     evaluations -= slice;
     left_ -= slice;
@@ -51,7 +51,7 @@ void AlphaSearch::openRun() {
   left_ = options_.evaluations;
   const std::uint64_t seed = options_.seed * 1000003 + run_;
   if (run_ > 0 || iterations_.empty()) {
-    vns_.emplace(prepared_, problem_, seed, nullptr, &reference_);
+    search_.emplace(prepared_, problem_, seed, nullptr, &reference_);
     return;
   }
   // Start from whichever known layout suits this alpha best: what a larger alpha allowed, a smaller one does
@@ -65,13 +65,13 @@ void AlphaSearch::openRun() {
     start = &known.layout;
     best = evaluation;
   }
-  vns_.emplace(prepared_, problem_, seed, start, &reference_);
+  search_.emplace(prepared_, problem_, seed, start, &reference_);
 }
 
 void AlphaSearch::closeRun() {
-  if (run_ == 0 || isBetter(vns_->evaluation(), bestEvaluation_)) {
-    best_ = vns_->incumbent();
-    bestEvaluation_ = vns_->evaluation();
+  if (run_ == 0 || isBetter(search_->evaluation(), bestEvaluation_)) {
+    best_ = search_->incumbent();
+    bestEvaluation_ = search_->evaluation();
   }
   if (++run_ < options_.runs) return openRun();
   if (stage_ == Stage::kBound)
@@ -110,8 +110,9 @@ AlphaIteration AlphaSearch::iterationOf(const Layout& layout, bool feasible) {
     result.maximum = extremes.maximumHigh;
     std::vector<double> flux = layout.flux;
     for (double& lumens : flux) lumens *= layout.dimming;
-    const Moments moments = momentsOf(*prepared_.statistics(intentions_.quantity, c.surfaces),
-                                      layout.sites.data(), flux.data(), problem_.luminaires.count);
+    const Moments moments =
+        momentsOf(*prepared_.statistics(intentions_.quantity, c.surfaces), layout.sites.data(), flux.data(),
+                  static_cast<std::uint32_t>(flux.size()));
     result.mean = moments.mean;
     result.sigma = moments.sigma();
   }
@@ -218,7 +219,7 @@ void AlphaSearch::closeBound() {
 void AlphaSearch::conclude(AlphaOutcome outcome) {
   outcome_ = outcome;
   stage_ = Stage::kDone;
-  vns_.reset();
+  search_.reset();
   const Constraint& guarantee = intentions_.constraints[solution_ ? firstGuarantee() : broken_];
   verdict_ = alphaVerdict(*this, prepared_.scene(), intentions_.quantity, guarantee);
 }

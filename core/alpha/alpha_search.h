@@ -11,7 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/search/intentions.h"
-#include "core/search/vns.h"
+#include "core/search/layout_search.h"
 
 namespace fiatlux {
 
@@ -103,7 +103,7 @@ class AlphaSearch {
   Intentions problem_;  // the current OptCh
   double alpha_ = 0;
   std::uint32_t run_ = 0;
-  std::optional<Vns> vns_;
+  std::optional<LayoutSearch> search_;
   std::uint32_t left_ = 0;  // evaluations left in the run
   Layout best_;
   Evaluation bestEvaluation_;

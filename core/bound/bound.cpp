@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/search/start_layout.h"
 
@@ -12,17 +13,34 @@ namespace {
 constexpr std::uint32_t kStepsPerRound = 300, kRounds = 200, kFruitlessRounds = 25;
 constexpr std::uint32_t kPolishSteps = 12000, kShifts = 50, kShiftStep = 200, kMostSitesToShift = 600;
 
+std::vector<double> weightsOf(const PreparedScene& prepared) {
+  std::vector<double> weights;
+  for (std::uint32_t c = 0; c < prepared.candidateCount(); ++c) weights.push_back(prepared.weight(c));
+  return weights;
+}
+
 }  // namespace
 
 OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions, const Evaluation& incumbent,
                            const Layout* reference)
-    : sites_(prepared.siteCount()),
-      relaxation_(prepared.siteCount(), intentions.luminaires),
+    : OptimumBound(prepared, intentions, ConvexRelaxation(prepared.candidateCount(), intentions.luminaires),
+                   incumbent, reference) {}
+
+OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions,
+                           const LuminaireRules& tiedRules, const Evaluation& incumbent,
+                           const Layout* reference)
+    : OptimumBound(prepared, intentions, ConvexRelaxation(weightsOf(prepared), tiedRules), incumbent,
+                   reference) {}
+
+OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions, ConvexRelaxation relaxation,
+                           const Evaluation& incumbent, const Layout* reference)
+    : sites_(prepared.candidateCount()),
+      relaxation_(std::move(relaxation)),
       bound_(-kUnbounded),
       bestDual_(-kUnbounded) {
   const LuminaireRules& rules = intentions.luminaires;
   problem_ = relaxIntentions(prepared, intentions,
-                             reference ? *reference : Layout{spreadSites(prepared, rules), {}, 1});
+                             reference ? *reference : Layout{spreadSites(prepared.sites(), rules), {}, 1});
   if (!problem_.supported) return;
   if (problem_.squared && rules.dimmingLow == rules.dimmingHigh && sites_ <= kMostSitesToShift)
     shift_ = std::make_unique<DiagonalShift>(sites_, problem_.covariance);

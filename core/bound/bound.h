@@ -22,6 +22,9 @@ class OptimumBound {
   /// nothing is referred to.
   OptimumBound(PreparedScene& prepared, const Intentions& intentions, const Evaluation& incumbent,
                const Layout* reference = nullptr);
+  /// Of layouts of ties: `prepared` is of them, and `tiedRules` are the intentions' in their terms (vns.h).
+  OptimumBound(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& tiedRules,
+               const Evaluation& incumbent, const Layout* reference = nullptr);
 
   /// False where no bound is known: without a goal, or with a contrast as goal.
   bool supported() const { return problem_.supported; }
@@ -39,6 +42,9 @@ class OptimumBound {
   std::optional<double> within(const Evaluation& evaluation) const;
 
  private:
+  OptimumBound(PreparedScene& prepared, const Intentions& intentions, ConvexRelaxation relaxation,
+               const Evaluation& incumbent, const Layout* reference);
+
   enum class Stage : std::uint8_t { kMultipliers, kShift, kPolish, kDone };
 
   /// A form that a multiplier stands before, and what the multiplier may be.

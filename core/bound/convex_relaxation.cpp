@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace fiatlux {
 namespace {
@@ -42,6 +43,33 @@ ConvexRelaxation::ConvexRelaxation(std::uint32_t sites, const LuminaireRules& ru
   for (const auto& [site, flux] : pinned_) x_[site] = high_ * flux;
 }
 
+ConvexRelaxation::ConvexRelaxation(std::vector<double> weights, const LuminaireRules& rules)
+    : sites_(static_cast<std::uint32_t>(weights.size())),
+      fluxes_{rules.flux[0]},
+      usable_(sites_, 1),
+      weights_(std::move(weights)),
+      least_(rules.count),
+      most_(mostOf(rules)),
+      low_(rules.dimmingLow),
+      high_(rules.dimmingHigh),
+      x_(sites_, 0.0) {
+  for (std::uint32_t tie : rules.excluded) usable_[tie] = 0;
+  for (std::uint32_t tie : rules.pinned) {
+    pinned_.emplace_back(tie, fluxes_[0]);
+    usable_[tie] = 0;
+    least_ = std::max(0.0, least_ - weights_[tie]);
+    most_ -= weights_[tie];
+  }
+  t_ = high_;
+  double free = 0;
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    if (usable_[j]) free += weights_[j];
+  const double share = free > 0 ? std::min(1.0, (least_ + most_) / (2 * free)) : 0;
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    if (usable_[j]) x_[j] = high_ * share * fluxes_[0];
+  for (const auto& [tie, flux] : pinned_) x_[tie] = high_ * flux;
+}
+
 void ConvexRelaxation::setObjective(ConvexObjective objective) {
   objective_ = std::move(objective);
   bound_ = -kUnbounded;
@@ -63,10 +91,7 @@ void ConvexRelaxation::refreshProducts() {
   }
 }
 
-/// The layout and dimming that a linear objective likes best: the largest flux on the smallest entry, and so
-/// on.
-ConvexRelaxation::Corner ConvexRelaxation::bestCorner(const std::vector<double>& gradient,
-                                                      double perDimming) const {
+void ConvexRelaxation::takeSites(const std::vector<double>& gradient, Corner& corner) const {
   std::vector<std::uint32_t> order;
   for (std::uint32_t j = 0; j < sites_; ++j)
     if (usable_[j]) order.push_back(j);
@@ -75,9 +100,39 @@ ConvexRelaxation::Corner ConvexRelaxation::bestCorner(const std::vector<double>&
                     [&](std::uint32_t a, std::uint32_t b) {
                       return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
                     });
+  for (std::size_t i = 0; i < count; ++i) corner.x.emplace_back(order[i], fluxes_[i]);
+}
+
+/// A knapsack whose last tie may be split: those of least gradient a luminaire, to the least count and beyond
+/// while that gains.
+void ConvexRelaxation::takeTies(const std::vector<double>& gradient, Corner& corner) const {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t j = 0; j < sites_; ++j)
+    if (usable_[j]) order.push_back(j);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double perA = gradient[a] / weights_[a], perB = gradient[b] / weights_[b];
+    return perA < perB || (perA == perB && a < b);
+  });
+  double taken = 0;
+  for (const std::uint32_t j : order) {
+    const double wanted = gradient[j] < 0 ? most_ : least_;
+    if (taken >= wanted) break;
+    const double share = std::min(1.0, (wanted - taken) / weights_[j]);
+    corner.x.emplace_back(j, share * fluxes_[0]);
+    taken += share * weights_[j];
+  }
+}
+
+/// The layout and dimming that a linear objective likes best: the largest flux on the smallest entry, and so
+/// on.
+ConvexRelaxation::Corner ConvexRelaxation::bestCorner(const std::vector<double>& gradient,
+                                                      double perDimming) const {
   Corner corner;
   corner.x = pinned_;
-  for (std::size_t i = 0; i < count; ++i) corner.x.emplace_back(order[i], fluxes_[i]);
+  if (weights_.empty())
+    takeSites(gradient, corner);
+  else
+    takeTies(gradient, corner);
   double value = perDimming;
   for (const auto& [site, flux] : corner.x) value += flux * gradient[site];
   corner.t = value < 0 ? high_ : low_;

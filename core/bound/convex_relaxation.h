@@ -1,6 +1,7 @@
 // The problem with its one hard wish let go: luminaires may be split over sites (z in [0, 1], sum z = N, or
-// that much flux), everything else convex. Frank-Wolfe (1956) steps; what counts is not the value but the
-// value less the duality gap, which no real layout can beat however early one stops.
+// that much flux; of ties sum w z = N or in a range, w a tie's number of luminaires), everything else convex.
+// Frank-Wolfe (1956) steps; what counts is not the value but the value less the duality gap, which no real
+// layout can beat however early one stops.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,8 @@ struct ConvexObjective {
 class ConvexRelaxation {
  public:
   ConvexRelaxation(std::uint32_t sites, const LuminaireRules& rules);
+  /// Over ties with so many luminaires each; the rules' sites are ties.
+  ConvexRelaxation(std::vector<double> weights, const LuminaireRules& rules);
 
   /// A new objective with the matrices of the old one or others; keeps the point, forgets the bound.
   void setObjective(ConvexObjective objective);
@@ -50,6 +53,8 @@ class ConvexRelaxation {
     double t = 1;
   };
   Corner bestCorner(const std::vector<double>& gradient, double perDimming) const;
+  void takeSites(const std::vector<double>& gradient, Corner& corner) const;
+  void takeTies(const std::vector<double>& gradient, Corner& corner) const;
   double lineSearch(const std::vector<double>& productWithCorner, const std::vector<double>& squares,
                     double slope) const;
   void refreshProducts();
@@ -58,6 +63,8 @@ class ConvexRelaxation {
   std::vector<double> fluxes_;  // movable ones, largest first
   std::vector<std::pair<std::uint32_t, double>> pinned_;
   std::vector<char> usable_;
+  std::vector<double> weights_;  // of ties; empty for sites
+  double least_ = 0, most_ = 0;  // luminaires of the ties beside the pinned ones
   double low_, high_;
   ConvexObjective objective_;
   std::vector<double> x_;

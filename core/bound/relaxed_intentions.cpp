@@ -15,7 +15,7 @@ namespace {
 FluxRange fluxRangeOf(const LuminaireRules& rules) {
   FluxRange range;
   range.least = kUnbounded;
-  for (std::uint32_t i = 0; i < rules.count; ++i) {
+  for (std::uint32_t i = 0; i < mostOf(rules); ++i) {
     const double flux = rules.dimmingHigh * fluxOf(rules, i);
     range.total += flux;
     range.squares += flux * flux;
@@ -29,7 +29,7 @@ FluxRange fluxRangeOf(const LuminaireRules& rules) {
 class Relaxer {
  public:
   Relaxer(PreparedScene& prepared, const Intentions& intentions)
-      : prepared_(prepared), intentions_(intentions), sites_(prepared.siteCount()) {
+      : prepared_(prepared), intentions_(intentions), sites_(prepared.candidateCount()) {
     result_.flux = fluxRangeOf(intentions.luminaires);
   }
 
@@ -51,7 +51,7 @@ class Relaxer {
 
  private:
   std::vector<double> covarianceOf(const SurfaceSet& surfaces) const {
-    return unionStatistics(prepared_.scene(), intentions_.quantity, surfaces).covariance;
+    return prepared_.exactCovariance(intentions_.quantity, surfaces);
   }
 
   void addMean(ConvexObjective& to, const SurfaceSet& surfaces, double factor) const {
@@ -73,7 +73,10 @@ class Relaxer {
                  const SurfaceSet& over, double factor) const {
     if (form.mean != 0) addMean(to, surfaces, factor * form.mean);
     if (form.over != 0) addMean(to, over, factor * form.over);
-    to.perDimming += factor * form.power * result_.flux.total / intentions_.luminaires.dimmingHigh;
+    if (!prepared_.isTied())
+      to.perDimming += factor * form.power * result_.flux.total / intentions_.luminaires.dimmingHigh;
+    else if (form.power != 0)
+      for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * form.power * prepared_.weight(j);
     to.constant += factor * form.constant;
   }
 
@@ -100,6 +103,10 @@ class Relaxer {
   }
 
   void addSigmaGoal(const SurfaceSet& surfaces, double factor) {
+    if (factor < 0 && prepared_.isTied()) {
+      result_.supported = false;
+      return;
+    }
     if (factor < 0) {
       result_.goal.constant +=
           factor * std::sqrt(largestVariance(covarianceOf(surfaces), intentions_.luminaires, sites_));

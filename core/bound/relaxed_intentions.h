@@ -34,7 +34,7 @@ struct RelaxedAim {
 };
 
 struct RelaxedIntentions {
-  /// False where no bound is known: without a goal, or with a contrast as goal.
+  /// False where no bound is known: without a goal, with a contrast as goal, or for the most sigma of ties.
   bool supported = false;
   FluxRange flux;
   ConvexObjective goal;  // with the aims never above Evaluation::goal, or above its square where `squared`
@@ -44,8 +44,8 @@ struct RelaxedIntentions {
   std::vector<ConvexObjective> sides;  // each <= 0 for every layout that meets the constraints
 };
 
-/// Goals are measured against their values for `reference`, as in Objective. Precondition: checkIntentions
-/// passed.
+/// In terms of the prepared scene's candidates: x is a tie's flux, that of each of its luminaires. Goals are
+/// measured against their values for `reference`, as in Objective. Precondition: checkIntentions passed.
 RelaxedIntentions relaxIntentions(PreparedScene& prepared, const Intentions& intentions,
                                   const Layout& reference);
 

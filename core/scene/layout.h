@@ -19,6 +19,7 @@ struct Layout {
   std::vector<std::uint32_t> sites;
   std::vector<double> flux;  // lm each, before dimming
   double dimming = 1;
+  std::vector<std::uint32_t> ties = {};  // of each, the number of the tie it moves with; empty: none is tied
 };
 
 }  // namespace fiatlux

@@ -12,16 +12,30 @@ namespace {
 
 constexpr std::uint32_t kBlock = 64;
 
-Layout referenceLayout(const PreparedScene& prepared, const Intentions& intentions, const Layout* reference) {
+/// Candidates in the largest layout: so many may be moved.
+std::uint32_t slotsFor(const PreparedScene& prepared, const LuminaireRules& rules) {
+  const std::uint32_t most = mostOf(rules);
+  if (!prepared.isTied()) return most;
+  if (prepared.lightest() == prepared.heaviest()) return most / prepared.lightest();
+  std::vector<std::uint32_t> weights;
+  for (std::uint32_t c = 0; c < prepared.candidateCount(); ++c) weights.push_back(prepared.weight(c));
+  std::sort(weights.begin(), weights.end());
+  std::uint32_t slots = 0, total = 0;
+  while (slots < weights.size() && total + weights[slots] <= most) total += weights[slots++];
+  return slots;
+}
+
+Layout referenceLayout(PreparedScene& prepared, const Intentions& intentions, const Layout* reference) {
   if (reference && reference->sites.size() == intentions.luminaires.count) return *reference;
-  return {spreadSites(prepared, intentions.luminaires), {}, 1};
+  return {spreadSites(prepared.sites(), intentions.luminaires), {}, 1};
 }
 
 }  // namespace
 
 Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
-    : siteCount_(prepared.siteCount()),
-      flux_(fluxesOf(intentions.luminaires)),
+    : prepared_(prepared),
+      siteCount_(prepared.stride()),
+      flux_(fluxesOf(intentions.luminaires, slotsFor(prepared, intentions.luminaires))),
       objective_(prepared, intentions, referenceLayout(prepared, intentions, reference)) {
   const std::size_t count = objective_.sets().size();
   moments_.resize(count);
@@ -40,21 +54,66 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
 }
 
 Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
-  assert(sites.size() == flux_.size());
-  const auto count = static_cast<std::uint32_t>(sites.size());
+  readMoments(sites);
   for (std::size_t s = 0; s < moments_.size(); ++s) {
-    const ObjectiveSet& set = objective_.sets()[s];
-    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), flux_.data(), count, set.needsVariance);
-    if (!set.needsExtremes) continue;
-    patches_[s]->load(sites.data(), flux_.data(), count);
+    if (!patches_[s]) continue;
+    light(*patches_[s], sites);
     trialExtremes_[s] = patches_[s]->current();
-    if (!sites_.empty()) patches_[s]->load(sites_.data(), flux_.data(), count);
+    if (!sites_.empty()) light(*patches_[s], sites_);
   }
   return objective_.judge(trialMoments_.data(), trialExtremes_.data());
 }
 
+bool Evaluator::tryLayout(const std::vector<std::uint32_t>& sites, Evaluation& best) {
+  readMoments(sites);
+  if (objective_.needsExtremes()) {
+    for (std::size_t s = 0; s < patches_.size(); ++s)
+      if (patches_[s]) trialExtremes_[s] = Objective::allowedBy(trialMoments_[s]);
+    if (!isBetter(objective_.judge(trialMoments_.data(), trialExtremes_.data()), best)) return false;
+    for (std::size_t s = 0; s < patches_.size(); ++s) {
+      if (!patches_[s]) continue;
+      light(*patches_[s], sites);
+      trialExtremes_[s] = patches_[s]->current();
+    }
+  }
+  const Evaluation evaluation = objective_.judge(trialMoments_.data(), trialExtremes_.data());
+  if (!isBetter(evaluation, best)) return false;
+  best = evaluation;
+  return true;
+}
+
+/// Moments of any layout, as those of a trial.
+void Evaluator::readMoments(const std::vector<std::uint32_t>& sites) {
+  assert(sites.size() <= flux_.size());
+  const auto count = static_cast<std::uint32_t>(sites.size());
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const ObjectiveSet& set = objective_.sets()[s];
+    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), flux_.data(), count, set.needsVariance);
+  }
+}
+
+/// Lights the patches by the luminaires of a layout.
+void Evaluator::light(PatchExtremes& patches, const std::vector<std::uint32_t>& sites) {
+  changes_.clear();
+  for (std::size_t i = 0; i < sites.size(); ++i) addChange(sites[i], flux_[i]);
+  litSites_.clear();
+  litFlux_.clear();
+  for (const FluxChange& change : changes_) {
+    litSites_.push_back(change.site);
+    litFlux_.push_back(change.flux);
+  }
+  patches.load(litSites_.data(), litFlux_.data(), static_cast<std::uint32_t>(litSites_.size()));
+}
+
+/// A change of a candidate's flux as changes of its sites' fluxes.
+void Evaluator::addChange(std::uint32_t candidate, double flux) {
+  memberSites_.clear();
+  prepared_.appendSites(candidate, memberSites_);
+  for (const std::uint32_t site : memberSites_) changes_.push_back({site, flux});
+}
+
 void Evaluator::load(const std::vector<std::uint32_t>& sites) {
-  assert(sites.size() == flux_.size());
+  assert(sites.size() <= flux_.size());
   sites_ = sites;
   const auto count = static_cast<std::uint32_t>(sites_.size());
   for (std::size_t s = 0; s < rows_.size(); ++s)
@@ -73,7 +132,7 @@ void Evaluator::refresh() {
     if (set.needsVariance)
       moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
     if (!set.needsExtremes) continue;
-    patches_[s]->load(sites_.data(), flux_.data(), count);
+    light(*patches_[s], sites_);
     extremes_[s] = patches_[s]->current();
   }
   current_ = objective_.judge(moments_.data(), extremes_.data());
@@ -94,9 +153,12 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
     result = objective_.judge(trialMoments_.data(), trialExtremes_.data());
     return prefers(result, toBeat);
   };
-  return judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); }) &&
-         judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes, count); }) &&
-         judgeWith([&](std::size_t s) { return patches_[s]->changed(changes, count); });
+  if (!judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); })) return false;
+  changes_.clear();
+  for (std::uint32_t k = 0; k < count; ++k) addChange(changes[k].site, changes[k].flux);
+  const auto n = static_cast<std::uint32_t>(changes_.size());
+  return judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes_.data(), n); }) &&
+         judgeWith([&](std::size_t s) { return patches_[s]->changed(changes_.data(), n); });
 }
 
 void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {

@@ -1,6 +1,7 @@
-// Trial layouts, cheaply: the evaluator stands at one layout, keeps the sums C x of it, and tells what a
-// change of it would be worth in O(1) loads per surface set instead of N (N + 1) / 2 (paper (8), (10)):
-// (x + d)^T C (x + d) = x^T C x + 2 d^T (C x) + d^T C d, and d has two entries a move.
+// Trial layouts of candidates (sites, or ties of them: prepared_scene.h), cheaply: the evaluator stands at
+// one layout, keeps the sums C x of it, and tells what a change of it would be worth in O(1) loads per
+// surface set instead of N (N + 1) / 2 (paper (8), (10)): (x + d)^T C (x + d) = x^T C x + 2 d^T (C x) + d^T C
+// d, and d has two entries a move.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace fiatlux {
 
-/// A luminaire put on another site.
+/// A luminaire put on another site; of ties, a tie in another's place.
 struct Move {
   std::uint32_t luminaire = 0, site = 0;
 };
@@ -34,10 +35,16 @@ class Evaluator {
   /// for.
   Evaluation evaluate(const std::vector<std::uint32_t>& sites);
 
+  /// The same where only a better one than `best` is asked for, which it then becomes; patches are lit only
+  /// for what may be better. Not for an evaluator that stands at a layout.
+  bool tryLayout(const std::vector<std::uint32_t>& sites, Evaluation& best);
+
   /// Stands at a layout, one site a luminaire; `current()` is its evaluation.
   void load(const std::vector<std::uint32_t>& sites);
   const std::vector<std::uint32_t>& sites() const { return sites_; }
-  const std::vector<double>& flux() const { return flux_; }  // lm of each luminaire, before dimming
+  const std::vector<double>& flux() const {
+    return flux_;
+  }  // lm of each luminaire, for the most there may be
   const Evaluation& current() const { return current_; }
 
   /// Tries luminaire `i` on each of `count` candidates; `best` becomes the best of them when one is better
@@ -71,10 +78,14 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  void readMoments(const std::vector<std::uint32_t>& sites);
+  void light(PatchExtremes& patches, const std::vector<std::uint32_t>& sites);
+  void addChange(std::uint32_t candidate, double flux);
   bool isExact(const Trial& trial);
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
-  std::uint32_t siteCount_ = 0;
+  const PreparedScene& prepared_;
+  std::uint32_t siteCount_ = 0;  // entries of a row of the statistics
   double penalty_ = 0;
   std::vector<double> flux_;
   Objective objective_;
@@ -87,6 +98,9 @@ class Evaluator {
   std::vector<Moments> trialMoments_;                  // scratch, one per set
   std::vector<Extremes> trialExtremes_;                // scratch, one per set
   std::vector<double> means_, variances_;              // scratch, sets x block
+  std::vector<FluxChange> changes_;                    // scratch, one a site
+  std::vector<std::uint32_t> litSites_, memberSites_;  // scratch
+  std::vector<double> litFlux_;                        // scratch
 };
 
 }  // namespace fiatlux

@@ -6,18 +6,22 @@ namespace {
 constexpr std::uint32_t kNever = 1u << 30;
 }
 
-FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules)
+FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules, std::uint32_t slots)
     : prepared_(prepared),
       minDistance_(rules.minDistance),
-      excluded_(prepared.siteCount(), 0),
-      blocked_(prepared.siteCount(), 0) {
+      counts_(prepared.isTied() && (countVaries(rules) || prepared.lightest() != prepared.heaviest())),
+      least_(rules.count),
+      most_(mostOf(rules)),
+      excluded_(prepared.candidateCount(), 0),
+      blocked_(prepared.candidateCount(), 0) {
   for (std::uint32_t site : rules.excluded) excluded_[site] = 1;
-  for (std::uint32_t i = 0; i < rules.count; ++i)
+  for (std::uint32_t i = 0; i < slots; ++i)
     if (!isPinned(rules, i)) movable_.push_back(i);
 }
 
 void FreeSites::load(const std::vector<std::uint32_t>& sites) {
   for (std::size_t site = 0; site < blocked_.size(); ++site) blocked_[site] = excluded_[site] ? kNever : 0;
+  total_ = 0;
   for (std::uint32_t site : sites) block(site, +1);
 }
 
@@ -27,8 +31,13 @@ void FreeSites::relocate(std::uint32_t from, std::uint32_t to) {
 }
 
 void FreeSites::block(std::uint32_t site, int change) {
+  total_ += static_cast<std::uint32_t>(change) * prepared_.weight(site);
   if (minDistance_ <= 0) {
-    blocked_[site] += static_cast<std::uint32_t>(change);
+    if (!prepared_.isTied())
+      blocked_[site] += static_cast<std::uint32_t>(change);
+    else if (site != prepared_.nobody())
+      for (const std::uint32_t other : prepared_.overlapping(site))
+        blocked_[other] += static_cast<std::uint32_t>(change);
     return;
   }
   for (std::uint32_t other = 0; other < blocked_.size(); ++other)
@@ -36,16 +45,31 @@ void FreeSites::block(std::uint32_t site, int change) {
 }
 
 void FreeSites::nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const {
+  if (counts_ && from == prepared_.nobody()) return farMoves(from, out);
   out.clear();
   const std::uint32_t* near = prepared_.nearSites(from);
   for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k)
     if (mayMove(from, near[k])) out.push_back(near[k]);
+  if (counts_ && mayMove(from, prepared_.nobody())) out.push_back(prepared_.nobody());
 }
 
 void FreeSites::farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const {
   out.clear();
   for (std::uint32_t site = 0; site < blocked_.size(); ++site)
     if (site != from && mayMove(from, site)) out.push_back(site);
+}
+
+void FreeSites::anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& random,
+                             std::vector<std::uint32_t>& out) const {
+  if (!counts_) return nearMoves(from, reach, out);
+  out.clear();
+  const bool nobody = from == prepared_.nobody();
+  const std::uint32_t* near = nobody ? nullptr : prepared_.nearSites(from);
+  for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k) {
+    const std::uint32_t to = nobody ? random.below(prepared_.candidateCount()) : near[k];
+    if (isFree(from, to)) out.push_back(to);
+  }
+  if (!nobody) out.push_back(prepared_.nobody());
 }
 
 void FreeSites::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach,
@@ -64,7 +88,7 @@ void FreeSites::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength,
 }
 
 void FreeSites::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random) {
-  const std::uint32_t center = random.below(prepared_.siteCount());
+  const std::uint32_t center = random.below(prepared_.candidateCount());
   const std::uint32_t* near = prepared_.nearSites(center);
   std::uint32_t next = 0;  // 0: the centre itself, then its neighbours
   for (std::uint32_t k = 0; k < strength && !movable_.empty(); ++k) {

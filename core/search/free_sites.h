@@ -1,5 +1,6 @@
-// Where a luminaire may go next: sites that are free under the rules, near ones first; and the shakes of the
-// search, which throw some luminaires further away the longer it finds nothing.
+// Where a luminaire may go next: candidates (sites, or ties of them) that are free under the rules and keep
+// the count within its range, near ones first; and the shakes of the search, which throw some luminaires
+// further away the longer it finds nothing.
 #pragma once
 
 #include <cassert>
@@ -15,24 +16,36 @@ namespace fiatlux {
 /// Follows one layout: keeps how many luminaires stand in the way of each site.
 class FreeSites {
  public:
-  FreeSites(const PreparedScene& prepared, const LuminaireRules& rules);
+  /// `slots`: how many candidates there are in a layout, nobody included; rules as for Vns.
+  FreeSites(const PreparedScene& prepared, const LuminaireRules& rules, std::uint32_t slots);
 
   void load(const std::vector<std::uint32_t>& sites);
   void relocate(std::uint32_t from, std::uint32_t to);
 
   /// May the luminaire on `from` hang on `to`, the others staying?
   bool mayMove(std::uint32_t from, std::uint32_t to) const {
-    return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
+    return isFree(from, to) && keepsCount(from, to);
   }
-  /// May two luminaires be on a and b at once?
-  bool conflict(std::uint32_t a, std::uint32_t b) const {
-    return a == b || (minDistance_ > 0 && prepared_.distance(a, b) < minDistance_);
+  /// May two luminaires not be on a and b at once?
+  bool conflict(std::uint32_t a, std::uint32_t b) const { return prepared_.conflict(a, b, minDistance_); }
+  /// Is the count allowed when candidates `to` are there instead of `from`, one of each or two?
+  bool keepsCount(std::uint32_t from, std::uint32_t to) const {
+    return !counts_ || isAllowed(total_ - prepared_.weight(from) + prepared_.weight(to));
   }
+  bool keepsCount(std::uint32_t fromA, std::uint32_t toA, std::uint32_t fromB, std::uint32_t toB) const {
+    return !counts_ || isAllowed(total_ - prepared_.weight(fromA) - prepared_.weight(fromB) +
+                                 prepared_.weight(toA) + prepared_.weight(toB));
+  }
+  /// Do candidates differ in weight, or layouts in their count?
+  bool counts() const { return counts_; }
 
-  /// Free sites for the luminaire on `from` among its `reach` nearest, nearest first.
+  /// Free sites for the luminaire on `from` among its `reach` nearest, nearest first; all of them for nobody.
   void nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const;
   /// All free sites for the luminaire on `from`.
   void farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const;
+  /// As nearMoves, but whatever it does to the count; about `reach` of them, for nobody too.
+  void anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& random,
+                    std::vector<std::uint32_t>& out) const;
 
   /// Relocates `strength` random movable luminaires of `sites`, each among its `reach` nearest sites (0:
   /// anywhere), and follows. A luminaire that finds no free site stays.
@@ -52,9 +65,16 @@ class FreeSites {
 
  private:
   void block(std::uint32_t site, int change);
+  bool isFree(std::uint32_t from, std::uint32_t to) const {
+    if (counts_ && to == prepared_.nobody()) return from != to;
+    return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
+  }
+  bool isAllowed(std::uint32_t total) const { return total >= least_ && total <= most_; }
 
   const PreparedScene& prepared_;
   double minDistance_;
+  bool counts_;
+  std::uint32_t least_, most_, total_ = 0;  // luminaires: allowed, and of the layout that it follows
   std::vector<std::uint32_t> movable_;
   std::vector<char> excluded_;
   std::vector<std::uint32_t> blocked_;  // per site: luminaires in its way; excluded sites never reach 0 or 1

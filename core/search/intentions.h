@@ -2,6 +2,7 @@
 // sections 2.1, 3.1, 3.4), and the luminaires that may be used. Plain data; evaluation is in evaluator.h.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,16 +33,38 @@ struct Constraint {
   SurfaceSet surfaces, over;
 };
 
+/// How the luminaires hang together (arrangements.h).
+enum class Rule : std::uint8_t { kFree, kSymmetric, kRows, kField };
+inline constexpr const char* kRuleNames[] = {"free", "symmetric", "rows", "field"};  // in intentions.json
+
+/// A line in plan, along the room's x or z as far as the grid of sites follows them: the one that a layout is
+/// mirrored about, or that rows run along. Found: the search takes the better one. Both: mirrored about two.
+enum class PlanAxis : std::uint8_t { kFound, kX, kZ, kBoth };
+inline constexpr const char* kPlanAxisNames[] = {"found", "x", "z", "both"};  // in intentions.json, by code
+
+struct Arrangement {
+  Rule rule = Rule::kFree;
+  PlanAxis axis = PlanAxis::kFound;  // of symmetric layouts and rows
+};
+
 /// The luminaires at the search's disposal.
 struct LuminaireRules {
-  std::uint32_t count = 6;
+  std::uint32_t count = 6;                 // the least, where countHigh is above it
+  std::uint32_t countHigh = 0;             // the most; 0: exactly `count`
   std::vector<double> flux = {1000};       // lm: one value for all, or one per luminaire
   double dimmingLow = 1, dimmingHigh = 1;  // range of the common factor t; equal = no dimming
   std::vector<std::uint32_t> pinned;       // site that luminaire i is kept on, kNone: it may move, as may all
                                            // beyond the end
   std::vector<std::uint32_t> excluded;     // sites that stay free
   double minDistance = 0;                  // m, between the centres of any two luminaires
+  Arrangement arrangement;
 };
+
+/// The most luminaires that the rules allow.
+inline std::uint32_t mostOf(const LuminaireRules& rules) { return std::max(rules.count, rules.countHigh); }
+
+/// May layouts differ in their number of luminaires?
+inline bool countVaries(const LuminaireRules& rules) { return rules.countHigh > rules.count; }
 
 /// Is luminaire i kept on a site?
 inline bool isPinned(const LuminaireRules& rules, std::uint32_t i) {
@@ -53,10 +76,13 @@ inline double fluxOf(const LuminaireRules& rules, std::uint32_t i) {
   return rules.flux.size() == 1 ? rules.flux[0] : rules.flux[i];
 }
 
-/// Of each luminaire.
-inline std::vector<double> fluxesOf(const LuminaireRules& rules) {
-  return rules.flux.size() == 1 ? std::vector<double>(rules.count, rules.flux[0]) : rules.flux;
+/// Of each luminaire of a layout of `count`.
+inline std::vector<double> fluxesOf(const LuminaireRules& rules, std::uint32_t count) {
+  return rules.flux.size() == 1 ? std::vector<double>(count, rules.flux[0]) : rules.flux;
 }
+
+/// Of each luminaire of the smallest layout.
+inline std::vector<double> fluxesOf(const LuminaireRules& rules) { return fluxesOf(rules, rules.count); }
 
 struct Intentions {
   LuminaireRules luminaires;

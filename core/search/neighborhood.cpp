@@ -19,14 +19,23 @@ std::uint32_t onceForAll(const Surroundings&) { return 1; }
 
 // --- One luminaire to another site: near ones, then any.
 
+/// Nobody in one place is as good as in another: only the first is looked at.
+bool isNobodyAgain(const Surroundings& at, const Scan& scan) {
+  if (!at.freeSites.counts()) return false;
+  const std::vector<std::uint32_t>&movable = at.freeSites.movable(), &sites = at.evaluator.sites();
+  const auto isNobody = [&](std::uint32_t i) { return sites[i] == at.nobody; };
+  return isNobody(scan.luminaire) &&
+         *std::find_if(movable.begin(), movable.end(), isNobody) != scan.luminaire;
+}
+
 void openNear(const Surroundings& at, Scan& scan) {
   at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], kNearReach, scan.candidates);
-  scan.size = countOf(scan.candidates);
+  scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 
 void openFar(const Surroundings& at, Scan& scan) {
   at.freeSites.farMoves(at.evaluator.sites()[scan.luminaire], scan.candidates);
-  scan.size = countOf(scan.candidates);
+  scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 
 std::uint32_t tryMoves(const Surroundings& at, Scan& scan, std::uint32_t limit) {
@@ -55,23 +64,26 @@ std::uint32_t trySwaps(const Surroundings& at, Scan& scan, std::uint32_t limit) 
   return tried;
 }
 
-// --- Two luminaires at once, each to a near site.
+// --- Two luminaires at once, each to a near site: a pair of ties may trade its weight.
 
 void openPairs(const Surroundings& at, Scan& scan) {
   scan.partner = at.freeSites.randomMovable(at.random);
-  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], kPairReach, scan.candidates);
-  at.freeSites.nearMoves(at.evaluator.sites()[scan.partner], kPairReach, scan.partnerCandidates);
+  const std::vector<std::uint32_t>& sites = at.evaluator.sites();
+  at.freeSites.anyNearMoves(sites[scan.luminaire], kPairReach, at.random, scan.candidates);
+  at.freeSites.anyNearMoves(sites[scan.partner], kPairReach, at.random, scan.partnerCandidates);
   const bool two = scan.partner != scan.luminaire;
   scan.size = two ? countOf(scan.candidates) * countOf(scan.partnerCandidates) : 0;
 }
 
 std::uint32_t tryPairs(const Surroundings& at, Scan& scan, std::uint32_t limit) {
   const std::uint32_t second = countOf(scan.partnerCandidates);
+  const std::uint32_t from = at.evaluator.sites()[scan.luminaire],
+                      partnerFrom = at.evaluator.sites()[scan.partner];
   std::uint32_t tried = 0;
   for (; scan.position < scan.size && tried < limit; ++scan.position) {
     const std::uint32_t a = scan.candidates[scan.position / second],
                         b = scan.partnerCandidates[scan.position % second];
-    if (at.freeSites.conflict(a, b)) continue;
+    if (at.freeSites.conflict(a, b) || !at.freeSites.keepsCount(from, a, partnerFrom, b)) continue;
     at.evaluator.tryPair({scan.luminaire, a}, {scan.partner, b}, scan.found);
     ++tried;
   }

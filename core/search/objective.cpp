@@ -21,27 +21,34 @@ double worthOf(double ratio, double factor) {
 }  // namespace
 
 Objective::Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference)
-    : dimmingLow_(intentions.luminaires.dimmingLow), dimmingHigh_(intentions.luminaires.dimmingHigh) {
+    : dimmingLow_(intentions.luminaires.dimmingLow),
+      dimmingHigh_(intentions.luminaires.dimmingHigh),
+      countVaries_(countVaries(intentions.luminaires)) {
   assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
-  assert(reference.sites.size() == intentions.luminaires.count);
   for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;
   for (const Goal& goal : intentions.goals) addGoal(prepared, goal, intentions.quantity);
   for (const Constraint& constraint : intentions.constraints)
     addConstraint(prepared, constraint, intentions.quantity);
   bounds_.resize(sides_.size());
-  scaleGoals(intentions, reference);
+  scaleGoals(prepared, intentions, reference);
 }
 
 std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces) {
   for (std::uint32_t s = 0; s < sets_.size(); ++s)
-    if (sets_[s].surfaces == surfaces) return s;
+    if (s != powerSet_ && sets_[s].surfaces == surfaces) return s;
   sets_.push_back({surfaces, prepared.statistics(quantity, surfaces), false, false});
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
 
 std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
                                 const SurfaceSet& surfaces) {
-  if (!traits.needsSurfaces) return 0;
+  if (!traits.needsSurfaces) {
+    if (countVaries_ && powerSet_ == kNone) {
+      powerSet_ = static_cast<std::uint32_t>(sets_.size());
+      sets_.push_back({{}, prepared.weights(), false, false});
+    }
+    return 0;
+  }
   const std::uint32_t s = setOf(prepared, quantity, surfaces);
   sets_[s].needsVariance |= traits.needsVariance;
   sets_[s].needsExtremes |= traits.needsExtremes;
@@ -76,12 +83,16 @@ void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quan
   terms_.push_back(term);
 }
 
-void Objective::scaleGoals(const Intentions& intentions, const Layout& reference) {
-  const std::vector<double> flux = fluxesOf(intentions.luminaires);
+void Objective::scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference) {
+  const auto count = static_cast<std::uint32_t>(reference.sites.size());
+  const std::vector<double> flux = fluxesOf(intentions.luminaires, count);
+  PreparedScene& sites = prepared.sites();
   std::vector<Moments> moments;
-  for (const ObjectiveSet& set : sets_)
-    moments.push_back(momentsOf(*set.statistics, reference.sites.data(), flux.data(),
-                                static_cast<std::uint32_t>(flux.size())));
+  for (std::uint32_t s = 0; s < sets_.size(); ++s) {
+    const auto statistics =
+        s == powerSet_ ? sites.weights() : sites.statistics(intentions.quantity, sets_[s].surfaces);
+    moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, s != powerSet_));
+  }
   const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {
     if (traitsOf(term.statistic).needsExtremes || term.target > 0) continue;
@@ -92,14 +103,15 @@ void Objective::scaleGoals(const Intentions& intentions, const Layout& reference
 }
 
 double Objective::termValue(const Term& term, const Moments* moments, const Extremes* extremes) const {
-  return valueOf(term.statistic, {moments + term.set, moments + term.over, extremes + term.set, totalFlux_},
-                 term.side, 0);
+  return valueOf(term.statistic,
+                 {moments + term.set, moments + term.over, extremes + term.set, powerOf(moments)}, term.side,
+                 0);
 }
 
 double Objective::boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const {
   return valueOf(bound.statistic,
-                 {moments + bound.set, moments + bound.over, extremes + bound.set, totalFlux_}, bound.side,
-                 bound.alpha);
+                 {moments + bound.set, moments + bound.over, extremes + bound.set, powerOf(moments)},
+                 bound.side, bound.alpha);
 }
 
 Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) const {

@@ -23,9 +23,9 @@ struct ObjectiveSet {
 
 class Objective {
  public:
-  /// Goals are measured against their values for `reference` (one site a luminaire) at the upper end of the
-  /// dimming. Precondition: checkIntentions passed, as of a bound search: a true minimum or maximum is a goal
-  /// with its margin, unscaled.
+  /// Goals are measured against their values for `reference` (one site a luminaire, never a tie) at the upper
+  /// end of the dimming. Precondition: checkIntentions passed, as of a bound search: a true minimum or
+  /// maximum is a goal with its margin, unscaled.
   Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
 
   const std::vector<ObjectiveSet>& sets() const { return sets_; }
@@ -69,15 +69,21 @@ class Objective {
                        const SurfaceSet& surfaces);
   void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
-  void scaleGoals(const Intentions& intentions, const Layout& reference);
+  void scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
+
+  /// Of the luminaires at full flux, lm.
+  double powerOf(const Moments* moments) const {
+    return powerSet_ == kNone ? totalFlux_ : moments[powerSet_].mean;
+  }
 
   std::vector<ObjectiveSet> sets_;
   std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
-  bool needsExtremes_ = false;
+  bool needsExtremes_ = false, countVaries_ = false;
+  std::uint32_t powerSet_ = kNone;  // the set that counts luminaires, where power is asked for and varies
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
   mutable std::vector<DimmedAim> aims_;      // scratch, one per aim
 };

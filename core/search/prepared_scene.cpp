@@ -2,6 +2,7 @@
 #include "core/search/prepared_scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/search/kernels.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNearSites = 48;
 constexpr std::size_t kKeptSets = 64;
+constexpr std::size_t kMostTiedEntries = 4'000'000;  // of one covariance of each of the ties that are kept
 
 std::shared_ptr<const KernelStatistics> kernelStatistics(const Scene& scene, Quantity quantity,
                                                          const SurfaceSet& surfaces) {
@@ -33,18 +35,66 @@ Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites
   return moments;
 }
 
-PreparedScene::PreparedScene(const Scene& scene) : scene_(scene) {
-  const std::uint32_t m = siteCount();
+PreparedScene::PreparedScene(const Scene& scene)
+    : scene_(scene), candidateCount_(static_cast<std::uint32_t>(scene.sites.size())) {
+  std::vector<Vec3> centers;
+  for (const Site& site : scene.sites) centers.push_back(site.position);
+  findNear(centers);
+}
+
+PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
+    : scene_(sites.scene_),
+      sites_(&sites),
+      ties_(std::move(ties)),
+      candidateCount_(static_cast<std::uint32_t>(ties_.members.size())),
+      gaps_(std::size_t{candidateCount_} * candidateCount_, 0.0f),
+      innerDistance_(candidateCount_, kUnbounded) {
+  const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    double gap = kUnbounded;
+    for (const std::uint32_t i : a)
+      for (const std::uint32_t j : b) gap = std::min(gap, sites.distance(i, j));
+    return gap;
+  };
+  std::vector<Vec3> centers;
+  for (std::uint32_t a = 0; a < candidateCount_; ++a) {
+    const std::vector<std::uint32_t>& members = ties_.members[a];
+    heaviest_ = a == 0 ? weight(a) : std::max(heaviest_, weight(a));
+    lightest_ = a == 0 ? weight(a) : std::min(lightest_, weight(a));
+    Vec3 sum;
+    for (const std::uint32_t site : members) sum += scene_.sites[site].position;
+    centers.push_back((1.0 / static_cast<double>(members.size())) * sum);
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        innerDistance_[a] = std::min(innerDistance_[a], sites.distance(members[i], members[k]));
+    for (std::uint32_t b = 0; b < a; ++b)
+      gaps_[std::size_t{a} * candidateCount_ + b] = gaps_[std::size_t{b} * candidateCount_ + a] =
+          static_cast<float>(gapOf(members, ties_.members[b]));
+  }
+  findNear(centers);
+  overlapping_.resize(candidateCount_);
+  for (std::uint32_t a = 0; a < candidateCount_; ++a)
+    for (std::uint32_t b = 0; b < candidateCount_; ++b)
+      if (conflict(a, b, 0)) overlapping_[a].push_back(b);
+}
+
+void PreparedScene::findNear(const std::vector<Vec3>& centers) {
+  const std::uint32_t m = candidateCount_;
   nearCount_ = m == 0 ? 0 : std::min(m - 1, kNearSites);
   near_.reserve(std::size_t{m} * nearCount_);
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t a = 0; a < m; ++a) {
     order.clear();
     for (std::uint32_t b = 0; b < m; ++b)
-      if (b != a) order.emplace_back(distance(a, b), b);
+      if (b != a) order.emplace_back(length(centers[a] - centers[b]), b);
     std::partial_sort(order.begin(), order.begin() + nearCount_, order.end());
     for (std::uint32_t k = 0; k < nearCount_; ++k) near_.push_back(order[k].second);
   }
+}
+
+void PreparedScene::appendSites(std::uint32_t candidate, std::vector<std::uint32_t>& sites) const {
+  if (!isTied()) return sites.push_back(candidate);
+  if (candidate == candidateCount_) return;
+  sites.insert(sites.end(), ties_.members[candidate].begin(), ties_.members[candidate].end());
 }
 
 std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quantity,
@@ -52,12 +102,77 @@ std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quant
   for (const Entry& entry : entries_)
     if (entry.quantity == quantity && entry.surfaces == surfaces) return entry.statistics;
   if (entries_.size() == kKeptSets) entries_.erase(entries_.begin());
-  entries_.push_back({quantity, surfaces, kernelStatistics(scene_, quantity, surfaces)});
+  entries_.push_back({quantity, surfaces,
+                      isTied() ? tiedStatistics(*sites_->statistics(quantity, surfaces))
+                               : kernelStatistics(scene_, quantity, surfaces)});
   return entries_.back().statistics;
 }
 
+namespace {
+
+/// P^T C P, both row-major; `stride` entries a row of the result.
+template <class Number>
+std::vector<Number> tiedCovariance(const Ties& ties, const std::vector<Number>& covariance, std::size_t sites,
+                                   std::size_t stride) {
+  std::vector<Number> result(stride * stride, Number{0});
+  std::vector<double> sum(sites);
+  for (std::size_t a = 0; a < ties.members.size(); ++a) {
+    std::fill(sum.begin(), sum.end(), 0.0);
+    for (const std::uint32_t site : ties.members[a]) {
+      const Number* row = covariance.data() + site * sites;
+      for (std::size_t j = 0; j < sites; ++j) sum[j] += row[j];
+    }
+    for (std::size_t b = 0; b <= a; ++b) {
+      double entry = 0;
+      for (const std::uint32_t site : ties.members[b]) entry += sum[site];
+      result[a * stride + b] = result[b * stride + a] = static_cast<Number>(entry);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const KernelStatistics> PreparedScene::tiedStatistics(const KernelStatistics& ofSites) const {
+  auto result = std::make_shared<KernelStatistics>();
+  result->mean.assign(stride(), 0.0);
+  for (std::uint32_t c = 0; c < candidateCount_; ++c)
+    for (const std::uint32_t site : ties_.members[c]) result->mean[c] += ofSites.mean[site];
+  result->covariance = tiedCovariance(ties_, ofSites.covariance, ofSites.mean.size(), stride());
+  for (std::size_t c = 0; c < stride(); ++c) result->diagonal.push_back(result->covariance[c * stride() + c]);
+  return result;
+}
+
+std::vector<double> PreparedScene::exactCovariance(Quantity quantity, const SurfaceSet& surfaces) const {
+  std::vector<double> exact = unionStatistics(scene_, quantity, surfaces).covariance;
+  return isTied() ? tiedCovariance(ties_, exact, scene_.sites.size(), candidateCount_) : exact;
+}
+
+std::shared_ptr<const KernelStatistics> PreparedScene::weights() const {
+  auto result = std::make_shared<KernelStatistics>();
+  for (std::uint32_t c = 0; c < stride(); ++c) result->mean.push_back(weight(c));
+  return result;
+}
+
 double PreparedScene::distance(std::uint32_t a, std::uint32_t b) const {
+  if (isTied()) return gaps_[std::size_t{a} * candidateCount_ + b];
   return length(scene_.sites[a].position - scene_.sites[b].position);
+}
+
+std::shared_ptr<PreparedScene> PreparedScene::tied(const Ties& ties) {
+  std::size_t entries = ties.members.size() * ties.members.size();
+  for (const std::shared_ptr<PreparedScene>& known : tied_) {
+    if (known->ties_.key == ties.key) return known;
+    entries += std::size_t{known->candidateCount_} * known->candidateCount_;
+  }
+  if (entries > kMostTiedEntries) tied_.clear();
+  tied_.push_back(std::make_shared<PreparedScene>(*this, ties));
+  return tied_.back();
+}
+
+const SiteGrid& PreparedScene::grid() {
+  if (!grid_) grid_.emplace(scene_);
+  return *grid_;
 }
 
 }  // namespace fiatlux

@@ -1,18 +1,22 @@
-// What a search needs of a scene beyond the scene itself, computed once and shared by every search in it:
-// statistics of surface sets in the form that the kernels read, and each site's nearest sites.
+// What a search needs of a scene beyond the scene itself, computed once and shared by every search in it: the
+// candidates, statistics of surface sets in the form that the kernels read, and each candidate's nearest
+// ones.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/search/arrangements.h"
 #include "core/search/statistics.h"
 
 namespace fiatlux {
 
-/// Statistics of one surface set: `mean` m entries, `covariance` m x m row-major and symmetric, `diagonal`
-/// its m diagonal entries. Means stay in double, so that the N largest of a row are exactly that.
+/// Statistics of one surface set for m = stride() candidates: `mean` m entries, `covariance` m x m row-major
+/// and symmetric, `diagonal` its m diagonal entries. Means stay in double, so that the N largest of a row are
+/// exactly that.
 struct KernelStatistics {
   std::vector<double> mean;
   std::vector<float> covariance, diagonal;
@@ -23,25 +27,70 @@ struct KernelStatistics {
 Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites, const double* flux,
                   std::uint32_t count, bool withVariance = true);
 
-/// Refers to the scene, which must outlive it.
+/// The candidates of a search: the sites, or ties of sites that are lit together (arrangements.h). A
+/// candidate has a column (its members' summed), a weight (how many luminaires it is) and conflicts. Refers
+/// to the scene, which must outlive it.
 class PreparedScene {
  public:
+  /// Each site is a candidate.
   explicit PreparedScene(const Scene& scene);
+  /// Each tie is one; beside them stands nobody(), so that layouts may differ in their number of candidates.
+  /// `sites`, of the first kind, must outlive it.
+  PreparedScene(PreparedScene& sites, Ties ties);
 
   const Scene& scene() const { return scene_; }
-  std::uint32_t siteCount() const { return static_cast<std::uint32_t>(scene_.sites.size()); }
+  /// Whose candidates are the sites: itself, unless this one is of ties.
+  PreparedScene& sites() { return sites_ ? *sites_ : *this; }
+  bool isTied() const { return sites_ != nullptr; }
+  const Ties& ties() const { return ties_; }
+
+  std::uint32_t candidateCount() const { return candidateCount_; }
+  /// Entries of a row of the statistics: one a candidate, nobody() included.
+  std::uint32_t stride() const { return isTied() ? candidateCount_ + 1 : candidateCount_; }
+  /// The candidate without light, weight or place, which may be there many times. Precondition: isTied().
+  std::uint32_t nobody() const { return candidateCount_; }
+
+  /// Its luminaires.
+  std::uint32_t weight(std::uint32_t candidate) const {
+    if (!isTied()) return 1;
+    return candidate == candidateCount_ ? 0 : static_cast<std::uint32_t>(ties_.members[candidate].size());
+  }
+  std::uint32_t heaviest() const { return heaviest_; }
+  std::uint32_t lightest() const { return lightest_; }
+  /// Appends the sites of a candidate.
+  void appendSites(std::uint32_t candidate, std::vector<std::uint32_t>& sites) const;
 
   /// Of a set of leaves (empty = all), made at first use and kept (the 64 latest).
   std::shared_ptr<const KernelStatistics> statistics(Quantity quantity, const SurfaceSet& surfaces);
+  /// The covariance of the candidates without nobody(), in double, candidateCount() square.
+  std::vector<double> exactCovariance(Quantity quantity, const SurfaceSet& surfaces) const;
+  /// Weights as a row of means, to count a layout's luminaires by the kernels: `mean` has stride() entries.
+  std::shared_ptr<const KernelStatistics> weights() const;
 
-  /// The `nearCount()` sites nearest to `site`, itself left out, nearest first, ties by index.
+  /// The `nearCount()` candidates nearest to one, itself left out, nearest first, ties by index.
   const std::uint32_t* nearSites(std::uint32_t site) const {
     return near_.data() + std::size_t{site} * nearCount_;
   }
   std::uint32_t nearCount() const { return nearCount_; }
 
-  /// Distance between the centres of two sites, m.
+  /// Distance between the centres of two candidates, of ties between their nearest members, m.
   double distance(std::uint32_t a, std::uint32_t b) const;
+  /// May two candidates not be there at once? A layout has each at most once.
+  bool conflict(std::uint32_t a, std::uint32_t b, double minDistance) const {
+    if (!isTied()) return a == b || (minDistance > 0 && distance(a, b) < minDistance);
+    if (a == candidateCount_ || b == candidateCount_) return false;
+    const double gap = gaps_[std::size_t{a} * candidateCount_ + b];
+    return gap <= 0 || gap < minDistance;
+  }
+  /// Ties that share a site with one, itself included. Precondition: isTied().
+  const std::vector<std::uint32_t>& overlapping(std::uint32_t tie) const { return overlapping_[tie]; }
+  /// The least distance within a candidate, m; infinite for a single site.
+  double innerDistance(std::uint32_t candidate) const { return innerDistance_[candidate]; }
+
+  /// The scene of these ties, made at first use and kept while there is room. Precondition: !isTied().
+  std::shared_ptr<PreparedScene> tied(const Ties& ties);
+  /// Where the sites lie. Precondition: !isTied().
+  const SiteGrid& grid();
 
  private:
   struct Entry {
@@ -49,10 +98,21 @@ class PreparedScene {
     SurfaceSet surfaces;
     std::shared_ptr<const KernelStatistics> statistics;
   };
+  void findNear(const std::vector<Vec3>& centers);
+  std::shared_ptr<const KernelStatistics> tiedStatistics(const KernelStatistics& ofSites) const;
+
   const Scene& scene_;
+  PreparedScene* sites_ = nullptr;  // where this one is of ties
+  Ties ties_;
+  std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1;
   std::vector<Entry> entries_;
   std::uint32_t nearCount_ = 0;
   std::vector<std::uint32_t> near_;
+  std::vector<float> gaps_;  // of ties: distances of all pairs, 0 with itself and where they share a site
+  std::vector<double> innerDistance_;  // of ties
+  std::vector<std::vector<std::uint32_t>> overlapping_;
+  std::vector<std::shared_ptr<PreparedScene>> tied_;
+  std::optional<SiteGrid> grid_;
 };
 
 }  // namespace fiatlux

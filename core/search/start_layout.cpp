@@ -6,23 +6,25 @@
 namespace fiatlux {
 namespace {
 
-/// Fills a layout site by site, pinned ones first, refusing those that the rules forbid.
+/// Fills a layout candidate by candidate, pinned ones first, refusing those that the rules forbid.
 class Packer {
  public:
-  Packer(const PreparedScene& prepared, const LuminaireRules& rules)
-      : prepared_(prepared), rules_(rules), allowed_(prepared.siteCount(), 1) {
+  /// Until there are `wanted` luminaires.
+  Packer(const PreparedScene& prepared, const LuminaireRules& rules, std::uint32_t wanted)
+      : prepared_(prepared), rules_(rules), wanted_(wanted), allowed_(prepared.candidateCount(), 1) {
     for (std::uint32_t site : rules.excluded) allowed_[site] = 0;
     for (std::uint32_t site : rules.pinned)
-      if (site != kNone) sites_.push_back(site);
+      if (site != kNone) take(site);
   }
 
   void offer(std::uint32_t site) {
     if (full() || site >= allowed_.size() || !allowed_[site]) return;
+    if (count_ + prepared_.weight(site) > wanted_) return;
     for (std::uint32_t other : sites_)
-      if (other == site || prepared_.distance(other, site) < rules_.minDistance) return;
-    sites_.push_back(site);
+      if (prepared_.conflict(other, site, rules_.minDistance)) return;
+    take(site);
   }
-  bool full() const { return sites_.size() >= rules_.count; }
+  bool full() const { return count_ >= wanted_; }
   /// Pinned luminaires on their sites, the others on the sites that were taken, in order.
   std::vector<std::uint32_t> sites() const {
     std::vector<std::uint32_t> result;
@@ -39,14 +41,21 @@ class Packer {
   }
 
  private:
+  void take(std::uint32_t site) {
+    sites_.push_back(site);
+    count_ += prepared_.weight(site);
+  }
+
   const PreparedScene& prepared_;
   const LuminaireRules& rules_;
+  std::uint32_t wanted_, count_ = 0;  // luminaires
   std::vector<char> allowed_;
   std::vector<std::uint32_t> sites_;
 };
 
 std::vector<std::uint32_t> evenOrder(const PreparedScene& prepared, const LuminaireRules& rules) {
-  const std::uint64_t m = prepared.siteCount(), n = std::max<std::uint32_t>(rules.count, 1);
+  const std::uint64_t m = prepared.candidateCount(),
+                      n = std::max<std::uint32_t>(rules.count / prepared.heaviest(), 1);
   std::vector<std::uint32_t> order;
   for (std::uint64_t i = 0; i < n; ++i)
     order.push_back(static_cast<std::uint32_t>((2 * i + 1) * m / (2 * n)));
@@ -62,24 +71,42 @@ std::vector<std::uint32_t> shuffledOrder(std::uint32_t m, Random& random) {
 }
 
 std::vector<std::uint32_t> packed(const PreparedScene& prepared, const LuminaireRules& rules,
-                                  const std::vector<std::uint32_t>& order) {
-  Packer packer(prepared, rules);
+                                  const std::vector<std::uint32_t>& order, std::uint32_t wanted) {
+  Packer packer(prepared, rules, wanted);
   for (std::uint32_t site : order) packer.offer(site);
   return packer.sites();
 }
 
+/// The smallest layout.
+std::vector<std::uint32_t> packed(const PreparedScene& prepared, const LuminaireRules& rules,
+                                  const std::vector<std::uint32_t>& order) {
+  return packed(prepared, rules, order, rules.count);
+}
+
+bool isComplete(const PreparedScene& prepared, const LuminaireRules& rules,
+                const std::vector<std::uint32_t>& sites) {
+  return luminairesIn(prepared, sites) >= rules.count;
+}
+
 }  // namespace
 
+std::uint32_t luminairesIn(const PreparedScene& prepared, const std::vector<std::uint32_t>& sites) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t site : sites) count += prepared.weight(site);
+  return count;
+}
+
 std::vector<std::uint32_t> packSites(const PreparedScene& prepared, const LuminaireRules& rules) {
-  const std::uint32_t m = prepared.siteCount();
+  const std::uint32_t m = prepared.candidateCount();
   std::vector<std::uint32_t> best = packed(prepared, rules, evenOrder(prepared, rules));
   const auto consider = [&](const std::vector<std::uint32_t>& order) {
-    if (best.size() >= rules.count) return;
+    if (isComplete(prepared, rules, best)) return;
     std::vector<std::uint32_t> sites = packed(prepared, rules, order);
-    if (sites.size() > best.size()) best = std::move(sites);
+    if (luminairesIn(prepared, sites) > luminairesIn(prepared, best)) best = std::move(sites);
   };
   // Rows from each corner pack a grid tightly; random orders serve everything else.
   for (const Vec3 corner : {Vec3{1, 1e-3, 1e-6}, {-1, 1e-3, 1e-6}, {1e-6, 1e-3, 1}, {1e-6, 1e-3, -1}}) {
+    if (prepared.isTied()) break;
     std::vector<std::uint32_t> order(m);
     for (std::uint32_t i = 0; i < m; ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -95,14 +122,16 @@ std::vector<std::uint32_t> packSites(const PreparedScene& prepared, const Lumina
 
 std::vector<std::uint32_t> spreadSites(const PreparedScene& prepared, const LuminaireRules& rules) {
   std::vector<std::uint32_t> sites = packed(prepared, rules, evenOrder(prepared, rules));
-  return sites.size() == rules.count ? sites : packSites(prepared, rules);
+  return isComplete(prepared, rules, sites) ? sites : packSites(prepared, rules);
 }
 
 std::vector<std::uint32_t> randomSites(const PreparedScene& prepared, const LuminaireRules& rules,
                                        Random& random) {
   for (int attempt = 0; attempt < 20; ++attempt) {
-    std::vector<std::uint32_t> sites = packed(prepared, rules, shuffledOrder(prepared.siteCount(), random));
-    if (sites.size() == rules.count) return sites;
+    const std::uint32_t more = countVaries(rules) ? random.below(rules.countHigh - rules.count + 1) : 0;
+    std::vector<std::uint32_t> sites =
+        packed(prepared, rules, shuffledOrder(prepared.candidateCount(), random), rules.count + more);
+    if (isComplete(prepared, rules, sites)) return sites;
   }
   return packSites(prepared, rules);
 }
@@ -112,12 +141,13 @@ std::vector<std::uint32_t> fittedSites(const PreparedScene& prepared, const Lumi
   std::vector<std::uint32_t> order = given;
   const std::vector<std::uint32_t> rest = evenOrder(prepared, rules);
   order.insert(order.end(), rest.begin(), rest.end());
-  std::vector<std::uint32_t> sites = packed(prepared, rules, order);
-  return sites.size() == rules.count ? sites : packSites(prepared, rules);
+  const std::uint32_t wanted = std::clamp(luminairesIn(prepared, given), rules.count, mostOf(rules));
+  std::vector<std::uint32_t> sites = packed(prepared, rules, order, wanted);
+  return isComplete(prepared, rules, sites) ? sites : packSites(prepared, rules);
 }
 
 std::vector<std::uint32_t> pinsAsIn(const LuminaireRules& rules, const std::vector<std::uint32_t>& given) {
-  std::vector<std::uint32_t> pins(rules.count, kNone), left;
+  std::vector<std::uint32_t> pins(mostOf(rules), kNone), left;
   for (std::uint32_t site : rules.pinned) {
     if (site == kNone) continue;
     const auto at = std::find(given.begin(), given.end(), site);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/short_number.h"
+#include "core/search/arrangements.h"
 #include "core/search/prepared_scene.h"
 #include "core/search/start_layout.h"
 
@@ -15,6 +16,41 @@ constexpr std::uint32_t kMostLuminaires = 1000;
 std::string text(double value) { return shortNumber(value, 6); }
 
 std::string text(std::size_t value) { return std::to_string(value); }
+
+std::string countText(const LuminaireRules& rules) {
+  return text(std::size_t{rules.count}) +
+         (countVaries(rules) ? " to " + text(std::size_t{rules.countHigh}) : "");
+}
+
+Result<Done> checkCount(const LuminaireRules& rules) {
+  if (rules.count == 0 || mostOf(rules) > kMostLuminaires)
+    return Error{"luminaires: a count of " + countText(rules) + "; it must be 1 to " +
+                 text(std::size_t{kMostLuminaires})};
+  if (rules.countHigh > 0 && rules.countHigh < rules.count)
+    return Error{"luminaires: a count from " + text(std::size_t{rules.count}) + " to " +
+                 text(std::size_t{rules.countHigh}) + "; the least comes first"};
+  return Done{};
+}
+
+Result<Done> checkArrangement(const Scene& scene, const LuminaireRules& rules) {
+  const Arrangement& asked = rules.arrangement;
+  const std::string name = kRuleNames[static_cast<std::size_t>(asked.rule)];
+  const bool hasAxis = asked.rule == Rule::kSymmetric || asked.rule == Rule::kRows;
+  if (!hasAxis && asked.axis != PlanAxis::kFound)
+    return Error{"arrangement: \"" + name + "\" has no axis; drop it"};
+  if (asked.rule == Rule::kRows && asked.axis == PlanAxis::kBoth)
+    return Error{"arrangement: rows run along one axis; say \"x\", \"z\" or \"found\""};
+  if (rules.flux.size() > 1 && asked.rule != Rule::kFree)
+    return Error{"arrangement: luminaires that are tied are all alike; give one flux"};
+  if (rules.flux.size() > 1 && countVaries(rules))
+    return Error{"luminaires: where their count may vary they are all alike; give one flux"};
+  if (hasRoom(scene, rules)) return Done{};
+  const char* const what[] = {"layout", "symmetric layout", "layout in rows", "regular field"};
+  return Error{"arrangement: found no " + std::string(what[static_cast<std::size_t>(asked.rule)]) + " of " +
+               countText(rules) +
+               " luminaires on the free sites; change the count, give it a range, or free " +
+               "the arrangement"};
+}
 
 Result<Done> checkFluxes(const LuminaireRules& rules) {
   if (rules.flux.size() != 1 && rules.flux.size() != rules.count)
@@ -54,9 +90,9 @@ Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
                    " is pinned twice; a site holds one luminaire"};
     pinned[site] = 1;
   }
-  if (rules.pinned.size() > rules.count)
+  if (rules.pinned.size() > mostOf(rules))
     return Error{"luminaires: " + text(rules.pinned.size()) + " are pinned but the count is " +
-                 text(std::size_t{rules.count}) + "; raise the count or unpin"};
+                 countText(rules) + "; raise the count or unpin"};
   if (rules.count > free)
     return Error{"luminaires: " + text(std::size_t{rules.count}) + " luminaires on " + text(free) +
                  " free sites; lower the count or exclude fewer sites"};
@@ -151,12 +187,11 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
 Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, Asking asking) {
   const LuminaireRules& rules = intentions.luminaires;
   if (scene.sites.empty()) return Error{"the scene has no sites, so no luminaire can hang; give it a mount"};
-  if (rules.count == 0 || rules.count > kMostLuminaires)
-    return Error{"luminaires: a count of " + text(std::size_t{rules.count}) + "; it must be 1 to " +
-                 text(std::size_t{kMostLuminaires})};
+  if (auto ok = checkCount(rules); !ok) return ok;
   if (auto ok = checkFluxes(rules); !ok) return ok;
   if (auto ok = checkSites(scene, rules); !ok) return ok;
   if (auto ok = checkDistance(scene, rules); !ok) return ok;
+  if (auto ok = checkArrangement(scene, rules); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
     const Goal& goal = intentions.goals[g];
     if (auto ok = checkGoal(scene, goal, intentions.quantity, asking, "goal " + text(g + 1)); !ok) return ok;

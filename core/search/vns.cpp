@@ -2,7 +2,9 @@
 #include "core/search/vns.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/search/start_layout.h"
 
@@ -22,21 +24,82 @@ std::vector<std::uint32_t> startSites(const PreparedScene& prepared, const Lumin
 
 }  // namespace
 
+LuminaireRules tiedRules(const PreparedScene& prepared, const LuminaireRules& rules, const TiedStart& start) {
+  LuminaireRules tied = rules;
+  tied.pinned.assign(start.ties.begin(), start.ties.begin() + start.pinned);
+  tied.excluded.clear();
+  std::vector<char> barred(prepared.scene().sites.size(), 0);
+  for (const std::uint32_t site : rules.excluded) barred[site] = 1;
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t tie = 0; tie < prepared.candidateCount(); ++tie) {
+    members.clear();
+    prepared.appendSites(tie, members);
+    const bool isBarred =
+        std::any_of(members.begin(), members.end(), [&](std::uint32_t site) { return barred[site] != 0; });
+    if (isBarred || prepared.innerDistance(tie) < rules.minDistance) tied.excluded.push_back(tie);
+  }
+  return tied;
+}
+
 Vns::Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const Layout* start,
          const Layout* reference)
+    : Vns(prepared, intentions, intentions.luminaires, seed, reference) {
+  assert(!prepared.isTied() && !countVaries(intentions.luminaires));
+  open(startSites(prepared_, rules_, start, random_));
+}
+
+Vns::Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const TiedStart& start,
+         const Layout* reference)
+    : Vns(prepared, intentions, tiedRules(prepared, intentions.luminaires, start), seed, reference) {
+  assert(prepared.isTied());
+  open(inSlots(start.ties));
+}
+
+Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& rules,
+         std::uint64_t seed, const Layout* reference)
     : evaluator_(prepared, intentions, reference),
-      freeSites_(prepared, intentions.luminaires),
+      freeSites_(prepared, rules, static_cast<std::uint32_t>(evaluator_.flux().size())),
       random_(seed),
       prepared_(prepared),
-      rules_(intentions.luminaires) {
+      rules_(rules) {
   for (double flux : evaluator_.flux()) differentFluxes_ |= flux != evaluator_.flux()[0];
-  begin(startSites(prepared, rules_, start, random_));
+}
+
+void Vns::open(const std::vector<std::uint32_t>& sites) {
+  begin(sites);
   base_ = best_ = evaluator_.sites();
   baseEvaluation_ = bestEvaluation_ = evaluator_.current();
 }
 
+/// Of ties: what is pinned in front, nobody in the places that are left.
+std::vector<std::uint32_t> Vns::inSlots(std::vector<std::uint32_t> ties) const {
+  ties.resize(std::max(ties.size(), evaluator_.flux().size()), prepared_.nobody());
+  return ties;
+}
+
+/// A layout to search from anew.
+std::vector<std::uint32_t> Vns::somewhereElse() {
+  std::vector<std::uint32_t> sites = randomSites(prepared_, rules_, random_);
+  if (!prepared_.isTied()) return sites;
+  return luminairesIn(prepared_, sites) < rules_.count ? best_ : inSlots(std::move(sites));
+}
+
+Layout Vns::incumbent() const {
+  if (!prepared_.isTied()) return {best_, evaluator_.flux(), bestEvaluation_.dimming};
+  Layout layout{{}, {}, bestEvaluation_.dimming};
+  std::uint32_t tie = 0;
+  for (const std::uint32_t candidate : best_) {
+    prepared_.appendSites(candidate, layout.sites);
+    layout.ties.resize(layout.sites.size(), tie);
+    tie += prepared_.weight(candidate) > 0;
+  }
+  layout.flux.assign(layout.sites.size(), evaluator_.flux()[0]);
+  return layout;
+}
+
 void Vns::advance(std::uint32_t evaluations) {
-  if (freeSites_.movable().empty() || prepared_.siteCount() <= rules_.count) return;
+  if (freeSites_.movable().empty()) return;
+  if (!freeSites_.counts() && prepared_.candidateCount() <= evaluator_.flux().size()) return;
   for (std::uint32_t idle = 0; evaluations > 0 && idle < kIdleSteps;) {
     const std::uint32_t spent = spend(evaluations);
     evaluations -= spent;
@@ -124,7 +187,7 @@ void Vns::changeBase() {
     ++fruitlessRounds_;
     if (++roundsOnBase_ >= kRoundsOnBase) {  // restart, now and then from the incumbent
       roundsOnBase_ = 0;
-      base_ = random_.below(2) == 0 ? best_ : randomSites(prepared_, rules_, random_);
+      base_ = random_.below(2) == 0 ? best_ : somewhereElse();
       begin(base_);
       baseEvaluation_ = evaluator_.current();
       thorough_ = true;

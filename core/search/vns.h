@@ -15,6 +15,9 @@
 
 namespace fiatlux {
 
+/// The rules in terms of the ties of a prepared scene, those that hold pinned sites as `start` has them.
+LuminaireRules tiedRules(const PreparedScene& prepared, const LuminaireRules& rules, const TiedStart& start);
+
 class Vns {
  public:
   /// `start`: a layout to improve (the incumbent of the last search when a slider moves), fitted to the
@@ -22,12 +25,15 @@ class Vns {
   /// outlive the search. Precondition: checkIntentions(scene, intentions) passed.
   Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
       const Layout* start = nullptr, const Layout* reference = nullptr);
+  /// Among layouts of ties: `prepared` is of them, `start` one of startsOf. The intentions' sites are sites.
+  Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const TiedStart& start,
+      const Layout* reference = nullptr);
 
   /// Spends exactly `evaluations` more evaluations (one = one trial layout), or none when nothing can move.
   void advance(std::uint32_t evaluations);
 
   /// The best layout so far, always a complete one, and what it is worth.
-  Layout incumbent() const { return {best_, evaluator_.flux(), bestEvaluation_.dimming}; }
+  Layout incumbent() const;
   const Evaluation& evaluation() const { return bestEvaluation_; }
 
   std::uint64_t evaluations() const { return evaluations_; }
@@ -37,6 +43,11 @@ class Vns {
   std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
 
  private:
+  Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& rules, std::uint64_t seed,
+      const Layout* reference);
+  void open(const std::vector<std::uint32_t>& sites);
+  std::vector<std::uint32_t> inSlots(std::vector<std::uint32_t> ties) const;
+  std::vector<std::uint32_t> somewhereElse();
   void begin(const std::vector<std::uint32_t>& sites);
   std::uint32_t spend(std::uint32_t limit);
   void openScan();
@@ -48,14 +59,14 @@ class Vns {
   void shake();
   std::uint32_t tryGatherings(std::uint32_t limit);
   void beginShaken(const std::vector<std::uint32_t>& sites);
-  Surroundings here() { return {evaluator_, freeSites_, random_}; }
+  Surroundings here() { return {evaluator_, freeSites_, random_, prepared_.candidateCount()}; }
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
   Evaluator evaluator_;
   FreeSites freeSites_;
   Random random_;
   PreparedScene& prepared_;
-  LuminaireRules rules_;
+  LuminaireRules rules_;  // in terms of the candidates
   bool differentFluxes_ = false;
 
   std::vector<std::uint32_t> base_, best_;  // what is shaken; the incumbent

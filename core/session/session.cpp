@@ -81,7 +81,7 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   if (!can) return can;
   bound_.reset();
   if (start) pinAsIn(*start);
-  search_ = std::make_unique<Vns>(*prepared_, intentions_, seed, start);
+  search_ = std::make_unique<LayoutSearch>(*prepared_, intentions_, seed, start);
   return Done{};
 }
 
@@ -123,7 +123,7 @@ Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
 
 Result<Done> Session::startBound() {
   if (!search_) return Error{"no search is running that could be bounded"};
-  bound_ = std::make_unique<OptimumBound>(*prepared_, intentions_, search_->evaluation());
+  bound_ = std::make_unique<LayoutBound>(*prepared_, intentions_, *search_);
   return Done{};
 }
 

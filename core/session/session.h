@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "core/alpha/alpha_search.h"
-#include "core/bound/bound.h"
+#include "core/bound/layout_bound.h"
 #include "core/scene/scene_reader.h"
 #include "core/search/intentions.h"
+#include "core/search/layout_search.h"
 #include "core/search/shown.h"
-#include "core/search/vns.h"
 
 namespace fiatlux {
 
@@ -77,7 +77,7 @@ class Session {
   /// A provable bound on the goal of the search that runs or has run; nullptr before startBound succeeded. An
   /// Error without a search.
   Result<Done> startBound();
-  OptimumBound* bound() { return bound_.get(); }
+  LayoutBound* bound() { return bound_.get(); }
   /// The best possible is better than the incumbent by at most this share; nothing while nothing is proved.
   std::optional<double> boundGap() const;
 
@@ -91,9 +91,9 @@ class Session {
   std::unique_ptr<PreparedScene> prepared_;
   bool asked_ = false;
   Intentions intentions_;
-  std::unique_ptr<Vns> search_;
+  std::unique_ptr<LayoutSearch> search_;
   std::unique_ptr<AlphaSearch> alpha_;
-  std::unique_ptr<OptimumBound> bound_;
+  std::unique_ptr<LayoutBound> bound_;
 };
 
 }  // namespace fiatlux

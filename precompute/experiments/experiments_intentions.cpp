@@ -36,7 +36,7 @@ Evaluation exhaustive(Experiments& e, const Intentions& problem) {
   Evaluator evaluator(e.prepared, problem);
   Evaluation best{kUnbounded, 0, 1};
   std::vector<std::uint32_t> sites(3);
-  const std::uint32_t m = e.prepared.siteCount();
+  const std::uint32_t m = e.prepared.candidateCount();
   for (sites[0] = 0; sites[0] < m; ++sites[0])
     for (sites[1] = sites[0] + 1; sites[1] < m; ++sites[1])
       for (sites[2] = sites[1] + 1; sites[2] < m; ++sites[2])
@@ -46,7 +46,7 @@ Evaluation exhaustive(Experiments& e, const Intentions& problem) {
 }
 
 void enumerateThree(Experiments& e) {
-  const std::uint64_t m = e.prepared.siteCount();
+  const std::uint64_t m = e.prepared.candidateCount();
   if (m < 4 || m > 400) return;  // above, the enumeration takes minutes
   e.report += "### Three luminaires, against all " + std::to_string(m * (m - 1) * (m - 2) / 6) +
               " layouts\n\n| verb | seeds that found the optimum of the enumeration |\n|---|---|\n";

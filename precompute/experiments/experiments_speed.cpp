@@ -74,7 +74,7 @@ struct Costs {
 
 double fullCost(Experiments& e, const std::vector<std::vector<std::uint32_t>>& layouts) {
   const KernelStatistics& s = *e.prepared.statistics(Quantity::kExitance, e.wall);
-  const std::uint32_t m = e.prepared.siteCount();
+  const std::uint32_t m = e.prepared.candidateCount();
   const std::vector<double> flux(kLuminaires, e.flux);
   const double seconds = secondsOf([&] {
     double sum = 0;

@@ -34,7 +34,7 @@ Evaluation exhaustiveOptimum(PreparedScene& prepared, const Intentions& intentio
                              const Layout* reference = nullptr) {
   Evaluator evaluator(prepared, intentions, reference);
   Evaluation best{1e9, 0, 1};
-  const std::uint32_t m = prepared.siteCount();
+  const std::uint32_t m = prepared.candidateCount();
   for (std::uint32_t a = 0; a < m; ++a)
     for (std::uint32_t b = 0; b < m; ++b)
       for (std::uint32_t c = 0; c < m; ++c) {

@@ -59,7 +59,7 @@ TEST(Evaluator, DeltaOfAMoveEqualsFullEvaluation) {
   auto sites = randomSites(prepared, meanAndSigma(6).luminaires, random);
   evaluator.load(sites);
   for (int step = 0; step < 300; ++step) {
-    const std::uint32_t i = random.below(6), to = random.below(prepared.siteCount());
+    const std::uint32_t i = random.below(6), to = random.below(prepared.candidateCount());
     if (std::find(sites.begin(), sites.end(), to) != sites.end()) continue;
     Trial trial{{}, 0, {1e9, 0, 1}};
     evaluator.tryMoves(i, &to, 1, trial);

@@ -1,0 +1,361 @@
+// Ties and fields; see arrangements.h.
+#include "core/search/arrangements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/random.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::size_t kMostCovers = 16;  // ways to hold the pinned sites
+constexpr int kRandomOrders = 12;        // tried to find room for a layout
+
+// --- Symmetry
+
+/// The image of each site under the mirror that maps a coordinate v to twice - v; kNone where there is none.
+std::vector<std::uint32_t> imagesUnder(const SiteGrid& grid, std::uint32_t sites, int direction,
+                                       double twice) {
+  std::vector<std::uint32_t> indices;
+  for (const double value : grid.values(direction)) indices.push_back(grid.indexOf(direction, twice - value));
+  std::vector<std::uint32_t> images(sites, kNone);
+  for (std::uint32_t j = 0; j < sites; ++j) {
+    std::array<std::uint32_t, 3> cell = grid.cell(j);
+    cell[direction] = indices[cell[direction]];
+    if (cell[direction] != kNone && grid.isSquare(cell[2]))
+      images[j] = grid.siteAt(cell[0], cell[1], cell[2]);
+  }
+  return images;
+}
+
+/// Of the mirrors across a direction the one that keeps the most sites, nearest to the middle.
+std::vector<std::uint32_t> bestMirror(const SiteGrid& grid, std::uint32_t sites, int direction) {
+  const std::vector<double>& values = grid.values(direction);
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t j = i; j < values.size(); ++j) sums.push_back(values[i] + values[j]);
+  const double middle = values.front() + values.back();
+  std::sort(sums.begin(), sums.end(), [&](double a, double b) {
+    const double offA = std::fabs(a - middle), offB = std::fabs(b - middle);
+    return offA < offB - 1e-4 || (offA < offB + 1e-4 && a < b);
+  });
+  std::vector<std::uint32_t> best;
+  std::size_t kept = 0;
+  double last = kUnbounded;
+  for (const double sum : sums) {
+    if (std::fabs(sum - last) < 1e-3) continue;
+    last = sum;
+    std::vector<std::uint32_t> images = imagesUnder(grid, sites, direction, sum);
+    const std::size_t here =
+        sites - static_cast<std::size_t>(std::count(images.begin(), images.end(), kNone));
+    if (here <= kept) continue;
+    kept = here;
+    best = std::move(images);
+    if (kept == sites) break;
+  }
+  return best;
+}
+
+/// Orbits of the sites under the mirrors; a site that a mirror throws off the sites drops out with its orbit.
+Ties orbitsUnder(const std::vector<std::vector<std::uint32_t>>& mirrors, std::uint32_t sites, PlanAxis axis) {
+  Ties ties{{Rule::kSymmetric, axis, 1, 0}, {}};
+  std::vector<char> seen(sites, 0);
+  for (std::uint32_t j = 0; j < sites; ++j) {
+    if (seen[j]) continue;
+    std::vector<std::uint32_t> orbit = {j};
+    bool whole = true;
+    seen[j] = 1;
+    for (std::size_t k = 0; k < orbit.size(); ++k)
+      for (const std::vector<std::uint32_t>& mirror : mirrors) {
+        const std::uint32_t image = mirror[orbit[k]];
+        if (image == kNone) {
+          whole = false;
+        } else if (!seen[image]) {
+          seen[image] = 1;
+          orbit.push_back(image);
+        }
+      }
+    if (!whole) continue;
+    std::sort(orbit.begin(), orbit.end());
+    ties.members.push_back(std::move(orbit));
+  }
+  return ties;
+}
+
+std::vector<Ties> symmetricTies(const SiteGrid& grid, std::uint32_t sites, PlanAxis asked) {
+  if (asked == PlanAxis::kBoth)
+    return {orbitsUnder({bestMirror(grid, sites, 1), bestMirror(grid, sites, 0)}, sites, asked)};
+  std::vector<Ties> result;
+  for (const PlanAxis axis : {PlanAxis::kX, PlanAxis::kZ})
+    if (asked == axis || asked == PlanAxis::kFound)
+      result.push_back(orbitsUnder({bestMirror(grid, sites, axis == PlanAxis::kX ? 1 : 0)}, sites, axis));
+  return result;
+}
+
+// --- Rows
+
+/// All rows of `count` sites along a direction, one P a pitch.
+void addRows(const SiteGrid& grid, int direction, std::uint32_t count, std::vector<Ties>& result) {
+  const PlanAxis axis = direction == 0 ? PlanAxis::kX : PlanAxis::kZ;
+  const auto lines = static_cast<std::uint32_t>(grid.values(1 - direction).size());
+  const std::size_t first = result.size();
+  for (const Chain& chain : grid.chains(direction, count)) {
+    const TieKey key{Rule::kRows, axis, count, static_cast<std::uint32_t>(std::lround(1e3 * chain.pitch))};
+    auto ties = std::find_if(
+        result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
+        [&](const Ties& t) { return t.key.pitch + 2 >= key.pitch && t.key.pitch <= key.pitch + 2; });
+    if (ties == result.end()) ties = result.insert(result.end(), {key, {}});
+    for (std::uint32_t plane = 0; plane < grid.planeCount(); ++plane)
+      for (std::uint32_t line = 0; line < lines; ++line) {
+        std::vector<std::uint32_t> row;
+        for (const std::uint32_t at : chain.at) {
+          const std::uint32_t site =
+              direction == 0 ? grid.siteAt(at, line, plane) : grid.siteAt(line, at, plane);
+          if (site == kNone) break;
+          row.push_back(site);
+        }
+        if (row.size() != count) continue;
+        std::sort(row.begin(), row.end());
+        ties->members.push_back(std::move(row));
+      }
+  }
+}
+
+std::vector<Ties> rowTies(const SiteGrid& grid, const LuminaireRules& rules) {
+  const std::uint32_t most = mostOf(rules);
+  std::vector<Ties> result;
+  for (const PlanAxis axis : {PlanAxis::kX, PlanAxis::kZ}) {
+    if (rules.arrangement.axis != axis && rules.arrangement.axis != PlanAxis::kFound) continue;
+    for (std::uint32_t count = std::min(2u, most); count <= most; ++count)
+      if (most / count * count >= rules.count) addRows(grid, axis == PlanAxis::kX ? 0 : 1, count, result);
+  }
+  result.erase(std::remove_if(result.begin(), result.end(), [](const Ties& t) { return t.members.empty(); }),
+               result.end());
+  return result;
+}
+
+// --- Room for a layout
+
+/// Sites that are taken, and whether a tie may come to them.
+class Occupied {
+ public:
+  Occupied(const Scene& scene, const LuminaireRules& rules)
+      : scene_(scene), minDistance_(rules.minDistance), barred_(scene.sites.size(), 0) {
+    for (const std::uint32_t site : rules.excluded) barred_[site] = 1;
+  }
+
+  bool accepts(const std::vector<std::uint32_t>& tie) const {
+    for (std::size_t i = 0; i < tie.size(); ++i) {
+      if (barred_[tie[i]]) return false;
+      if (minDistance_ <= 0) continue;
+      for (std::size_t k = 0; k < i; ++k)
+        if (isNear(tie[i], tie[k])) return false;
+      for (const std::uint32_t site : taken_)
+        if (isNear(tie[i], site)) return false;
+    }
+    return true;
+  }
+  void take(const std::vector<std::uint32_t>& tie) {
+    for (const std::uint32_t site : tie) {
+      barred_[site] = 1;
+      taken_.push_back(site);
+    }
+  }
+  /// A site that only the ties taken so far may hold.
+  void bar(std::uint32_t site) { barred_[site] = 1; }
+  std::size_t count() const { return taken_.size(); }
+
+ private:
+  bool isNear(std::uint32_t a, std::uint32_t b) const {
+    return length(scene_.sites[a].position - scene_.sites[b].position) < minDistance_;
+  }
+
+  const Scene& scene_;
+  double minDistance_;
+  std::vector<char> barred_;
+  std::vector<std::uint32_t> taken_;
+};
+
+/// The ways to hold the pinned sites from the `next`-th on by ties.
+void cover(const Ties& ties, const std::vector<std::uint32_t>& pins, std::size_t next,
+           const Occupied& occupied, std::vector<std::uint32_t>& chosen,
+           std::vector<std::vector<std::uint32_t>>& covers) {
+  const auto holds = [&](std::uint32_t tie, std::uint32_t site) {
+    return std::binary_search(ties.members[tie].begin(), ties.members[tie].end(), site);
+  };
+  while (next < pins.size() &&
+         std::any_of(chosen.begin(), chosen.end(), [&](std::uint32_t tie) { return holds(tie, pins[next]); }))
+    ++next;
+  if (next == pins.size()) {
+    covers.push_back(chosen);
+    return;
+  }
+  for (std::uint32_t tie = 0; tie < ties.members.size() && covers.size() < kMostCovers; ++tie) {
+    if (!holds(tie, pins[next]) || !occupied.accepts(ties.members[tie])) continue;
+    Occupied with = occupied;
+    with.take(ties.members[tie]);
+    chosen.push_back(tie);
+    cover(ties, pins, next + 1, with, chosen, covers);
+    chosen.pop_back();
+  }
+}
+
+/// Adds ties in the given order until there are `wanted` luminaires, or as many as are allowed.
+bool fill(const Ties& ties, const std::vector<std::uint32_t>& order, const LuminaireRules& rules,
+          std::size_t wanted, Occupied occupied, std::vector<std::uint32_t>& chosen) {
+  for (const std::uint32_t tie : order) {
+    if (occupied.count() >= wanted) break;
+    if (occupied.count() + ties.members[tie].size() > mostOf(rules) || !occupied.accepts(ties.members[tie]))
+      continue;
+    occupied.take(ties.members[tie]);
+    chosen.push_back(tie);
+  }
+  return occupied.count() >= rules.count && occupied.count() <= mostOf(rules);
+}
+
+/// Orders in which to look for room: spread after the ties of the given sites, from the first on, and some at
+/// random.
+std::vector<std::vector<std::uint32_t>> ordersOf(const Ties& ties, const std::vector<std::uint32_t>& given,
+                                                 std::uint32_t wanted) {
+  const auto count = static_cast<std::uint32_t>(ties.members.size());
+  std::vector<std::uint32_t> inOrder(count), spread;
+  for (std::uint32_t i = 0; i < count; ++i) inOrder[i] = i;
+  std::vector<std::uint32_t> sites = given;
+  std::sort(sites.begin(), sites.end());
+  for (std::uint32_t i = 0; i < count && !sites.empty(); ++i)
+    if (std::includes(sites.begin(), sites.end(), ties.members[i].begin(), ties.members[i].end()))
+      spread.push_back(i);
+  for (std::uint64_t i = 0; i < wanted; ++i)
+    spread.push_back(static_cast<std::uint32_t>((2 * i + 1) * count / (2 * wanted)));
+  spread.insert(spread.end(), inOrder.begin(), inOrder.end());
+  std::vector<std::vector<std::uint32_t>> orders = {std::move(spread), inOrder};
+  Random random(0x5eed);
+  for (int k = 0; k < kRandomOrders; ++k) {
+    for (std::uint32_t i = count; i > 1; --i) std::swap(inOrder[i - 1], inOrder[random.below(i)]);
+    orders.push_back(inOrder);
+  }
+  return orders;
+}
+
+}  // namespace
+
+std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules) {
+  const std::uint32_t sites = grid.siteCount();
+  switch (rules.arrangement.rule) {
+    case Rule::kSymmetric:
+      return symmetricTies(grid, sites, rules.arrangement.axis);
+    case Rule::kRows:
+      return rowTies(grid, rules);
+    case Rule::kField:
+      return {};
+    case Rule::kFree:
+      break;
+  }
+  Ties alone;
+  for (std::uint32_t j = 0; j < sites; ++j) alone.members.push_back({j});
+  return {alone};
+}
+
+std::vector<TiedStart> startsOf(const Scene& scene, const Ties& ties, const LuminaireRules& rules,
+                                const std::vector<std::uint32_t>& given) {
+  std::vector<std::uint32_t> pins;
+  for (const std::uint32_t site : rules.pinned)
+    if (site != kNone) pins.push_back(site);
+  const Occupied empty(scene, rules);
+  std::vector<std::vector<std::uint32_t>> covers;
+  std::vector<std::uint32_t> chosen;
+  cover(ties, pins, 0, empty, chosen, covers);
+  const std::size_t wanted = std::clamp<std::size_t>(given.size(), rules.count, mostOf(rules));
+  std::vector<TiedStart> starts;
+  std::vector<std::vector<std::uint32_t>> orders;
+  for (const std::vector<std::uint32_t>& held : covers) {
+    Occupied occupied = empty;
+    for (const std::uint32_t tie : held) occupied.take(ties.members[tie]);
+    if (orders.empty()) orders = ordersOf(ties, given, rules.count);
+    for (const std::vector<std::uint32_t>& order : orders) {
+      TiedStart start{held, static_cast<std::uint32_t>(held.size())};
+      if (!fill(ties, order, rules, wanted, occupied, start.ties)) continue;
+      starts.push_back(std::move(start));
+      break;
+    }
+  }
+  return starts;
+}
+
+bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
+  if (rules.arrangement.rule == Rule::kFree) return true;
+  const SiteGrid grid(scene);
+  if (rules.arrangement.rule != Rule::kField) {
+    for (const Ties& ties : tiesUnder(grid, rules))
+      if (!startsOf(scene, ties, rules).empty()) return true;
+    return false;
+  }
+  bool found = false;
+  const Fields fields(grid, rules.count, mostOf(rules));
+  const PinsAndExclusions rule(scene.sites.size(), rules);
+  std::vector<std::uint32_t> sites;
+  fields.visit([&](const Field& field) {
+    found = fields.pitchOf(field) >= rules.minDistance && fields.sitesOf(field, sites) && rule.allow(sites);
+    return !found;
+  });
+  return found;
+}
+
+// --- Fields
+
+Fields::Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most)
+    : grid_(grid), least_(least), most_(most) {
+  for (int d = 0; d < 2; ++d)
+    for (std::uint32_t count = 1; count <= most && count <= grid.values(d).size(); ++count)
+      for (Chain& chain : grid.chains(d, count)) chains_[d].push_back(std::move(chain));
+}
+
+void Fields::visit(const std::function<bool(const Field&)>& visit) const {
+  for (std::uint32_t columns = 0; columns < chains_[0].size(); ++columns)
+    for (std::uint32_t rows = 0; rows < chains_[1].size(); ++rows) {
+      const std::size_t count = chains_[0][columns].at.size() * chains_[1][rows].at.size();
+      if (count > most_) break;  // note: shorter chains come first
+      if (count < least_) continue;
+      for (std::uint32_t plane = 0; plane < grid_.planeCount(); ++plane)
+        if (!visit({columns, rows, plane})) return;
+    }
+}
+
+bool Fields::sitesOf(const Field& field, std::vector<std::uint32_t>& sites) const {
+  sites.clear();
+  for (const std::uint32_t row : chains_[1][field.rows].at)
+    for (const std::uint32_t column : chains_[0][field.columns].at) {
+      sites.push_back(grid_.siteAt(column, row, field.plane));
+      if (sites.back() == kNone) return false;
+    }
+  return true;
+}
+
+double Fields::pitchOf(const Field& field) const {
+  double pitch = kUnbounded;
+  for (const Chain& chain : {std::cref(chains_[0][field.columns]), std::cref(chains_[1][field.rows])})
+    if (chain.at.size() > 1) pitch = std::min(pitch, chain.pitch);
+  return pitch;
+}
+
+PinsAndExclusions::PinsAndExclusions(std::size_t sites, const LuminaireRules& rules) : marks_(sites, 0) {
+  for (const std::uint32_t site : rules.excluded) marks_[site] = 2;
+  for (const std::uint32_t site : rules.pinned)
+    if (site != kNone) {
+      marks_[site] = 1;
+      ++pinned_;
+    }
+}
+
+bool PinsAndExclusions::allow(const std::vector<std::uint32_t>& sites) const {
+  std::uint32_t held = 0;
+  for (const std::uint32_t site : sites) {
+    if (marks_[site] == 2) return false;
+    held += marks_[site];
+  }
+  return held == pinned_;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,90 @@
+// Layouts that can be installed: luminaires that are tied together come and go as one, and a rule says which
+// ties there are. With P the matrix of ties (sites x ties, ones), a tie has the column of its members' sum:
+// a' = a P, C' = P^T C P, and a search over ties is a search over sites of another shape (prepared_scene.h).
+// A regular field has so few layouts that they are all tried (field_scan.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/search/intentions.h"
+#include "core/search/site_grid.h"
+
+namespace fiatlux {
+
+/// Which ties these are: equal keys mean equal ties in one scene.
+struct TieKey {
+  Rule rule = Rule::kFree;
+  PlanAxis axis = PlanAxis::kFound;     // that they are mirrored about, or run along
+  std::uint32_t perTie = 1, pitch = 0;  // of rows: luminaires in each, and their distance in mm
+
+  bool operator==(const TieKey& other) const {
+    return rule == other.rule && axis == other.axis && perTie == other.perTie && pitch == other.pitch;
+  }
+};
+
+/// One P: the sites of each tie, ascending. A tie weighs as many luminaires as it has members.
+struct Ties {
+  TieKey key;
+  std::vector<std::vector<std::uint32_t>> members;
+};
+
+/// Every P that a rule allows, of which a layout uses one. Free: each site alone. Symmetric: the orbits of
+/// the sites under the mirror that keeps most of them, about each axis asked for. Rows: for each axis, number
+/// in a row and pitch the rows that fit on the sites. A field has none.
+std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules);
+
+/// Ties that make a layout, those that hold the pinned sites first.
+struct TiedStart {
+  std::vector<std::uint32_t> ties;
+  std::uint32_t pinned = 0;  // so many of them hold a pinned site, and nothing else holds one
+};
+
+/// A layout of an allowed count that leaves excluded sites free and keeps the least distance, for each way to
+/// hold the pinned sites (the first 16); empty where none is found. Ties of the `given` sites are taken
+/// first.
+std::vector<TiedStart> startsOf(const Scene& scene, const Ties& ties, const LuminaireRules& rules,
+                                const std::vector<std::uint32_t>& given = {});
+
+/// Is there room for a layout under the arrangement's rule? Of a free rule: yes.
+bool hasRoom(const Scene& scene, const LuminaireRules& rules);
+
+/// columns x rows sites of equal pitches on one plane.
+struct Field {
+  std::uint32_t columns = 0, rows = 0;  // chains along the two directions of the grid
+  std::uint32_t plane = 0;
+};
+
+/// All regular fields of some counts, in one fixed order.
+class Fields {
+ public:
+  /// Of `least` to `most` luminaires. The grid must outlive them.
+  Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most);
+
+  /// Calls `visit` for each until it returns false; `sites` are the field's, `pitch` its smaller one, m
+  /// (infinite for a single luminaire).
+  void visit(const std::function<bool(const Field&)>& visit) const;
+  /// The sites of a field, row by row; false where one is missing.
+  bool sitesOf(const Field& field, std::vector<std::uint32_t>& sites) const;
+  double pitchOf(const Field& field) const;
+
+ private:
+  const SiteGrid& grid_;
+  std::uint32_t least_, most_;
+  std::vector<Chain> chains_[2];  // of every length up to `most`, shorter ones first
+};
+
+/// Does a layout hold all pinned sites and no excluded one?
+class PinsAndExclusions {
+ public:
+  PinsAndExclusions(std::size_t sites, const LuminaireRules& rules);
+  bool allow(const std::vector<std::uint32_t>& sites) const;
+
+ private:
+  std::vector<char> marks_;  // per site: 1 pinned, 2 excluded
+  std::uint32_t pinned_ = 0;
+};
+
+}  // namespace fiatlux

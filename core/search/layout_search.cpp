@@ -1,0 +1,139 @@
+// Searches side by side; see layout_search.h.
+#include "core/search/layout_search.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kFirstTurn = 400;  // evaluations of each entrant in the first round
+
+/// The pinned luminaires get the numbers that they are pinned by; the others follow as they are.
+Layout numbered(const Layout& layout, const LuminaireRules& rules) {
+  const auto count = static_cast<std::uint32_t>(layout.sites.size());
+  std::vector<std::uint32_t> order(count, kNone), rest;
+  std::vector<char> placed(count, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!isPinned(rules, i)) continue;
+    const auto at = std::find(layout.sites.begin(), layout.sites.end(), rules.pinned[i]);
+    if (at == layout.sites.end()) continue;
+    order[i] = static_cast<std::uint32_t>(at - layout.sites.begin());
+    placed[order[i]] = 1;
+  }
+  Layout result{{}, {}, layout.dimming};
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    while (order[i] == kNone && placed[next]) ++next;
+    const std::uint32_t from = order[i] == kNone ? next++ : order[i];
+    result.sites.push_back(layout.sites[from]);
+    result.flux.push_back(layout.flux[from]);
+    result.ties.push_back(layout.ties[from]);
+  }
+  return result;
+}
+
+bool isAhead(const Evaluation& a, const Evaluation& b) {
+  return a.violation < b.violation || (a.violation == b.violation && a.goal < b.goal);
+}
+
+}  // namespace
+
+LayoutSearch::LayoutSearch(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
+                           const Layout* start, const Layout* reference)
+    : rules_(intentions.luminaires) {
+  assert(!prepared.isTied());
+  if (rules_.arrangement.rule == Rule::kField)
+    fields_.emplace(prepared, intentions, reference);
+  else if (rules_.arrangement.rule == Rule::kFree && !countVaries(rules_))
+    free_.emplace(prepared, intentions, seed, start, reference);
+  else
+    enter(prepared, intentions, seed, start, reference);
+}
+
+void LayoutSearch::enter(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
+                         const Layout* start, const Layout* reference) {
+  const std::vector<std::uint32_t> given = start ? start->sites : std::vector<std::uint32_t>{};
+  for (const Ties& ties : tiesUnder(prepared.grid(), rules_))
+    for (const TiedStart& from : startsOf(prepared.scene(), ties, rules_, given)) {
+      Entrant entrant{prepared.tied(ties), nullptr};
+      entrant.search =
+          std::make_unique<Vns>(*entrant.scene, intentions, seed + entrants_.size(), from, reference);
+      ranking_.push_back(static_cast<std::uint32_t>(entrants_.size()));
+      entrants_.push_back(std::move(entrant));
+    }
+  assert(!entrants_.empty());
+  std::stable_sort(ranking_.begin(), ranking_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return isAhead(entrants_[a].search->evaluation(), entrants_[b].search->evaluation());
+  });
+  running_ = static_cast<std::uint32_t>(entrants_.size());
+  left_ = perTurn_ = kFirstTurn;
+  best_ = best().incumbent();
+  bestEvaluation_ = best().evaluation();
+}
+
+void LayoutSearch::advance(std::uint32_t evaluations) {
+  if (free_) return free_->advance(evaluations);
+  if (fields_) return fields_->advance(evaluations);
+  while (evaluations > 0) {
+    Vns& search = *entrants_[ranking_[turn_]].search;
+    const std::uint32_t slice = std::min(evaluations, left_);
+    const std::uint64_t before = search.evaluations();
+    search.advance(slice);
+    evaluations_ += search.evaluations() - before;
+    evaluations -= slice;
+    left_ -= slice;
+    if (left_ == 0) closeTurn();
+  }
+}
+
+/// The next entrant's turn; after the last one of a round the better half goes on, for twice as long.
+void LayoutSearch::closeTurn() {
+  const Vns& search = *entrants_[ranking_[turn_]].search;
+  if (isBetter(search.evaluation(), bestEvaluation_)) {
+    foundAt_ = foundAt();
+    best_ = search.incumbent();
+    bestEvaluation_ = search.evaluation();
+  }
+  if (++turn_ == running_) {
+    std::stable_sort(ranking_.begin(), ranking_.begin() + running_, [&](std::uint32_t a, std::uint32_t b) {
+      return isAhead(entrants_[a].search->evaluation(), entrants_[b].search->evaluation());
+    });
+    const bool begin = running_ == 1;
+    running_ = begin ? static_cast<std::uint32_t>(entrants_.size()) : (running_ + 1) / 2;
+    perTurn_ = begin ? kFirstTurn : 2 * perTurn_;
+    turn_ = 0;
+  }
+  left_ = perTurn_;
+}
+
+Layout LayoutSearch::incumbent() const {
+  if (free_) return free_->incumbent();
+  if (fields_) return numbered(fields_->incumbent(), rules_);
+  const Vns& search = *entrants_[ranking_[turn_]].search;
+  Layout layout =
+      numbered(isBetter(search.evaluation(), bestEvaluation_) ? search.incumbent() : best_, rules_);
+  if (rules_.arrangement.rule == Rule::kFree) layout.ties.clear();
+  return layout;
+}
+
+const Evaluation& LayoutSearch::evaluation() const {
+  if (free_) return free_->evaluation();
+  if (fields_) return fields_->evaluation();
+  const Evaluation& running = entrants_[ranking_[turn_]].search->evaluation();
+  return isBetter(running, bestEvaluation_) ? running : bestEvaluation_;
+}
+
+std::uint64_t LayoutSearch::evaluations() const {
+  return free_ ? free_->evaluations() : fields_ ? fields_->evaluations() : evaluations_;
+}
+
+std::uint64_t LayoutSearch::foundAt() const {
+  if (free_) return free_->foundAt();
+  if (fields_) return fields_->foundAt();
+  const Vns& search = *entrants_[ranking_[turn_]].search;
+  if (!isBetter(search.evaluation(), bestEvaluation_)) return foundAt_;
+  return evaluations_ - (search.evaluations() - search.foundAt());
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,60 @@
+// The search for a layout under the arrangement that is asked for. Free and of a fixed count: a variable
+// neighbourhood search over sites. A field: every one is tried. Else a search over each P that the rule
+// allows (arrangements.h), the better half of which goes on for twice as long, until one is left and all
+// begin again.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/search/field_scan.h"
+#include "core/search/vns.h"
+
+namespace fiatlux {
+
+class LayoutSearch {
+ public:
+  /// As Vns, for intentions with any arrangement and range of counts. `prepared` is of sites.
+  LayoutSearch(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
+               const Layout* start = nullptr, const Layout* reference = nullptr);
+
+  /// Spends `evaluations` more, or fewer when nothing is left to try. Slices of any size take the same path.
+  void advance(std::uint32_t evaluations);
+
+  /// The best layout so far: a pinned luminaire has the number that it is pinned by, and `ties` say what
+  /// moves together (empty where the arrangement is free).
+  Layout incumbent() const;
+  const Evaluation& evaluation() const;
+  std::uint64_t evaluations() const;
+  std::uint64_t foundAt() const;
+  /// All layouts that the rules allow have been tried: the incumbent is the best there is.
+  bool isProved() const { return fields_ && fields_->isDone(); }
+
+ private:
+  /// One P with one way to hold the pinned sites, and the search over its ties.
+  struct Entrant {
+    std::shared_ptr<PreparedScene> scene;
+    std::unique_ptr<Vns> search;
+  };
+  void enter(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const Layout* start,
+             const Layout* reference);
+  void closeTurn();
+  const Vns& best() const { return *entrants_[ranking_[0]].search; }
+
+  LuminaireRules rules_;
+  std::optional<Vns> free_;
+  std::optional<FieldScan> fields_;
+  std::vector<Entrant> entrants_;
+  std::vector<std::uint32_t> ranking_;  // of the entrants, best first as far as they have been compared
+  std::uint32_t running_ = 0;           // so many of them are in this round,
+  std::uint32_t turn_ = 0;              // the one whose turn it is,
+  std::uint32_t left_ = 0;              // and the evaluations of its turn that are left
+  std::uint32_t perTurn_ = 0;
+  std::uint64_t evaluations_ = 0, foundAt_ = 0;
+  Layout best_;
+  Evaluation bestEvaluation_;
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,118 @@
+// Coordinates of sites; see site_grid.h.
+#include "core/search/site_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiatlux {
+namespace {
+
+constexpr double kSame = 2e-3;  // m: coordinates that are one
+
+/// The grid of a site's mount: two directions in its plane, and across it.
+struct Frame {
+  Vec3 along[2], normal;
+};
+
+/// `a` or its opposite: whichever points to +x, else to +z, else up.
+Vec3 pointingOn(const Vec3& a) {
+  for (const double part : {a.x, a.z, a.y})
+    if (std::fabs(part) > 1e-6) return part > 0 ? a : -a;
+  return a;
+}
+
+Frame frameOf(const Site& site) {
+  const Vec3 u = pointingOn(site.axis), v = pointingOn(cross(site.normal, site.axis));
+  // note: of a grid at 45 degrees both are as far along x; the axis of the site decides.
+  const bool swapped = std::fabs(v.x) > std::fabs(u.x) + 1e-9;
+  return {{swapped ? v : u, swapped ? u : v}, site.normal};
+}
+
+bool isSame(const Frame& a, const Frame& b) {
+  return length(a.normal - b.normal) < 1e-3 && length(a.along[0] - b.along[0]) < 1e-3;
+}
+
+std::vector<double> distinct(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  std::vector<double> result;
+  for (const double value : values)
+    if (result.empty() || value > result.back() + kSame) result.push_back(value);
+  return result;
+}
+
+/// The index of the entry within kSame of a value, or kNone.
+std::uint32_t indexIn(const std::vector<double>& sorted, double value) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), value - kSame);
+  return at != sorted.end() && *at <= value + kSame ? static_cast<std::uint32_t>(at - sorted.begin()) : kNone;
+}
+
+}  // namespace
+
+SiteGrid::SiteGrid(const Scene& scene) {
+  std::vector<Frame> frames;
+  std::vector<std::uint32_t> frameOfSite;
+  for (const Site& site : scene.sites) {
+    const Frame frame = frameOf(site);
+    std::uint32_t f = 0;
+    while (f < frames.size() && !isSame(frames[f], frame)) ++f;
+    if (f == frames.size()) frames.push_back(frame);
+    frameOfSite.push_back(f);
+  }
+  const auto coordinate = [&](std::uint32_t site, const Vec3& direction) {
+    return dot(scene.sites[site].position, direction);
+  };
+  const auto count = static_cast<std::uint32_t>(scene.sites.size());
+  for (int d = 0; d < 2; ++d) {
+    for (std::uint32_t j = 0; j < count; ++j)
+      values_[d].push_back(coordinate(j, frames[frameOfSite[j]].along[d]));
+    values_[d] = distinct(std::move(values_[d]));
+  }
+  // Planes: those of one frame by their heights, frame after frame.
+  std::vector<std::vector<double>> heights(frames.size());
+  for (std::uint32_t j = 0; j < count; ++j)
+    heights[frameOfSite[j]].push_back(coordinate(j, frames[frameOfSite[j]].normal));
+  const auto most = std::max_element(heights.begin(), heights.end(),
+                                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const auto main = static_cast<std::size_t>(most - heights.begin());
+  std::vector<std::uint32_t> firstPlane;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    heights[f] = distinct(std::move(heights[f]));
+    firstPlane.push_back(planeCount());
+    squares_.insert(squares_.end(), heights[f].size(),
+                    length(frames[f].along[0] - frames[main].along[0]) < 1e-3);
+  }
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const std::uint32_t f = frameOfSite[j];
+    const Frame& frame = frames[f];
+    cells_.push_back({indexIn(values_[0], coordinate(j, frame.along[0])),
+                      indexIn(values_[1], coordinate(j, frame.along[1])),
+                      firstPlane[f] + indexIn(heights[f], coordinate(j, frame.normal))});
+    siteOfCell_.emplace(keyOf(cells_.back()), j);
+  }
+}
+
+std::uint32_t SiteGrid::indexOf(int direction, double value) const {
+  return indexIn(values_[direction], value);
+}
+
+std::vector<Chain> SiteGrid::chains(int direction, std::uint32_t count) const {
+  const std::vector<double>& values = values_[direction];
+  const auto n = static_cast<std::uint32_t>(values.size());
+  std::vector<Chain> result;
+  for (std::uint32_t first = 0; first < n; ++first) {
+    if (count == 1) result.push_back({{first}, 0});
+    for (std::uint32_t second = first + 1; count > 1 && second < n; ++second) {
+      Chain chain{{first, second}, values[second] - values[first]};
+      while (chain.at.size() < count) {
+        const std::uint32_t next =
+            indexOf(direction, values[first] + static_cast<double>(chain.at.size()) * chain.pitch);
+        if (next == kNone) break;
+        chain.at.push_back(next);
+      }
+      if (chain.at.size() == count) result.push_back(std::move(chain));
+    }
+  }
+  return result;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,326 @@
+// Ties and fields (site_grid, arrangements) against counts from a formula, and searches over them
+// (layout_search, field_scan) against the best of all sets of sites that obey the rule.
+#include "core/search/arrangements.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/search/layout_search.h"
+#include "core/search/validate_intentions.h"
+#include "tests/core/corridor_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using fiatlux::testing::longCorridor;
+using fiatlux::testing::smallRoom;
+
+constexpr int kWidth = 5, kDepth = 4;  // of the small room, sites
+
+using Sites = std::vector<std::uint32_t>;
+
+/// Only sites: 20 x 13, as over an open office.
+Scene ceiling() {
+  Scene scene;
+  for (int z = 0; z < 13; ++z)
+    for (int x = 0; x < 20; ++x)
+      scene.sites.push_back({{0.3 + 0.6 * x, 3, 0.3 + 0.6 * z}, {0, -1, 0}, {1, 0, 0}, 0.6});
+  return scene;
+}
+
+std::size_t fieldsOf(const SiteGrid& grid, std::uint32_t least, std::uint32_t most) {
+  std::size_t count = 0;
+  Sites sites;
+  const Fields fields(grid, least, most);
+  fields.visit([&](const Field& field) {
+    count += fields.sitesOf(field, sites);
+    return true;
+  });
+  return count;
+}
+
+TEST(Arrangements, CountsEveryField) {
+  const Scene scene = ceiling();
+  const SiteGrid grid(scene);
+  EXPECT_EQ(fieldsOf(grid, 6, 6), 14470u);
+  EXPECT_EQ(fieldsOf(grid, 12, 12), 8619u);
+  EXPECT_EQ(fieldsOf(grid, 2, 24), 90102u);
+}
+
+TEST(Arrangements, MirrorsKeepAllSitesOfARectangleAndDropThoseWithoutAnImage) {
+  Scene scene = ceiling();
+  LuminaireRules rules;
+  rules.arrangement = {Rule::kSymmetric, PlanAxis::kX};
+  EXPECT_EQ(tiesUnder(SiteGrid(scene), rules)[0].members.size(), 20u * 6 + 20);
+  rules.arrangement.axis = PlanAxis::kBoth;
+  EXPECT_EQ(tiesUnder(SiteGrid(scene), rules)[0].members.size(), 10u * 6 + 10);
+  scene.sites.erase(scene.sites.begin() + 25);  // its image in the eleventh line is left alone
+  rules.arrangement.axis = PlanAxis::kX;
+  const Ties ties = tiesUnder(SiteGrid(scene), rules)[0];
+  EXPECT_EQ(ties.members.size(), 20u * 6 + 20 - 1);
+}
+
+// --- Against all sets of sites
+
+bool isEven(const std::vector<int>& sorted) {
+  for (std::size_t i = 2; i < sorted.size(); ++i)
+    if (sorted[i] - sorted[i - 1] != sorted[1] - sorted[0]) return false;
+  return true;
+}
+
+bool isField(const Sites& sites) {
+  std::vector<int> xs, zs;
+  for (const std::uint32_t s : sites) {
+    xs.push_back(static_cast<int>(s) % kWidth);
+    zs.push_back(static_cast<int>(s) / kWidth);
+  }
+  for (std::vector<int>* values : {&xs, &zs}) {
+    std::sort(values->begin(), values->end());
+    values->erase(std::unique(values->begin(), values->end()), values->end());
+  }
+  return xs.size() * zs.size() == sites.size() && isEven(xs) && isEven(zs);
+}
+
+/// Rows of `count` sites, `step` apart: whatever comes first in a line begins one.
+bool isRows(Sites sites, std::uint32_t count, std::uint32_t step, bool alongX) {
+  const auto lineOf = [&](std::uint32_t s) { return alongX ? s / kWidth : s % kWidth; };
+  const std::uint32_t jump = alongX ? step : step * kWidth;
+  while (!sites.empty()) {
+    const std::uint32_t first = sites.front();
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto at = std::find(sites.begin(), sites.end(), first + k * jump);
+      if (at == sites.end() || lineOf(*at) != lineOf(first)) return false;
+      sites.erase(at);
+    }
+  }
+  return true;
+}
+
+bool isRows(const Sites& sites) {
+  for (std::uint32_t count = 2; count <= sites.size(); ++count)
+    for (std::uint32_t step = 1; step < kWidth; ++step)
+      if (sites.size() % count == 0 &&
+          (isRows(sites, count, step, true) || isRows(sites, count, step, false)))
+        return true;
+  return false;
+}
+
+bool isMirrored(const Sites& sites, bool alongX) {
+  return std::all_of(sites.begin(), sites.end(), [&](std::uint32_t s) {
+    const std::uint32_t x = s % kWidth, z = s / kWidth;
+    const std::uint32_t image = alongX ? (kDepth - 1 - z) * kWidth + x : z * kWidth + kWidth - 1 - x;
+    return std::binary_search(sites.begin(), sites.end(), image);
+  });
+}
+
+/// The best of all sets of `count` of the small room's 20 sites that obey a rule.
+Evaluation bestOfAll(PreparedScene& prepared, const Intentions& intentions, std::uint32_t count,
+                     const std::function<bool(const Sites&)>& obeys) {
+  Evaluator evaluator(prepared, intentions);
+  Evaluation best{1e9, 0, 1};
+  for (std::uint32_t mask = 0; mask < 1u << 20; ++mask) {
+    if (static_cast<std::uint32_t>(__builtin_popcount(mask)) != count) continue;
+    Sites sites;
+    for (std::uint32_t s = 0; s < 20; ++s)
+      if (mask >> s & 1) sites.push_back(s);
+    if (obeys(sites)) evaluator.tryLayout(sites, best);
+  }
+  return best;
+}
+
+Intentions ask(std::uint32_t count, Rule rule, PlanAxis axis = PlanAxis::kFound) {
+  Intentions intentions;
+  intentions.luminaires.count = count;
+  intentions.luminaires.arrangement = {rule, axis};
+  intentions.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {2}, {}}};
+  intentions.constraints = {{Statistic::kMean, 90, kUnbounded, 1, {2}, {}}};
+  return intentions;
+}
+
+Sites sorted(Sites sites) {
+  std::sort(sites.begin(), sites.end());
+  return sites;
+}
+
+void expectBest(const Intentions& intentions, std::uint32_t evaluations,
+                const std::function<bool(const Sites&)>& obeys) {
+  PreparedScene prepared(smallRoom());
+  ASSERT_TRUE(checkIntentions(smallRoom(), intentions));
+  const std::uint32_t count = intentions.luminaires.count;
+  const Evaluation best = bestOfAll(prepared, intentions, count, obeys);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    LayoutSearch search(prepared, intentions, seed);
+    search.advance(evaluations);
+    EXPECT_TRUE(obeys(sorted(search.incumbent().sites)));
+    EXPECT_EQ(search.incumbent().sites.size(), count);
+    EXPECT_NEAR(search.evaluation().violation, best.violation, 1e-9) << count << " seed " << seed;
+    EXPECT_NEAR(search.evaluation().goal, best.goal, 1e-7) << count << " seed " << seed;
+  }
+}
+
+TEST(Arrangements, TheBestFieldIsThatOfAllSets) {
+  for (const std::uint32_t count : {1u, 2u, 4u, 6u, 12u})
+    expectBest(ask(count, Rule::kField), 10000, isField);
+}
+
+TEST(Arrangements, TheBestRowsAreThoseOfAllSets) {
+  for (const std::uint32_t count : {2u, 4u, 6u})
+    expectBest(ask(count, Rule::kRows), 60000, [](const Sites& sites) { return isRows(sites); });
+}
+
+TEST(Arrangements, TheBestSymmetricLayoutIsThatOfAllSets) {
+  const auto aboutX = [](const Sites& sites) { return isMirrored(sites, true); };
+  const auto aboutZ = [](const Sites& sites) { return isMirrored(sites, false); };
+  expectBest(ask(6, Rule::kSymmetric, PlanAxis::kX), 20000, aboutX);
+  expectBest(ask(5, Rule::kSymmetric, PlanAxis::kZ), 20000, aboutZ);  // one or three on the axis
+  expectBest(ask(6, Rule::kSymmetric, PlanAxis::kBoth), 20000,
+             [&](const Sites& sites) { return aboutX(sites) && aboutZ(sites); });
+  expectBest(ask(4, Rule::kSymmetric), 20000,
+             [&](const Sites& sites) { return aboutX(sites) || aboutZ(sites); });
+}
+
+TEST(Arrangements, PlanSymmetryIsExactInMetres) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = ask(9, Rule::kSymmetric, PlanAxis::kZ);
+  intentions.constraints.clear();
+  intentions.luminaires.countHigh = 12;
+  LayoutSearch search(prepared, intentions, 3);
+  search.advance(20000);
+  const Layout layout = search.incumbent();
+  std::vector<std::array<double, 2>> places, images;
+  for (const std::uint32_t site : layout.sites) {
+    const Vec3& at = longCorridor().sites[site].position;
+    places.push_back({at.x, at.z});
+    images.push_back({4.5 - at.x, at.z});  // about the middle of 6 cells of 0.75 m
+  }
+  std::sort(places.begin(), places.end());
+  std::sort(images.begin(), images.end());
+  EXPECT_EQ(places, images);
+  EXPECT_GE(layout.sites.size(), 9u);
+  EXPECT_LE(layout.sites.size(), 12u);
+}
+
+// --- One member a tie
+
+TEST(Arrangements, TiesOfOneMemberTakeTheSamePathBitForBit) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = ask(6, Rule::kFree);
+  intentions.constraints.push_back({Statistic::kMinimum, 1, kUnbounded, 1, {0}, {}});
+  intentions.luminaires.minDistance = 1;
+  const Layout start{{3, 50, 99, 140, 200, 250}, {}, 1};
+  const Ties alone = tiesUnder(prepared.grid(), intentions.luminaires)[0];
+  const std::shared_ptr<PreparedScene> tied = prepared.tied(alone);
+  Vns free(prepared, intentions, 5, &start), ties(*tied, intentions, 5, TiedStart{start.sites, 0});
+  for (int slice = 0; slice < 20; ++slice) {
+    free.advance(1000);
+    ties.advance(1000);
+    EXPECT_EQ(free.incumbent().sites, ties.incumbent().sites);
+    EXPECT_EQ(free.evaluation().goal, ties.evaluation().goal);
+    EXPECT_EQ(free.evaluation().violation, ties.evaluation().violation);
+  }
+}
+
+TEST(Arrangements, AFreeLayoutOfAFixedCountTakesTheSamePathAsBefore) {
+  PreparedScene prepared(longCorridor());
+  const Intentions intentions = ask(6, Rule::kFree);
+  Vns plain(prepared, intentions, 5);
+  LayoutSearch search(prepared, intentions, 5);
+  plain.advance(5000);
+  search.advance(5000);
+  EXPECT_EQ(plain.incumbent().sites, search.incumbent().sites);
+  EXPECT_TRUE(search.incumbent().ties.empty());
+}
+
+// --- Counts
+
+TEST(Arrangements, ARangeOfCountsFindsTheLeastPowerOfAll) {
+  PreparedScene prepared(smallRoom());
+  Intentions intentions = ask(2, Rule::kFree);
+  intentions.luminaires.countHigh = 5;
+  intentions.goals = {{Statistic::kPower, Sense::kMinimize, 1, {}, {}}};
+  for (const double asked : {20.0, 55.0, 90.0}) {
+    intentions.constraints = {{Statistic::kChebyshev, asked, kUnbounded, 0.5, {0}, {}}};
+    Evaluation best{1e9, 0, 1};
+    for (std::uint32_t count = 2; count <= 5; ++count) {
+      const Evaluation e = bestOfAll(prepared, intentions, count, [](const Sites&) { return true; });
+      if (isBetter(e, best)) best = e;
+    }
+    LayoutSearch search(prepared, intentions, 1);
+    search.advance(30000);
+    EXPECT_NEAR(search.evaluation().violation, best.violation, 1e-9) << asked;
+    EXPECT_NEAR(search.evaluation().goal, best.goal, 1e-9) << asked;
+  }
+}
+
+TEST(Arrangements, SlicesOfAnySizeGiveTheSameLayout) {
+  PreparedScene prepared(longCorridor());
+  for (const Rule rule : {Rule::kSymmetric, Rule::kRows, Rule::kField}) {
+    Intentions intentions = ask(6, rule);
+    intentions.luminaires.countHigh = 8;
+    LayoutSearch whole(prepared, intentions, 11), sliced(prepared, intentions, 11);
+    whole.advance(9000);
+    for (std::uint32_t done = 0, slice = 1; done < 9000;
+         done += slice, slice = std::min(2 * slice + 1, 9000 - done))
+      sliced.advance(std::min(slice, 9000 - done));
+    EXPECT_EQ(whole.incumbent().sites, sliced.incumbent().sites);
+    EXPECT_EQ(whole.incumbent().ties, sliced.incumbent().ties);
+    EXPECT_EQ(whole.evaluation().goal, sliced.evaluation().goal);
+    EXPECT_EQ(whole.evaluations(), sliced.evaluations());
+    EXPECT_EQ(whole.foundAt(), sliced.foundAt());
+  }
+}
+
+// --- Pins, exclusions, distances
+
+TEST(Arrangements, RulesOfSitesHoldForTies) {
+  PreparedScene prepared(longCorridor());
+  for (const Rule rule : {Rule::kSymmetric, Rule::kRows, Rule::kField}) {
+    Intentions intentions = ask(6, rule);
+    intentions.luminaires.pinned = {kNone, 40};
+    for (std::uint32_t site = 200; site < 258; ++site) intentions.luminaires.excluded.push_back(site);
+    intentions.luminaires.minDistance = 1.6;
+    ASSERT_TRUE(checkIntentions(longCorridor(), intentions)) << static_cast<int>(rule);
+    LayoutSearch search(prepared, intentions, 2);
+    for (int slice = 0; slice < 10; ++slice) {
+      search.advance(700);
+      const Sites sites = search.incumbent().sites;
+      ASSERT_EQ(sites.size(), 6u);
+      EXPECT_EQ(sites[1], 40u);
+      for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_LT(sites[i], 200u);
+        for (std::size_t k = 0; k < i; ++k) EXPECT_GE(prepared.distance(sites[i], sites[k]), 1.6);
+      }
+    }
+  }
+}
+
+TEST(Arrangements, SayWhatCannotBe) {
+  const auto refusal = [](Intentions intentions) {
+    const Result<Done> result = checkIntentions(smallRoom(), intentions);
+    return result ? std::string() : result.error().message;
+  };
+  EXPECT_NE(refusal(ask(7, Rule::kField)).find("no regular field of 7"), std::string::npos);
+  EXPECT_NE(refusal(ask(7, Rule::kRows)).find("no layout in rows of 7"), std::string::npos);
+  EXPECT_NE(refusal(ask(5, Rule::kSymmetric, PlanAxis::kX)).find("no symmetric layout of 5"),
+            std::string::npos);
+  EXPECT_EQ(refusal(ask(5, Rule::kSymmetric, PlanAxis::kZ)), "");
+  EXPECT_NE(refusal(ask(4, Rule::kField, PlanAxis::kX)).find("\"field\" has no axis"), std::string::npos);
+  EXPECT_NE(refusal(ask(4, Rule::kRows, PlanAxis::kBoth)).find("one axis"), std::string::npos);
+  Intentions unequal = ask(2, Rule::kRows);
+  unequal.luminaires.flux = {100, 200};
+  EXPECT_NE(refusal(unequal).find("give one flux"), std::string::npos);
+  unequal.luminaires.arrangement = {};
+  unequal.luminaires.countHigh = 3;
+  unequal.luminaires.flux = {100, 200};
+  EXPECT_NE(refusal(unequal).find("give one flux"), std::string::npos);
+  Intentions backwards = ask(4, Rule::kFree);
+  backwards.luminaires.countHigh = 3;
+  EXPECT_NE(refusal(backwards).find("the least comes first"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fiatlux
