@@ -67,7 +67,7 @@ const Layout* layoutOf(const AlphaSearch& search) {
   return search.fallback() ? &*search.fallback() : nullptr;
 }
 
-Json reportJson(const Scene& scene, const AlphaSearch& search, double seconds) {
+Json reportJson(const Scene& scene, const Intentions& intentions, const AlphaSearch& search, double seconds) {
   Json report = {
       {"outcome", outcomeName(search.outcome())}, {"verdict", search.verdict()}, {"alpha", nullptr}};
   if (search.solution()) {
@@ -78,6 +78,8 @@ Json reportJson(const Scene& scene, const AlphaSearch& search, double seconds) {
   }
   if (const Layout* layout = layoutOf(search)) {
     report["layout"] = layoutJson(*layout, scene);
+    if (!layout->ties.empty())
+      report["arrangement"] = arrangementJson(intentions.luminaires.arrangement, *layout);
     report["surfaces"] = surfacesJson(lightResults(scene, *layout));
   }
   report["iterations"] = Json::array();
@@ -110,7 +112,7 @@ void findAlpha(const AlphaCommandOptions& options) {
   if (!options.output.empty() && layout)
     orThrow(replaceFile(options.output, jsonDocument(layoutJson(*layout, scene))));
   if (options.json) {
-    std::fputs(jsonDocument(reportJson(scene, search, seconds)).c_str(), stdout);
+    std::fputs(jsonDocument(reportJson(scene, intentions, search, seconds)).c_str(), stdout);
     return;
   }
   printTable(search);

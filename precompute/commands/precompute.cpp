@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/search/vns.h"
+#include "core/search/layout_search.h"
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
@@ -52,7 +52,7 @@ Result<Layout> openingLayout(const std::string& option, const Scene& scene) {
   if (!asked) return Error{"--opening: " + asked.error().message};
   constexpr std::uint32_t kEvaluations = 100000;
   PreparedScene prepared(scene);
-  Vns search(prepared, *asked, 1);
+  LayoutSearch search(prepared, *asked, 1);
   search.advance(kEvaluations);
   return search.incumbent();
 }

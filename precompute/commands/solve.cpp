@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "core/base/short_number.h"
-#include "core/bound/bound.h"
+#include "core/bound/layout_bound.h"
 #include "core/scene/surface_names.h"
+#include "core/search/layout_search.h"
 #include "core/search/start_layout.h"
-#include "core/search/vns.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -40,29 +40,44 @@ struct Run {
   double seconds = 0;
 };
 
-std::vector<Run> search(PreparedScene& prepared, const Intentions& intentions, const SolveOptions& options) {
+struct Runs {
+  std::vector<Run> all;
+  std::size_t best = 0;
+  std::unique_ptr<LayoutSearch> search;  // of the best
+};
+
+/// All regular fields are tried, however many; every other search spends its evaluations.
+Runs search(PreparedScene& prepared, const Intentions& intentions, const SolveOptions& options) {
   constexpr std::uint32_t kSlice = 1u << 20;
-  std::vector<Run> runs;
+  const bool tryAll = intentions.luminaires.arrangement.rule == Rule::kField;
+  Runs runs;
   for (std::uint32_t r = 0; r < options.runs; ++r) {
     const auto begin = Clock::now();
-    Vns vns(prepared, intentions, options.seed + r);
+    auto search = std::make_unique<LayoutSearch>(prepared, intentions, options.seed + r);
     for (std::uint32_t left = options.evaluations; left > 0; left -= std::min(left, kSlice))
-      vns.advance(std::min(left, kSlice));
+      search->advance(std::min(left, kSlice));
+    while (tryAll && !search->isProved()) search->advance(kSlice);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    runs.push_back({vns.incumbent(), vns.evaluation(), options.seed + r, vns.evaluations(), seconds});
+    runs.all.push_back(
+        {search->incumbent(), search->evaluation(), options.seed + r, search->evaluations(), seconds});
+    if (r > 0 && !isBetter(search->evaluation(), runs.search->evaluation())) continue;
+    runs.best = r;
+    runs.search = std::move(search);
   }
   return runs;
 }
 
 Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
-  const Shown shown = shownOf(prepared, intentions, run.layout);
-  return {{"seed", run.seed},
-          {"layout", layoutJson(run.layout, prepared.scene())},
-          {"surfaces", surfacesJson(lightResults(prepared.scene(), run.layout))},
-          {"goal", goalJson(shown)},
-          {"violations", violationsJson(prepared.scene(), intentions, shown)},
-          {"evaluations", run.evaluations},
-          {"seconds", run.seconds}};
+  const Layout& layout = run.layout;
+  const Shown shown = shownOf(prepared, intentions, layout);
+  Json json = {{"seed", run.seed}, {"layout", layoutJson(layout, prepared.scene())}};
+  if (!layout.ties.empty()) json["arrangement"] = arrangementJson(intentions.luminaires.arrangement, layout);
+  json["surfaces"] = surfacesJson(lightResults(prepared.scene(), layout));
+  json["goal"] = goalJson(shown);
+  json["violations"] = violationsJson(prepared.scene(), intentions, shown);
+  json["evaluations"] = run.evaluations;
+  json["seconds"] = run.seconds;
+  return json;
 }
 
 std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
@@ -81,28 +96,31 @@ std::string goalLine(const Scene& scene, const Intentions& intentions, const Sho
 
 void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
   const Scene& scene = prepared.scene();
-  const Shown shown = shownOf(prepared, intentions, run.layout);
+  const Layout& layout = run.layout;
+  const Shown shown = shownOf(prepared, intentions, layout);
   std::printf("seed %llu, %llu evaluations, %.2f ms\n", static_cast<unsigned long long>(run.seed),
               static_cast<unsigned long long>(run.evaluations), 1e3 * run.seconds);
   for (std::size_t g = 0; g < shown.goals.size(); ++g)
     std::printf("  %s\n", goalLine(scene, intentions, shown, g).c_str());
   for (std::size_t c = 0; c < shown.constraints.size(); ++c)
     std::printf("  %s\n", constraintLine(scene, intentions, shown, c).c_str());
-  if (run.layout.dimming != 1)
-    std::printf("  dimmed to %s\n", shortNumber(run.layout.dimming, kReportDigits).c_str());
-  for (std::size_t i = 0; i < run.layout.sites.size(); ++i) {
-    const Vec3& at = scene.sites[run.layout.sites[i]].position;
-    std::printf("  L%zu on site %u at (%.3f, %.3f, %.3f) m, %s lm\n", i + 1, run.layout.sites[i], at.x, at.y,
-                at.z, shortNumber(run.layout.flux[i], kReportDigits).c_str());
+  if (!layout.ties.empty())
+    std::printf("  %s\n", arrangementLine(intentions.luminaires.arrangement, layout).c_str());
+  if (layout.dimming != 1)
+    std::printf("  dimmed to %s\n", shortNumber(layout.dimming, kReportDigits).c_str());
+  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
+    const Vec3& at = scene.sites[layout.sites[i]].position;
+    std::printf("  L%zu on site %u at (%.3f, %.3f, %.3f) m, %s lm\n", i + 1, layout.sites[i], at.x, at.y,
+                at.z, shortNumber(layout.flux[i], kReportDigits).c_str());
   }
 }
 
 /// What is proved about the best possible goal: its bound in the goal's unit, and how far the best run is
 /// from it at most.
-Json boundJson(PreparedScene& prepared, const Intentions& intentions, const Evaluation& best) {
-  OptimumBound bound(prepared, intentions, best);
+Json boundJson(PreparedScene& prepared, const Intentions& intentions, const LayoutSearch& best) {
+  LayoutBound bound(prepared, intentions, best);
   while (!bound.done()) bound.advance(1u << 12);
-  const std::optional<double> within = bound.within(best);
+  const std::optional<double> within = bound.within(best.evaluation());
   if (!within) return nullptr;
   const Layout reference{spreadSites(prepared, intentions.luminaires), {}, 1};
   const double factor =
@@ -124,20 +142,17 @@ void solve(const SolveOptions& options) {
   const Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
   PreparedScene prepared(scene);
-  const std::vector<Run> runs = search(prepared, intentions, options);
-  const Run* best = &runs.front();
-  for (const Run& run : runs)
-    if (isBetter(run.evaluation, best->evaluation)) best = &run;
+  const Runs runs = search(prepared, intentions, options);
   Json report = {{"runs", Json::array()}};
-  if (options.bound) report["bound"] = boundJson(prepared, intentions, best->evaluation);
+  if (options.bound) report["bound"] = boundJson(prepared, intentions, *runs.search);
   if (options.json) {
-    for (const Run& run : runs) report["runs"].push_back(runJson(prepared, intentions, run));
+    for (const Run& run : runs.all) report["runs"].push_back(runJson(prepared, intentions, run));
   } else {
-    for (const Run& run : runs) printRun(prepared, intentions, run);
+    for (const Run& run : runs.all) printRun(prepared, intentions, run);
     if (options.bound) printBound(report["bound"]);
   }
   if (!options.output.empty())
-    orThrow(replaceFile(options.output, jsonDocument(layoutJson(best->layout, scene))));
+    orThrow(replaceFile(options.output, jsonDocument(layoutJson(runs.all[runs.best].layout, scene))));
   if (options.json) std::fputs(jsonDocument(report).c_str(), stdout);
 }
 

@@ -38,10 +38,40 @@ std::vector<double> fluxesOf(const JsonField& field) {
   return fluxes;
 }
 
+/// The enumerators whose names a table holds in their order.
+template <class E, std::size_t kCount>
+std::vector<std::pair<std::string, E>> namedBy(const char* const (&names)[kCount]) {
+  std::vector<std::pair<std::string, E>> choices;
+  for (std::size_t i = 0; i < kCount; ++i) choices.emplace_back(names[i], static_cast<E>(i));
+  return choices;
+}
+
+/// 6, or [3, 24] of a range.
+void readCount(const JsonField& json, LuminaireRules& rules) {
+  if (!json.isList()) {
+    rules.count = json.whole();
+    return;
+  }
+  const std::vector<JsonField> range = json.list(2);
+  if (range.size() != 2) json.fail("a range of counts is [least, most]");
+  rules.count = range[0].whole();
+  rules.countHigh = range[1].whole();
+  if (rules.countHigh < rules.count) json.fail("a range of counts is [least, most], the least first");
+}
+
+Arrangement arrangementOf(const JsonField& json) {
+  json.requireKeys({"rule", "axis"});
+  Arrangement arrangement;
+  arrangement.rule =
+      json.at("rule", "say \"free\", \"symmetric\", \"rows\" or \"field\"").oneOf(namedBy<Rule>(kRuleNames));
+  if (const auto axis = json.find("axis")) arrangement.axis = axis->oneOf(namedBy<PlanAxis>(kPlanAxisNames));
+  return arrangement;
+}
+
 LuminaireRules rulesOf(const JsonField& json) {
   json.requireKeys({"count", "flux", "dimming", "pinned", "excluded", "minDistance"});
   LuminaireRules rules;
-  if (const auto count = json.find("count")) rules.count = count->whole();
+  if (const auto count = json.find("count")) readCount(*count, rules);
   if (const auto flux = json.find("flux")) rules.flux = fluxesOf(*flux);
   if (const auto dimming = json.find("dimming")) {
     const std::vector<double> range =
@@ -53,14 +83,6 @@ LuminaireRules rulesOf(const JsonField& json) {
   if (const auto excluded = json.find("excluded")) rules.excluded = sitesOf(*excluded);
   if (const auto distance = json.find("minDistance")) rules.minDistance = distance->number();
   return rules;
-}
-
-/// The enumerators whose names a table holds in their order.
-template <class E, std::size_t kCount>
-std::vector<std::pair<std::string, E>> namedBy(const char* const (&names)[kCount]) {
-  std::vector<std::pair<std::string, E>> choices;
-  for (std::size_t i = 0; i < kCount; ++i) choices.emplace_back(names[i], static_cast<E>(i));
-  return choices;
 }
 
 /// A statistic by its name in the table.
@@ -112,11 +134,13 @@ Constraint constraintOf(const Scene& scene, const JsonField& json) {
 }
 
 Intentions intentionsOf(const Scene& scene, const JsonField& json) {
-  json.requireKeys({"luminaires", "goals", "constraints", "quantity"});
+  json.requireKeys({"luminaires", "arrangement", "goals", "constraints", "quantity"});
   Intentions intentions;
   if (const auto quantity = json.find("quantity"))
     intentions.quantity = quantity->oneOf(namedBy<Quantity>(kQuantityNames));
   if (const auto luminaires = json.find("luminaires")) intentions.luminaires = rulesOf(*luminaires);
+  if (const auto arrangement = json.find("arrangement"))
+    intentions.luminaires.arrangement = arrangementOf(*arrangement);
   if (const auto goals = json.find("goals"))
     for (const JsonField& goal : goals->list(kMostEntries, "goal"))
       intentions.goals.push_back(goalOf(scene, goal));

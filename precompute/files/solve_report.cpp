@@ -23,6 +23,18 @@ std::string boundsText(const Constraint& c) {
   return text;
 }
 
+/// The luminaires of each tie.
+std::vector<std::vector<std::size_t>> tiesIn(const Layout& layout) {
+  std::vector<std::vector<std::size_t>> ties;
+  for (std::size_t i = 0; i < layout.ties.size(); ++i) {
+    if (layout.ties[i] >= ties.size()) ties.resize(layout.ties[i] + 1);
+    ties[layout.ties[i]].push_back(i);
+  }
+  return ties;
+}
+
+const char* nameOf(Rule rule) { return kRuleNames[static_cast<std::size_t>(rule)]; }
+
 }  // namespace
 
 std::string valueText(double value, Statistic statistic, Quantity quantity) {
@@ -54,6 +66,24 @@ Json violationsJson(const Scene& scene, const Intentions& intentions, const Show
 Json goalJson(const Shown& shown) {
   if (shown.goals.empty()) return nullptr;
   return shown.goals.size() == 1 ? Json(shown.goals[0]) : Json(shown.goals);
+}
+
+Json arrangementJson(const Arrangement& asked, const Layout& layout) {
+  Json json = {{"rule", nameOf(asked.rule)}};
+  if (asked.axis != PlanAxis::kFound) json["axis"] = kPlanAxisNames[static_cast<std::size_t>(asked.axis)];
+  json["ties"] = tiesIn(layout);
+  return json;
+}
+
+std::string arrangementLine(const Arrangement& asked, const Layout& layout) {
+  std::string line = nameOf(asked.rule);
+  const char* between = ": ";
+  for (const std::vector<std::size_t>& tie : tiesIn(layout)) {
+    line += between;
+    for (std::size_t k = 0; k < tie.size(); ++k) line += (k > 0 ? " L" : "L") + std::to_string(tie[k] + 1);
+    between = ", ";
+  }
+  return line;
 }
 
 std::string constraintLine(const Scene& scene, const Intentions& intentions, const Shown& shown,

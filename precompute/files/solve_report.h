@@ -23,6 +23,12 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
 /// "42.1 lx", "0.4", "infinite", "undefined" (a contrast of darkness against darkness).
 std::string valueText(double value, Statistic statistic, Quantity quantity);
 
+/// {"rule", "axis" where one was asked for, "ties": the luminaires that move together, numbers from 0}.
+nlohmann::ordered_json arrangementJson(const Arrangement& asked, const Layout& layout);
+
+/// "rows: L1 L2 L3, L4 L5 L6"
+std::string arrangementLine(const Arrangement& asked, const Layout& layout);
+
 inline constexpr int kReportDigits = 6;  // of a number in a report
 
 }  // namespace fiatlux

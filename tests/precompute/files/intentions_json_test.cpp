@@ -50,6 +50,23 @@ TEST(IntentionsJson, ReadsEverything) {
   EXPECT_EQ(result->constraints[2].surfaces, SurfaceSet{});
 }
 
+TEST(IntentionsJson, ReadsAnArrangementAndARangeOfCounts) {
+  const Result<Intentions> result = parseIntentions(
+      namedRoom(),
+      R"({"luminaires": {"count": [3, 8]}, "arrangement": {"rule": "symmetric", "axis": "both"}})");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->luminaires.count, 3u);
+  EXPECT_EQ(result->luminaires.countHigh, 8u);
+  EXPECT_EQ(result->luminaires.arrangement.rule, Rule::kSymmetric);
+  EXPECT_EQ(result->luminaires.arrangement.axis, PlanAxis::kBoth);
+  expectRefusal(R"({"luminaires": {"count": [3]}})", "luminaires.count: a range of counts is [least, most]");
+  expectRefusal(R"({"luminaires": {"count": [8, 3]}})", "luminaires.count: a range of counts");
+  expectRefusal(R"({"arrangement": {"axis": "x"}})", "arrangement: ");
+  expectRefusal(R"({"arrangement": {"rule": "circle"}})", "arrangement.rule: ");
+  expectRefusal(R"({"arrangement": {"rule": "rows", "axis": "y"}})", "arrangement.axis: ");
+  expectRefusal(R"({"arrangement": {"rule": "field"}, "luminaires": {"count": 7}})", "no regular field of 7");
+}
+
 TEST(IntentionsJson, ReadsAnAim) {
   const Result<Intentions> result = parseIntentions(
       namedRoom(),
