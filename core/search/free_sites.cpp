@@ -45,7 +45,7 @@ void FreeSites::block(std::uint32_t site, int change) {
 }
 
 void FreeSites::nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const {
-  if (counts_ && from == prepared_.nobody()) return farMoves(from, out);
+  if (isNobody(from)) return farMoves(from, out);
   out.clear();
   const std::uint32_t* near = prepared_.nearSites(from);
   for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k)
@@ -63,7 +63,7 @@ void FreeSites::anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& ra
                              std::vector<std::uint32_t>& out) const {
   if (!counts_) return nearMoves(from, reach, out);
   out.clear();
-  const bool nobody = from == prepared_.nobody();
+  const bool nobody = isNobody(from);
   const std::uint32_t* near = nobody ? nullptr : prepared_.nearSites(from);
   for (std::uint32_t k = 0; k < reach && k < prepared_.nearCount(); ++k) {
     const std::uint32_t to = nobody ? random.below(prepared_.candidateCount()) : near[k];

@@ -38,6 +38,8 @@ class FreeSites {
   }
   /// Do candidates differ in weight, or layouts in their count?
   bool counts() const { return counts_; }
+  /// Where they do: is this the one without luminaires?
+  bool isNobody(std::uint32_t candidate) const { return counts_ && candidate == prepared_.nobody(); }
 
   /// Free sites for the luminaire on `from` among its `reach` nearest, nearest first; all of them for nobody.
   void nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const;

@@ -21,9 +21,8 @@ std::uint32_t onceForAll(const Surroundings&) { return 1; }
 
 /// Nobody in one place is as good as in another: only the first is looked at.
 bool isNobodyAgain(const Surroundings& at, const Scan& scan) {
-  if (!at.freeSites.counts()) return false;
   const std::vector<std::uint32_t>&movable = at.freeSites.movable(), &sites = at.evaluator.sites();
-  const auto isNobody = [&](std::uint32_t i) { return sites[i] == at.nobody; };
+  const auto isNobody = [&](std::uint32_t i) { return at.freeSites.isNobody(sites[i]); };
   return isNobody(scan.luminaire) &&
          *std::find_if(movable.begin(), movable.end(), isNobody) != scan.luminaire;
 }

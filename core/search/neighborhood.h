@@ -27,7 +27,6 @@ struct Surroundings {
   Evaluator& evaluator;  // stands at the layout whose neighbours are tried
   const FreeSites& freeSites;
   Random& random;
-  std::uint32_t nobody;  // PreparedScene::nobody(), where there is one
 };
 
 struct Neighborhood {

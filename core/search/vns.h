@@ -59,7 +59,7 @@ class Vns {
   void shake();
   std::uint32_t tryGatherings(std::uint32_t limit);
   void beginShaken(const std::vector<std::uint32_t>& sites);
-  Surroundings here() { return {evaluator_, freeSites_, random_, prepared_.candidateCount()}; }
+  Surroundings here() { return {evaluator_, freeSites_, random_}; }
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
   Evaluator evaluator_;

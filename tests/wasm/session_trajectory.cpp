@@ -54,13 +54,13 @@ void write(const char* path) {
 /// other.
 std::vector<Intentions> wishes(double lux) {
   Intentions even, bright, thrifty;
-  even.luminaires = {4, {1000}, 1, 1, {}, {}, 0};
+  even.luminaires = {4, 0, {1000}, 1, 1, {}, {}, 0, {}};
   even.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {}, {}}};
-  bright.luminaires = {5, {800}, 1, 1, {3}, {0, 1}, 0};
+  bright.luminaires = {5, 0, {800}, 1, 1, {3}, {0, 1}, 0, {}};
   bright.goals = {{Statistic::kMean, Sense::kMaximize, 1, {0}, {}}};
   bright.constraints = {{Statistic::kMean, -kUnbounded, lux, 1, {1}, {}},
                         {Statistic::kChebyshev, lux / 10, kUnbounded, 2, {1}, {}}};
-  thrifty.luminaires = {3, {2000}, 0.1, 1, {}, {}, 1};
+  thrifty.luminaires = {3, 0, {2000}, 0.1, 1, {}, {}, 1, {}};
   thrifty.goals = {{Statistic::kPower, Sense::kMinimize, 1, {}, {}},
                    {Statistic::kSigma, Sense::kMinimize, 0.5, {0}, {}}};
   thrifty.constraints = {{Statistic::kMean, lux / 2, kUnbounded, 1, {0}, {}},

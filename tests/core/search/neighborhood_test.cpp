@@ -61,7 +61,7 @@ TEST(Neighborhoods, HaveNamesAndTurns) {
   PreparedScene prepared(longCorridor());
   const Intentions intentions = strictRules();
   Evaluator evaluator(prepared, intentions);
-  const FreeSites freeSites(prepared, intentions.luminaires);
+  const FreeSites freeSites(prepared, intentions.luminaires, 6);
   Random random(1);
   std::set<std::string> names;
   ASSERT_FALSE(neighborhoods().empty());
@@ -76,7 +76,7 @@ TEST(Neighborhoods, KeepToTheRulesAndFindTheSameInAnySlices) {
   PreparedScene prepared(longCorridor());
   const Intentions intentions = strictRules();
   Evaluator evaluator(prepared, intentions), reference(prepared, intentions);
-  FreeSites freeSites(prepared, intentions.luminaires);
+  FreeSites freeSites(prepared, intentions.luminaires, 6);
   Random random(8);
   for (const Neighborhood& row : neighborhoods()) {
     std::uint32_t found = 0;
@@ -107,14 +107,14 @@ TEST(Neighborhoods, KeepToTheRulesAndFindTheSameInAnySlices) {
 TEST(FreeSites, AreThoseThatEveryPairAllows) {
   PreparedScene prepared(longCorridor());
   const LuminaireRules rules = strictRules().luminaires;
-  FreeSites freeSites(prepared, rules);
+  FreeSites freeSites(prepared, rules, rules.count);
   Random random(2);
   std::vector<std::uint32_t> sites = randomSites(prepared, rules, random);
   freeSites.load(sites);
   EXPECT_EQ(freeSites.movable(), (std::vector<std::uint32_t>{0, 1, 3, 4, 5}));
   for (int step = 0; step < 20; ++step) {
     const std::uint32_t i = freeSites.randomMovable(random);
-    for (std::uint32_t to = 0; to < prepared.siteCount(); ++to) {
+    for (std::uint32_t to = 0; to < prepared.candidateCount(); ++to) {
       if (to == sites[i]) continue;
       std::vector<std::uint32_t> after = sites;
       after[i] = to;
