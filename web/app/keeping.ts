@@ -85,12 +85,12 @@ export class Keeping {
 
   /** The whole address of the present layout. Throws one readable line where it does not fit a link. */
   link(): SharedLink {
-    const { scene, display, document } = this.#store;
+    const { scene, display, document, plan } = this.#store;
     const sites = scene.peek()?.sites;
     if (!sites) throw new Error('No room is open yet.');
     const view = { camera: this.#viewer.camera(), display: display.peek() };
     const files = this.#types.files.peek();
-    const { hash, left } = fitLink(linkOf(document.peek(), this.layout(), sites, view, files));
+    const { hash, left } = fitLink(linkOf(document.peek(), this.layout(), sites, view, files, plan.peek()));
     return { address: `${location.href.split('#')[0]}${hash}`, left };
   }
 

@@ -9,6 +9,7 @@ import { withoutCorner } from '../room-maker/plan-edits.ts';
 import { planFaults } from '../room-maker/plan-faults.mjs';
 import { outlines } from '../room-maker/plan-shapes.mjs';
 import { planOf, readPlan, type RoomPlan } from '../room-maker/room-plan.mjs';
+import type { PackedPlan } from '../document/made-room.ts';
 import type { App } from './app.ts';
 
 /** What of a plan is selected; indices into its lists, a wall by its first corner. */
@@ -38,9 +39,11 @@ export class Making {
   #isDrawing = false;
   #isOver = false;
 
-  constructor(app: App, plan: RoomPlan | null) {
+  constructor(app: App, packed: PackedPlan | null) {
     this.#app = app;
+    const { plan, fault } = packed ? unpackedPlan(packed) : {};
     if (plan) this.plan.value = plan;
+    if (fault) app.store.say('error', `The plan of this room cannot be read: ${fault}.`);
     const first = this.plan.peek();
     this.#end = effect(() => {
       const latest = this.plan.value;
@@ -132,6 +135,13 @@ export class Making {
       this.#isDrawing = false;
     }
   }
+}
+
+/** The room of a packed plan as a file of this name. Throws one clause where it is no room. */
+export async function madeFile(name: string, packed: PackedPlan): Promise<File> {
+  const { plan, fault } = unpackedPlan(packed);
+  if (!plan) throw new Error(fault);
+  return new File([await glbOf(plan)], `${name.replace(/\.(glb|flux)$/i, '')}.glb`);
 }
 
 function without(plan: RoomPlan, { what, index }: Selected): RoomPlan | null {

@@ -2,11 +2,13 @@
  * A layout as a link: pure `encodeLink` / `decodeLink`, everything in the hash, nothing fetched from it.
  * `#f<version>.<payload>.<checksum>`: the payload is deflated JSON in base64url, the checksum its CRC-32. Luminaires are
  * positions in centimetres, so that a link survives a renumbering of the sites. Version 2 has luminaire types: their
- * photometric files as text as far as these fit, the others by hash and name. A link without types is of version 1.
+ * photometric files as text as far as these fit, the others by hash and name; and the plan of a room that was made here. A
+ * link without either is of version 1.
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import * as v from 'valibot';
 import { crc32, fromBase64Url, toBase64Url } from './base64url.ts';
+import { packedPlanSchema, type PackedPlan } from './made-room.ts';
 import { bytesOfText, hashOf, type PhotometricFiles } from './photometric-files.ts';
 import {
   cameraSchema,
@@ -47,6 +49,7 @@ export interface Link {
     readonly mountings?: readonly Mounting[];
   } | null;
   readonly files?: PhotometricFiles; // of its types, as far as it carries them
+  readonly plan?: PackedPlan; // of a made room: the link holds the room itself
   readonly camera: Camera | null;
   readonly display: Display | null;
 }
@@ -108,6 +111,7 @@ const payloadSchema = v.object({
     }),
   ),
   t: v.exactOptional(v.pipe(v.array(linkedType), v.maxLength(mostTypes))),
+  m: v.exactOptional(packedPlanSchema),
   k: v.exactOptional(cameraSchema),
   d: v.exactOptional(displaySchema),
 });
@@ -147,7 +151,7 @@ export const encodeLink = (link: Link): string => fitLink(link).hash;
 function encode(link: Link): string {
   const bytes = deflateSync(strToU8(JSON.stringify(payloadOf(link))), { level: 9 });
   const checksum = crc32(bytes).toString(16).padStart(8, '0');
-  const version = link.luminaires.types?.length ? linkVersion : 1;
+  const version = link.luminaires.types?.length || link.plan ? linkVersion : 1;
   return `#f${version}.${toBase64Url(bytes)}.${checksum}`;
 }
 
@@ -174,6 +178,7 @@ function payloadOf(link: Link): Payload {
       },
     }),
     ...(types.length > 0 && { t: types.map((type) => typeIn(type, link.files?.[type.hash])) }),
+    ...(link.plan && { m: link.plan }),
     ...(camera && {
       k: { ...camera, position: rounded(camera.position, 3), target: rounded(camera.target, 3) },
     }),
@@ -247,7 +252,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, y, t, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, y, t, m, k, d } = parsed.output;
   if (y && y.f.length !== y.p.length && y.f.length !== 1) return 'luminaires and fluxes differ in number';
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
   const types = t ? typesFrom(t) : null;
@@ -273,6 +278,7 @@ function readPayload(bytes: Uint8Array): Link | string {
           ...(mountings && { mountings }),
         }
       : null,
+    ...(m && { plan: m }),
     camera: k ?? null,
     display: d ?? null,
   };

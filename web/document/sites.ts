@@ -1,4 +1,5 @@
 /** Between sites of a scene and positions in the room: links and exports speak in positions, the core in sites. */
+import type { PackedPlan } from './made-room.ts';
 import { filesOf, type PhotometricFiles } from './photometric-files.ts';
 import type { Link } from './share-link.ts';
 import type { FiatLuxDocument, Layout, Luminaires, SceneInfo } from './types.ts';
@@ -35,6 +36,7 @@ export function linkOf(
   sites: Sites,
   view: Pick<Link, 'camera' | 'display'>,
   files: PhotometricFiles = {},
+  plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
   const { scene, room, cards, saving, quantity, seed } = document;
@@ -53,6 +55,7 @@ export function linkOf(
       pinned: pinned.map((site) => layout.sites.indexOf(site)).filter((index) => index >= 0),
       ...(layout.mountings && { mountings: layout.mountings }),
     },
+    ...(plan && { plan }),
     ...(rules.types && { files: filesOf(files, document) }),
     ...view,
   };

@@ -2,11 +2,11 @@
 import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import type { RoomPlan } from '../room-maker/room-plan.mjs';
+import type { PackedPlan } from '../document/made-room.ts';
 
-type RoomMaker = FunctionComponent<{ plan: RoomPlan | null }>;
+type RoomMaker = FunctionComponent<{ plan: PackedPlan | null }>;
 
-export function MakingPanel({ plan }: { plan: RoomPlan | null }) {
+export function MakingPanel({ plan }: { plan: PackedPlan | null }) {
   const app = useApp();
   const [Maker, setMaker] = useState<RoomMaker | null>(null);
   useEffect(() => {

@@ -85,7 +85,6 @@ export function makeRoom(plan) {
       walls: finish(walls),
       floor: finish(floor),
       column: finish(walls),
-      air: { colour: '#7fb2ff', alpha: 0 }, // met by no light
       rail: plainMaterials['white lacquer'],
     },
   });

@@ -31,7 +31,7 @@ export function packedPlan(plan) {
       itemKinds.indexOf(kind), mm(x), mm(z), tenths(turn), ...size.map(mm),
     ]),
     [
-      mountKinds.indexOf(mount.kind), mm(mount.spacing), mm(mount.luminaire), mm(mount.drop), mm(mount.rows),
+      mountKinds.indexOf(mount.kind), mm(mount.spacing), mm(mount.width), mm(mount.drop), mm(mount.rows),
       ...mount.origin.map(mm), tenths(mount.turn),
     ],
     plane ? [mm(plane.height), mm(plane.rim)] : [],
@@ -71,7 +71,7 @@ export function unpackedPlan(packed) {
       kind: itemKinds[kind], x: m(x), z: m(z), turn: turn / 10, size: size.map(m),
     })),
     mount: {
-      kind: mountKinds[mount[0]], spacing: m(mount[1]), luminaire: m(mount[2]), drop: m(mount[3]), rows: m(mount[4]),
+      kind: mountKinds[mount[0]], spacing: m(mount[1]), width: m(mount[2]), drop: m(mount[3]), rows: m(mount[4]),
       origin: [m(mount[5]), m(mount[6])], turn: mount[7] / 10,
     },
     plane: plane.length > 0 ? { height: m(plane[0]), rim: m(plane[1]) } : null,
@@ -99,17 +99,4 @@ export function planIdentity(plan, options, method) {
   for (const byte of new TextEncoder().encode(text))
     hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
   return hash.toString(16).padStart(16, '0');
-}
-
-/** The plan that a binary glTF of the room maker carries; null where it is another file. */
-export function planOfGlb(bytes) {
-  try {
-    const view = new DataView(bytes);
-    if (view.getUint32(0, true) !== 0x46546c67 || view.getUint32(16, true) !== 0x4e4f534a) return null;
-    const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, view.getUint32(12, true))));
-    const packed = json.scenes?.[json.scene ?? 0]?.extras?.fiatlux?.plan;
-    return packed === undefined ? null : (unpackedPlan(packed).plan ?? null);
-  } catch {
-    return null; // shorter than a header, or no JSON: not ours
-  }
 }

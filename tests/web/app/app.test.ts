@@ -10,6 +10,9 @@ import type { ToWorker } from '../../../web/solver/protocol.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver } from '../fake-solver.ts';
 import { fakeHost, type FakeHost } from '../fake-host.ts';
+import { packedPlan } from '../../../web/room-maker/plan-code.mjs';
+import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
+import { planOf } from '../../../web/room-maker/room-plan.mjs';
 import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
 
 let frames: (() => void)[] = [];
@@ -202,6 +205,27 @@ describe('links', () => {
     expect(solver.last('show')?.layout.sites).toEqual(wish.sites);
     expect(solver.asked.filter((message) => message.type === 'solve')).toHaveLength(solves);
     expect(app.store.progress.value.state).toBe('shown');
+  });
+
+  test('of a made room hold it: it is made anew, and what is asked of it waits for its light', async () => {
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    const wish = app.store.shown.value!.layout;
+    app.store.plan.value = packedPlan(planOf(outlines.rectangle(6, 4), 2.8, 'Studio'));
+    const hash = app.keeping.link().address.slice('https://example.test/sub/'.length);
+    app.store.plan.value = null;
+    expect(await app.opening.link(hash)).toBe(true);
+    expect(app.store.preview.value).toBe('room.glb');
+    expect(app.store.plan.value?.[1]).toBe('Studio');
+    await openRoom();
+    expect(solver.last('show')?.layout.sites).toEqual(wish.sites);
+  });
+
+  test('with a room that cannot be made say so', async () => {
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    app.store.plan.value = [1, 'Studio', 2800, [0, 0, 1000, 1000, 1000, 0, 0, 1000], [], [], [], [], [], []];
+    const hash = app.keeping.link().address.slice('https://example.test/sub/'.length);
+    expect(await app.opening.link(hash)).toBe(false);
+    expect(app.store.messages.value.at(-1)?.text).toMatch(/room in this link cannot be made/);
   });
 
   test('that are damaged leave what is there and say one line', async () => {

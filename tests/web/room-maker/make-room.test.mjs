@@ -118,7 +118,7 @@ describe('where luminaires may hang', () => {
   test('all of the ceiling', async () => {
     const [mount, ...others] = marked(await read(rectangle()));
     expect(others).toEqual([]);
-    expect(mount).toMatchObject({ name: 'ceiling', fiatlux: { siteSpacing: 0.6, siteSize: 0.6 } });
+    expect(mount).toMatchObject({ name: 'ceiling', fiatlux: { siteSpacing: 0.6 } });
     expect(mount.triangles.every(({ points }) => normalOf(points)[1] < -0.999)).toBe(true);
   });
 
@@ -144,7 +144,7 @@ describe('where luminaires may hang', () => {
   test('rails stay within the room and clear of columns', async () => {
     const plan = planOf(outlines.L(8, 6, 4, 3), 3);
     plan.items = [usualItem('column', [2, 1], 3)];
-    plan.mount = { ...plan.mount, kind: 'rails', luminaire: 0.06, spacing: 0.3, drop: 0.4, rows: 1 };
+    plan.mount = { ...plan.mount, kind: 'rails', width: 0.06, drop: 0.4, rows: 1 };
     const lines = railLines(plan, [footprint(plan.items[0])]);
     expect(lines).toHaveLength(6);
     for (const { from, to, at } of lines) {
@@ -153,7 +153,7 @@ describe('where luminaires may hang', () => {
     }
     plan.items = [];
     const [rails] = marked(await read(plan));
-    expect(rails).toMatchObject({ name: 'rails', fiatlux: { siteSpacing: 0.3, siteSize: 0.06 } });
+    expect(rails).toMatchObject({ name: 'rails', fiatlux: { siteSpacing: 0.06 } });
     const heights = rails.triangles.flatMap(({ points }) => points.map(([, y]) => y));
     expect(Math.max(...heights)).toBeCloseTo(2.6, 5);
     expect(openEdgeLength(rails.triangles.map(({ points }) => points))).toBeLessThan(1e-6);

@@ -4,12 +4,12 @@
  */
 import { readProject, type Project } from '../../document/project-file.ts';
 import { isPhotometricName } from '../../document/photometric-container.ts';
+import { planOfGlb } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
-import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Placement, Placing } from './placing.ts';
@@ -86,10 +86,9 @@ export class FileOpening {
   async #preview(name: string, bytes: ArrayBuffer): Promise<void> {
     await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
       await this.#viewer.preview(bytes);
-      const plan = await planIn(bytes);
       if (!isCurrent()) return;
       this.#store.making.value = null;
-      this.#store.plan.value = plan;
+      this.#store.plan.value = planOfGlb(bytes);
       this.#store.preview.value = name;
     });
   }
@@ -97,12 +96,4 @@ export class FileOpening {
   #refuse(why: string): void {
     this.#store.say('error', why);
   }
-}
-
-/** The plan that a room of the room maker carries; the code that reads it is fetched for such a room only. */
-async function planIn(bytes: ArrayBuffer): Promise<RoomPlan | null> {
-  const head = new TextDecoder().decode(new Uint8Array(bytes, 0, Math.min(bytes.byteLength, 200)));
-  if (!head.includes('Fiat Lux room maker')) return null;
-  const { planOfGlb } = await import('../../room-maker/plan-code.mjs');
-  return planOfGlb(bytes);
 }

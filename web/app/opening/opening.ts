@@ -3,12 +3,12 @@ import { intentionsOf } from '../../document/intentions.ts';
 import { edit } from '../../document/history.ts';
 import type { Project } from '../../document/project-file.ts';
 import type { Work } from '../../document/work.ts';
+import type { PackedPlan } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
 import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
-import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import type { Keeping } from '../keeping.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import type { GalleryEntry } from '../rooms/catalog-file.ts';
@@ -122,7 +122,7 @@ export class Opening {
   }
 
   /** Opens the room maker, on a plan or for a new room. */
-  make(plan: RoomPlan | null): void {
+  make(plan: PackedPlan | null): void {
     this.#store.messages.value = [];
     this.#placing.supersede();
     this.#store.making.value = { plan };
@@ -214,6 +214,7 @@ export class Opening {
   async #openLink(link: Link, exact: boolean): Promise<boolean> {
     const hasRooms = await this.#hasRooms(() => void this.#openLink(link, exact));
     if (!this.#rooms.has(link.room)) this.#store.pendingLink.value = link;
+    if (link.plan && !this.#rooms.has(link.room)) return this.#openMade(link.room, link.plan);
     if (!hasRooms) return false;
     if (!this.#rooms.has(link.room)) {
       this.#store.say(
@@ -235,6 +236,19 @@ export class Opening {
         return { document, view: link, files: link.files };
       }),
     );
+  }
+
+  /** The room that a link holds is made anew here; what the link asks of it waits for its light. */
+  async #openMade(room: string, plan: PackedPlan): Promise<boolean> {
+    try {
+      const { madeFile } = await import('../making.ts');
+      await this.#files.open([await madeFile(room, plan)]);
+      return true;
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      this.#store.say('error', `The room in this link cannot be made: ${why}.`);
+      return false;
+    }
   }
 
   #offerOther(link: Link): void {

@@ -1,5 +1,6 @@
 /** Puts a room on the screen, solver and picture together: all of it or nothing, and the latest wish wins. */
 import { batch } from '@preact/signals';
+import { planOfScene } from '../../document/made-room.ts';
 import type { Link } from '../../document/share-link.ts';
 import type { FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { FileBytes } from '../../solver/solver-client.ts';
@@ -130,7 +131,8 @@ export class Placing {
     return this.attempt('Going back', async (isCurrent) => {
       await this.#viewer.open(back.room, back.scene);
       if (!isCurrent()) return;
-      this.#store.preview.value = this.#store.plan.value = null;
+      this.#store.preview.value = null;
+      this.#store.plan.value = planOfScene(back.scene);
       this.#solving.relight();
     });
   }
@@ -144,7 +146,8 @@ export class Placing {
       this.#types.provide(files);
       store.scene.value = scene;
       store.roomTitle.value = title;
-      store.preview.value = store.making.value = store.plan.value = null;
+      store.preview.value = store.making.value = null;
+      store.plan.value = planOfScene(scene);
       store.surface.value = store.luminaire.value = null;
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = store.check.value = null;

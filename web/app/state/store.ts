@@ -7,10 +7,10 @@ import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
 import { intentionsOf } from '../../document/intentions.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
+import type { PackedPlan } from '../../document/made-room.ts';
 import type { Link } from '../../document/share-link.ts';
 import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 import type { AlphaStep, Shown } from '../../solver/protocol.ts';
-import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
@@ -116,8 +116,8 @@ export class Store {
   readonly tab = signal<Tab>('intentions');
   readonly loading = signal<string | null>(null);
   readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
-  readonly making = signal<{ readonly plan: RoomPlan | null } | null>(null); // the room maker is open; null: a new room
-  readonly plan = signal<RoomPlan | null>(null); // of the room on the screen, where it was made here
+  readonly making = signal<{ readonly plan: PackedPlan | null } | null>(null); // the room maker is open; null: a new room
+  readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });

@@ -53,6 +53,10 @@ export function ShareDialog({ close }: { close: () => void }) {
           <p class="fine-print">
             {shared.address.length} characters.{' '}
             {isOwn &&
+              store.plan.value &&
+              'It holds the room, too: whoever opens it has it made and computed there.'}
+            {isOwn &&
+              !store.plan.value &&
               `It names the room “${store.document.value.room}” but does not hold it: send the .flux file along.`}
           </p>
           {shared.left.length > 0 && (

@@ -6,7 +6,7 @@ import { useApp } from '../../app/app.ts';
 import { download } from '../../app/exports/save-as.ts';
 import { keyOf, keyText } from '../../app/keyboard.ts';
 import { Making, lastPlan } from '../../app/making.ts';
-import type { RoomPlan } from '../../room-maker/room-plan.mjs';
+import type { PackedPlan } from '../../document/made-room.ts';
 import { CeilingSection } from './ceiling-section.tsx';
 import { DrawOutline } from './draw-outline.tsx';
 import { FurnitureSection } from './furniture-section.tsx';
@@ -17,7 +17,7 @@ import { PlaneSection } from './plane-section.tsx';
 import { ShapeSection } from './shape-section.tsx';
 import { SurfacesSection } from './surfaces-section.tsx';
 
-export function RoomMaker({ plan }: { plan: RoomPlan | null }) {
+export function RoomMaker({ plan }: { plan: PackedPlan | null }) {
   const app = useApp();
   const making = useMemo(() => new Making(app, plan), [plan]);
   const [isDrawing, setDrawing] = useState(false);
