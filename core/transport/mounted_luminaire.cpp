@@ -6,6 +6,7 @@
 
 #include "core/photometry/intensity.h"
 #include "core/photometry/photometric_values.h"
+#include "core/transport/intensity_map.h"
 #include "core/transport/photometric_light.h"
 
 namespace fiatlux {
@@ -25,27 +26,41 @@ Vec3 inPlane(const Vec3& wish, const Vec3& normal) {
 
 }  // namespace
 
-Luminaire photometricLuminaire(std::shared_ptr<const Photometry> photometry, double flux, double width,
-                               double height) {
-  const double held = integratedFlux(*photometry);
-  const double scale = flux > 0 && held > 0 ? flux / held : 1;
-  const LuminousArea& area = photometry->luminous;
-  const bool lengthAlongC0 = photometry->longAxis == PhotometricAxis::kC0;
+PhotometricType exactType(std::shared_ptr<const Photometry> photometry) {
+  PhotometricType type{photometry->luminous, photometry->longAxis, integratedFlux(*photometry), 0, {}};
+  type.beam = kRadian * std::max(openingAngle(*photometry, 0.5), kNarrowest);
+  type.candela = [table = std::move(photometry)](const Vec3& direction) {
+    return intensity(*table, direction);
+  };
+  return type;
+}
+
+PhotometricType sampledType(std::shared_ptr<const Photometry> photometry) {
+  PhotometricType type = exactType(std::move(photometry));
+  const auto map = std::make_shared<const IntensityMap>(type.candela);
+  type.candela = [map](const Vec3& direction) { return map->at(direction); };
+  return type;
+}
+
+Luminaire photometricLuminaire(const PhotometricType& type, double flux, double width, double height) {
+  const LuminousArea& area = type.luminous;
+  const bool lengthAlongC0 = type.longAxis == PhotometricAxis::kC0;
   Luminaire luminaire;
   luminaire.distribution = Luminaire::Distribution::kPhotometric;
   luminaire.width = width > 0 ? width : lengthAlongC0 ? area.length : area.width;
   luminaire.height = height > 0 ? height : lengthAlongC0 ? area.width : area.length;
-  luminaire.flux = flux > 0 ? flux : held;
-  luminaire.beam = kRadian * std::max(openingAngle(*photometry, 0.5), kNarrowest);
-  luminaire.intensity = [table = std::move(photometry), scale](const Vec3& direction) {
-    return scale * intensity(*table, direction);
+  luminaire.flux = flux > 0 ? flux : type.flux;
+  luminaire.beam = type.beam;
+  const double scale = flux > 0 && type.flux > 0 ? flux / type.flux : 1;
+  luminaire.intensity = [candela = type.candela, scale](const Vec3& direction) {
+    return scale * candela(direction);
   };
   return luminaire;
 }
 
-Luminaire mountedLuminaire(std::shared_ptr<const Photometry> photometry, double flux, const Site& site,
+Luminaire mountedLuminaire(const PhotometricType& type, double flux, const Site& site,
                            const Mounting& mounting) {
-  Luminaire luminaire = photometricLuminaire(std::move(photometry), flux, mounting.width, mounting.height);
+  Luminaire luminaire = photometricLuminaire(type, flux, mounting.width, mounting.height);
   const double turn = kRadian * mounting.turn;
   const Vec3 turned = std::cos(turn) * site.axis + std::sin(turn) * cross(site.normal, site.axis);
   luminaire.normal = site.normal;

@@ -18,13 +18,27 @@ struct Mounting {
   double width = 0, height = 0;      // m, along C0 and C90; 0: the file's luminous area
 };
 
-/// The luminaire of `photometry` anywhere, emitting `flux` lm (0: what its table holds), width and height as
-/// in Mounting.
-Luminaire photometricLuminaire(std::shared_ptr<const Photometry> photometry, double flux, double width,
-                               double height);
+/// A photometric file, prepared for many luminaires.
+struct PhotometricType {
+  LuminousArea luminous;
+  PhotometricAxis longAxis = PhotometricAxis::kC0;
+  double flux = 0;    // lm, of the table
+  double beam = 0;    // rad, Luminaire::beam
+  Intensity candela;  // at that flux
+};
+
+/// Its intensities are those of the table.
+PhotometricType exactType(std::shared_ptr<const Photometry> photometry);
+/// Its intensities are looked up (intensity_map.h): several times faster, within a few thousandths of the
+/// brightest.
+PhotometricType sampledType(std::shared_ptr<const Photometry> photometry);
+
+/// A luminaire of that type anywhere, emitting `flux` lm (0: what its table holds), width and height as in
+/// Mounting.
+Luminaire photometricLuminaire(const PhotometricType& type, double flux, double width, double height);
 
 /// The same on a site; a tilted one hangs so far before its mount that none of its luminous area lies behind.
-Luminaire mountedLuminaire(std::shared_ptr<const Photometry> photometry, double flux, const Site& site,
+Luminaire mountedLuminaire(const PhotometricType& type, double flux, const Site& site,
                            const Mounting& mounting);
 
 }  // namespace fiatlux

@@ -37,19 +37,12 @@ Vec3 mountedPosition(const Site& site, const Vec3& normal, const Vec3& axis, dou
 }
 
 PhotometricLight::PhotometricLight(const Scene& scene)
-    : scene_(scene), exchange_(scene.patches, scene.lightOperator->groups, scene.lightOperator->exchange) {
-  const Charts& charts = scene.lightOperator->charts;
-  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
-    const Charts::Frame& frame = charts.frames[charts.ofRow[p]];
-    // What is not a whole cell is taken as a smaller one of its area.
-    const double part = std::sqrt(scene.patches.area[p] / (frame.cellU * frame.cellV));
-    const double u = part * frame.cellU, v = part * frame.cellV;
-    tiles_.push_back({u * frame.uAxis, v * frame.vAxis, u, v});
-  }
-}
+    : scene_(scene),
+      exchange_(scene.patches, scene.lightOperator->groups, scene.lightOperator->exchange),
+      tiles_(patchTiles(scene.patches, scene.lightOperator->charts)) {}
 
 double PhotometricLight::directOn(std::uint32_t row, const Luminaire& luminaire) const {
-  const Tile& tile = tiles_[row];
+  const PatchTile& tile = tiles_[row];
   const Vec3& normal = scene_.patches.normal[row];
   const Vec3 apart = scene_.patches.center[row] - luminaire.position;
   const double distance = length(apart);

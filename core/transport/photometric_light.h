@@ -11,6 +11,7 @@
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
 #include "core/transport/exchange.h"
+#include "core/transport/patch_tiles.h"
 
 namespace fiatlux {
 
@@ -32,6 +33,7 @@ Vec3 mountedPosition(const Site& site, const Vec3& normal, const Vec3& axis, dou
 class PhotometricLight {
  public:
   explicit PhotometricLight(const Scene& scene);
+  const ExchangeOperator& exchange() const { return exchange_; }
 
   std::vector<float> direct(const std::vector<PhotometricCandidate>& candidates) const;
   /// Direct light and all interreflections, given what direct() said.
@@ -39,17 +41,13 @@ class PhotometricLight {
                            const std::vector<float>& direct) const;
 
  private:
-  struct Tile {
-    Vec3 edgeU, edgeV;        // m, of a rectangle as large as the patch
-    double lengthU, lengthV;  // m
-  };
   void directColumn(const PhotometricCandidate& candidate, float* column) const;
   double directOn(std::uint32_t row, const Luminaire& luminaire) const;
   double controlShare(const float* direct, const float* lambertian) const;
 
   const Scene& scene_;
   ExchangeOperator exchange_;
-  std::vector<Tile> tiles_;  // rows
+  std::vector<PatchTile> tiles_;  // rows
 };
 
 }  // namespace fiatlux

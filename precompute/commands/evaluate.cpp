@@ -34,12 +34,12 @@ void evaluate(const EvaluateOptions& options) {
   const Scene scene = orThrow(readSceneFile(options.scene));
   std::vector<std::string> notes;
   const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
-  printNotes(options.layout, notes);
 
   const bool photometric = hasPhotometry(file);
-  const std::vector<float> light = photometric
-                                       ? orThrow(options.scene, photometricIlluminance(file, layout, scene))
-                                       : illuminanceOf(scene, layout);
+  const std::vector<float> light =
+      photometric ? orThrow(options.scene, photometricIlluminance(file, layout, scene, notes))
+                  : illuminanceOf(scene, layout);
+  printNotes(options.layout, notes);
   const LightResults results =
       photometric ? lightResults(scene.patches, scene.surfaces, light) : lightResults(scene, layout);
   if (!options.patches.empty())

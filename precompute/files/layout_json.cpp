@@ -105,8 +105,8 @@ PhotometricEntry photometricOf(const JsonField& json, const JsonField& name, dou
 
 /// The luminaire of a file where `place` says.
 Luminaire photometricAt(const PhotometricEntry& entry, const Luminaire& place) {
-  Luminaire luminaire =
-      photometricLuminaire(entry.photometry, entry.flux, entry.mounting.width, entry.mounting.height);
+  Luminaire luminaire = photometricLuminaire(exactType(entry.photometry), entry.flux, entry.mounting.width,
+                                             entry.mounting.height);
   luminaire.position = place.position;
   luminaire.normal = place.normal;
   luminaire.axis = place.axis;
@@ -166,7 +166,7 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
     return Error{name + " of this room is not at the \"position\" beside it" + cure};
   if (!entry.photometric) return luminaireOf(site);
   const auto& [photometry, flux, mounting] = *entry.photometric;
-  return mountedLuminaire(photometry, flux, site, mounting);
+  return mountedLuminaire(exactType(photometry), flux, site, mounting);
 }
 
 /// Files in the folder of `path` and below.

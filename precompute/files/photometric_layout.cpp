@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/transport/candidate_fit.h"
 #include "core/transport/photometric_light.h"
 
 namespace fiatlux {
@@ -12,7 +13,7 @@ bool hasPhotometry(const LayoutFile& file) {
 }
 
 Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
-                                                  const Scene& scene) {
+                                                  const Scene& scene, std::vector<std::string>& notes) {
   if (!scene.lightOperator)
     return Error{
         "the scene file knows Lambertian squares only; make it again with fiatlux precompute, without "
@@ -20,12 +21,18 @@ Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const 
   Layout squares;
   squares.dimming = layout.dimming;
   std::vector<PhotometricCandidate> candidates;
+  const CandidateFit fit(scene);
   for (std::size_t i = 0; i < layout.sites.size(); ++i) {
     const std::uint32_t site = layout.sites[i];
     const auto& photometric = file.luminaires[i].photometric;
     if (photometric) {
-      candidates.push_back({site, mountedLuminaire(photometric->photometry, photometric->flux,
-                                                   scene.sites[site], photometric->mounting)});
+      const PhotometricType type = exactType(photometric->photometry);
+      candidates.push_back(
+          {site, mountedLuminaire(type, photometric->flux, scene.sites[site], photometric->mounting)});
+      if (!fit.fits(candidates.back().luminaire, type.luminous.height))
+        notes.push_back("luminaires[" + std::to_string(i) + "]: it does not fit on site " +
+                        std::to_string(site) +
+                        ": something of the room crosses it; choose another site, or a smaller \"size\"");
     } else {
       squares.sites.push_back(site);
       squares.flux.push_back(layout.flux[i]);

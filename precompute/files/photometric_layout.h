@@ -1,6 +1,7 @@
 // Layouts with luminaires of photometric files, on the sites of a scene.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -13,9 +14,9 @@ namespace fiatlux {
 bool hasPhotometry(const LayoutFile& file);
 
 /// Illuminance (lx) of every row: luminaires of photometric files by the scene's light operator, the others
-/// by its responses. `layout` is that of the same file (layoutOnSites). An error where the scene has no
-/// operator.
+/// by its responses. `layout` is that of the same file (layoutOnSites). Notes say which luminaire does not
+/// fit where it hangs. An error where the scene has no operator.
 Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
-                                                  const Scene& scene);
+                                                  const Scene& scene, std::vector<std::string>& notes);
 
 }  // namespace fiatlux

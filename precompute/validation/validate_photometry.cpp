@@ -68,7 +68,7 @@ Luminaire hung(const std::shared_ptr<const Photometry>& table, double x, double 
   const Site site{zUp(x, y, z), zUp(0, 0, -1), zUp(1, 0, 0), 0};
   Mounting mounting;
   mounting.turn = turn;
-  return mountedLuminaire(table, 0, site, mounting);
+  return mountedLuminaire(exactType(table), 0, site, mounting);
 }
 
 std::string placed(const char* what, double x, double y) {

@@ -1,0 +1,24 @@
+// A luminaire's intensities on a square grid (octahedral map: the sphere folded flat, the half about gamma 0
+// inside the diamond |u| + |v| <= 1): a look-up without angles, for millions of directions.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/luminaire.h"
+
+namespace fiatlux {
+
+class IntensityMap {
+ public:
+  /// Sampled at the crossings of kEdge x kEdge cells, a third of a degree apart.
+  explicit IntensityMap(const Intensity& intensity);
+
+  /// cd along a unit direction in the luminaire's axes; linear within a cell.
+  double at(const Vec3& direction) const;
+
+ private:
+  static constexpr int kEdge = 384;
+  std::vector<float> candela_;  // (kEdge + 1)^2
+};
+
+}  // namespace fiatlux

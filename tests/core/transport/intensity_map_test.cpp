@@ -1,0 +1,49 @@
+// Intensities by look-up against the intensities themselves.
+#include "core/transport/intensity_map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/random.h"
+
+namespace fiatlux {
+namespace {
+
+Vec3 anyDirection(Random& random) {
+  const double z = 2 * random.unit() - 1, angle = 2 * std::numbers::pi * random.unit();
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+TEST(IntensityMap, IsTheDistributionInEveryDirection) {
+  // Light to both sides, uneven in all planes.
+  const auto candela = [](const Vec3& d) { return 100 + 40 * d.x + 20 * d.y * d.x - 30 * d.z; };
+  const IntensityMap map(candela);
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 d = anyDirection(random);
+    EXPECT_NEAR(map.at(d), candela(d), 0.02);
+  }
+  for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0, -1, 0}})
+    EXPECT_NEAR(map.at(axis), candela(axis), 0.02);
+}
+
+TEST(IntensityMap, KeepsANarrowBeam) {
+  // cos^126: half as bright at 6 degrees.
+  const auto beam = [](const Vec3& d) { return d.z > 0 ? 1000 * std::pow(d.z, 126) : 0.0; };
+  const IntensityMap map(beam);
+  Random random(6);
+  double worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double angle = 2 * std::numbers::pi * random.unit(), r = 0.3 * random.unit();
+    const Vec3 d = normalized({r * std::cos(angle), r * std::sin(angle), 1});
+    worst = std::max(worst, std::abs(map.at(d) - beam(d)));
+  }
+  EXPECT_LT(worst, 3);
+}
+
+}  // namespace
+}  // namespace fiatlux
