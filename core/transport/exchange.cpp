@@ -36,6 +36,24 @@ std::vector<float> ExchangeOperator::indirect(const std::vector<float>& direct, 
   return light;
 }
 
+std::vector<float> ExchangeOperator::spread(const std::vector<float>& lumens, std::uint32_t columns) const {
+  const std::size_t rows = patches_.rows();
+  std::vector<float> means(std::size_t{total_} * columns), spread(rows * columns), light(rows * columns);
+  Eigen::Map<GroupMatrix>(means.data(), total_, columns).noalias() =
+      Eigen::Map<const GroupMatrix>(exchange_.means.data(), total_, count_) *
+      Eigen::Map<const GroupMatrix>(lumens.data(), count_, columns);
+  interpolation_.apply(means.data(), columns, spread.data());
+  for (std::size_t p = 0; p < rows; ++p) {
+    float* row = &spread[p * columns];
+    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
+      const float* source = &lumens[std::size_t{exchange_.group[i]} * columns];
+      for (std::uint32_t j = 0; j < columns; ++j) row[j] += exchange_.rest[i] * source[j];
+    }
+    for (std::uint32_t j = 0; j < columns; ++j) light[j * rows + p] = row[j];
+  }
+  return light;
+}
+
 void ExchangeOperator::indirectBlock(const float* direct, std::uint32_t width, float* out) const {
   // First reflected lumens of each patch; receivers reflect nothing.
   std::vector<float> phi(std::size_t{patches_.rows()} * width, 0.0f);

@@ -23,6 +23,14 @@ class ExchangeOperator {
   /// below zero where it is dark.
   std::vector<float> indirect(const std::vector<float>& direct, std::uint32_t columns) const;
 
+  /// lx of every row, column-major rows x columns, for lumens that leave the groups of patches evenly
+  /// (row-major groups x columns).
+  std::vector<float> spread(const std::vector<float>& lumens, std::uint32_t columns) const;
+  /// Mean lx over group `to` per lumen that leaves group `from`, 1/m2.
+  double between(std::uint32_t to, std::uint32_t from) const {
+    return exchange_.means[std::size_t{to} * count_ + from];
+  }
+
  private:
   void indirectBlock(const float* direct, std::uint32_t width, float* out) const;
 
