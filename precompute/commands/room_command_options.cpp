@@ -20,6 +20,8 @@ void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, R
       ->check(numberFrom(1e-3, kMost));
   command.add_option("--site-size", room.siteSize, "Side of a luminaire's square, m (default: the spacing)")
       ->check(numberFrom(1e-3, kMost));
+  command.add_option("--drop", room.drop, "How far below their mounts luminaires hang (pendants), m")
+      ->check(numberFrom(0, kMost));
   command.add_option("--measure", room.measures, "Node that is a measuring plane (repeatable)")
       ->allow_extra_args(false);
   command.add_option("--scale", room.scale, "Metres of one unit of the file")

@@ -257,6 +257,7 @@ void checkOptions(const RoomOptions& options) {
     throw CommandError("--cluster must be between 1 and " + std::to_string(kMostClusterEdge));
   if (!(options.siteSpacing >= 0 && options.siteSpacing < kMostRoomOption)) refuse("--site-spacing");
   if (!(options.siteSize >= 0 && options.siteSize < kMostRoomOption)) refuse("--site-size");
+  if (!(options.drop >= 0 && options.drop < kMostRoomOption)) refuse("--drop");
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
 
@@ -288,7 +289,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
                             " patches, so that there are at most " + std::to_string(kMostClusters));
   addMeasuringPlanes(source, roles, options, inside.names, room);
   sumSurfaces(room);
-  addSites(mesh, inside.mounts, options, room);
+  addSites(mesh, inside.mounts, tracer, options, room);
   orThrow(checkMemory(countsOf(options, room), options.memory));
   return {std::move(room), std::move(tracer)};
 }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/short_number.h"
+#include "core/scene/luminaire.h"
 #include "precompute/base/error.h"
 #include "precompute/base/names.h"
 #include "precompute/geometry/sites.h"
@@ -37,7 +38,8 @@ std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Fac
     const SourceMesh& mesh = source.meshes[face.mesh];
     if (!mesh.extras.mount) continue;
     const auto [found, fresh] = ofNode.emplace(mesh.nodeIndex, mounts.size());
-    if (fresh) mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0)});
+    if (fresh)
+      mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0), mesh.extras.drop.value_or(0)});
     mounts[found->second].faces.push_back(face);
   }
   return mounts;
@@ -60,9 +62,11 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
       names.insert(names.end(), tree.names.begin(), tree.names.end());
       unknownName("--mount", name, names);
     }
-    for (const Face& face : mount.faces)
-      if (source.meshes[face.mesh].extras.siteSpacing)
-        mount.spacing = *source.meshes[face.mesh].extras.siteSpacing;
+    for (const Face& face : mount.faces) {
+      const NodeExtras& extras = source.meshes[face.mesh].extras;
+      mount.spacing = extras.siteSpacing.value_or(mount.spacing);
+      mount.drop = extras.drop.value_or(mount.drop);
+    }
     mounts.push_back(std::move(mount));
   }
 }
@@ -162,8 +166,32 @@ std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount
   return all;
 }
 
-void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RoomOptions& options,
-              Room& room) {
+namespace {
+
+/// Hangs the sites `drop` metres lower, without those that something stands in the way of.
+void lower(const Mount& mount, double drop, const RayTracer& tracer, std::vector<Site>& sites,
+           std::vector<std::string>& warnings) {
+  const std::size_t before = sites.size();
+  const auto isInTheWay = [&](const Site& site) {
+    RayPacket cord;
+    const double clear = kLuminaireClearance;
+    tracer.aim(cord, site.position + clear * site.normal, site.normal, drop);
+    bool blocked[RayPacket::kSize];
+    tracer.occluded(cord, blocked);
+    return blocked[0];
+  };
+  sites.erase(std::remove_if(sites.begin(), sites.end(), isInTheWay), sites.end());
+  for (Site& site : sites) site.position += drop * site.normal;
+  if (sites.size() < before)
+    warnings.push_back(std::to_string(before - sites.size()) + " of " + std::to_string(before) +
+                       " sites of mount '" + mount.name + "' are left out: something is less than " +
+                       shortNumber(drop) + " m below them; pass a smaller --drop");
+}
+
+}  // namespace
+
+void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RayTracer& tracer,
+              const RoomOptions& options, Room& room) {
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
   const double sensible = std::clamp(std::round(std::sqrt(area / kUsualSites) / kStep) * kStep, kFinest,
@@ -177,10 +205,12 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ro
     RunCounts counts = countsOf(options, room);
     counts.sites += expected;
     orThrow(checkMemory(counts, options.memory));
-    const std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
+    std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
     if (sites.empty())
       room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +
                               shortNumber(size) + " m; pass a smaller --site-spacing");
+    const double drop = options.drop > 0 ? options.drop : mount.drop;
+    if (drop > 0 && !sites.empty()) lower(mount, drop, tracer, sites, room.warnings);
     room.sites.insert(room.sites.end(), sites.begin(), sites.end());
   }
   if (room.sites.empty() && options.requireSites)

@@ -7,6 +7,7 @@
 #include "precompute/geometry/outlook.h"
 #include "precompute/geometry/room_options.h"
 #include "precompute/geometry/surfaces.h"
+#include "precompute/rays/ray_tracer.h"
 #include "precompute/room/room.h"
 
 namespace fiatlux {
@@ -15,6 +16,7 @@ struct Mount {
   std::string name;
   std::vector<Face> faces;
   double spacing = 0;  // m, 0 = not said
+  double drop = 0;     // m, from the mount to its sites
 };
 
 /// The names of the file that a person may ask for: nodes, and surfaces that extras name.
@@ -35,8 +37,10 @@ std::vector<Mount> findMounts(const SourceScene& source, const WeldedMesh& mesh,
 /// The faces of all mounts on which sites will hang.
 std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts);
 
-/// Hangs the sites of all mounts. Throws CommandError where there are too many, or none though required.
-void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RoomOptions& options,
-              Room& room);
+/// Hangs the sites of all mounts, as far below as they drop; those that something stands in the way of are
+/// left out, with a warning. `tracer`: of the mesh. Throws CommandError where there are too many, or none
+/// though required.
+void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RayTracer& tracer,
+              const RoomOptions& options, Room& room);
 
 }  // namespace fiatlux

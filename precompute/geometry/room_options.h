@@ -19,11 +19,13 @@ struct RoomOptions {
   std::vector<std::string> mounts;    // nodes or surfaces where luminaires may hang (besides extras.mount)
   double siteSpacing = 0;             // m; 0: what the extras say, else a sensible default
   double siteSize = 0;                // m, side of a site's square; 0: the spacing
+  double drop = 0;                    // m, that sites hang below their mounts; 0: what the extras say
   std::vector<std::string> measures;  // names of measuring planes (besides extras.measure)
   double scale = 1;                   // metres per unit of the file
   double memory = 4;                  // GB, refused above
   std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory
   unsigned threads = 1;               // that will share the work: only to foresee the memory
+  bool exchange = false;              // that will be computed later: only to foresee the memory
   bool paper = false;                 // clusters stay exactly cluster x cluster, however many there are
   std::vector<Luminaire> luminaires;  // known beforehand: what they light stays, even if it faces the void
   bool requireSites = true;           // false: a room without a place to hang luminaires is fine
@@ -33,6 +35,7 @@ struct RoomOptions {
 inline RunCounts countsOf(const RoomOptions& options) {
   RunCounts counts;
   counts.rays = options.rays;
+  counts.exchange = options.exchange;
   counts.paper = options.paper;
   counts.threads = options.threads;
   return counts;

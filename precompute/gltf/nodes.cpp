@@ -12,6 +12,7 @@ namespace fiatlux {
 namespace {
 
 constexpr double kLeastSpacing = 1e-3, kMostSpacing = 1e3;  // m, of sites
+constexpr double kMostDrop = 1e3;                           // m
 
 /// The nodes below `roots`, parents first, each once; without recursion.
 std::vector<int> nodesBelow(const Model& model, const std::vector<int>& roots) {
@@ -71,6 +72,7 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
   extras.mount = flag("mount");
   extras.measure = flag("measure");
   extras.siteSpacing = number("siteSpacing", kLeastSpacing, kMostSpacing, "write metres");
+  extras.drop = number("drop", 0, kMostDrop, "write metres");
   const std::string most = shortNumber(kMostReflectance);
   extras.reflectance = number("reflectance", 0, 1, ("write a number from 0 to " + most).c_str());
   if (extras.reflectance && *extras.reflectance > kMostReflectance) {

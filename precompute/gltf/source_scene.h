@@ -42,6 +42,7 @@ struct NodeExtras {
   std::optional<double> reflectance;  // 0..0.95
   bool mount = false, measure = false;
   std::optional<double> siteSpacing;  // m
+  std::optional<double> drop;         // m, that luminaires hang below the mount
 };
 
 /// One primitive of one node instance, in world space (metres after --scale), triangulated, mirrored

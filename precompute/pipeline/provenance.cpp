@@ -27,6 +27,7 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
        << " paper=" << options.transport.paper << " seed=" << options.transport.seed
        << " spacing=" << options.room.siteSpacing << " size=" << options.room.siteSize
        << " scale=" << options.room.scale;
+  if (options.room.drop > 0) text << " drop=" << options.room.drop;
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
   return text.str();
@@ -41,6 +42,7 @@ Json optionsJson(const SceneOptions& options) {
           {"mount", options.room.mounts},
           {"siteSpacing", options.room.siteSpacing},
           {"siteSize", options.room.siteSize},
+          {"drop", options.room.drop},
           {"measure", options.room.measures},
           {"scale", options.room.scale},
           {"seed", options.transport.seed}};

@@ -313,6 +313,31 @@ TEST(BuildRoom, MountsByNameAndWhatHappensWithoutRoom) {
   EXPECT_TRUE(gltf.build(options));
 }
 
+TEST(BuildRoom, PendantsHangBelowTheirMount) {
+  RoomOptions options;
+  options.mounts = {"north"};
+  options.siteSpacing = 0.9;
+  options.siteSize = 0.2;
+  TestGltf gltf = boxRoom({4, 3, 5}, 0);
+  const auto plain = gltf.build(options);
+  options.drop = 0.75;
+  const auto lowered = gltf.build(options);
+  ASSERT_TRUE(plain && lowered);
+  ASSERT_EQ(lowered->sites.size(), plain->sites.size());
+  for (std::size_t j = 0; j < plain->sites.size(); ++j) {
+    const Vec3 apart = lowered->sites[j].position - plain->sites[j].position;
+    EXPECT_NEAR(length(apart - 0.75 * plain->sites[j].normal), 0, 1e-9);
+  }
+  // What stands in the way of some of them.
+  TestMesh block;
+  block.box({0, 0, 4.3}, {2, 3, 0.3}, false);
+  gltf.node("block", gltf.mesh(block));
+  const auto fewer = gltf.build(options);
+  ASSERT_TRUE(fewer) << fewer.error().message;
+  EXPECT_LT(fewer->sites.size(), plain->sites.size());
+  EXPECT_THAT(allWarnings(fewer->warnings), HasSubstr("something is less than 0.75 m below them"));
+}
+
 TEST(BuildRoom, WhatItsAuthorCallsACeilingIsProposedFirst) {
   // A lowered ceiling within a shell whose own upper side is larger and looks like a ceiling.
   TestGltf gltf;

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/transport/exchange.h"
+#include "core/transport/photometric_light.h"
 #include "core/transport/site_responses.h"
 #include "precompute/light/exchange_groups.h"
 #include "precompute/light/operator_errors.h"
@@ -148,6 +150,30 @@ TEST_F(DividedRoom, OtherPhotometriesComeOutAsTheWholeSolution) {
     EXPECT_LT(error.meanWorst, 0.02) << error.photometry;
     EXPECT_LT(error.sigmaMedian, 0.02) << error.photometry;
   }
+}
+
+TEST(Pendants, LightThatGoesUpReachesTheCeiling) {
+  const auto faces = boxSurfaces({0, 0, 0}, {4, 2.5, 5}, 0.5, 0.25);
+  Room room = rectangleRoom(faces);
+  room.sites = siteGrid(faces[1], 2, 2, 0.3);
+  for (Site& site : room.sites) site.position.y -= 0.6;
+  TransportOptions options = quick(true);
+  options.rays = 64;
+  auto transport = testing::transportOf(room, options);
+  ASSERT_TRUE(transport) << transport.error().message;
+  const Scene scene = sceneOf(room, std::move(*transport), "0123456789abcdef");
+  Luminaire luminaire = luminaireOf(scene.sites[1]);
+  luminaire.distribution = Luminaire::Distribution::kPhotometric;
+  luminaire.flux = 1000;
+  luminaire.intensity = [](const Vec3& d) { return d.z < 0 ? -1000 / std::numbers::pi * d.z : 0.0; };
+  const std::vector<float> direct = PhotometricLight(scene).direct({{1, luminaire}});
+  double ceiling = 0, all = 0;
+  for (std::uint32_t p = 0; p < room.patches.count; ++p) {
+    all += room.patches.area[p] * direct[p];
+    if (room.patches.surface[p] == 1) ceiling += room.patches.area[p] * direct[p];
+  }
+  EXPECT_NEAR(all, 1000, 15);
+  EXPECT_GT(ceiling, 700);
 }
 
 }  // namespace
