@@ -5,6 +5,7 @@
 
 #include "core/scene/light_operator.h"
 #include "precompute/rays/ray_tracer.h"
+#include "precompute/room/memory.h"
 #include "precompute/room/room.h"
 
 namespace fiatlux {
@@ -15,7 +16,5 @@ Charts chartsOf(const Room& room);
 /// Blocks of about 4 x 4 cells of large charts, small charts together by surface, direction and place; split
 /// where something stands between neighbouring cells. Blocks grow until there are at most kMostGroups.
 ExchangeGroups exchangeGroups(const Room& room, const RayTracer& tracer);
-
-inline constexpr std::uint32_t kMostGroups = 3000;
 
 }  // namespace fiatlux

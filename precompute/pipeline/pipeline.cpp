@@ -21,6 +21,7 @@ SceneOptions consistent(SceneOptions options, const Host& host) {
   options.transport.progress = host.progress;
   options.room.rays = options.transport.rays;
   options.room.paper = options.transport.paper;
+  options.room.exchange = options.transport.exchange && !options.transport.paper;
   return options;
 }
 

@@ -15,6 +15,10 @@ namespace {
 /// many (the open office: 490 and 210).
 constexpr double kUsualEntries = 512;
 
+constexpr double kUsualGroup = 8;  // rows of a group between which light is exchanged, in furnished rooms
+/// Share of the pairs of rows and groups that interpolation leaves something over of; bytes of one, twice.
+constexpr double kUsualRest = 0.03, kRestBytes = 24;
+
 constexpr double kRowBytes = 600;  // geometry: fragments, triangles, charts
 
 struct Part {
@@ -33,6 +37,8 @@ std::vector<Part> partsOf(const RunCounts& c) {
   const double copies = c.paper ? 1 : 2;  // responses; and direct light, of which they are made
   const double blocks = m > 0 && !c.paper ? c.threads * kFloat * kBlockWidth * (4 * n + 2 * c.rows) : 0;
   const double statistics = 2 * c.surfaces * kDouble * m * m + (c.paper ? c.surfaces * kDouble * k * k : 0);
+  const double groups = c.exchange ? std::min<double>(kMostGroups, c.rows / kUsualGroup) : 0;
+  const double visibility = c.exchange ? c.rows * m : 0;
   return {
       {c.rows * kRowBytes, rows, "a larger --patch"},
       {c.rows * entries, c.paper ? rows + " x " + std::to_string(c.rays) + " rays" : rows,
@@ -40,6 +46,8 @@ std::vector<Part> partsOf(const RunCounts& c) {
       {(c.paper ? 2 : 1) * kFloat * c.rows * k + 3 * kDouble * k * k, rows + " x " + clusters,
        "a larger --patch or --cluster"},
       {copies * kFloat * c.rows * m + blocks, rows + " x " + sites, "a larger --patch or --site-spacing"},
+      {visibility + 4 * kFloat * groups * groups + kUsualRest * kRestBytes * groups * c.rows,
+       rows + " x " + sites + ", and their exchange", "--no-exchange or a larger --patch"},
       {statistics, shortNumber(c.surfaces) + " surfaces x " + sites + " squared", "a larger --site-spacing"}};
 }
 

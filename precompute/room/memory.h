@@ -9,6 +9,9 @@
 
 namespace fiatlux {
 
+/// Groups of patches between which light is exchanged: never more.
+inline constexpr std::uint32_t kMostGroups = 3000;
+
 /// What a run consists of; 0 where nothing is known or foreseen yet.
 struct RunCounts {
   double patches = 0;   // n
@@ -17,6 +20,7 @@ struct RunCounts {
   double sites = 0;     // m
   double surfaces = 0;
   std::uint32_t rays = 0;  // per patch
+  bool exchange = false;   // visible shares and the exchange between groups of patches as well
   bool paper = false;      // --paper: a ray's patch is kept each, Y and k x k covariances as well
   unsigned threads = 1;
 };
