@@ -1,9 +1,12 @@
-// What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings, result-lines.
+// What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings,
+// result-lines, report, report-page, plan-figure, light-figure, schedule, verdict.
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import DxfParser from 'dxf-parser';
+import { decodeLink } from '../../web/document/share-link.ts';
 import { readStf } from '../../web/document/stf.ts';
-import { expect, openApp, places, results, test } from './app.ts';
+import { bare, pdfPages } from './pdf-text.ts';
+import { expect, openApp, places, results, test, violations } from './app.ts';
 
 /** What an entry of the file menu saves. */
 async function saved(page: Page, entry: RegExp): Promise<string> {
@@ -58,4 +61,42 @@ test('CSV, DXF and STF of the office hold what the panel shows, to the millimetr
   const plane = (await results(page)).find((row) => row.startsWith('working plane'))!;
   const mean = Number(lines.find((line) => line.startsWith('surface,working plane,mean'))?.split(',')[4]);
   expect(plane).toContain(String(Math.round(mean)));
+});
+
+const report = (page: Page) => page.getByRole('dialog', { name: 'Report' });
+
+test('the report of the office prints on three pages and says what the app says', async ({ page }) => {
+  test.slow(); // a picture, axe and a PDF
+  await openApp(page);
+  const rows = await results(page);
+  const totals = await page.locator('.totals dd').allInnerTexts();
+  const at = await places(page);
+  await page.keyboard.press('Control+p');
+  await expect(report(page).getByRole('heading', { level: 1 })).toHaveText('Open office');
+  const view = report(page).getByRole('img', { name: 'The room as it is lit' });
+  await expect(view).toBeVisible({ timeout: 90_000 }); // drawn by software
+
+  expect(await violations(page)).toEqual([]);
+  const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+  const pages = pdfPages(pdf);
+  expect(pages.length).toBeLessThanOrEqual(3);
+  const text = pages.join('');
+  const holds = (what: string) => expect(text).toContain(bare(what));
+  holds('Open office');
+  holds('12.00 × 7.80 × 2.80 m');
+  for (const total of [totals[0], totals[2]]) holds(total!);
+  const plane = rows.find((row) => row.startsWith('working plane'))!;
+  holds(plane.split('\t').slice(0, 1).join(''));
+  for (const figure of plane.split('\t').slice(1, 5)) holds(figure);
+  at.forEach((place, i) => holds(`L${i + 1} ${place}`));
+  holds('mean at least');
+  holds('500 lx');
+  holds('wish');
+  holds('Luminaires are Lambertian squares');
+
+  const address = await report(page).getByRole('link').getAttribute('href');
+  const read = decodeLink(new URL(address!).hash);
+  expect(read.ok && read.link.layout?.positions).toHaveLength(at.length);
+  await page.keyboard.press('Escape');
+  await expect(report(page)).toHaveCount(0);
 });

@@ -23,7 +23,8 @@ const floors: readonly (readonly [floor: string, below: readonly string[]])[] = 
   ['room-maker/', ['document/']],
   ['app/', ['room-maker/', 'viewer/', 'solver/', 'document/']],
   ['panel/controls/', ['app/', 'document/']],
-  ['panel/', ['app/', 'room-maker/', 'viewer/', 'solver/', 'document/']],
+  ['report/', ['app/', 'viewer/', 'solver/', 'document/']],
+  ['panel/', ['report/', 'app/', 'room-maker/', 'viewer/', 'solver/', 'document/']],
 ];
 
 const floorOf = (file: string) => floors.find(([floor]) => file.startsWith(floor))?.[0];

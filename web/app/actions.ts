@@ -243,6 +243,14 @@ const file: readonly Action[] = [
     keys: ['Mod+O'],
     run: ({ opening }) => opening.pick(),
   },
+  {
+    id: 'report',
+    title: 'Report to print or to sign',
+    group: 'File',
+    keys: ['Mod+P'],
+    enabled: ({ store }) => store.shown.value !== null,
+    run: show('report'),
+  },
   { id: 'share', title: 'Share a link', group: 'File', enabled: hasRoom, run: show('share') },
   ...exportFormats.map((format): Action => ({
     id: format.id,

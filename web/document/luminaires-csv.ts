@@ -5,16 +5,18 @@
  */
 import { csvText } from './csv.ts';
 import { inPlan, type PlanFrame, type Point3 } from './plan-frame.ts';
+import { drawnBy } from './schedule.ts';
 import { positionOf } from './sites.ts';
 import type { Layout, LuminaireType, Mounting, SceneInfo } from './types.ts';
 
 export function luminairesCsv(
-  { sites: places, flux: fluxes, dimming, mountings }: Layout,
+  layout: Layout,
   sites: SceneInfo['sites'],
   frame: PlanFrame,
   efficacy: number,
   types: readonly LuminaireType[] = [],
 ): string {
+  const { sites: places, mountings } = layout;
   const metres = (point: Point3) => inPlan(frame, point).map((value) => (value + 0).toFixed(3));
   const mountingCells = ({ turn, aim }: Mounting, type: LuminaireType | undefined) => [
     type?.name ?? '',
@@ -23,9 +25,7 @@ export function luminairesCsv(
   ];
   const rows = places.map((site, index) => {
     const mounting = mountings?.[index];
-    const type = types.find(({ id }) => id === mounting?.type);
-    const flux = (fluxes[index] ?? 0) * dimming;
-    const watts = type?.watts ? type.watts * dimming : flux / efficacy;
+    const { type, flux, watts } = drawnBy(layout, index, efficacy, types);
     const place = [`L${index + 1}`, ...metres(positionOf(sites, site)), flux.toFixed(1), watts.toFixed(2)];
     return mounting ? [...place, ...mountingCells(mounting, type)] : place;
   });

@@ -3,6 +3,7 @@ import { isoluxLines } from '../../document/isolux-lines.ts';
 import { lightField, type LightField } from '../../document/light-field.ts';
 import type { DxfDrawing } from '../../document/plan-dxf.ts';
 import { inPlan, type PlanFrame, type Point2, type RoomPlan } from '../../document/plan-frame.ts';
+import { drawnBy } from '../../document/schedule.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { StfProject, StfType } from '../../document/stf.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
@@ -45,7 +46,6 @@ export function hungInPlan({ scene: { sites }, plan: { frame }, layout }: Drawn)
       place: inPlan(frame, positionOf(sites, site)),
       axis,
       size: sites.size[site] ?? 0,
-      flux: (layout.flux[i] ?? 0) * layout.dimming,
     };
   });
 }
@@ -72,16 +72,12 @@ export function stfProject(app: App, today: Date): StfProject {
   const title = app.store.roomTitle.peek();
   const efficacy = app.store.efficacy.peek();
   const types: StfType[] = [];
-  const luminaires = hungInPlan(what).map(({ place, axis, size, flux }) => {
-    let type = types.findIndex((each) => each.size[0] === size && each.flux === flux);
-    if (type < 0)
-      type =
-        types.push({
-          name: `Lambertian square ${size.toFixed(2)} m, ${Math.round(flux)} lm`,
-          size: [size, size, 0],
-          flux,
-          watts: flux / efficacy,
-        }) - 1;
+  const known = app.store.document.peek().luminaires.types;
+  const luminaires = hungInPlan(what).map(({ place, axis, size }, i) => {
+    const { flux, watts, type: made } = drawnBy(what.layout, i, efficacy, known);
+    const name = made?.name ?? `Lambertian square ${size.toFixed(2)} m, ${Math.round(flux)} lm`;
+    let type = types.findIndex((each) => each.name === name && each.size[0] === size && each.flux === flux);
+    if (type < 0) type = types.push({ name, size: [size, size, 0], flux, watts }) - 1;
     const turned = (Math.atan2(axis[1], axis[0]) * 180) / Math.PI;
     return { type, place, rotation: [0, 0, turned] as const };
   });

@@ -40,7 +40,12 @@ export function resultLines(store: Store): ResultLine[] {
       verdict: row.met === null ? '' : row.met ? 'met' : 'not met',
     }),
   );
-  const { flux, watts, floor } = powerOf(shown.layout, scene.surfaces, store.efficacy.peek());
+  const { flux, watts, floor } = powerOf(
+    shown.layout,
+    scene.surfaces,
+    store.efficacy.peek(),
+    document.luminaires.types,
+  );
   const total = (statistic: string, value: number, its: string) =>
     line({ kind: 'total', name: 'luminaires', statistic, value, unit: its });
   const totals = [

@@ -1,5 +1,6 @@
 /** What the light costs: flux, power, and both per floor area. */
-import type { Layout } from '../../document/types.ts';
+import { drawnBy } from '../../document/schedule.ts';
+import type { Layout, LuminaireType } from '../../document/types.ts';
 
 export interface Power {
   readonly flux: number; // lm, after dimming
@@ -11,9 +12,11 @@ export function powerOf(
   layout: Layout,
   surfaces: readonly { name: string; area: number }[],
   efficacy: number, // lm/W
+  types?: readonly LuminaireType[],
 ): Power {
-  const flux = layout.flux.reduce((sum, each) => sum + each, 0) * layout.dimming;
-  return { flux, watts: flux / efficacy, floor: floorArea(surfaces) };
+  const drawn = layout.sites.map((_, index) => drawnBy(layout, index, efficacy, types));
+  const sum = (of: 'flux' | 'watts') => drawn.reduce((total, each) => total + each[of], 0);
+  return { flux: sum('flux'), watts: sum('watts'), floor: floorArea(surfaces) };
 }
 
 /** Area of what is called floor; null in a room that names none. */

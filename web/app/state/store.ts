@@ -45,7 +45,7 @@ export interface Hover {
   readonly exitance: number; // lm/m2
 }
 
-export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | null;
+export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;
 export type Tab = 'intentions' | 'luminaires' | 'results';
 export type Saving =
   | { readonly state: 'unsaved' }

@@ -5,6 +5,7 @@ import { LuminaireDialog } from './luminaire-dialog.tsx';
 import { HelpDialog } from './help-dialog.tsx';
 import { Palette } from './palette.tsx';
 import { PresetsDialog } from './presets-dialog.tsx';
+import { ReportDialog } from './report-dialog.tsx';
 import { ShareDialog } from './share-dialog.tsx';
 
 export function Dialogs() {
@@ -23,6 +24,8 @@ export function Dialogs() {
       return <PresetsDialog close={close} />;
     case 'luminaires':
       return <LuminaireDialog close={close} />;
+    case 'report':
+      return <ReportDialog close={close} />;
     case null:
       return null;
   }

@@ -25,7 +25,11 @@ function Power() {
   const { layout, surfaces } = store.shown.value ?? {};
   const scene = store.scene.value;
   if (!layout || !surfaces || !scene) return null;
-  const { flux: lumens, watts, floor } = powerOf(layout, scene.surfaces, store.efficacy.value);
+  const {
+    flux: lumens,
+    watts,
+    floor,
+  } = powerOf(layout, scene.surfaces, store.efficacy.value, store.document.value.luminaires.types);
   return (
     <dl class="totals">
       <div>

@@ -1,0 +1,54 @@
+/** The luminaires of a layout as they are ordered: a row for each kind, and what each of them draws. */
+import { inPlan, type PlanFrame } from './plan-frame.ts';
+import { positionOf } from './sites.ts';
+import type { Layout, LuminaireType, SceneInfo } from './types.ts';
+
+/** What luminaire i shines and draws, after dimming. */
+export interface Drawn {
+  readonly type: LuminaireType | undefined; // undefined = a Lambertian square
+  readonly flux: number; // lm
+  readonly watts: number; // of its type where that is known, else by the efficacy
+}
+
+export function drawnBy(
+  { flux, dimming, mountings }: Layout,
+  index: number,
+  efficacy: number, // lm/W
+  types: readonly LuminaireType[] = [],
+): Drawn {
+  const type = types.find(({ id }) => id === mountings?.[index]?.type);
+  const lumens = (flux[index] ?? 0) * dimming;
+  return { type, flux: lumens, watts: type?.watts ? type.watts * dimming : lumens / efficacy };
+}
+
+export interface ScheduleRow extends Drawn {
+  readonly name: string;
+  readonly tags: readonly string[];
+  readonly mounting: string; // "facing down at 2.80 m"
+}
+
+export function scheduleOf(
+  layout: Layout,
+  sites: SceneInfo['sites'],
+  frame: PlanFrame,
+  efficacy: number,
+  types: readonly LuminaireType[] = [],
+): ScheduleRow[] {
+  const rows = new Map<string, ScheduleRow & { tags: string[] }>();
+  layout.sites.forEach((site, index) => {
+    const drawn = drawnBy(layout, index, efficacy, types);
+    const name = drawn.type?.name ?? `Lambertian square, ${(sites.size[site] ?? 0).toFixed(2)} m`;
+    const height = inPlan(frame, positionOf(sites, site))[2];
+    const mounting = `${facing(sites.normal[3 * site + 1] ?? 0)} at ${height.toFixed(2)} m`;
+    const key = [name, drawn.flux.toFixed(1), drawn.watts.toFixed(2), mounting].join('\n');
+    const row = rows.get(key);
+    if (row) row.tags.push(`L${index + 1}`);
+    else rows.set(key, { ...drawn, name, mounting, tags: [`L${index + 1}`] });
+  });
+  return [...rows.values()];
+}
+
+function facing(up: number): string {
+  if (up < -0.7) return 'facing down';
+  return up > 0.7 ? 'facing up' : 'on a wall,';
+}

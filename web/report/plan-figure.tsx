@@ -1,0 +1,119 @@
+/** The room in plan as a drawing: to scale, with dimensions, corner, north and a scale bar. Text stays text. */
+import type { ComponentChildren } from 'preact';
+import type { Point2, RoomPlan } from '../document/plan-frame.ts';
+
+const paper = { width: 176, height: 117 }; // mm that a drawing may take
+const margin = 11; // mm for dimensions, north and scale bar
+
+export interface Figure {
+  readonly millimetre: number; // m of the room a millimetre on paper
+  readonly at: (point: Point2) => readonly [number, number]; // from plan to the drawing, whose y runs down
+}
+
+export function figureOf({ frame }: RoomPlan): Figure {
+  const [east, north] = frame.size;
+  const millimetre = Math.max(east / (paper.width - 2 * margin), north / (paper.height - 2 * margin));
+  return { millimetre, at: ([x, y]) => [x, north - y] };
+}
+
+interface Props {
+  readonly plan: RoomPlan;
+  readonly label: string;
+  readonly below?: ComponentChildren; // under walls and furniture
+  readonly children?: ComponentChildren; // above them
+}
+
+export function PlanFigure({ plan, label, below, children }: Props) {
+  const { at, millimetre: mm } = figureOf(plan);
+  const [east, north] = plan.frame.size;
+  const edge = margin * mm;
+  const lines = plan.furniture.map((ends) => ends.map((end) => pair(at(end))).join('L'));
+  return (
+    <svg
+      class="plan-figure"
+      role="img"
+      aria-label={label}
+      viewBox={[-edge, -edge, east + 2 * edge, north + 2 * edge].map(short).join(' ')}
+      style={{ width: `${(east + 2 * edge) / mm}mm` }}
+    >
+      {below}
+      <path class="furniture" d={lines.map((line) => `M${line}`).join('')} stroke-width={0.1 * mm} />
+      {plan.outlines.map((loop, i) => (
+        <path key={i} class="walls" d={pathOf(loop.map(at), true)} stroke-width={0.5 * mm} />
+      ))}
+      {children}
+      <Dimensions east={east} north={north} mm={mm} />
+    </svg>
+  );
+}
+
+const short = (value: number): string => String(Math.round(value * 1000) / 1000 + 0);
+const pair = ([x, y]: readonly [number, number]): string => `${short(x)} ${short(y)}`;
+
+export function pathOf(points: readonly (readonly [number, number])[], isClosed: boolean): string {
+  return `M${points.map(pair).join('L')}${isClosed ? 'Z' : ''}`;
+}
+
+/** Text of a size in millimetres. */
+export function Note({
+  at: [x, y],
+  mm,
+  size = 2.6,
+  children,
+  ...rest
+}: {
+  at: readonly [number, number];
+  mm: number;
+  size?: number;
+  class?: string;
+  turned?: boolean;
+  anchor?: 'start' | 'middle' | 'end';
+  children: ComponentChildren;
+}) {
+  return (
+    <text
+      x={short(x)}
+      y={short(y)}
+      font-size={short(size * mm)}
+      text-anchor={rest.anchor ?? 'middle'}
+      class={rest.class}
+      {...(rest.turned && { transform: `rotate(-90 ${short(x)} ${short(y)})` })}
+    >
+      {children}
+    </text>
+  );
+}
+
+/** The sides of the room, its corner, where north is, and a bar to measure by. */
+function Dimensions({ east, north, mm }: { east: number; north: number; mm: number }) {
+  const [below, left] = [north + 5 * mm, -5 * mm];
+  const bar = [1, 2, 5, 10, 20].filter((metres) => metres <= east / 3).at(-1) ?? 1;
+  const tick = 1.2 * mm;
+  return (
+    <g class="dimensions" stroke-width={0.18 * mm}>
+      <path d={`M0 ${below}H${east}M0 ${below - tick}v${2 * tick}M${east} ${below - tick}v${2 * tick}`} />
+      <Note at={[east / 2, below - mm]} mm={mm}>
+        {east.toFixed(2)} m
+      </Note>
+      <path d={`M${left} 0V${north}M${left - tick} 0h${2 * tick}M${left - tick} ${north}h${2 * tick}`} />
+      <Note at={[left - mm, north / 2]} mm={mm} turned>
+        {north.toFixed(2)} m
+      </Note>
+      <circle class="corner" cx={0} cy={north} r={0.9 * mm} />
+      <Note at={[mm, north + 9.5 * mm]} mm={mm} anchor="start">
+        0, 0
+      </Note>
+      <path
+        class="north"
+        d={`M${east + 6 * mm} ${9 * mm}v${-7 * mm}l${-1.3 * mm} ${2.6 * mm}h${2.6 * mm}l${-1.3 * mm} ${-2.6 * mm}`}
+      />
+      <Note at={[east + 6 * mm, 12.4 * mm]} mm={mm}>
+        N
+      </Note>
+      <path class="bar" d={`M${east - bar} ${north + 9.5 * mm}h${bar}`} stroke-width={0.9 * mm} />
+      <Note at={[east - bar - mm, north + 10.2 * mm]} mm={mm} anchor="end">
+        {bar} m
+      </Note>
+    </g>
+  );
+}

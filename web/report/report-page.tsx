@@ -1,0 +1,344 @@
+/** The report: three sheets at most for a usual room, as they are printed; on the screen under a bar that prints them. */
+import { Printer, X } from 'lucide-preact';
+import encodeQR from 'qr';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useApp } from '../app/app.ts';
+import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.ts';
+import { marginText } from '../app/words/layout-check.ts';
+import { targetText, valueText } from '../app/words/verdict.ts';
+import { unionOf } from '../app/state/statistics.ts';
+import { cornerName, placeText } from '../document/plan-frame.ts';
+import { LightFigure, ScaleBar } from './light-figure.tsx';
+import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
+import { reportOf, type Report } from './report.ts';
+import './report.css';
+
+export function ReportPage({ close }: { close: () => void }) {
+  const app = useApp();
+  const report = useMemo(() => reportOf(app), []);
+  const picture = usePicture();
+  const root = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    root.current?.focus();
+    return () => before instanceof HTMLElement && before.focus();
+  }, []);
+  return (
+    <section
+      ref={root}
+      class="report"
+      role="dialog"
+      aria-modal="true"
+      aria-label="Report"
+      tabIndex={-1}
+      onKeyDown={(event) => event.key === 'Escape' && close()}
+    >
+      <div class="report-bar">
+        <button class="button primary" onClick={() => window.print()}>
+          <Printer size={15} aria-hidden />
+          <span>Print or save as PDF</span>
+        </button>
+        <span class="spacer" />
+        <button class="icon-button" aria-label="Close the report" onClick={close}>
+          <X size={17} aria-hidden />
+        </button>
+      </div>
+      <article class="sheets">
+        <Head report={report} />
+        {picture && (
+          <img class="report-view" src={picture} alt="The room as it is lit, from the present view" />
+        )}
+        <Verdicts report={report} />
+        <Schedule report={report} />
+        <Places report={report} />
+        <Plan report={report} />
+        <Light report={report} />
+        <Surfaces report={report} />
+        <Basis report={report} />
+        <Signature />
+      </article>
+    </section>
+  );
+}
+
+/** The view as it was when the report was opened. */
+function usePicture(): string | null {
+  const { viewer } = useApp();
+  const [picture, setPicture] = useState<string | null>(null);
+  useEffect(() => {
+    let address: string | null = null;
+    void viewer.png().then(
+      (blob) => setPicture((address = URL.createObjectURL(blob))),
+      () => undefined, // a report without a picture is one, too
+    );
+    return () => {
+      if (address) URL.revokeObjectURL(address);
+    };
+  }, []);
+  return picture;
+}
+
+interface Props {
+  readonly report: Report;
+}
+
+function Head({ report: { title, date, link, plan, power, identity } }: Props) {
+  const [east, north, up] = plan.frame.size;
+  return (
+    <header class="report-head">
+      <div>
+        <h1>{title}</h1>
+        <p>{date}</p>
+        <dl>
+          <Fact name="Room">
+            {east.toFixed(2)} × {north.toFixed(2)} × {up.toFixed(2)} m
+            {power.floor ? `, ${compact(power.floor)} m²` : ''}
+          </Fact>
+          <Fact name="Flux">{compact(power.flux)} lm</Fact>
+          <Fact name="Power">
+            {compact(power.watts)} W{power.floor ? `, ${compact(power.watts / power.floor)} W/m²` : ''}
+          </Fact>
+          <Fact name="Scene">{identity}</Fact>
+        </dl>
+      </div>
+      {link ? (
+        <a class="report-link" href={link}>
+          <Code text={link} />
+          <span>This layout, live</span>
+        </a>
+      ) : (
+        <p class="fine-print">This layout is more than a link can carry.</p>
+      )}
+    </header>
+  );
+}
+
+function Fact({ name, children }: { name: string; children: preact.ComponentChildren }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+/** A QR code of dark squares; rows of them are one rectangle each. */
+function Code({ text }: { text: string }) {
+  const rows = useMemo(() => encodeQR(text, 'raw', { ecc: 'low', border: 2 }), [text]);
+  const runs = rows.flatMap((row, y) =>
+    row.flatMap((dark, x) => {
+      if (!dark || row[x - 1]) return [];
+      const end = row.indexOf(false, x);
+      return [`M${x} ${y}h${(end < 0 ? row.length : end) - x}v1H${x}z`];
+    }),
+  );
+  return (
+    <svg
+      viewBox={`0 0 ${rows.length} ${rows.length}`}
+      role="img"
+      aria-label="QR code of the link"
+      shape-rendering="crispEdges"
+    >
+      <path d={runs.join('')} />
+    </svg>
+  );
+}
+
+function Verdicts({ report: { verdicts } }: Props) {
+  if (verdicts.length === 0) return null;
+  return (
+    <table>
+      <caption>Intentions</caption>
+      <thead>
+        <tr>
+          <th scope="col">Where</th>
+          <th scope="col">What</th>
+          <th scope="col" class="number">
+            Target
+          </th>
+          <th scope="col" class="number">
+            Actual
+          </th>
+          <th scope="col">Verdict</th>
+        </tr>
+      </thead>
+      <tbody>
+        {verdicts.map((row, i) => (
+          <tr key={i}>
+            <th scope="row">{row.where}</th>
+            <td>{row.what}</td>
+            <td class="number">{targetText(row)}</td>
+            <td class="number">{valueText(row.actual, row.unit)}</td>
+            <td>
+              {row.met === null ? 'wish' : row.met ? '✓ met' : '✗ not met'}
+              {row.margin !== null && Number.isFinite(row.margin) && `, ${marginText(row.margin)}`}
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Schedule({ report: { schedule } }: Props) {
+  return (
+    <table>
+      <caption>Luminaires</caption>
+      <thead>
+        <tr>
+          <th scope="col">Type</th>
+          <th scope="col" class="number">
+            Count
+          </th>
+          <th scope="col" class="number">
+            lm each
+          </th>
+          <th scope="col" class="number">
+            W each
+          </th>
+          <th scope="col">Mounting</th>
+        </tr>
+      </thead>
+      <tbody>
+        {schedule.map(({ name, tags, flux, watts, mounting }) => (
+          <tr key={tags[0]}>
+            <th scope="row">{name}</th>
+            <td class="number">{tags.length}</td>
+            <td class="number">{compact(flux)}</td>
+            <td class="number">{compact(watts)}</td>
+            <td>{mounting}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Plan({ report: { plan, luminaires } }: Props) {
+  const { at, millimetre: mm } = figureOf(plan);
+  return (
+    <figure class="break-before">
+      <figcaption>Plan: luminaires and dimensions; coordinates from the {cornerName}</figcaption>
+      <PlanFigure plan={plan} label="The plan with its luminaires">
+        {luminaires.map(({ tag, place: [x, y], axis: [ax, ay], size }) => {
+          const half = Math.max(size, 2 * mm) / 2;
+          const corner = (u: number, v: number) =>
+            at([x + half * (u * ax - v * ay), y + half * (u * ay + v * ax)]);
+          const [left, top] = at([x, y]);
+          return (
+            <g key={tag} class="luminaire">
+              <path
+                d={pathOf([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true)}
+                stroke-width={0.25 * mm}
+              />
+              <Note at={[left, top - half - 0.8 * mm]} mm={mm}>
+                {tag}
+              </Note>
+            </g>
+          );
+        })}
+      </PlanFigure>
+    </figure>
+  );
+}
+
+function Light({ report: { plan, light } }: Props) {
+  if (!light) return null;
+  return (
+    <figure>
+      <figcaption>
+        Illuminance on “{light.name}”, {light.field.height.toFixed(2)} m above the floor: isolux lines in lx
+      </figcaption>
+      <LightFigure plan={plan} field={light.field} scale={light.scale} />
+      <ScaleBar scale={light.scale} />
+    </figure>
+  );
+}
+
+function Surfaces({ report: { surfaces, quantity } }: Props) {
+  return (
+    <table class="break-before">
+      <caption>Light by surface, {unitOf(quantity)}</caption>
+      <thead>
+        <tr>
+          <th scope="col">Surface</th>
+          {['m²', 'mean', 'min', 'max', 'σ', 'Uₒ', 'U_d'].map((name) => (
+            <th key={name} scope="col" class="number">
+              {name === 'U_d' ? (
+                <>
+                  U<sub>d</sub>
+                </>
+              ) : (
+                name
+              )}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {surfaces.map(({ title, items }) => {
+          const { mean, sigma, min, max } = unionOf(items);
+          const means = items.map((row) => row.mean);
+          const area = items.reduce((sum, row) => sum + row.area, 0);
+          return (
+            <tr key={title}>
+              <th scope="row">{title === 'all' ? 'whole room' : title}</th>
+              <td class="number">{compact(area)}</td>
+              <td class="number">{spanText(Math.min(...means), Math.max(...means))}</td>
+              <td class="number">{tabular(min)}</td>
+              <td class="number">{tabular(max)}</td>
+              <td class="number">{tabular(sigma)}</td>
+              <td class="number">{ratio(min / mean)}</td>
+              <td class="number">{ratio(min / max)}</td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}
+
+function Places({ report: { luminaires } }: Props) {
+  return (
+    <section>
+      <h2>Places of the luminaires: x, y, z in m from the {cornerName}</h2>
+      <ul class="places">
+        {luminaires.map(({ tag, place }) => (
+          <li key={tag}>
+            <strong>{tag}</strong> {placeText(place)}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Basis({ report: { assumptions, facts } }: Props) {
+  return (
+    <section class="basis">
+      <h2>What the figures rest on</h2>
+      <ul>
+        {assumptions.map((text) => (
+          <li key={text}>{text}</li>
+        ))}
+      </ul>
+      <dl>
+        {facts.map(([name, value]) => (
+          <Fact key={name} name={name}>
+            {value}
+          </Fact>
+        ))}
+      </dl>
+    </section>
+  );
+}
+
+function Signature() {
+  return (
+    <footer class="signature">
+      {['Designed by', 'Checked by', 'Place and date'].map((text) => (
+        <span key={text}>{text}</span>
+      ))}
+    </footer>
+  );
+}

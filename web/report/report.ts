@@ -1,0 +1,105 @@
+/** What stands in the report: every figure is the app's own, in the app's own words. */
+import { readSurface } from '../app/exports/plan-drawings.ts';
+import { drawn, hungInPlan } from '../app/exports/plan-drawings.ts';
+import type { App } from '../app/app.ts';
+import { folded, type Fold } from '../app/rooms/families.ts';
+import { powerOf, type Power } from '../app/state/power.ts';
+import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
+import { verdicts, type Verdict } from '../app/words/verdict.ts';
+import { lightField, type LightField } from '../document/light-field.ts';
+import type { RoomPlan } from '../document/plan-frame.ts';
+import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
+import type { Display, Quantity, SceneInfo } from '../document/types.ts';
+import type { SurfaceResult } from '../solver/protocol.ts';
+import { roundRange, type Scale } from '../viewer/light/false-color.ts';
+
+export interface Report {
+  readonly title: string;
+  readonly date: string;
+  readonly quantity: Quantity;
+  readonly verdicts: readonly Verdict[];
+  readonly power: Power;
+  readonly schedule: readonly ScheduleRow[];
+  readonly luminaires: ReturnType<typeof hungInPlan>;
+  readonly surfaces: readonly Fold<SurfaceResult>[]; // measuring planes first
+  readonly plan: RoomPlan;
+  /** The light in plan: of which surface, and how it is coloured. */
+  readonly light: { readonly name: string; readonly field: LightField; readonly scale: Scale } | null;
+  readonly assumptions: readonly string[];
+  readonly facts: readonly (readonly [string, string])[];
+  readonly link: string | null; // null where it does not fit one
+  readonly identity: string;
+}
+
+/** Throws one readable line where nothing is shown yet. */
+export function reportOf(app: App): Report {
+  const { store } = app;
+  const what = drawn(app);
+  const { scene, plan, layout } = what;
+  const shown = store.shown.peek();
+  if (!shown) throw new Error('no layout is shown yet');
+  const document = store.document.peek();
+  const { types } = document.luminaires;
+  const efficacy = store.efficacy.peek();
+  const isPlane = ({ name }: SurfaceResult) =>
+    scene.surfaces.some((leaf) => leaf.name === name && leaf.measuring);
+  const rows = shown.surfaces
+    .filter((row) => !(isPlane(row) && document.quantity === 'exitance'))
+    .sort((a, b) => Number(isPlane(b)) - Number(isPlane(a)));
+  return {
+    title: store.roomTitle.peek(),
+    date: new Date().toLocaleDateString(undefined, { dateStyle: 'long' }),
+    quantity: document.quantity,
+    verdicts: verdicts(document, store.traced.peek(), shown, scene),
+    power: powerOf(layout, scene.surfaces, efficacy, types),
+    schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
+    luminaires: hungInPlan(what),
+    surfaces: folded(rows, ({ name }) => name),
+    plan,
+    light: lightInPlan(scene, shown.illuminance, plan, store.display.peek()),
+    assumptions: assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
+    facts: roomFacts(scene),
+    link: linkOf(app),
+    identity: scene.identity,
+  };
+}
+
+function lightInPlan(
+  scene: SceneInfo,
+  light: Float32Array,
+  plan: RoomPlan,
+  display: Display,
+): Report['light'] {
+  const leaf = readSurface(scene, light, plan.frame);
+  const field = leaf === null ? null : lightField(scene, leaf, light, plan.frame);
+  if (leaf === null || !field) return null;
+  const most = field.values.reduce((high, value) => (value > high ? value : high), 1);
+  const { colorMap, steps, logarithmic, mode } = display;
+  // The scale that is on the screen, so that both pictures can be laid side by side.
+  const range =
+    mode === 'falseColor' && display.quantity === 'illuminance'
+      ? display.range
+      : roundRange(most, logarithmic, steps);
+  return { name: scene.surfaces[leaf]?.name ?? '', field, scale: { colorMap, steps, logarithmic, range } };
+}
+
+function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): string[] {
+  return [
+    'Interreflections are included; surfaces are matt, one reflectance each. Daylight, glare and shine are not computed.',
+    isOfTypes
+      ? 'Luminaires shine as their photometric files say.'
+      : 'Luminaires are Lambertian squares: a product with another distribution gives other light.',
+    `Power: ${efficacy} lm/W where a type does not state its own.`,
+    `σ, min, max and Uₒ are of patches of ${patchSize(scene).toFixed(2)} m: smaller patches would show more contrast.`,
+    'Numbers of standards are to be checked in your own copy.',
+    ...roomWarnings(scene),
+  ];
+}
+
+function linkOf({ keeping }: App): string | null {
+  try {
+    return keeping.link().address;
+  } catch {
+    return null;
+  }
+}
