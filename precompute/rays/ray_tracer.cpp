@@ -1,15 +1,17 @@
-// Embree 3: one static scene of triangles around the room's centre (single precision is finest there),
-// watertight ("robust") traversal, packets of eight.
+// Triangles around the room's centre (single precision is finest there), traced by Embree; as Wasm by a tree
+// of our own.
 #include "precompute/rays/ray_tracer.h"
 
-#include <embree3/rtcore.h>
-
-#include <algorithm>
 #include <cassert>
-#include <cstring>
+#include <utility>
 #include <vector>
 
 #include "precompute/room/bounds.h"
+#ifdef __EMSCRIPTEN__
+#include "precompute/rays/triangle_tree.h"
+#else
+#include "precompute/rays/embree_scene.h"
+#endif
 
 namespace fiatlux {
 
@@ -17,17 +19,18 @@ namespace {
 
 constexpr double kOffset = 4e-6;  // of the diagonal: a few roundings of a coordinate in single precision
 
+#ifdef __EMSCRIPTEN__
+using Geometry = TriangleTree;
+#else
+using Geometry = EmbreeScene;
+#endif
+
 }  // namespace
 
 struct RayTracer::Parts {
+  Geometry geometry;
   Vec3 center;  // m, of the bounding box
   double offset = 0;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  ~Parts() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
-  }
 };
 
 RayTracer::RayTracer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -35,50 +38,18 @@ RayTracer::RayTracer(RayTracer&&) noexcept = default;
 RayTracer& RayTracer::operator=(RayTracer&&) noexcept = default;
 RayTracer::~RayTracer() = default;
 
-namespace {
-
-/// Copies the triangles into a geometry of the device, around `center`; nullptr where there is no memory.
-RTCGeometry geometryOf(RTCDevice device, const Vec3& center, std::span<const Vec3> positions,
-                       std::span<const RayTracer::Triangle> triangles) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
-  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(RayTracer::Triangle), triangles.size()));
-  if ((!vertices && !positions.empty()) || (!indices && !triangles.empty())) {
-    rtcReleaseGeometry(geometry);
-    return nullptr;
-  }
-  for (const Vec3& p : positions) {
-    const Vec3 local = p - center;
-    *vertices++ = static_cast<float>(local.x);
-    *vertices++ = static_cast<float>(local.y);
-    *vertices++ = static_cast<float>(local.z);
-  }
-  for (const RayTracer::Triangle& t : triangles) indices = std::copy(t.begin(), t.end(), indices);
-  rtcCommitGeometry(geometry);
-  return geometry;
-}
-
-}  // namespace
-
 Result<RayTracer> RayTracer::build(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
-  auto parts = std::make_unique<Parts>();
   const Bounds bounds = boundsOf(positions);
-  if (!bounds.empty()) parts->center = 0.5 * (bounds.low + bounds.high);
-  parts->offset = kOffset * bounds.diagonal();
-  parts->device = rtcNewDevice("threads=1,set_affinity=0");
-  if (!parts->device) return Error{"the ray tracer (Embree) does not start on this machine"};
-  parts->scene = rtcNewScene(parts->device);
-  rtcSetSceneFlags(parts->scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = geometryOf(parts->device, parts->center, positions, triangles);
-  if (!geometry) return Error{"not enough memory for the room's triangles; use a coarser mesh"};
-  rtcAttachGeometry(parts->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(parts->scene);
-  if (rtcGetDeviceError(parts->device) != RTC_ERROR_NONE)
-    return Error{"the ray tracer (Embree) refuses the room's triangles"};
-  return RayTracer(std::move(parts));
+  const Vec3 center = bounds.empty() ? Vec3{} : 0.5 * (bounds.low + bounds.high);
+  std::vector<Geometry::Position> local;
+  local.reserve(positions.size());
+  for (const Vec3& p : positions) {
+    const Vec3 d = p - center;
+    local.push_back({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+  }
+  Result<Geometry> geometry = Geometry::build(local, triangles);
+  if (!geometry) return geometry.error();
+  return RayTracer(std::make_unique<Parts>(Parts{std::move(*geometry), center, kOffset * bounds.diagonal()}));
 }
 
 Result<RayTracer> RayTracer::build(const Room& room) {
@@ -100,51 +71,12 @@ void RayTracer::aim(RayPacket& rays, const Vec3& origin, const Vec3& direction, 
   rays.reach[i] = static_cast<float>(reach);
 }
 
-namespace {
-
-void fill(const RayPacket& rays, RTCRay8& out, std::int32_t* valid) {
-  std::memcpy(out.org_x, rays.originX, sizeof rays.originX);
-  std::memcpy(out.org_y, rays.originY, sizeof rays.originY);
-  std::memcpy(out.org_z, rays.originZ, sizeof rays.originZ);
-  std::memcpy(out.dir_x, rays.directionX, sizeof rays.directionX);
-  std::memcpy(out.dir_y, rays.directionY, sizeof rays.directionY);
-  std::memcpy(out.dir_z, rays.directionZ, sizeof rays.directionZ);
-  std::memcpy(out.tfar, rays.reach, sizeof rays.reach);
-  for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
-    valid[i] = i < rays.count ? -1 : 0;
-    out.tnear[i] = 0;
-    out.time[i] = 0;
-    out.mask[i] = ~0u;
-    out.id[i] = i;
-    out.flags[i] = 0;
-  }
-}
-
-}  // namespace
-
 void RayTracer::intersect(const RayPacket& rays, HitPacket& hits) const {
-  alignas(32) std::int32_t valid[RayPacket::kSize];
-  RTCRayHit8 query;
-  fill(rays, query.ray, valid);
-  for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect8(valid, parts_->scene, &context, &query);
-  for (std::uint32_t i = 0; i < rays.count; ++i) {
-    hits.triangle[i] = query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? kNone : query.hit.primID[i];
-    hits.distance[i] = query.ray.tfar[i];
-  }
+  parts_->geometry.intersect(rays, hits);
 }
 
 void RayTracer::occluded(const RayPacket& rays, bool* blocked, bool coherent) const {
-  alignas(32) std::int32_t valid[RayPacket::kSize];
-  RTCRay8 query;
-  fill(rays, query, valid);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded8(valid, parts_->scene, &context, &query);
-  for (std::uint32_t i = 0; i < rays.count; ++i) blocked[i] = query.tfar[i] < 0;
+  parts_->geometry.occluded(rays, blocked, coherent);
 }
 
 double RayTracer::offset() const { return parts_->offset; }
