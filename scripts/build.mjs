@@ -36,6 +36,11 @@ export async function site() {
   await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
 }
 
+/** The Wasm module that computes rooms in the page (public/builder), which the page fetches when it is needed. */
+export async function builder() {
+  await cmake('wasm', ['builder_wasm']);
+}
+
 /** The command and the Wasm solver; then `afterWasm`, which need not wait for the command. */
 export async function programs(afterWasm = () => {}) {
   recentNode();

@@ -1,6 +1,6 @@
 // The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run pictures`,
 // `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
-import { cmake, programs, site } from './build.mjs';
+import { builder, cmake, programs, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
 import { makeAll, sampleRooms } from './sample-rooms.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
@@ -11,7 +11,7 @@ const others = process.argv.slice(3);
 
 /** Everything but tests: all rooms, then the site with them. */
 async function build() {
-  await programs();
+  await programs(builder);
   await makeAll(sampleRooms());
   await site();
 }

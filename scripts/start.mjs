@@ -1,7 +1,8 @@
 // npm start: a page with one room as soon as can be, the other rooms behind it.
+import { cp } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { programs, site } from './build.mjs';
+import { builder, programs, site } from './build.mjs';
 import { root, say } from './processes.mjs';
 import { RoomsBehind } from './rooms-behind.mjs';
 import { filesOf, makeWatched, sampleRooms, tidyScenes } from './sample-rooms.mjs';
@@ -45,6 +46,7 @@ export async function start() {
   await serve();
   if (queue.length > 0) say(`Being computed behind it: ${queue.map(({ id }) => id).join(', ')}`);
   const made = behind.makeAll(queue);
+  void builderBehind();
   for (const signal of signals) {
     process.off(signal, leave);
     process.on(signal, () => {
@@ -52,6 +54,13 @@ export async function start() {
       void made.then(() => process.exit(0));
     });
   }
+}
+
+/** What computes dropped models in the page: nobody waits for it. */
+async function builderBehind() {
+  await builder();
+  await cp(path.join(root, 'public', 'builder'), path.join(root, 'dist', 'builder'), { recursive: true });
+  say('Dropped models are lit in the page from now on');
 }
 
 async function serve() {

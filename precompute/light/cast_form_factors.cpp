@@ -44,9 +44,11 @@ void castRays(const Room& room, const RayTracer& tracer, const PatchSampler& sam
 }
 
 /// Turns the rays of row p and what is known of its surroundings into its U, near patches and slopes.
-/// `hits`: of all its rays, kNone where lost; kernels: nullptr where only rays count.
-void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kernels,
-               std::vector<std::uint32_t>& hits, KernelFactors::Row& row) {
+/// `hits`: of all its rays, kNone where lost; `cluster`: of each patch; kernels: nullptr where only rays
+/// count.
+FormFactorRow finishedRow(std::uint32_t p, const std::vector<std::uint32_t>& cluster,
+                          const KernelFactors* kernels, std::vector<std::uint32_t>& hits,
+                          KernelFactors::Row row) {
   const auto rays = static_cast<double>(hits.size());
   std::erase(hits, kNone);
   const auto met = static_cast<double>(hits.size());
@@ -63,7 +65,7 @@ void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kerne
   if (sumOf(static_cast<double>(away - hits.begin())) > kPlausible * met / rays) {
     hits.erase(away, hits.end());
   } else {
-    row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
+    row = {std::vector<float>(row.u.size(), 0.0f), {}, {}};
   }
 
   // One factor for all makes the row sum to what was not lost.
@@ -80,10 +82,9 @@ void finishRow(FormFactors& factors, std::uint32_t p, const KernelFactors* kerne
   for (NearPatch& near : row.near) {
     near.factor *= scale;
   }
-  float* u = factors.u.data() + std::size_t{p} * factors.clusters;
-  for (std::uint32_t c = 0; c < factors.clusters; ++c) u[c] = scale * row.u[c];
-  for (const NearPatch& near : row.near) u[factors.cluster[near.patch]] += near.factor;
-  factors.lost[p] = static_cast<float>(1 - met / rays);
+  for (float& u : row.u) u *= scale;
+  for (const NearPatch& near : row.near) row.u[cluster[near.patch]] += near.factor;
+  return {std::move(row.u), std::move(row.near), std::move(row.slopes), static_cast<float>(1 - met / rays)};
 }
 
 /// Sizes everything but near patches and slopes, and fills in V.
@@ -107,36 +108,62 @@ FormFactors emptyFactors(const Patches& patches) {
 
 }  // namespace
 
-FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
-  const std::vector<std::uint32_t> effort =
-      options.plain ? std::vector<std::uint32_t>(room.patches.rows(), 1) : effortOfRows(room.patches);
-  FormFactors factors = emptyFactors(room.patches);
-  const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
-  const RaySequence sequence(most * options.rays);
-  const std::uint64_t seed = mixBits(options.seed);
+struct FormFactorCaster::Parts {
+  const Room& room;
+  const RayTracer& tracer;
+  CastOptions options;
+  std::vector<std::uint32_t> effort;  // rows
+  std::uint64_t seed = 0;
+  RaySequence sequence;
   std::optional<KernelFactors> kernels;
-  if (!options.plain) kernels.emplace(room, tracer, seed);
+};
+
+FormFactorCaster::FormFactorCaster(const Room& room, const RayTracer& tracer, const CastOptions& options) {
+  std::vector<std::uint32_t> effort =
+      options.plain ? std::vector<std::uint32_t>(room.patches.rows(), 1) : effortOfRows(room.patches);
+  const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
+  const std::uint64_t seed = mixBits(options.seed);
+  parts_.reset(
+      new Parts{room, tracer, options, std::move(effort), seed, RaySequence(most * options.rays), {}});
+  if (!options.plain) parts_->kernels.emplace(room, tracer, seed);
+}
+FormFactorCaster::FormFactorCaster(FormFactorCaster&&) noexcept = default;
+FormFactorCaster::~FormFactorCaster() = default;
+
+FormFactorRow FormFactorCaster::row(std::uint32_t p) const {
+  const auto& [room, tracer, options, effort, seed, sequence, kernels] = *parts_;
   const std::uint32_t finer = std::clamp(options.rays / kUsualRays, 1u, kMostEffort);
+  const PatchSampler sampler(room, p);
+  std::vector<std::uint32_t> hits;
+  castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
+  KernelFactors::Row row{std::vector<float>(room.patches.clusterCount, 0.0f), {}, {}};
+  if (kernels) kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
+  return finishedRow(p, room.patches.cluster, kernels ? &*kernels : nullptr, hits, std::move(row));
+}
+
+FormFactors FormFactorCaster::withoutRows() const {
+  FormFactors factors = emptyFactors(parts_->room.patches);
+  if (parts_->kernels) factors.slopeShare = parts_->kernels->slopeShare();
+  return factors;
+}
+
+void setRow(FormFactors& factors, std::uint32_t p, const FormFactorRow& row) {
+  std::copy(row.u.begin(), row.u.end(), factors.u.begin() + std::size_t{p} * factors.clusters);
+  factors.near[p] = row.near;
+  factors.slopes[p] = row.slopes;
+  factors.lost[p] = row.lost;
+}
+
+FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
+  const FormFactorCaster caster(room, tracer, options);
+  FormFactors factors = caster.withoutRows();
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto castRows = [&](std::size_t portion) {
-    std::vector<std::uint32_t> hits;
-    KernelFactors::Row row;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
-    for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p) {
-      const PatchSampler sampler(room, p);
-      castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
-      if (kernels) {
-        kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
-      } else {
-        row = {std::vector<float>(factors.clusters, 0.0f), {}, {}};
-      }
-      finishRow(factors, p, kernels ? &*kernels : nullptr, hits, row);
-      factors.near[p] = row.near;
-      factors.slopes[p] = row.slopes;
-    }
+    for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p)
+      setRow(factors, p, caster.row(p));
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
-  if (kernels) factors.slopeShare = kernels->slopeShare();
   return factors;
 }
 

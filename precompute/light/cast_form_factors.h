@@ -1,10 +1,11 @@
-// Form factors (core/transport/form_factors.h). Cosine-distributed rays, stratified over the patch and over the
-// hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
+// Form factors (core/transport/form_factors.h). Cosine-distributed rays, stratified over the patch and over
+// the hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
 // kernel_factors.h says the rest.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/transport/form_factors.h"
@@ -22,6 +23,31 @@ struct CastOptions {
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;
 };
+
+/// What one row gets from all patches, as FormFactors keeps it.
+struct FormFactorRow {
+  std::vector<float> u;  // k
+  std::vector<NearPatch> near;
+  std::vector<ClusterSlope> slopes;
+  float lost = 0;
+};
+
+/// Casts rows one by one, in any order, on any thread. Room and tracer must outlive it.
+class FormFactorCaster {
+ public:
+  FormFactorCaster(const Room& room, const RayTracer& tracer, const CastOptions& options);
+  FormFactorCaster(FormFactorCaster&&) noexcept;
+  ~FormFactorCaster();
+  FormFactorRow row(std::uint32_t p) const;
+  /// Form factors that want nothing but their rows.
+  FormFactors withoutRows() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+void setRow(FormFactors& factors, std::uint32_t p, const FormFactorRow& row);
 
 /// Every row sums to 1 - its lost share. Bit-identical for the same room and options, whatever the threads.
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options);

@@ -180,45 +180,83 @@ double shareFromBehind(const RayTracer& tracer, const Emission& source, const st
   return shadow.openShare();
 }
 
+/// What rows of a room get from some luminaires, row by row, on any thread.
+class RowLight {
+ public:
+  RowLight(const Room& room, const RayTracer& tracer, const std::vector<Luminaire>& luminaires,
+           const DirectLightOptions& options)
+      : room_(room),
+        tracer_(tracer),
+        luminaires_(luminaires),
+        sources_(luminaires.begin(), luminaires.end()),
+        split_(options.split),
+        seed_(mixBits(options.seed ^ 0xd1ec7u)),
+        effort_(effortOfRows(room.patches)) {}
+
+  /// light[j * stride] is what source j gives row p; visible[j * stride] the step of the share that shadows
+  /// let through, where not nullptr.
+  void row(std::uint32_t p, std::size_t stride, float* light, std::uint8_t* visible) const {
+    constexpr std::uint32_t kPoints =
+        4;  // on a patch's edge: fewer miss the shadows of table legs and frames
+    const PatchSampler sampler(room_, p);
+    const std::vector<PatchPoint> points = sampler.quadrature(kPoints);
+    const double radius = 0.5 * std::sqrt(room_.patches.area[p]);
+    const bool isSmall = effort_[p] >= 2;
+    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = (isSmall ? 4 : 2) * split;
+    std::vector<char> facing;
+    for (std::size_t j = 0; j < sources_.size(); ++j) {
+      const std::uint64_t own = mixBits(seed_ ^ (std::uint64_t{p} << 32 | j));
+      if (sources_[j].isPhotometric()) {
+        light[j * stride] = static_cast<float>(photometricPatchLight(
+            tracer_, sampler, room_.patches.center[p], radius, luminaires_[j], split, own));
+        continue;
+      }
+      PatchLight lit = patchLight(tracer_, sources_[j], points, split, penumbra, own, facing);
+      light[j * stride] = static_cast<float>(lit.illuminance);
+      if (visible && lit.visible == 0)
+        lit.visible = shareFromBehind(tracer_, sources_[j], points, own, facing);
+      if (visible) visible[j * stride] = SiteVisibility::stepOf(lit.visible);
+    }
+  }
+
+ private:
+  const Room& room_;
+  const RayTracer& tracer_;
+  const std::vector<Luminaire>& luminaires_;
+  std::vector<Emission> sources_;
+  std::uint32_t split_;
+  std::uint64_t seed_;
+  std::vector<std::uint32_t> effort_;  // rows
+};
+
 }  // namespace
 
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
                                const std::vector<Luminaire>& luminaires, const DirectLightOptions& options,
                                SiteVisibility* visibility) {
   const std::uint32_t rows = room.patches.rows();
-  const std::vector<Emission> sources(luminaires.begin(), luminaires.end());
-  std::vector<float> light(std::size_t{rows} * sources.size());
+  std::vector<float> light(std::size_t{rows} * luminaires.size());
   if (visibility)
-    *visibility = {rows, static_cast<std::uint32_t>(sources.size()), std::vector<std::uint8_t>(light.size())};
-  const std::uint64_t seed = mixBits(options.seed ^ 0xd1ec7u);
-  const std::vector<std::uint32_t> effort = effortOfRows(room.patches);
-  constexpr std::uint32_t kRows = 32;   // a thread's portion
-  constexpr std::uint32_t kPoints = 4;  // on a patch's edge: fewer miss the shadows of table legs and frames
+    *visibility = {rows, static_cast<std::uint32_t>(luminaires.size()),
+                   std::vector<std::uint8_t>(light.size())};
+  const RowLight rowLight(room, tracer, luminaires, options);
+  constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto lightRows = [&](std::size_t portion) {
-    std::vector<char> facing;
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
-    for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p) {
-      const PatchSampler sampler(room, p);
-      const std::vector<PatchPoint> points = sampler.quadrature(kPoints);
-      const double radius = 0.5 * std::sqrt(room.patches.area[p]);
-      const bool isSmall = effort[p] >= 2;
-      const std::uint32_t split = (isSmall ? 2 : 1) * options.split, penumbra = (isSmall ? 4 : 2) * split;
-      for (std::size_t j = 0; j < sources.size(); ++j) {
-        const std::uint64_t own = mixBits(seed ^ (std::uint64_t{p} << 32 | j));
-        if (sources[j].isPhotometric()) {
-          light[j * rows + p] = static_cast<float>(photometricPatchLight(
-              tracer, sampler, room.patches.center[p], radius, luminaires[j], split, own));
-          continue;
-        }
-        PatchLight lit = patchLight(tracer, sources[j], points, split, penumbra, own, facing);
-        light[j * rows + p] = static_cast<float>(lit.illuminance);
-        if (visibility && lit.visible == 0)
-          lit.visible = shareFromBehind(tracer, sources[j], points, own, facing);
-        if (visibility) visibility->steps[j * rows + p] = SiteVisibility::stepOf(lit.visible);
-      }
-    }
+    for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p)
+      rowLight.row(p, rows, light.data() + p, visibility ? visibility->steps.data() + p : nullptr);
   };
   parallelFor((rows + kRows - 1) / kRows, options.threads, lightRows, options.progress);
+  return light;
+}
+
+std::vector<float> directLightOfRows(const Room& room, const RayTracer& tracer,
+                                     const std::vector<Luminaire>& luminaires,
+                                     const DirectLightOptions& options, std::uint32_t first,
+                                     std::uint32_t count) {
+  const RowLight rowLight(room, tracer, luminaires, options);
+  std::vector<float> light(count * luminaires.size());
+  for (std::uint32_t i = 0; i < count; ++i) rowLight.row(first + i, count, light.data() + i, nullptr);
   return light;
 }
 

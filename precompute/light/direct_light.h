@@ -31,6 +31,12 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
                                const std::vector<Luminaire>& luminaires, const DirectLightOptions& options,
                                SiteVisibility* visibility = nullptr);
 
+/// The same of rows [first, first + count) alone: column-major count x luminaires.
+std::vector<float> directLightOfRows(const Room& room, const RayTracer& tracer,
+                                     const std::vector<Luminaire>& luminaires,
+                                     const DirectLightOptions& options, std::uint32_t first,
+                                     std::uint32_t count);
+
 /// Illuminance (lx) at a point by one luminaire, `split` x `split` shadow rays on the source (one for a point
 /// source).
 double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const Luminaire& luminaire,

@@ -1,6 +1,7 @@
 #include "precompute/light/transport.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/transport/low_rank_radiosity.h"
@@ -8,8 +9,7 @@
 #include "core/transport/surface_statistics.h"
 #include "precompute/base/error.h"
 #include "precompute/base/parallel.h"
-#include "precompute/light/cast_form_factors.h"
-#include "precompute/light/direct_light.h"
+#include "precompute/light/cast_light.h"
 #include "precompute/light/exchange.h"
 #include "precompute/light/paper_transport.h"
 
@@ -83,31 +83,24 @@ void collectStatistics(const Room& room, unsigned threads, Transport& result) {
   });
 }
 
-/// Responses of all sites, from their direct light and what the low-rank answer and its refinement add.
-void respondRefined(const Room& room, const RayTracer& tracer, const LowRankRadiosity& lowRank,
-                    const TransportOptions& options, Transport& result) {
-  std::vector<Luminaire> luminaires;
-  for (const Site& site : room.sites) luminaires.push_back(luminaireOf(site));
-  DirectLightOptions direct;
-  direct.seed = options.seed;
-  direct.threads = options.threads;
+CastLight castLight(const Room& room, const RayTracer& tracer, const TransportOptions& options) {
+  CastLight cast;
+  CastOptions rays = castOptionsOf(options);
+  rays.progress = beginStage(options.progress, "form factors");
+  cast.factors = castFormFactors(room, tracer, rays);
+  if (options.paper) return cast;
+  DirectLightOptions direct = directOptionsOf(options);
   direct.progress = beginStage(options.progress, "direct light");
-  SiteVisibility visibility;
-  result.direct = directLight(room, tracer, luminaires, direct, options.exchange ? &visibility : nullptr);
-  solveSites(room, lowRank, options, result, beginStage(options.progress, "interreflection"));
-  if (options.exchange)
-    result.lightOperator = lightOperator(room, tracer, result.factors, lowRank, std::move(visibility),
-                                         {0, options.threads, beginStage(options.progress, "exchange")});
+  cast.direct =
+      directLight(room, tracer, siteLuminaires(room), direct, options.exchange ? &cast.visibility : nullptr);
+  return cast;
 }
 
-Transport transportOf(const Room& room, const RayTracer& tracer, const TransportOptions& options) {
-  if (room.patches.count == 0) throw CommandError("the room has no surfaces");
-  if (options.rays == 0) throw CommandError("--rays must be at least 1");
-
+Transport transportOf(const Room& room, const RayTracer& tracer, CastLight&& cast,
+                      const TransportOptions& options) {
   Transport result;
-  result.factors = castFormFactors(room, tracer,
-                                   {options.rays, options.paper, options.seed, options.threads,
-                                    beginStage(options.progress, "form factors")});
+  result.factors = std::move(cast.factors);
+  result.direct = std::move(cast.direct);
   result.lost = lostShares(room.patches, room.surfaces.size(), result.factors);
 
   beginStage(options.progress, "low-rank radiosity");
@@ -121,19 +114,52 @@ Transport transportOf(const Room& room, const RayTracer& tracer, const Transport
     result.paper =
         paperTransport(room, tracer, result.factors, lowRank, options.threads, result.responses, progress);
   } else {
-    respondRefined(room, tracer, lowRank, options, result);
+    solveSites(room, lowRank, options, result, beginStage(options.progress, "interreflection"));
+    if (options.exchange)
+      result.lightOperator = lightOperator(room, tracer, result.factors, lowRank, std::move(cast.visibility),
+                                           {0, options.threads, beginStage(options.progress, "exchange")});
   }
   beginStage(options.progress, "statistics");
   collectStatistics(room, options.threads, result);
   return result;
 }
 
+constexpr const char* kNoMemory = "not enough memory for the light; pass a larger --patch";
+
 }  // namespace
+
+CastOptions castOptionsOf(const TransportOptions& options) {
+  return {options.rays, options.paper, options.seed, options.threads, {}};
+}
+
+DirectLightOptions directOptionsOf(const TransportOptions& options) {
+  DirectLightOptions direct;
+  direct.seed = options.seed;
+  direct.threads = options.threads;
+  return direct;
+}
+
+std::vector<Luminaire> siteLuminaires(const Room& room) {
+  std::vector<Luminaire> luminaires;
+  for (const Site& site : room.sites) luminaires.push_back(luminaireOf(site));
+  return luminaires;
+}
 
 Result<Transport> computeTransport(const Room& room, const RayTracer& tracer,
                                    const TransportOptions& options) {
-  return atDoor([&] { return transportOf(room, tracer, options); },
-                "not enough memory for the light; pass a larger --patch");
+  const auto compute = [&] {
+    if (room.patches.count == 0) throw CommandError("the room has no surfaces");
+    if (options.rays == 0) throw CommandError("--rays must be at least 1");
+    return transportOf(room, tracer, castLight(room, tracer, options), options);
+  };
+  return atDoor(compute, kNoMemory);
+}
+
+Result<Transport> completeTransport(const Room& room, const RayTracer& tracer, CastLight&& cast,
+                                    const TransportOptions& options) {
+  assert(!options.paper && cast.factors.rows == room.patches.rows());
+  assert(cast.direct.size() == std::size_t{room.patches.rows()} * room.sites.size());
+  return atDoor([&] { return transportOf(room, tracer, std::move(cast), options); }, kNoMemory);
 }
 
 }  // namespace fiatlux

@@ -9,13 +9,10 @@
 #include "precompute/light/lost_rays.h"
 #include "precompute/picture/display_mesh.h"
 #include "precompute/pipeline/provenance.h"
+#include "precompute/pipeline/steps.h"
 
 namespace fiatlux {
-namespace {
 
-constexpr const char* kNoMemory = "not enough memory; pass a larger --patch or fewer --rays";
-
-/// The options as the room and the light are to see them: what is said once holds for both.
 SceneOptions consistent(SceneOptions options, const Host& host) {
   options.transport.threads = options.room.threads = host.threads;
   options.transport.progress = host.progress;
@@ -36,6 +33,8 @@ OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host
   return {std::move(source), std::move(room), std::move(tracer)};
 }
 
+namespace {
+
 SceneReport reportOf(const SceneOptions& options, const Room& room, const Transport& transport) {
   SceneReport report;
   report.identity = identityOf(options, room);
@@ -48,9 +47,10 @@ SceneReport reportOf(const SceneOptions& options, const Room& room, const Transp
   return report;
 }
 
-MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& host) {
-  const auto [source, room, tracer] = opened(model, options.room, host);
-  Transport transport = orThrow(computeTransport(room, tracer, options.transport));
+}  // namespace
+
+MadeScene fileOf(const std::string& name, const SourceScene& source, const Room& room, Transport&& transport,
+                 const SceneOptions& options, const Host& host) {
   SceneReport report = reportOf(options, room, transport);
 
   beginStage(host.progress, "display mesh");
@@ -67,9 +67,17 @@ MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& 
   report.errors = encoded.errors;
   const std::vector<StageSeconds> seconds =
       host.progress ? host.progress->seconds() : std::vector<StageSeconds>{};
-  const std::string provenance = provenanceOf({model.name, options, room, report, encoded.ranks, seconds});
+  const std::string provenance = provenanceOf({name, options, room, report, encoded.ranks, seconds});
   std::vector<std::uint8_t> file = orThrow(closeSceneFile(std::move(encoded), provenance, host.deflate));
   return {std::move(file), room.warnings, std::move(report)};
+}
+
+namespace {
+
+MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& host) {
+  const auto [source, room, tracer] = opened(model, options.room, host);
+  Transport transport = orThrow(computeTransport(room, tracer, options.transport));
+  return fileOf(model.name, source, room, std::move(transport), options, host);
 }
 
 }  // namespace

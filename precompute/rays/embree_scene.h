@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "precompute/rays/ray_packet.h"
+#include "precompute/rays/ray_tracer.h"
 
 namespace fiatlux {
 

@@ -1,4 +1,4 @@
-// What a ray meets first, and whether anything lies between two points. The only door to a tracer.
+// What a ray meets first, and whether anything lies between two points. The only door to Embree.
 #pragma once
 
 #include <array>
@@ -7,17 +7,32 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "precompute/rays/ray_packet.h"
 #include "precompute/room/room.h"
 
 namespace fiatlux {
+
+/// Eight rays side by side. Set each lane with RayTracer::aim before a call; lanes from `count` on are
+/// ignored.
+struct RayPacket {
+  static constexpr std::uint32_t kSize = 8;
+  std::uint32_t count = 0;
+  alignas(32) float originX[kSize], originY[kSize], originZ[kSize];
+  alignas(32) float directionX[kSize], directionY[kSize], directionZ[kSize];
+  alignas(32) float reach[kSize];  // how far a ray goes, in lengths of its direction
+};
+
+/// What the rays of a packet met first.
+struct HitPacket {
+  std::uint32_t triangle[RayPacket::kSize];  // kNone = nothing
+  float distance[RayPacket::kSize];          // in lengths of the direction
+};
 
 /// Knows triangles, not what they are to the light; keeps a copy of them. Thread-safe once built.
 class RayTracer {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  // indices into the positions
 
-  /// `positions` in m. Errors: no memory, or triangles that the tracer refuses.
+  /// `positions` in m. Errors: no memory, or triangles that Embree refuses.
   static Result<RayTracer> build(std::span<const Vec3> positions, std::span<const Triangle> triangles);
   /// The same of a room's triangles, in their order.
   static Result<RayTracer> build(const Room& room);

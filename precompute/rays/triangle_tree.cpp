@@ -265,7 +265,8 @@ Float8 meetings(const Float8 (&v)[3][3], const Float8 (&direction)[3]) {
   const Float8 nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
   const Float8 slope = nx * direction[0] + ny * direction[1] + nz * direction[2];
   const Float8 distance = (nx * v[0][0] + ny * v[0][1] + nz * v[0][2]) / slope;
-  return inside & (slope != none) & (distance > none) ? distance : none;
+  const Mask8 met = inside & (slope != none) & (distance > none);
+  return met ? distance : none;
 }
 
 }  // namespace

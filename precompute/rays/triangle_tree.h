@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "precompute/rays/float8.h"
-#include "precompute/rays/ray_packet.h"
+#include "precompute/rays/ray_tracer.h"
 
 namespace fiatlux {
 

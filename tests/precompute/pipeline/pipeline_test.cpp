@@ -92,7 +92,7 @@ TEST(Pipeline, ItsAccountTellsTheSourceTheOptionsAndTheSecondsOfTheHost) {
   const auto made = makeScene(boxModel(), quickOptions(), host);
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_THAT(listener.stages,
-              ElementsAre("reading", "patches", "form factors", "low-rank radiosity", "direct light",
+              ElementsAre("reading", "patches", "form factors", "direct light", "low-rank radiosity",
                           "interreflection", "statistics", "display mesh", "scene file"));
   const nlohmann::json account = provenanceOf(made->file);
   EXPECT_EQ(account["source"]["file"], "box.glb");

@@ -9,7 +9,7 @@
 
 #include "core/base/vec3.h"
 #include "core/scene/patches.h"
-#include "precompute/rays/ray_packet.h"
+#include "precompute/rays/ray_tracer.h"
 #include "precompute/room/bounds.h"
 
 namespace fiatlux::testing {

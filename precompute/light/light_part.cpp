@@ -1,0 +1,95 @@
+// Numbers as they lie in memory: first row, rows; of each row its lost share, U, and near patches and slopes
+// after their numbers; then direct light.
+#include "precompute/light/light_part.h"
+
+#include <cstring>
+#include <type_traits>
+
+namespace fiatlux {
+namespace {
+
+class Writer {
+ public:
+  explicit Writer(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  template <class T>
+  void put(const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::size_t size = bytes_.size();
+    bytes_.resize(size + count * sizeof(T));
+    if (count > 0) std::memcpy(bytes_.data() + size, values, count * sizeof(T));
+  }
+  void putCount(std::size_t count) {
+    const auto value = static_cast<std::uint32_t>(count);
+    put(&value, 1);
+  }
+
+ private:
+  std::vector<std::uint8_t>& bytes_;
+};
+
+/// False, and nothing more is read, where the bytes end too early.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+  template <class T>
+  bool take(std::vector<T>& values, std::size_t count) {
+    if (count > rest_.size() / sizeof(T)) return false;
+    values.resize(count);
+    if (count > 0) std::memcpy(values.data(), rest_.data(), count * sizeof(T));
+    rest_ = rest_.subspan(count * sizeof(T));
+    return true;
+  }
+  template <class T>
+  bool take(T& value) {
+    if (rest_.size() < sizeof(T)) return false;
+    std::memcpy(&value, rest_.data(), sizeof(T));
+    rest_ = rest_.subspan(sizeof(T));
+    return true;
+  }
+  bool isAtEnd() const { return rest_.empty(); }
+
+ private:
+  std::span<const std::uint8_t> rest_;
+};
+
+bool takeRow(Reader& from, std::size_t clusters, FormFactorRow& row) {
+  std::uint32_t near = 0, slopes = 0;
+  return from.take(row.lost) && from.take(row.u, clusters) && from.take(near) && from.take(row.near, near) &&
+         from.take(slopes) && from.take(row.slopes, slopes);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encodeLightPart(const LightPart& part) {
+  std::vector<std::uint8_t> bytes;
+  Writer to(bytes);
+  to.putCount(part.first);
+  to.putCount(part.rows.size());
+  for (const FormFactorRow& row : part.rows) {
+    to.put(&row.lost, 1);
+    to.put(row.u.data(), row.u.size());
+    to.putCount(row.near.size());
+    to.put(row.near.data(), row.near.size());
+    to.putCount(row.slopes.size());
+    to.put(row.slopes.data(), row.slopes.size());
+  }
+  to.put(part.direct.data(), part.direct.size());
+  return bytes;
+}
+
+Result<LightPart> decodeLightPart(std::span<const std::uint8_t> bytes, std::size_t clusters,
+                                  std::size_t sites) {
+  const Error damaged{"a part of the light is damaged"};
+  Reader from(bytes);
+  LightPart part;
+  std::uint32_t rows = 0;
+  if (!from.take(part.first) || !from.take(rows)) return damaged;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    part.rows.emplace_back();
+    if (!takeRow(from, clusters, part.rows.back())) return damaged;
+  }
+  if (!from.take(part.direct, rows * sites) || !from.isAtEnd()) return damaged;
+  return part;
+}
+
+}  // namespace fiatlux

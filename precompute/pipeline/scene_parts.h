@@ -1,0 +1,38 @@
+// The pipeline in parts, for machines that share no memory: the workers of the page.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "precompute/pipeline/pipeline.h"
+
+namespace fiatlux {
+
+/// Each machine opens the room and casts the rays of some rows; one of them is given all that was cast and
+/// makes the file, the same that makeScene makes, however the rows were split. Not in paper mode. Errors as
+/// of makeScene.
+class SceneParts {
+ public:
+  /// The host lends one thread; it is kept.
+  static Result<SceneParts> open(ModelFile model, SceneOptions options, Host host);
+  SceneParts(SceneParts&&) noexcept;
+  SceneParts& operator=(SceneParts&&) noexcept;
+  ~SceneParts();
+
+  const Room& room() const;
+  /// Form factors and direct light of rows [first, first + rows), as bytes for `add`.
+  Result<std::vector<std::uint8_t>> cast(std::uint32_t first, std::uint32_t rows);
+  /// What `cast` has returned, here or elsewhere; each row once.
+  Result<Done> add(std::span<const std::uint8_t> part);
+  /// Once, when all rows are there.
+  Result<MadeScene> assemble();
+
+ private:
+  struct State;
+  explicit SceneParts(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace fiatlux

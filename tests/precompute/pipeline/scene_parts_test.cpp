@@ -1,0 +1,80 @@
+// The pipeline in parts makes the file that it makes as a whole, however the rows are split (light_part).
+#include "precompute/pipeline/scene_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "precompute/files/scene_io.h"
+#include "precompute/light/light_part.h"
+#include "tests/precompute/gltf/gltf_builder.h"
+
+namespace fiatlux {
+namespace {
+
+ModelFile boxModel() { return {"box.glb", testing::boxRoom({4, 3, 5}, 1).glb.bytes()}; }
+
+SceneOptions quickOptions() {
+  SceneOptions options;
+  options.room.patch = 0.5;
+  options.transport.rays = 32;
+  return options;
+}
+
+Host plainHost() {
+  Host host;
+  host.deflate = zlibDeflate;
+  return host;
+}
+
+SceneParts openedBox() {
+  auto parts = SceneParts::open(boxModel(), quickOptions(), plainHost());
+  EXPECT_TRUE(parts) << parts.error().message;
+  return std::move(*parts);
+}
+
+TEST(SceneParts, AreTheWholeWhoeverCastsThem) {
+  const auto whole = makeScene(boxModel(), quickOptions(), plainHost());
+  ASSERT_TRUE(whole);
+  SceneParts first = openedBox(), second = openedBox();
+  const std::uint32_t rows = first.room().patches.rows();
+  for (std::uint32_t at = 0, turn = 0; at < rows; at += 70, ++turn) {
+    const std::uint32_t count = std::min(70u, rows - at);
+    const auto part = (turn % 2 == 0 ? first : second).cast(at, count);
+    ASSERT_TRUE(part) << part.error().message;
+    ASSERT_TRUE(first.add(*part));
+  }
+  const auto made = first.assemble();
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->file, whole->file);
+  EXPECT_EQ(made->report.identity, whole->report.identity);
+}
+
+TEST(SceneParts, WantAllRowsOfOneRoom) {
+  SceneParts parts = openedBox();
+  const auto part = parts.cast(0, 10);
+  ASSERT_TRUE(part);
+  ASSERT_TRUE(parts.add(*part));
+  EXPECT_EQ(parts.assemble().error().message, "parts of the light are missing");
+
+  std::vector<std::uint8_t> cut(part->begin(), part->end() - 1), elsewhere = *part;
+  EXPECT_EQ(parts.add(cut).error().message, "a part of the light is damaged");
+  elsewhere[3] = 1;  // the first row: 2^24
+  EXPECT_EQ(parts.add(elsewhere).error().message, "a part of the light is of another room");
+}
+
+TEST(LightPart, ComesBackAsItWas) {
+  LightPart part{7, {{{0.25f, 0.5f}, {{3, 0.125f}}, {{1, 5, -6}}, 0.1f}, {{0, 1}, {}, {}, 0}}, {1, 2, 3, 4}};
+  const auto read = decodeLightPart(encodeLightPart(part), 2, 2);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->first, 7u);
+  ASSERT_EQ(read->rows.size(), 2u);
+  EXPECT_EQ(read->rows[0].u, part.rows[0].u);
+  EXPECT_EQ(read->rows[0].near, part.rows[0].near);
+  EXPECT_EQ(read->rows[0].slopes, part.rows[0].slopes);
+  EXPECT_EQ(read->rows[0].lost, part.rows[0].lost);
+  EXPECT_EQ(read->direct, part.direct);
+  EXPECT_FALSE(decodeLightPart(encodeLightPart(part), 3, 2));
+  EXPECT_FALSE(decodeLightPart({}, 2, 2));
+}
+
+}  // namespace
+}  // namespace fiatlux

@@ -1,0 +1,156 @@
+// The page's second module: the pipeline that makes scene files, bound as one class for the workers of
+// web/builder. Conversions only; every decision is in precompute/pipeline. The TypeScript face with shapes
+// and units is web/builder/builder.ts. Arrays are copied in and come back as fresh copies; an error comes
+// back as one line.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <optional>
+
+#include "precompute/pipeline/scene_parts.h"
+
+namespace fiatlux {
+namespace {
+
+using emscripten::val;
+
+val copied(std::span<const std::uint8_t> bytes) {
+  return val(emscripten::typed_memory_view(bytes.size(), bytes.data())).call<val>("slice");
+}
+
+std::vector<std::uint8_t> bytesOf(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<std::uint8_t>(array);
+}
+
+std::vector<std::string> namesOf(const val& list) {
+  std::vector<std::string> names;
+  for (unsigned i = 0, count = list["length"].as<unsigned>(); i < count; ++i)
+    names.push_back(list[i].as<std::string>());
+  return names;
+}
+
+SceneOptions optionsOf(const val& asked) {
+  SceneOptions options;
+  options.room.patch = asked["patch"].as<double>();
+  options.room.scale = asked["scale"].as<double>();
+  options.room.siteSpacing = asked["siteSpacing"].as<double>();
+  options.room.siteSize = asked["siteSize"].as<double>();
+  options.room.memory = asked["memory"].as<double>();
+  options.room.mounts = namesOf(asked["mounts"]);
+  options.transport.rays = asked["rays"].as<std::uint32_t>();
+  options.transport.seed = asked["seed"].as<std::uint32_t>();
+  return options;
+}
+
+/// What the page lends: deflate(bytes) -> zlib bytes, sibling(name) -> bytes or undefined, tell(stage,
+/// share).
+class Page : public Progress {
+ public:
+  explicit Page(val lent) : lent_(std::move(lent)) {}
+
+  void begin(const std::string& stage) override {
+    stage_ = stage;
+    tell(0);
+  }
+  void update(double fraction) override { tell(fraction); }
+
+  Host host() {
+    Host host;
+    host.progress = this;
+    host.deflate = [this](std::span<const std::uint8_t> bytes, DeflateKind kind) {
+      // note: fflate has no Huffman-only mode; what looks like a bomb is stored as it is.
+      if (kind == DeflateKind::kHuffman) return std::vector<std::uint8_t>();
+      return bytesOf(lent_.call<val>("deflate", copied(bytes)));
+    };
+    host.resolve = [this](const std::string& name) -> Result<std::optional<std::vector<std::uint8_t>>> {
+      const val bytes = lent_.call<val>("sibling", name);
+      if (bytes.isUndefined()) return std::optional<std::vector<std::uint8_t>>();
+      return std::optional(bytesOf(bytes));
+    };
+    return host;
+  }
+
+ private:
+  void tell(double share) { lent_.call<void>("tell", stage_, share); }
+
+  val lent_;
+  std::string stage_;
+};
+
+constexpr const char* kNoMemory = "not enough memory in this browser; choose coarser patches";
+
+/// Nothing that is thrown leaves the module.
+template <class Work>
+val guarded(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return val(std::string(kNoMemory));
+  } catch (const std::exception& error) {
+    return val(std::string("the room could not be computed (") + error.what() + ")");
+  }
+}
+
+class Builder {
+ public:
+  explicit Builder(val lent) : page_(std::move(lent)) {}
+
+  /// What the room consists of.
+  val open(const std::string& name, val model, val asked) {
+    return guarded([&] {
+      parts_.reset();
+      Result<SceneParts> opened = SceneParts::open({name, bytesOf(model)}, optionsOf(asked), page_.host());
+      if (!opened) return val(opened.error().message);
+      parts_.emplace(std::move(*opened));
+      const Room& room = parts_->room();
+      val result = val::object(), warnings = val::array();
+      for (std::size_t i = 0; i < room.warnings.size(); ++i) warnings.set(i, room.warnings[i]);
+      result.set("rows", room.patches.rows());
+      result.set("sites", static_cast<std::uint32_t>(room.sites.size()));
+      result.set("clusters", room.patches.clusterCount);
+      result.set("patchSize", room.patchSize);
+      result.set("warnings", warnings);
+      return result;
+    });
+  }
+
+  val cast(std::uint32_t first, std::uint32_t rows) {
+    return guarded([&] {
+      const Result<std::vector<std::uint8_t>> part = parts_->cast(first, rows);
+      return part ? copied(*part) : val(part.error().message);
+    });
+  }
+
+  /// '' where all is well.
+  val add(val part) {
+    return guarded([&] {
+      const Result<Done> added = parts_->add(bytesOf(part));
+      return val(added ? std::string() : added.error().message);
+    });
+  }
+
+  /// The scene file.
+  val assemble() {
+    return guarded([&] {
+      const Result<MadeScene> made = parts_->assemble();
+      return made ? copied(made->file) : val(made.error().message);
+    });
+  }
+
+ private:
+  Page page_;
+  std::optional<SceneParts> parts_;
+};
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(builder) {
+  emscripten::class_<Builder>("Builder")
+      .constructor<val>()
+      .function("open", &Builder::open)
+      .function("cast", &Builder::cast)
+      .function("add", &Builder::add)
+      .function("assemble", &Builder::assemble);
+}
+
+}  // namespace fiatlux
