@@ -1,5 +1,5 @@
-// Files by button and by drop: scenes open, a .glb is shown with its command, damaged files leave what is there.
-// Covers opening-files, drop-zone, menu, legend-picture, preview-note.
+// Files by button and by drop: scenes open, damaged files leave what is there.
+// Covers opening-files, drop-zone, menu, legend-picture.
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
@@ -75,21 +75,6 @@ test('files by button and by drop, good and damaged', async ({ page }) => {
   await chooseFile(page, 'second.flux', box);
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('second');
   await settled(page);
-});
-
-test('a .glb is shown with the line that makes it live', async ({ page }) => {
-  await openRoom(page, 'Box');
-  const lit = await picture(page);
-  await dropFile(page, 'my hall.glb', readFileSync(path.join(scenes, 'e-corridor.glb')));
-  const note = page.getByRole('region', { name: 'A room without light' });
-  await expect(
-    note.getByText("fiatlux precompute 'my hall.glb' -o 'my hall.flux'", { exact: true }),
-  ).toBeVisible();
-  await expectLit(page, 60);
-  expect(difference(await picture(page), lit)).toBeGreaterThan(0.1);
-  await note.getByRole('button', { name: 'Close the preview' }).click();
-  await expect(note).toHaveCount(0);
-  await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.3);
 });
 
 test('a picture in false colours carries its legend, a realistic one does not', async ({ page }) => {

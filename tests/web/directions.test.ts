@@ -13,6 +13,7 @@ const web = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../we
 const floors: readonly (readonly [floor: string, below: readonly string[]])[] = [
   ['document/', []],
   ['solver/', ['document/']],
+  ['builder/', ['document/']],
   ['viewer/types.ts', ['document/']],
   ['viewer/stage/', ['viewer/types.ts', 'document/']],
   ['viewer/light/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
@@ -21,7 +22,7 @@ const floors: readonly (readonly [floor: string, below: readonly string[]])[] = 
   ['viewer/luminaires/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/', ['document/']],
   ['room-maker/', ['document/']],
-  ['app/', ['room-maker/', 'viewer/', 'solver/', 'document/']],
+  ['app/', ['room-maker/', 'viewer/', 'solver/', 'builder/', 'document/']],
   ['panel/controls/', ['app/', 'document/']],
   ['report/', ['app/', 'viewer/', 'solver/', 'document/']],
   ['panel/', ['report/', 'app/', 'room-maker/', 'viewer/', 'solver/', 'document/']],

@@ -9,8 +9,10 @@ import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
+import type { CreatePool } from './lighting/lighting.ts';
 import { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { Opening } from './opening/opening.ts';
+import { OwnRooms } from './rooms/own-rooms.ts';
 import { Rooms } from './rooms/rooms.ts';
 import { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
@@ -21,11 +23,13 @@ export interface Parts {
   readonly labels: HTMLElement;
   readonly createViewer: CreateViewer;
   readonly createWorker: () => WorkerLike;
+  readonly createPool?: CreatePool; // the page's own, unless a test has another
 }
 
 export class App {
   readonly store: Store;
   readonly rooms = new Rooms();
+  readonly own = new OwnRooms();
   readonly viewer: Viewer;
   readonly solving: Solving;
   readonly hand: Hand;
@@ -33,16 +37,25 @@ export class App {
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
 
-  constructor(store: Store, { canvas, labels, createViewer, createWorker }: Parts) {
+  constructor(store: Store, { canvas, labels, createViewer, createWorker, createPool }: Parts) {
     this.store = store;
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
     this.keeping = new Keeping(store, this.solving, this.viewer, this.types);
-    this.opening = new Opening(store, this.rooms, this.solving, this.viewer, this.keeping, this.types);
+    this.opening = new Opening(
+      store,
+      this.rooms,
+      this.solving,
+      this.viewer,
+      this.keeping,
+      this.types,
+      this.own,
+      createPool,
+    );
     this.#tellViewer();
-    this.keeping.keepSaved((room) => this.rooms.has(room));
+    this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }
 
   /** Adds a card for the selected surface (or `names`) and opens it. */

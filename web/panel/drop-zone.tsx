@@ -41,7 +41,8 @@ export function DropZone() {
         <Upload size={28} aria-hidden />
         <strong>Drop it here</strong>
         <span>
-          a luminaire (.ies, .ldt), a scene (.flux), a room (.glb) or a project. It stays on this computer.
+          a model (.glb, .gltf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this
+          computer.
         </span>
       </div>
     </div>

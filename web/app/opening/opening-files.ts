@@ -1,6 +1,6 @@
 /**
- * Files by button or drop: scenes, projects, photometric files, and rooms that have no light yet. Nothing of them leaves
- * the computer.
+ * Files by button or drop: scenes, projects, photometric files, and models that are to be lit. Nothing of them leaves the
+ * computer.
  */
 import { readProject, type Project } from '../../document/project-file.ts';
 import { isPhotometricName } from '../../document/photometric-container.ts';
@@ -12,15 +12,18 @@ import type { Viewer } from '../../viewer/types.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
+import type { Lighting } from '../lighting/lighting.ts';
 import type { Placement, Placing } from './placing.ts';
 
 const largestFile = 256 << 20; // bytes
+const isModel = /\.gl(b|tf)$/i;
 
 export class FileOpening {
   readonly #store: Store;
   readonly #viewer: Viewer;
   readonly #placing: Placing;
   readonly #types: LuminaireTypes;
+  readonly #lighting: Lighting;
   readonly #openProject: (project: Project) => Promise<boolean>;
 
   constructor(
@@ -28,38 +31,45 @@ export class FileOpening {
     viewer: Viewer,
     placing: Placing,
     types: LuminaireTypes,
+    lighting: Lighting,
     openProject: (project: Project) => Promise<boolean>,
   ) {
     this.#store = store;
     this.#viewer = viewer;
     this.#placing = placing;
     this.#types = types;
+    this.#lighting = lighting;
     this.#openProject = openProject;
   }
 
-  /** Photometric files all, in their order; of other files the first one, for one room is shown at a time. */
+  /** Photometric files all, in their order; a model with those that it names; of other files the first one. */
   async open(files: readonly File[]): Promise<void> {
+    const model = files.find(({ name }) => isModel.test(name));
     const arePhotometric = files.every(({ name }) => isPhotometricName(name));
-    for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file);
+    if (model) {
+      const others = files.filter((each) => each !== model);
+      return this.#open(model, others);
+    }
+    for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file, []);
     if (!arePhotometric && files.length > 1)
       this.#store.say('info', `Of ${files.length} files the first is opened.`);
   }
 
-  async #open(file: File): Promise<void> {
+  async #open(file: File, others: readonly File[]): Promise<void> {
     const name = cleanName(file.name);
     if (file.size > largestFile)
       return this.#refuse(`“${name}” is larger than 256 MB, which is more than the browser can hold.`);
     const bytes = await file.arrayBuffer().catch(() => null);
     if (!bytes) return this.#refuse(`“${name}” could not be read from the disk.`);
     if (isPhotometricName(name)) return this.#types.open(name, new Uint8Array(bytes));
-    if (/\.glb$/i.test(name)) return this.#preview(name, bytes);
+    if (isModel.test(name)) return this.#light(name, bytes, others);
     if (/\.flux$/i.test(name)) return this.#openFlux(name, bytes);
     const project = readProject(new TextDecoder().decode(bytes));
     if (typeof project !== 'string') await this.#openProject(project);
     else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(`“${name}”: ${project}`);
     else
       this.#refuse(
-        `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .ies, .ldt and project files.`,
+        `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .gltf, .ies, .ldt and project files.`,
       );
   }
 
@@ -83,14 +93,19 @@ export class FileOpening {
     return { document: documentFrom(asked, scene.identity, name) };
   }
 
-  async #preview(name: string, bytes: ArrayBuffer): Promise<void> {
-    await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
-      await this.#viewer.preview(bytes);
+  /** Shows a model as it will look, and computes its light. A .gltf whose parts lie in other files is not shown before. */
+  async #light(name: string, bytes: ArrayBuffer, others: readonly File[]): Promise<void> {
+    const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
+    for (const other of others) siblings.set(other.name, new Uint8Array(await other.arrayBuffer()));
+    const isWhole = siblings.size === 0;
+    const isOpen = await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
+      if (isWhole) await this.#viewer.preview(bytes);
       if (!isCurrent()) return;
       this.#store.making.value = null;
-      this.#store.plan.value = planOfGlb(bytes);
-      this.#store.preview.value = name;
+      this.#store.plan.value = /\.glb$/i.test(name) ? planOfGlb(bytes) : null;
+      if (isWhole) this.#store.preview.value = name;
     });
+    if (isOpen) await this.#lighting.light({ name, bytes: new Uint8Array(bytes), siblings });
   }
 
   #refuse(why: string): void {

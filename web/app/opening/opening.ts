@@ -25,6 +25,8 @@ import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { forgetLink } from './address.ts';
 import { requestScene } from './first-scene.ts';
+import { Lighting, type CreatePool } from '../lighting/lighting.ts';
+import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
 
@@ -36,6 +38,8 @@ export class Opening {
   readonly #files: FileOpening;
   readonly #keeping: Keeping;
   readonly #viewer: Viewer;
+  readonly #own: OwnRooms;
+  readonly lighting: Lighting;
 
   constructor(
     store: Store,
@@ -44,15 +48,20 @@ export class Opening {
     viewer: Viewer,
     keeping: Keeping,
     types: LuminaireTypes,
+    own: OwnRooms,
+    createPool?: CreatePool,
   ) {
     this.#store = store;
     this.#solving = solving;
     this.#rooms = rooms;
     this.#keeping = keeping;
     this.#viewer = viewer;
+    this.#own = own;
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
+    const keep = (room: string, title: string, file: ArrayBuffer) => own.keep(room, title, file);
+    this.lighting = new Lighting(store, solving, this.#placing, keep, createPool);
     const openProject = (project: Project) => this.#openProject(project);
-    this.#files = new FileOpening(store, viewer, this.#placing, types, openProject);
+    this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, openProject);
   }
 
   /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
@@ -60,6 +69,7 @@ export class Opening {
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
     if (this.#isTaken()) return;
+    if (last && (await this.#openOwnWork(last))) return;
     if (!(await this.#hasRooms(() => void this.start(hash, async () => last))) || this.#isTaken()) return;
     if (last && this.#rooms.has(last.project.document.room) && (await this.#openWork(last))) return;
     await this.#openFirst();
@@ -69,6 +79,22 @@ export class Opening {
   async entry(id: string): Promise<void> {
     this.#store.messages.value = [];
     await this.#openEntry(id);
+  }
+
+  /** A room that was computed in this browser, as it was left. */
+  async own(room: string): Promise<void> {
+    this.#store.messages.value = [];
+    const title = this.#own.titleOf(room);
+    await this.#placing.attempt(`Opening ${title}`, async (isCurrent) => {
+      const bytes = await this.#own.read(room);
+      await this.#placing.place(bytes, title, isCurrent, async (scene) => {
+        const kept = await this.#keeping.kept(room, scene.identity);
+        if (kept) return placementOf(kept);
+        const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+        return { document: documentFrom(asked, scene.identity, room) };
+      });
+      if (isCurrent()) forgetLink();
+    });
   }
 
   /** A room that was on the screen before, as it was left: the browser's Back and Forward. */
@@ -103,7 +129,7 @@ export class Opening {
   }
 
   /** Lets a person choose a file of their own. */
-  pick(accept = '.flux,.glb,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip'): void {
+  pick(accept = '.flux,.glb,.gltf,.bin,.png,.jpg,.jpeg,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip'): void {
     const input = document.createElement('input');
     input.type = 'file';
     input.multiple = true;
@@ -124,6 +150,7 @@ export class Opening {
   /** Opens the room maker, on a plan or for a new room. */
   make(plan: PackedPlan | null): void {
     this.#store.messages.value = [];
+    this.lighting.cancel();
     this.#placing.supersede();
     this.#store.making.value = { plan };
   }
@@ -140,8 +167,9 @@ export class Opening {
     await this.endPreview();
   }
 
-  /** Leaves the preview of a .glb: the room that was open is shown again as it was. */
+  /** Leaves the preview of a model, and computes its light no further: the room that was open is shown again. */
   async endPreview(): Promise<void> {
+    this.lighting.cancel();
     const isBack = await this.#placing.restore();
     if (!isBack && this.#store.scene.peek() === null) await this.#openFirst();
   }
@@ -261,6 +289,15 @@ export class Opening {
 
   #openProject(project: Project): Promise<boolean> {
     return this.#openWork({ project, past: [], future: [] });
+  }
+
+  /** The last work, where it was in a room that was computed in this browser. */
+  async #openOwnWork(work: Work): Promise<boolean> {
+    const { room } = work.project.document;
+    await this.#own.load();
+    if (!this.#own.has(room) || this.#isTaken()) return false;
+    await this.own(room);
+    return this.#store.scene.peek() !== null;
   }
 
   #openWork(work: Work): Promise<boolean> {

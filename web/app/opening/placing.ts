@@ -64,6 +64,11 @@ export class Placing {
     this.#types = types;
   }
 
+  /** The latest wish to open something. */
+  get turn(): number {
+    return this.#turn;
+  }
+
   /**
    * Runs one opening; errors become one message with a button to try again, and what was on the screen stays. Resolves to
    * its success.
@@ -122,6 +127,17 @@ export class Placing {
     this.#placed = { bytes, room, scene };
     this.#show(scene, title, placement, options.isReturn ?? false);
     tellRoom(placement.document.room);
+  }
+
+  /** Puts a better scene of the room that is on the screen in its place; false where something else was opened since. */
+  async replace(bytes: ArrayBuffer, title: string, make: (scene: SceneInfo) => Placement): Promise<boolean> {
+    const turn = this.#turn;
+    const isCurrent = () => turn === this.#turn;
+    const arrival = this.#store.arrival.peek();
+    await this.place(bytes, title, isCurrent, make);
+    if (!isCurrent()) return false;
+    this.#store.arrival.value = arrival;
+    return true;
   }
 
   /** Shows the room that was open before a preview, as it was; false where there was none. */

@@ -45,6 +45,16 @@ export interface Hover {
   readonly exitance: number; // lm/m2
 }
 
+/** A room whose light is being computed in the page, or could not be. */
+export interface LightingState {
+  readonly name: string; // of its file
+  readonly pass: 'draft' | 'full'; // the draft is shown while the full pass runs
+  readonly stage: 'reading' | 'casting' | 'exchanging' | 'writing';
+  readonly share: number; // 0..1 of this pass
+  readonly secondsLeft: number | null; // of this pass, once that can be told
+  readonly fault: string | null; // why it has ended without light
+}
+
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;
 export type Tab = 'intentions' | 'luminaires' | 'results';
 export type Saving =
@@ -118,6 +128,7 @@ export class Store {
   readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
   readonly making = signal<{ readonly plan: PackedPlan | null } | null>(null); // the room maker is open; null: a new room
   readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
+  readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });

@@ -5,6 +5,7 @@ import { useApp } from '../../app/app.ts';
 import type { GalleryEntry } from '../../app/rooms/catalog-file.ts';
 import { progressText } from '../../app/rooms/rooms.ts';
 import { Dialog } from './dialog.tsx';
+import { OwnRooms } from './own-rooms.tsx';
 import { RoomPicture } from '../room-picture.tsx';
 
 export function GalleryDialog({ close }: { close: () => void }) {
@@ -54,10 +55,11 @@ export function GalleryDialog({ close }: { close: () => void }) {
               <FolderOpen size={26} aria-hidden />
             </span>
             <strong>A file of your own</strong>
-            <span>A scene (.flux), a room (.glb) or a project. It stays on this computer.</span>
+            <span>A model (.glb, .gltf), a scene (.flux) or a project. It stays on this computer.</span>
           </button>
         </li>
       </ul>
+      <OwnRooms close={close} />
       {experiments.length > 0 && <h3>Experiments of the paper, on the E corridor</h3>}
       <ul class="room-grid small">
         {experiments.map((entry) => (

@@ -1,0 +1,67 @@
+// A dropped model is lit in the page: shown, computed as a draft, solved, computed in full, kept among the own rooms.
+// Covers lighting, preview-note, own-rooms.
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import type { Page } from '@playwright/test';
+import { expect, expectLit, openRoom, places, settled, status, test } from './app.ts';
+
+const scenes = path.join(import.meta.dirname, '../../public/scenes');
+const patience = { timeout: 240_000 }; // for light to be computed; nothing measures time
+
+async function drop(page: Page, name: string, buffer: Buffer): Promise<void> {
+  const transfer = await page.evaluateHandle(
+    ([base64, fileName]) => {
+      const bytes = Uint8Array.from(atob(base64!), (character) => character.charCodeAt(0));
+      const data = new DataTransfer();
+      data.items.add(new File([bytes], fileName!));
+      return data;
+    },
+    [buffer.toString('base64'), name],
+  );
+  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
+  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+}
+
+const working = (page: Page) => page.getByRole('region', { name: 'Light is being computed' });
+
+test('a dropped model is lit, solved and kept', async ({ page }) => {
+  test.slow();
+  await openRoom(page, 'E corridor');
+  await drop(page, 'my box.glb', readFileSync(path.join(scenes, 'box.glb')));
+  await expect(working(page).getByRole('heading')).toHaveText('Lighting “my box”');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('my box', patience);
+  await expect(working(page).getByRole('heading')).toHaveText('Preview of “my box”');
+  await settled(page);
+  await expectLit(page);
+  const draft = await places(page);
+
+  await expect(working(page)).toHaveCount(0, patience);
+  await expect(status(page)).toHaveText(/^(Settled|As given)$/);
+  expect((await places(page)).length).toBe(draft.length);
+
+  await page.getByRole('banner').getByRole('button').first().click();
+  const gallery = page.getByRole('dialog', { name: 'Rooms' });
+  await expect(gallery.getByRole('heading', { name: 'Your rooms' })).toBeVisible();
+  await gallery.getByRole('button', { name: 'Rename my box' }).click();
+  await gallery.getByLabel('Name of the room').fill('Atelier');
+  await gallery.getByRole('button', { name: 'Rename', exact: true }).click();
+  await gallery.getByRole('button', { name: /^Atelier/ }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Atelier');
+  await expectLit(page);
+
+  await page.getByRole('banner').getByRole('button').first().click();
+  await gallery.getByRole('button', { name: 'Delete Atelier' }).click();
+  await expect(gallery.getByRole('heading', { name: 'Your rooms' })).toHaveCount(0);
+});
+
+test('a model that cannot be lit says why, and the room before it comes back', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const empty = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [] }] };
+  await drop(page, 'nothing.gltf', Buffer.from(JSON.stringify(empty)));
+  const note = page.getByRole('region', { name: 'A room without light' });
+  await expect(note.getByText(/no surfaces|no triangles/)).toBeVisible({ timeout: 60_000 });
+  await expect(note.getByText('fiatlux precompute nothing.gltf -o nothing.flux')).toBeVisible();
+  await note.getByRole('button', { name: 'Close the preview' }).click();
+  await expect(note).toHaveCount(0);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Box');
+});

@@ -1,0 +1,144 @@
+/** Scene files made by the built module: as the command makes them, and the same for any number of workers. */
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { describe, expect, test } from '@jest/globals';
+import { usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
+import { Stopped, type BuildProgress } from '../../web/builder/pool.ts';
+import type { Model } from '../../web/builder/protocol.ts';
+import { moduleBytes, poolOf } from './builder-workers.ts';
+import { loadBuiltCore, openFile, root } from './solver-module.ts';
+
+const box = new Uint8Array(readFileSync(path.join(root, 'public/scenes/box.glb')));
+const coarse: BuildOptions = { ...usualOptions, patch: 0.5, rays: 64, siteSpacing: 0.8 };
+const silent = { signal: new AbortController().signal, tell: () => undefined };
+const modelOf = (bytes: Uint8Array<ArrayBuffer>, name = 'box.glb'): Model => ({
+  name,
+  bytes,
+  siblings: new Map(),
+});
+const build = (workers: number, options = coarse, bytes = box) =>
+  poolOf(workers).build({ model: modelOf(bytes), options, ...silent });
+
+/** Means and sigmas of all surfaces under some layouts. */
+async function statisticsOf(file: Uint8Array): Promise<number[]> {
+  const { Session } = await loadBuiltCore();
+  const session = new Session();
+  openFile(session, file);
+  const values: number[] = [];
+  for (const sites of [[0], [7, 12, 20], [3, 9, 13, 17, 24]]) {
+    const shown = session.show(new Uint32Array(sites), new Float64Array(sites.map(() => 3000)), 1);
+    if (typeof shown === 'string') throw new Error(shown);
+    values.push(...shown.surfaces);
+  }
+  return values;
+}
+
+test('the module is as small as a page can bear', () => {
+  expect(gzipSync(moduleBytes(), { level: 9 }).length).toBeLessThan(450e3);
+});
+
+test('1, 2 and 4 workers make the same file, as the command makes it but for rounding', async () => {
+  const told: BuildProgress[] = [];
+  const one = await poolOf(1).build({
+    model: modelOf(box),
+    options: coarse,
+    signal: silent.signal,
+    tell: (progress) => told.push(progress),
+  });
+  for (const workers of [2, 4]) {
+    const { file } = await build(workers);
+    expect(Buffer.from(file).equals(Buffer.from(one.file))).toBe(true);
+  }
+  expect(one.room.sites).toBe(25);
+  const shares = told.map(({ share }) => share);
+  expect([...shares].sort((a, b) => a - b)).toEqual(shares);
+  expect(new Set(told.map(({ stage }) => stage))).toEqual(
+    new Set(['reading', 'casting', 'exchanging', 'writing']),
+  );
+
+  const command = path.join(root, 'build/fiatlux');
+  if (!existsSync(command)) throw new Error(`${command} is missing: npm run build`);
+  const folder = mkdtempSync(path.join(tmpdir(), 'fiatlux-'));
+  writeFileSync(path.join(folder, 'box.glb'), box);
+  const flux = path.join(folder, 'box.flux');
+  execFileSync(command, ['precompute', path.join(folder, 'box.glb'), '-o', flux, '--patch', '0.5', '--rays', '64', '--site-spacing', '0.8'], { stdio: 'ignore' }); // prettier-ignore
+  const ours = await statisticsOf(new Uint8Array(one.file));
+  const theirs = await statisticsOf(new Uint8Array(readFileSync(flux)));
+  expect(ours.length).toBe(theirs.length);
+  for (const [index, value] of theirs.entries()) {
+    const tolerance = [0.001, 0.005, 0.02, 0.02][index % 4]!; // mean, sigma, least, most
+    expect(Math.abs(ours[index]! - value)).toBeLessThanOrEqual(tolerance * Math.max(value, 1e-9));
+  }
+}, 60_000);
+
+test('a draft has longer patches and the same places', async () => {
+  const options = { ...coarse, patch: 0 };
+  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: 6, ...silent });
+  expect(room.patchSize).toBeGreaterThan(0.3);
+  expect(room.sites).toBe(25);
+}, 60_000);
+
+test('a computation is stopped at once', async () => {
+  const controller = new AbortController();
+  const built = poolOf(2).build({
+    model: modelOf(box),
+    options: coarse,
+    signal: controller.signal,
+    tell: ({ stage }) => stage === 'casting' && controller.abort(),
+  });
+  await expect(built).rejects.toBeInstanceOf(Stopped);
+});
+
+/** A .glb of some JSON, given as text or as what it says. */
+function glb(json: unknown): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(typeof json === 'string' ? json : JSON.stringify(json));
+  const padded = Math.ceil(text.length / 4) * 4;
+  const bytes = new Uint8Array(20 + padded).fill(0x20);
+  const view = new DataView(bytes.buffer);
+  for (const [index, value] of [0x46546c67, 2, bytes.length, padded, 0x4e4f534a].entries())
+    view.setUint32(4 * index, value, true);
+  bytes.set(text, 20);
+  return bytes;
+}
+
+const triangle = { primitives: [{ attributes: { POSITION: 0 } }] };
+const floats = { componentType: 5126, type: 'VEC3', bufferView: 0 };
+const asset = { version: '2.0' };
+const scene = { scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [triangle], asset };
+const data = (bytes: number) =>
+  `data:application/octet-stream;base64,${Buffer.alloc(bytes).toString('base64')}`;
+const buffers = [{ byteLength: 36, uri: data(36) }];
+const bufferViews = [{ buffer: 0, byteLength: 36 }];
+
+describe('what is wrong with a model is told in one line', () => {
+  const cases: readonly (readonly [string, Uint8Array<ArrayBuffer>])[] = [
+    ['empty', new Uint8Array()],
+    ['text', new TextEncoder().encode('<html>no model</html>')],
+    ['cut', box.slice(0, 1000)],
+    ['a count beyond its buffer', glb({ ...scene, accessors: [{ ...floats, count: 2 ** 31 - 1 }], buffers, bufferViews })],
+    ['a view beyond its buffer', glb({ ...scene, accessors: [{ ...floats, count: 3 }], buffers, bufferViews: [{ buffer: 0, byteOffset: 2 ** 32 - 4, byteLength: 36 }] })],
+    ['a file that is not there', glb({ ...scene, accessors: [{ ...floats, count: 3 }], buffers: [{ byteLength: 36, uri: '../../etc/passwd' }], bufferViews })],
+    ['an address', glb({ ...scene, accessors: [{ ...floats, count: 3 }], buffers: [{ byteLength: 36, uri: 'https://example.com/a.bin' }], bufferViews })],
+    ['a circle of nodes', glb({ asset, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ children: [1] }, { children: [0] }] })],
+    ['no triangles', glb({ asset, scene: 0, scenes: [{ nodes: [] }] })],
+    ['triangles without area', glb({ ...scene, accessors: [{ ...floats, count: 3 }], buffers, bufferViews })],
+    ['an extension that is required', glb({ ...scene, extensionsRequired: ['KHR_draco_mesh_compression'] })],
+    ['deep JSON', glb(`${'['.repeat(5000)}${']'.repeat(5000)}`)],
+  ]; // prettier-ignore
+  test.each(cases)('%s', async (_, bytes) => {
+    const fault = await build(1, coarse, bytes).then(
+      () => 'built',
+      (error: Error) => error.message,
+    );
+    expect(fault).toMatch(/^\S.* .*\S$/);
+    expect(fault).not.toMatch(/\n|memory|unreachable|built/);
+  });
+
+  test('more memory than a page has', async () => {
+    const options = { ...usualOptions, patch: 0.01 };
+    await expect(build(1, options)).rejects.toThrow(/GB/);
+  });
+});

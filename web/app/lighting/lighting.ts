@@ -1,0 +1,197 @@
+/**
+ * Light for a model that has none, computed in the page: a draft with coarse patches is shown and solved first, and the
+ * full pass takes its place, with everything that was asked meanwhile. One room at a time: the latest wish wins.
+ */
+import { usualOptions } from '../../builder/builder.ts';
+import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
+import type { Model } from '../../builder/protocol.ts';
+import { documentOf } from '../../document/sites.ts';
+import type { SceneInfo } from '../../document/types.ts';
+import type { Placement, Placing } from '../opening/placing.ts';
+import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
+import { Superseded, type Solving } from '../solving.ts';
+import type { LightingState, Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
+import { carriedOver } from './carried-over.ts';
+import { TimeLeft } from './time-left.ts';
+
+/** The draft: patches so many times as long, and so many rays from each. */
+const draft = { coarseness: 2.5, rays: 256 };
+
+export type CreatePool = () => Promise<BuilderPool>;
+
+/** The page's own pool, fetched when it is first needed. */
+const usualPool: CreatePool = async () => (await import('../../builder/start-pool.ts')).createPool();
+
+/** Where a finished room goes. */
+export type KeepRoom = (room: string, title: string, file: ArrayBuffer) => Promise<void>;
+
+/** What is computed now, and how to end it. */
+interface Running {
+  readonly controller: AbortController;
+  readonly turn: number; // of the openings, when it began
+}
+
+export class Lighting {
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #placing: Placing;
+  readonly #createPool: CreatePool;
+  readonly #keep: KeepRoom;
+  #running: Running | null = null;
+  #model: Model | null = null;
+
+  constructor(
+    store: Store,
+    solving: Solving,
+    placing: Placing,
+    keep: KeepRoom,
+    createPool: CreatePool = usualPool,
+  ) {
+    this.#store = store;
+    this.#solving = solving;
+    this.#placing = placing;
+    this.#keep = keep;
+    this.#createPool = createPool;
+  }
+
+  /** Lights the model whose preview is on the screen. */
+  async light(model: Model): Promise<void> {
+    this.cancel();
+    const running = (this.#running = { controller: new AbortController(), turn: this.#placing.turn });
+    this.#model = model;
+    try {
+      const pool = await this.#createPool();
+      const first = await this.#build(pool, model, 'draft', running);
+      const shown = await this.#showDraft(model.name, first, running);
+      const full = await this.#build(pool, model, 'full', running);
+      const isKept = await this.#kept(model.name, full.file);
+      await this.#showFull(model.name, full, shown, isKept, running);
+    } catch (error) {
+      if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
+        return;
+      this.#fail(error instanceof Error ? error.message : String(error));
+    } finally {
+      if (this.#running === running) this.#running = null;
+    }
+  }
+
+  /** Once more, after it has failed. */
+  again(): void {
+    if (this.#model) void this.light(this.#model);
+  }
+
+  /** Ends it; what is on the screen stays. */
+  cancel(): void {
+    this.#running?.controller.abort();
+    this.#running = null;
+    this.#store.lighting.value = null;
+  }
+
+  /** The state of a failure stays until it is closed; the preview or the draft stays with it. */
+  #fail(why: string): void {
+    const state = this.#store.lighting.peek();
+    if (state) this.#store.lighting.value = { ...state, fault: sentence(why), secondsLeft: null };
+  }
+
+  #build(
+    pool: BuilderPool,
+    model: Model,
+    pass: LightingState['pass'],
+    { controller: { signal } }: Running,
+  ): Promise<Built> {
+    const { lighting } = this.#store;
+    const left = new TimeLeft(performance.now());
+    const begun = { name: model.name, pass, fault: null };
+    lighting.value = { ...begun, stage: 'reading', share: 0, secondsLeft: null };
+    const tell = ({ stage, share }: Pick<LightingState, 'stage' | 'share'>) => {
+      if (signal.aborted) return;
+      const furthest = Math.max(share, lighting.peek()?.share ?? 0);
+      const secondsLeft = left.at(furthest, performance.now());
+      lighting.value = { ...begun, stage, share: furthest, secondsLeft };
+    };
+    const wish = { model, signal, tell };
+    return pass === 'draft'
+      ? pool.build({ ...wish, options: { ...usualOptions, rays: draft.rays }, coarseness: draft.coarseness })
+      : pool.build({ ...wish, options: usualOptions });
+  }
+
+  /** The identity of the draft; '' where something else was opened meanwhile, which stays. */
+  async #showDraft(name: string, { file, room }: Built, running: Running): Promise<string> {
+    const { signal } = running.controller;
+    let identity = '';
+    const plan = this.#store.plan.peek();
+    if (signal.aborted || this.#placing.turn !== running.turn) return identity;
+    await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
+      const make = (scene: SceneInfo): Placement => {
+        identity = scene.identity;
+        return this.#placementOf(name, scene);
+      };
+      await this.#placing.place(file, titleOf(name), () => isCurrent() && !signal.aborted, make);
+      if (isCurrent()) this.#store.plan.value ??= plan;
+    });
+    if (!signal.aborted) for (const warning of room.warnings) this.#warn(name, warning);
+    return identity;
+  }
+
+  /** Puts the full room in the draft's place; where another room is open by now, only says that it is there. */
+  async #showFull(
+    name: string,
+    { file }: Built,
+    shown: string,
+    isKept: boolean,
+    running: Running,
+  ): Promise<void> {
+    const { scene, history, display, camera, progress } = this.#store;
+    if (running.controller.signal.aborted) return;
+    const from = scene.peek();
+    if (!from || from.identity !== shown) {
+      this.#store.lighting.value = null;
+      if (isKept) this.#store.say('info', `“${titleOf(name)}” is lit: it is among your rooms.`);
+      return;
+    }
+    const plan = this.#store.plan.peek();
+    const isSearched = progress.peek().state === 'improving' || progress.peek().state === 'settled';
+    const layout = this.#solving.layout();
+    const replaced = await this.#placing.replace(file, titleOf(name), (to) => {
+      const view = { camera: camera.peek(), display: display.peek() };
+      return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view };
+    });
+    this.#store.lighting.value = null;
+    if (!replaced) return;
+    this.#store.plan.value ??= plan;
+    if (isSearched) this.#solving.solve();
+    this.#store.announcement.value = `${titleOf(name)} is lit in full quality.`;
+  }
+
+  /** What a link asks of this room that waited for it, or else what is asked of any room at first. */
+  #placementOf(name: string, scene: SceneInfo): Placement {
+    const link = this.#store.pendingLink.peek();
+    const document = link?.room === roomOf(name) ? documentOf(link, scene, false) : null;
+    if (link && document && typeof document !== 'string') {
+      this.#store.pendingLink.value = null;
+      return { document, view: link };
+    }
+    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    return { document: documentFrom(asked, scene.identity, roomOf(name)) };
+  }
+
+  /** Whether the browser keeps the room; where not, that is told. */
+  async #kept(name: string, file: ArrayBuffer): Promise<boolean> {
+    try {
+      await this.#keep(roomOf(name), titleOf(name), file);
+      return true;
+    } catch (error) {
+      this.#store.say('warning', error instanceof Error ? error.message : String(error));
+      return false;
+    }
+  }
+
+  #warn(name: string, warning: string): void {
+    this.#store.say('warning', `“${titleOf(name)}”: ${sentence(warning)}`);
+  }
+}
+
+/** What a document calls a room that was made of this file. */
+export const roomOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '.flux');
+export const titleOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '');

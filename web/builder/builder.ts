@@ -1,0 +1,86 @@
+/**
+ * The face of the Wasm module that makes scene files (wasm/builder.cpp): model bytes in, scene bytes out, in parts. What
+ * returns a string where something else is expected says in one line what is wrong.
+ */
+/** One to one with the options of `fiatlux precompute`; 0 where it chooses by itself. */
+export interface BuildOptions {
+  readonly patch: number; // m, edge of a patch
+  readonly rays: number; // from every patch
+  readonly scale: number; // metres per unit of the file
+  readonly mounts: readonly string[]; // nodes or surfaces where luminaires may hang
+  readonly siteSpacing: number; // m
+  readonly siteSize: number; // m
+  readonly memory: number; // GB, refused above
+  readonly seed: number;
+}
+
+/** As the command would do it, within what a browser gives a page. */
+export const usualOptions: BuildOptions = {
+  patch: 0,
+  rays: 1024,
+  scale: 1,
+  mounts: [],
+  siteSpacing: 0,
+  siteSize: 0,
+  memory: 1.5,
+  seed: 1,
+};
+
+/** What an opened room consists of. */
+export interface RoomCounts {
+  readonly rows: number; // patches and receivers: what is cast
+  readonly sites: number;
+  readonly clusters: number;
+  readonly patchSize: number; // m
+  readonly warnings: readonly string[];
+}
+
+/** What the module is lent. */
+export interface Lent {
+  /** A zlib stream. */
+  deflate(bytes: Uint8Array): Uint8Array;
+  /** The file beside a .gltf that it names. */
+  sibling(name: string): Uint8Array | undefined;
+  /** Where a call is: `share` of a stage is done. Called often. */
+  tell(stage: string, share: number): void;
+}
+
+export interface Builder {
+  open(name: string, model: Uint8Array, options: BuildOptions): RoomCounts | string;
+  /** The light that rows [first, first + rows) get, for `add`. */
+  cast(first: number, rows: number): Uint8Array<ArrayBuffer> | string;
+  /** A part that was cast here or by another builder of the same room; '' where all is well. */
+  add(part: Uint8Array): string;
+  /** The scene file, once every row was added. */
+  assemble(): Uint8Array<ArrayBuffer> | string;
+}
+
+export interface BuilderModule {
+  readonly Builder: new (lent: Lent) => Builder;
+}
+
+/** The compiled module, and the address of the glue that Emscripten writes beside it. */
+export interface Compiled {
+  readonly module: WebAssembly.Module;
+  readonly glue: string;
+}
+
+type InstantiateWasm = (
+  imports: WebAssembly.Imports,
+  receive: (instance: WebAssembly.Instance) => void,
+) => object;
+
+interface Glue {
+  default(options: { readonly instantiateWasm: InstantiateWasm }): Promise<BuilderModule>;
+}
+
+export async function instantiate({ module, glue }: Compiled): Promise<BuilderModule> {
+  const { default: createBuilder } = (await import(/* @vite-ignore */ glue)) as Glue;
+  return new Promise((resolve, reject) => {
+    const instantiateWasm: InstantiateWasm = (imports, receive) => {
+      WebAssembly.instantiate(module, imports).then(receive, reject);
+      return {};
+    };
+    createBuilder({ instantiateWasm }).then(resolve, reject);
+  });
+}

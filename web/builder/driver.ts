@@ -1,0 +1,91 @@
+/** A worker's work: messages in, one answer each. */
+import { zlibSync } from 'fflate';
+import { instantiate, type Builder, type Compiled } from './builder.ts';
+import type { FromBuilder, Model, ToBuilder } from './protocol.ts';
+
+export type Post = (message: FromBuilder, transfer: Transferable[]) => void;
+
+const pause = 80; // ms between two tellings of one stage
+
+export class BuilderDriver {
+  readonly #post: Post;
+  #builder: Promise<Builder> | null = null;
+  #model: Model | null = null;
+  #told = { stage: '', at: 0 };
+
+  constructor(post: Post) {
+    this.#post = post;
+  }
+
+  async receive(message: ToBuilder): Promise<void> {
+    if (message.type === 'start') {
+      this.#builder = this.#start(message);
+      return;
+    }
+    try {
+      const builder = await this.#builder;
+      if (!builder) throw new Error('the builder was not started');
+      this.#answer(builder, message);
+    } catch (error) {
+      this.#post({ type: 'failed', message: lineOf(error) }, []);
+    }
+  }
+
+  #answer(builder: Builder, message: Exclude<ToBuilder, { readonly type: 'start' }>): void {
+    switch (message.type) {
+      case 'open': {
+        this.#model = message.model;
+        const room = valid(builder.open(message.model.name, message.model.bytes, message.options));
+        return this.#post({ type: 'opened', room }, []);
+      }
+      case 'cast': {
+        const part = valid(builder.cast(message.first, message.rows));
+        return this.#post({ type: 'cast', part }, [part.buffer]);
+      }
+      case 'add': {
+        const fault = builder.add(message.part);
+        if (fault) throw new Refusal(fault);
+        return this.#post({ type: 'added' }, []);
+      }
+      case 'assemble': {
+        const file = valid(builder.assemble());
+        return this.#post({ type: 'assembled', file }, [file.buffer]);
+      }
+    }
+  }
+
+  async #start(compiled: Compiled): Promise<Builder> {
+    const { Builder: BuilderOf } = await instantiate(compiled);
+    return new BuilderOf({
+      deflate: (bytes) => zlibSync(bytes),
+      sibling: (name) => this.#model?.siblings.get(name),
+      tell: (stage, share) => this.#tell(stage, share),
+    });
+  }
+
+  #tell(stage: string, share: number): void {
+    const now = performance.now();
+    if (stage === this.#told.stage && now - this.#told.at < pause) return;
+    this.#told = { stage, at: now };
+    this.#post({ type: 'told', stage, share }, []);
+  }
+}
+
+/** What the module itself says is wrong. */
+class Refusal extends Error {}
+
+/** The value, where it is no line that says what is wrong. */
+function valid<T extends object>(value: T | string): T {
+  if (typeof value === 'string') throw new Refusal(value);
+  return value;
+}
+
+/** One line for a person. The pipeline speaks of the command's options, which a page does not have. */
+function lineOf(error: unknown): string {
+  if (error instanceof Refusal)
+    return error.message
+      .replace('--memory allows', 'a page may use')
+      .replace(/pass (a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
+  // The module has trapped: most likely because the browser gives it no more memory.
+  return 'not enough memory in this browser: close other pages, or make the room smaller';
+}

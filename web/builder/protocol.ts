@@ -1,0 +1,24 @@
+/** Between the pool and its workers. Each message to a worker but `start` has one answer, in the order of the questions. */
+import type { BuildOptions, Compiled, RoomCounts } from './builder.ts';
+
+/** A model in memory, with the files beside it that it may name. */
+export interface Model {
+  readonly name: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly siblings: ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
+}
+
+export type ToBuilder =
+  | ({ readonly type: 'start' } & Compiled)
+  | { readonly type: 'open'; readonly model: Model; readonly options: BuildOptions } // -> opened
+  | { readonly type: 'cast'; readonly first: number; readonly rows: number } // -> cast
+  | { readonly type: 'add'; readonly part: Uint8Array<ArrayBuffer> } // -> added
+  | { readonly type: 'assemble' }; // -> assembled
+
+export type FromBuilder =
+  | { readonly type: 'opened'; readonly room: RoomCounts }
+  | { readonly type: 'cast'; readonly part: Uint8Array<ArrayBuffer> }
+  | { readonly type: 'added' }
+  | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer> }
+  | { readonly type: 'failed'; readonly message: string } // instead of an answer
+  | { readonly type: 'told'; readonly stage: string; readonly share: number }; // at any time

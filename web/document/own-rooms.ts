@@ -1,0 +1,79 @@
+/**
+ * Rooms that were computed in this browser, in its own storage: the scene file of each, and a list of them. Storage may
+ * be refused (private windows, full disk): then the functions reject.
+ */
+import { openDB, type IDBPDatabase } from 'idb';
+
+export interface OwnRoom {
+  readonly room: string; // what documents call it; one of each
+  readonly title: string;
+  readonly bytes: number; // of its file
+  readonly at: number; // when it was made, ms since 1970
+}
+
+/** What the browser grants the page, and what of it is taken, in bytes; null where it does not say. */
+export interface Quota {
+  readonly taken: number;
+  readonly granted: number;
+}
+
+let database: Promise<IDBPDatabase> | null = null;
+
+function open(): Promise<IDBPDatabase> {
+  database ??= openDB('fiatlux-rooms', 1, {
+    upgrade: (db) => {
+      db.createObjectStore('list', { keyPath: 'room' });
+      db.createObjectStore('files');
+    },
+    terminated: () => (database = null),
+  }).catch((error: unknown) => {
+    database = null;
+    throw error;
+  });
+  return database;
+}
+
+/** The newest first. */
+export async function listRooms(): Promise<readonly OwnRoom[]> {
+  const rooms = (await (await open()).getAll('list')) as OwnRoom[];
+  return rooms.sort((a, b) => b.at - a.at);
+}
+
+/** A room of the same name is replaced. */
+export async function keepRoom(room: string, title: string, file: ArrayBuffer): Promise<void> {
+  const transaction = (await open()).transaction(['list', 'files'], 'readwrite');
+  const entry: OwnRoom = { room, title, bytes: file.byteLength, at: Date.now() };
+  await Promise.all([
+    transaction.objectStore('list').put(entry),
+    transaction.objectStore('files').put(file, room),
+    transaction.done,
+  ]);
+}
+
+/** null where there is none of this name. */
+export async function readRoom(room: string): Promise<ArrayBuffer | null> {
+  const file: unknown = await (await open()).get('files', room);
+  return file instanceof ArrayBuffer ? file : null;
+}
+
+/** Its title alone changes: links and work go on to know it by its name. */
+export async function renameRoom(room: string, title: string): Promise<void> {
+  const transaction = (await open()).transaction('list', 'readwrite');
+  const entry = (await transaction.store.get(room)) as OwnRoom | undefined;
+  if (entry) await transaction.store.put({ ...entry, title });
+  await transaction.done;
+}
+
+export async function deleteRoom(room: string): Promise<void> {
+  const transaction = (await open()).transaction(['list', 'files'], 'readwrite');
+  await Promise.all([
+    transaction.objectStore('list').delete(room),
+    transaction.objectStore('files').delete(room),
+    transaction.done,
+  ]);
+}
+
+export async function quota(): Promise<Quota | null> {
+  const { usage, quota: granted } = (await navigator.storage?.estimate?.()) ?? {};
+  return usage === undefined || granted === undefined ? null : { taken: usage, granted };
+}

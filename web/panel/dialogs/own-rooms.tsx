@@ -1,0 +1,108 @@
+/** "Your rooms" of the gallery: what was computed in this browser, to open, rename, save and delete. */
+import { Download, Lightbulb, Pencil, Trash2 } from 'lucide-preact';
+import { useEffect, useState } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { download } from '../../app/exports/save-as.ts';
+import type { OwnRoom, Quota } from '../../document/own-rooms.ts';
+
+const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+
+export function OwnRooms({ close }: { readonly close: () => void }) {
+  const { own } = useApp();
+  useEffect(() => void own.load(), []);
+  const rooms = own.list.value;
+  if (rooms.length === 0) return null;
+  return (
+    <>
+      <h3>Your rooms</h3>
+      <ul class="own-rooms">
+        {rooms.map((room) => (
+          <li key={room.room}>
+            <Row room={room} close={close} />
+          </li>
+        ))}
+      </ul>
+      <p class="own-rooms-quota">{quotaText(own.quota.value)}</p>
+    </>
+  );
+}
+
+function quotaText(quota: Quota | null): string {
+  const where = 'They are kept in this browser only.';
+  return quota ? `${where} ${megabytes(quota.taken)} of ${megabytes(quota.granted)} are taken.` : where;
+}
+
+function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => void }) {
+  const { own, opening, store } = useApp();
+  const [isNaming, setNaming] = useState(false);
+  const told = (work: Promise<unknown>) =>
+    void work.catch((error: unknown) => store.say('error', error instanceof Error ? error.message : String(error))); // prettier-ignore
+  if (isNaming) return <Naming room={room} done={() => setNaming(false)} />;
+  const save = async () => {
+    download(room.room, new Blob([await own.read(room.room)]));
+  };
+  return (
+    <div class="row own-room">
+      <Lightbulb size={16} aria-hidden />
+      <button
+        class="grow"
+        onClick={() => {
+          close();
+          void opening.own(room.room);
+        }}
+      >
+        <strong>{room.title}</strong>
+        <span>
+          {new Date(room.at).toLocaleDateString()}, {megabytes(room.bytes)}
+        </span>
+      </button>
+      <button class="icon-button small" aria-label={`Rename ${room.title}`} onClick={() => setNaming(true)}>
+        <Pencil size={14} aria-hidden />
+      </button>
+      <button
+        class="icon-button small"
+        aria-label={`Save ${room.title} as .flux`}
+        onClick={() => told(save())}
+      >
+        <Download size={14} aria-hidden />
+      </button>
+      <button
+        class="icon-button small"
+        aria-label={`Delete ${room.title}`}
+        onClick={() => told(own.delete(room.room))}
+      >
+        <Trash2 size={14} aria-hidden />
+      </button>
+    </div>
+  );
+}
+
+function Naming({ room, done }: { readonly room: OwnRoom; readonly done: () => void }) {
+  const { own } = useApp();
+  const [title, setTitle] = useState(room.title);
+  const rename = async () => {
+    const clean = title.trim().slice(0, 80);
+    if (clean) await own.rename(room.room, clean);
+    done();
+  };
+  return (
+    <form
+      class="row own-room"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void rename();
+      }}
+    >
+      <input
+        class="grow"
+        aria-label="Name of the room"
+        value={title}
+        autoFocus
+        onInput={({ currentTarget }) => setTitle(currentTarget.value)}
+      />
+      <button class="button small" type="submit">
+        Rename
+      </button>
+    </form>
+  );
+}
