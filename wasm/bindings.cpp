@@ -36,6 +36,7 @@ val valueOf(const Layout& layout) {
   result.set("sites", copied(layout.sites));
   result.set("flux", copied(layout.flux));
   result.set("dimming", layout.dimming);
+  result.set("ties", copied(layout.ties));
   return result;
 }
 
@@ -180,6 +181,8 @@ val codes() {
   result.set("statistic", inOrder(statistics));
   result.set("sense", inOrder(kSenseNames));
   result.set("quantity", inOrder(kQuantityNames));
+  result.set("rule", inOrder(kRuleNames));
+  result.set("axis", inOrder(kPlanAxisNames));
   return result;
 }
 
@@ -206,6 +209,8 @@ Constraint constraintOf(const val& v) {
 LuminaireRules rulesOf(const val& v) {
   LuminaireRules rules;
   rules.count = v["count"].as<std::uint32_t>();
+  rules.countHigh = v["countHigh"].as<std::uint32_t>();
+  rules.arrangement = {enumOf<Rule>(v, "rule"), enumOf<PlanAxis>(v, "axis")};
   rules.flux = vectorOf<double>(v["flux"]);
   rules.dimmingLow = v["dimmingLow"].as<double>();
   rules.dimmingHigh = v["dimmingHigh"].as<double>();
@@ -215,7 +220,7 @@ LuminaireRules rulesOf(const val& v) {
   return rules;
 }
 
-std::string setIntentions(Session& session, val asked) {
+Intentions intentionsOf(const val& asked) {
   Intentions intentions;
   intentions.quantity = enumOf<Quantity>(asked, "quantity");
   intentions.luminaires = rulesOf(asked["luminaires"]);
@@ -224,7 +229,11 @@ std::string setIntentions(Session& session, val asked) {
     intentions.goals.push_back(goalOf(goals[i]));
   for (unsigned i = 0, count = constraints["length"].as<unsigned>(); i < count; ++i)
     intentions.constraints.push_back(constraintOf(constraints[i]));
-  return errorOf(session.setIntentions(intentions));
+  return intentions;
+}
+
+std::string setIntentions(Session& session, val asked) {
+  return errorOf(session.setIntentions(intentionsOf(asked)));
 }
 
 // --- search
@@ -243,6 +252,19 @@ val advance(Session& session, std::uint32_t evaluations) {
   result.set("foundAt", static_cast<double>(progress.foundAt));
   result.set("violation", progress.evaluation.violation);
   result.set("goal", progress.evaluation.goal);
+  result.set("proved", progress.proved);
+  return result;
+}
+
+val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::uint32_t evaluations) {
+  const Layout start{vectorOf<std::uint32_t>(sites), {}, 1};
+  const Result<Found> found =
+      session.tryAside(intentionsOf(asked), seed, start.sites.empty() ? nullptr : &start, evaluations);
+  if (!found) return val(found.error().message);
+  val result = val::object();
+  result.set("layout", valueOf(found->layout));
+  result.set("violation", found->evaluation.violation);
+  result.set("goal", found->evaluation.goal);
   return result;
 }
 
@@ -383,6 +405,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("start", &start)
       .function("startFrom", &startFrom)
       .function("advance", &advance)
+      .function("tryAside", &tryAside)
       .function("incumbent", &incumbent)
       .function("show", &show)
       .function("check", &check)

@@ -93,7 +93,21 @@ void Session::pinAsIn(const Layout& layout) {
 SearchProgress Session::advance(std::uint32_t evaluations) {
   if (!search_) return {};
   search_->advance(evaluations);
-  return {search_->evaluations(), search_->foundAt(), search_->evaluation()};
+  return {search_->evaluations(), search_->foundAt(), search_->evaluation(), search_->isProved()};
+}
+
+Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
+                                std::uint32_t evaluations) {
+  if (!scene_) return Error{"no scene is open"};
+  Result<Done> checked = checkIntentions(*scene_, intentions);
+  if (!checked) return checked.error();
+  Intentions asked = intentions;
+  if (start) asked.luminaires.pinned = pinsAsIn(asked.luminaires, start->sites);
+  LayoutSearch search(*prepared_, asked, seed, start);
+  search.advance(evaluations);
+  constexpr std::uint32_t kFields = 1u << 16;
+  while (asked.luminaires.arrangement.rule == Rule::kField && !search.isProved()) search.advance(kFields);
+  return Found{search.incumbent(), search.evaluation()};
 }
 
 Result<Shown> Session::incumbent() {

@@ -23,6 +23,13 @@ struct SearchProgress {
   std::uint64_t evaluations = 0;  // since start()
   std::uint64_t foundAt = 0;      // the count at which the incumbent was found; 0 = it is the start
   Evaluation evaluation;          // of the incumbent
+  bool proved = false;            // all layouts that the rules allow have been tried
+};
+
+/// What a search has found.
+struct Found {
+  Layout layout;
+  Evaluation evaluation;
 };
 
 class Session {
@@ -64,6 +71,10 @@ class Session {
   Result<Done> start(std::uint64_t seed, const Layout* start);
   /// Spends that many evaluations. Nothing happens before start().
   SearchProgress advance(std::uint32_t evaluations);
+  /// What so many evaluations find for other intentions, from `start` where given; of a regular field all are
+  /// tried. What is asked and the searches that run stay as they are.
+  Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
+                         std::uint32_t evaluations);
   /// Readings of the best layout so far.
   Result<Shown> incumbent();
   /// Readings of any layout.

@@ -18,6 +18,7 @@ import { openSession } from './open-session.mjs';
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const inRoot = (...parts) => path.join(root, ...parts);
 const corridor = inRoot('public/scenes/e-corridor.flux');
+const office = inRoot('public/scenes/office.flux');
 const batches = 7;
 const wanted = new Set(process.argv.slice(2));
 const rows = [];
@@ -81,6 +82,23 @@ function kernels() {
   }
 }
 
+/** So many luminaires of 1000 lm anywhere, as the core takes them. */
+function luminairesOf(count) {
+  const none = new Uint32Array();
+  return {
+    count,
+    countHigh: 0,
+    rule: 0,
+    axis: 0,
+    flux: Float64Array.of(1e3),
+    dimmingLow: 1,
+    dimmingHigh: 1,
+    pinned: none,
+    excluded: none,
+    minDistance: 0,
+  };
+}
+
 /** 25 000 evaluations on the E corridor: N = 6, least sigma of all surfaces, 40 seeds a batch. */
 async function solve25000() {
   const tool = need(inRoot('build/native/tests/solve_bench'));
@@ -88,15 +106,7 @@ async function solve25000() {
   const none = new Uint32Array();
   const error = session.setIntentions({
     quantity: 0,
-    luminaires: {
-      count: 6,
-      flux: Float64Array.of(1e3),
-      dimmingLow: 1,
-      dimmingHigh: 1,
-      pinned: none,
-      excluded: none,
-      minDistance: 0,
-    },
+    luminaires: luminairesOf(6),
     goals: [{ statistic: 1, sense: 0, weight: 1, surfaces: none, over: none }],
     constraints: [],
   });
@@ -119,6 +129,45 @@ async function solve25000() {
     wasm.push(inWasm());
   }
   compare('solve_25000', 'ms', native, wasm, { luminaires: 6, goal: 'min sigma of all' });
+  session.delete();
+}
+
+/** The strip of counts on the office: 3 to 24 luminaires, each from the layout of the one before, as the page asks. */
+async function countStrip() {
+  const session = await openSession(need(inRoot('web/solver/core.wasm')), need(office), inflateSync);
+  const none = new Uint32Array();
+  const strip = () => {
+    let start = none;
+    const begin = performance.now();
+    for (let count = 3; count <= 24; ++count) {
+      const asked = {
+        quantity: 0,
+        luminaires: { ...luminairesOf(count), flux: Float64Array.of(4e3), dimmingLow: 0.1 },
+        goals: [
+          { statistic: 1, sense: 0, weight: 1, target: 0, surfaces: none, over: none },
+          { statistic: 2, sense: 0, weight: 1, target: 0, surfaces: none, over: none },
+        ],
+        constraints: [
+          { statistic: 0, lower: 150, upper: Infinity, alpha: 1, surfaces: none, over: none },
+          { statistic: 3, lower: 10, upper: Infinity, alpha: 1, surfaces: none, over: none },
+        ],
+      };
+      const found = session.tryAside(asked, 1, start, 3000);
+      if (typeof found === 'string') throw new Error(found);
+      start = found.layout.sites;
+    }
+    return performance.now() - begin;
+  };
+  strip();
+  const { median, spread } = summary(Array.from({ length: batches }, strip));
+  print({
+    name: 'count_strip',
+    wasm: round(median),
+    unit: 'ms',
+    spread: round(spread, 2),
+    batches,
+    counts: '3..24',
+  });
   session.delete();
 }
 
@@ -200,6 +249,7 @@ async function first10Mbit() {
 const figures = {
   kernels,
   solve_25000: solve25000,
+  count_strip: countStrip,
   scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
   js_compressed: firstLoad,
   wasm_compressed: () => bytes('wasm_compressed', packed(need(inRoot('web/solver/core.wasm')))),

@@ -2,7 +2,9 @@
 import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import {
+  axisCodes,
   quantityCodes,
+  ruleCodes,
   senseCodes,
   sessionMethods,
   statisticCodes,
@@ -27,12 +29,14 @@ const even = {
 } as const;
 
 test("numbers stand for the page's words: none is missing, none is another", () => {
-  const { statistic, sense, quantity } = core.codes();
+  const { statistic, sense, quantity, rule, axis } = core.codes();
   const inOrder = (codes: Readonly<Record<string, number>>) =>
     Object.keys(codes).sort((a, b) => codes[a]! - codes[b]!);
   expect(statistic).toEqual(inOrder(statisticCodes));
   expect(sense).toEqual(inOrder(senseCodes));
   expect(quantity).toEqual(inOrder(quantityCodes));
+  expect(rule).toEqual(inOrder(ruleCodes));
+  expect(axis).toEqual(inOrder(axisCodes));
 });
 
 test('a pinned luminaire keeps its number', () => {

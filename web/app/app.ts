@@ -7,6 +7,7 @@ import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
+import { Comparing } from './comparing.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
@@ -42,6 +43,7 @@ export class App {
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
+    new Comparing(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
     this.keeping = new Keeping(store, this.solving, this.viewer, this.types);
     this.opening = new Opening(

@@ -1,5 +1,6 @@
 /** Luminaires under the hand: dragging one pins it where it is dropped and the others compensate while it moves. */
 import { siteCount } from '../document/sites.ts';
+import { heldTogether, movedSites, tieOf } from '../document/ties.ts';
 import type { Layout } from '../document/types.ts';
 import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
@@ -19,18 +20,21 @@ export class Hand {
   /** Moves luminaire i to a site and pins it there. `dragging`: more of the same movement may follow. */
   moveTo(luminaire: number, site: number, dragging: boolean): void {
     const layout = this.#layout();
-    const from = layout?.sites[luminaire];
-    if (!layout || from === undefined || layout.sites.some((other, i) => other === site && i !== luminaire))
+    const positions = this.#store.scene.peek()?.sites.position;
+    const rule = this.#store.document.peek().luminaires.arrangement?.rule ?? 'free';
+    const sites = layout && positions && movedSites(layout, luminaire, site, rule, positions);
+    if (!sites) {
+      if (!dragging) this.#solving.relight(); // where it was
       return;
-    const sites = layout.sites.map((other, i) => (i === luminaire ? site : other));
+    }
+    const toOf = new Map(layout.sites.map((from, i) => [from, sites[i] ?? from]));
+    const held = new Set(heldTogether(layout, luminaire, rule).map((i) => sites[i] ?? site));
     this.#store.edit(
       `Move ${tag(luminaire)}`,
       (draft) => {
         const { pinned, excluded } = draft.luminaires;
-        const place = pinned.indexOf(from);
-        if (place >= 0) pinned[place] = site;
-        else pinned.push(site);
-        draft.luminaires.excluded = excluded.filter((other) => other !== site);
+        draft.luminaires.pinned = [...new Set([...pinned.map((other) => toOf.get(other) ?? other), ...held])];
+        draft.luminaires.excluded = excluded.filter((other) => !held.has(other));
       },
       `move-${luminaire}`,
       { by: 'search', from: { ...layout, sites } },
@@ -47,21 +51,23 @@ export class Hand {
     const from = layout?.sites[luminaire];
     if (!scene || !layout || from === undefined) return;
     const { excluded } = this.#store.document.peek().luminaires;
-    const taken = takenSites(layout.sites, luminaire, excluded);
+    const taken = takenSites(layout, luminaire, excluded);
     const site = nextFreeSite(scene.sites.position, taken, from, direction);
     if (site !== null) this.moveTo(luminaire, site, false);
     else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
   }
 
   togglePin(luminaire: number): void {
-    const site = this.#layout()?.sites[luminaire];
-    if (site === undefined) return;
+    const layout = this.#layout();
+    const site = layout?.sites[luminaire];
+    if (!layout || site === undefined) return;
     const isPinned = this.#store.document.peek().luminaires.pinned.includes(site);
+    const together = tieOf(layout, luminaire).map((each) => layout.sites[each] ?? site);
     this.#store.edit(isPinned ? `Unpin ${tag(luminaire)}` : `Pin ${tag(luminaire)}`, (draft) => {
       const { luminaires } = draft;
       luminaires.pinned = isPinned
-        ? luminaires.pinned.filter((other) => other !== site)
-        : [...luminaires.pinned, site];
+        ? luminaires.pinned.filter((other) => !together.includes(other))
+        : [...luminaires.pinned.filter((other) => !together.includes(other)), ...together];
     });
   }
 

@@ -48,6 +48,7 @@ export class Solving {
   #probing: Waiting<Shown> | null = null;
   #file: FileBytes | null = null;
   #first: OpeningLight | null = null; // of the scene that was opened, until something is asked of it
+  #compared: ((answer: Answer<'compared'>) => void) | null = null;
   #checking: Layout | null = null; // was asked to be checked
   #refusal: number | null = null; // the message about a wish that the solver refused
 
@@ -94,6 +95,16 @@ export class Solving {
     this.#begin();
     this.#store.alphaRun.value = { card, steps: [], done: null };
     this.#client.alpha(intentions, this.#store.document.peek().seed, this.#showing.layout);
+  }
+
+  /** Tries other intentions beside what is asked, until something newer is. */
+  compare(
+    variants: readonly Intentions[],
+    evaluations: number,
+    told: (answer: Answer<'compared'>) => void,
+  ): void {
+    this.#compared = told;
+    this.#client.compare(variants, this.#showing.layout, this.#store.document.peek().seed, evaluations);
   }
 
   /** Recomputes the layout shown from the patches; the answer is store.check. */
@@ -146,7 +157,8 @@ export class Solving {
   #foreseen({ luminaires }: Intentions): Layout | null {
     const light = this.#first;
     this.#first = null;
-    if (light?.layout.sites.length !== luminaires.count) return null;
+    const { count, most = count } = luminaires;
+    if (!light || light.layout.sites.length < count || light.layout.sites.length > most) return null;
     this.#showing.foresee(light);
     return light.layout;
   }
@@ -208,6 +220,8 @@ export class Solving {
       case 'bounded':
         this.#store.bound.value = { gap: message.gap, done: message.done };
         return;
+      case 'compared':
+        return this.#compared?.(message);
       case 'checked':
         return this.#checked(message);
       case 'described': // the client keeps these for whoever asked

@@ -2,7 +2,7 @@
  * From cards to what the core is asked: a verb is a goal, everything else on a card is a constraint. Each constraint
  * remembers the card and the bound it came from, so that a bound that cannot be met can be named and eased.
  */
-import type { Card, Constraint, FiatLuxDocument, Goal, Intentions, Verb } from './types.ts';
+import type { Card, Constraint, FiatLuxDocument, Goal, Intentions, Luminaires, Verb } from './types.ts';
 
 export type BoundField =
   | 'mean.min'
@@ -106,8 +106,24 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
     goals.push({ statistic: 'power', sense: 'min', weight: 1, surfaces: [] });
     goalCards.push(null);
   }
-  const { luminaires, quantity } = document;
+  const { quantity } = document;
+  const luminaires = askedLuminaires(document);
   return { intentions: { luminaires, goals, constraints, quantity }, goalCards, origins };
+}
+
+/** Least power of luminaires that cannot be dimmed means fewer of them, where their number is not free anyway. */
+export function savesByCount({
+  saving,
+  luminaires,
+}: Pick<FiatLuxDocument, 'saving' | 'luminaires'>): boolean {
+  return saving && luminaires.most === undefined && luminaires.dimming[0] === luminaires.dimming[1];
+}
+
+function askedLuminaires(document: FiatLuxDocument): Luminaires {
+  const { luminaires } = document;
+  const { count, most, pinned } = luminaires;
+  if (savesByCount(document)) return { ...luminaires, count: Math.max(1, pinned.length), most: count };
+  return most === undefined || most >= count ? luminaires : { ...luminaires, most: count };
 }
 
 /** The range that Keep asks for, from the mean that is there now; its ends have three digits, rounded towards the mean. */

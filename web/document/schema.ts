@@ -92,9 +92,16 @@ const dimming = v.pipe(
   v.check(([low, high]) => low <= high, 'the dimming range is upside down'),
 );
 
+const arrangement = v.object({
+  rule: v.picklist(['free', 'symmetric', 'rows', 'field']),
+  axis: v.exactOptional(v.picklist(['found', 'x', 'z', 'both'])),
+});
+
 export const luminairesSchema = v.object({
   types: v.exactOptional(typesSchema),
   count: whole(1, mostLuminaires),
+  most: v.exactOptional(whole(1, mostLuminaires)),
+  arrangement: v.exactOptional(arrangement),
   flux: number(0, 1e7),
   dimming,
   pinned: v.pipe(sites, v.maxLength(mostLuminaires)),
@@ -108,6 +115,7 @@ export const layoutSchema = v.pipe(
     flux: v.pipe(v.array(number(0, 1e7)), v.maxLength(mostLuminaires)),
     dimming: number(0, 1),
     mountings: v.exactOptional(v.pipe(v.array(mountingSchema), v.maxLength(mostLuminaires))),
+    ties: v.exactOptional(v.pipe(v.array(whole(0, mostLuminaires)), v.maxLength(mostLuminaires))),
   }),
   v.check((layout) => layout.sites.length === layout.flux.length, 'sites and fluxes differ in number'),
   v.check(

@@ -95,9 +95,20 @@ export interface Mounting {
   readonly aim: Point | null; // that gamma 0 goes through; null: as the type's tilt says
 }
 
+/** How the luminaires hang together; an axis is one of the plan that a layout is mirrored about or rows run along. */
+export type Rule = 'free' | 'symmetric' | 'rows' | 'field';
+export type PlanAxis = 'found' | 'x' | 'z' | 'both'; // both: symmetric only
+
+export interface Arrangement {
+  readonly rule: Rule;
+  readonly axis?: PlanAxis; // symmetric and rows; absent = found
+}
+
 export interface Luminaires {
   readonly types?: readonly LuminaireType[]; // absent or none: Lambertian squares of `flux`
-  readonly count: number;
+  readonly count: number; // the least, where `most` is there
+  readonly most?: number; // the count may be up to this
+  readonly arrangement?: Arrangement; // absent = free
   readonly flux: number; // lm each
   readonly dimming: readonly [number, number]; // common factor t; equal = not dimmable
   readonly pinned: readonly number[]; // sites
@@ -117,6 +128,7 @@ export interface Layout {
   readonly flux: readonly number[];
   readonly dimming: number;
   readonly mountings?: readonly Mounting[]; // one a luminaire; absent: Lambertian squares
+  readonly ties?: readonly number[]; // of each luminaire, the number of the tie it moves with; absent = none is tied
 }
 
 export interface FiatLuxDocument {

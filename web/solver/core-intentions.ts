@@ -1,7 +1,9 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
 import type { Intentions, Layout } from '../document/types.ts';
 import {
+  axisCodes,
   quantityCodes,
+  ruleCodes,
   senseCodes,
   statisticCodes,
   type CoreIntentions,
@@ -22,6 +24,9 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
     quantity: quantityCodes[asked.quantity],
     luminaires: {
       count: luminaires.count,
+      countHigh: luminaires.most ?? 0,
+      rule: ruleCodes[luminaires.arrangement?.rule ?? 'free'],
+      axis: axisCodes[luminaires.arrangement?.axis ?? 'found'],
       flux: Float64Array.of(luminaires.flux),
       dimmingLow: luminaires.dimming[0],
       dimmingHigh: luminaires.dimming[1],
@@ -51,12 +56,12 @@ export function coreLayout(layout: Layout): [Uint32Array, Float64Array, number] 
   return [Uint32Array.from(layout.sites), Float64Array.from(layout.flux), layout.dimming];
 }
 
-export function layoutOf({ sites, flux, dimming }: CoreLayout): Layout {
-  return { sites: [...sites], flux: [...flux], dimming };
+export function layoutOf({ sites, flux, dimming, ties }: CoreLayout): Layout {
+  return { sites: [...sites], flux: [...flux], dimming, ...(ties.length > 0 && { ties: [...ties] }) };
 }
 
 // Rounding of the sums, and of bounds that are met exactly.
-const metUpTo = 1e-6;
+export const metUpTo = 1e-6;
 
 /** `goal`: the weighted objective of the search; violation is the sum over the constraints. */
 export function shownOf(

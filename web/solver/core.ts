@@ -30,6 +30,7 @@ export interface CoreLayout {
   readonly sites: Uint32Array; // N
   readonly flux: Float64Array; // N, lm
   readonly dimming: number;
+  readonly ties: Uint32Array; // N: the tie that each moves with; empty = none is tied
 }
 
 /** A layout that was chosen when the file was made, and its light. */
@@ -44,6 +45,14 @@ export interface Progress {
   readonly foundAt: number; // the count at which the incumbent was found; 0 = it is the start
   readonly violation: number; // of the incumbent; 0 = every constraint is met
   readonly goal: number; // of the incumbent: sum of weight x signed value / reference value
+  readonly proved: boolean; // everything that may be has been tried
+}
+
+/** What a search aside has found. */
+export interface CoreTrial {
+  readonly layout: CoreLayout;
+  readonly violation: number;
+  readonly goal: number;
 }
 
 /** Everything that is shown of one layout. */
@@ -100,6 +109,8 @@ export const statisticCodes = {
   contrast: 7,
 } as const;
 export const senseCodes = { min: 0, max: 1, near: 2 } as const;
+export const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
+export const axisCodes = { found: 0, x: 1, z: 2, both: 3 } as const;
 export const quantityCodes = { illuminance: 0, exitance: 1 } as const;
 
 /** Surfaces are sorted leaf indices, none for 'all'. */
@@ -124,7 +135,10 @@ export interface CoreConstraint {
 export interface CoreIntentions {
   readonly quantity: number;
   readonly luminaires: {
-    readonly count: number;
+    readonly count: number; // the least
+    readonly countHigh: number; // the most; 0 = exactly `count`
+    readonly rule: number;
+    readonly axis: number;
     readonly flux: Float64Array; // lm: one for all, or one each
     readonly dimmingLow: number;
     readonly dimmingHigh: number;
@@ -164,6 +178,13 @@ export interface Session {
   startFrom(seed: number, sites: Uint32Array, flux: Float64Array, dimming: number): string;
   /** Spends that many evaluations (one = one trial layout). */
   advance(evaluations: number): Progress;
+  /** What a short search finds for other intentions, from a layout where it has sites; searches go on untouched. */
+  tryAside(
+    intentions: CoreIntentions,
+    seed: number,
+    start: Uint32Array,
+    evaluations: number,
+  ): OrError<CoreTrial>;
   /** Readings of the best layout so far. */
   incumbent(): OrError<CoreShown>;
   /** Readings of any layout. */
@@ -197,6 +218,7 @@ export const sessionMethods = {
   start: 1,
   startFrom: 4,
   advance: 1,
+  tryAside: 4,
   incumbent: 0,
   show: 3,
   check: 3,
@@ -212,6 +234,8 @@ export interface CoreCodes {
   readonly statistic: readonly string[];
   readonly sense: readonly string[];
   readonly quantity: readonly string[];
+  readonly rule: readonly string[];
+  readonly axis: readonly string[];
 }
 
 export interface CoreModule {

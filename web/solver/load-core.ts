@@ -1,7 +1,15 @@
 /**
  * Loads the Wasm module: from an address while it downloads (the worker), or from bytes (tests under Node).
  */
-import { quantityCodes, senseCodes, sessionMethods, statisticCodes, type CoreModule } from './core.ts';
+import {
+  axisCodes,
+  quantityCodes,
+  ruleCodes,
+  senseCodes,
+  sessionMethods,
+  statisticCodes,
+  type CoreModule,
+} from './core.ts';
 import createCore from './core.mjs';
 
 const misfit = 'core.wasm does not fit this page: build both again with npm run build';
@@ -29,10 +37,16 @@ export function fitting(core: CoreModule): CoreModule {
 
 function countsAlike(core: CoreModule): boolean {
   if (typeof core.codes !== 'function') return false; // of an older build
-  const { statistic, sense, quantity } = core.codes();
+  const { statistic, sense, quantity, rule, axis } = core.codes();
   const isSame = (names: readonly string[], codes: Readonly<Record<string, number>>) =>
     names.length === Object.keys(codes).length && names.every((name, code) => codes[name] === code);
-  return isSame(statistic, statisticCodes) && isSame(sense, senseCodes) && isSame(quantity, quantityCodes);
+  return (
+    isSame(statistic, statisticCodes) &&
+    isSame(sense, senseCodes) &&
+    isSame(quantity, quantityCodes) &&
+    isSame(rule, ruleCodes) &&
+    isSame(axis, axisCodes)
+  );
 }
 
 type InstantiateWasm = (

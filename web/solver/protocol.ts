@@ -34,6 +34,14 @@ export interface Shown {
   readonly violation: number; // 0 = every constraint is met
 }
 
+/** What a short search finds for other intentions. */
+export interface Outcome {
+  readonly layout: Layout;
+  readonly lumens: number; // of all luminaires, dimmed
+  readonly met: boolean; // every constraint
+  readonly violation: number;
+}
+
 /** A layout and its light as a scene file begins with them: to be seen while the rest is on its way. */
 export type OpeningLight = Pick<Shown, 'layout' | 'illuminance'>;
 
@@ -72,6 +80,15 @@ export type ToWorker =
       readonly intentions: Intentions;
       readonly seed: number;
       readonly held: Layout | null; // whose luminaires hang on the pinned sites
+    }
+  /** Tries other intentions shortly, one after the other, once no search runs -> 'compared' for each. */
+  | {
+      readonly type: 'compare';
+      readonly revision: number;
+      readonly variants: readonly Intentions[];
+      readonly start: Layout | null; // of the first; each of the others goes on from the one before
+      readonly seed: number;
+      readonly evaluations: number; // for each
     }
   /** A provable bound on the goal -> 'bounded', possibly several times, tighter each time. */
   | {
@@ -136,6 +153,13 @@ export type FromWorker =
       readonly verdict: string; // one sentence for a designer
       readonly shown: Shown | null;
       readonly feasibleBound: number | null; // where infeasible: the largest bound that some layout meets
+    }
+  | {
+      readonly type: 'compared';
+      readonly revision: number;
+      readonly variant: number;
+      readonly outcome: Outcome | null; // null: the rules leave no layout at all
+      readonly done: boolean; // it was the last one
     }
   | {
       readonly type: 'bounded';

@@ -15,7 +15,7 @@ export class SearchJob {
   #answeredAt = -Infinity;
   #answeredFoundAt = -1; // foundAt of the layout that was answered last
   #improvedAt: number;
-  #progress: Progress = { evaluations: 0, foundAt: 0, violation: 0, goal: 0 };
+  #progress: Progress = { evaluations: 0, foundAt: 0, violation: 0, goal: 0, proved: false };
 
   /** The session's search has just been started. */
   constructor(session: Session, clock: Clock) {
@@ -39,8 +39,8 @@ export class SearchJob {
     if (this.#answeredFoundAt < 0) return this.#first();
     this.#advance();
     const now = this.#clock();
-    const { evaluations, foundAt } = this.#progress;
-    const idle = evaluations - foundAt >= pace.fruitlessEvaluations;
+    const { evaluations, foundAt, proved } = this.#progress;
+    const idle = proved || evaluations - foundAt >= pace.fruitlessEvaluations;
     if (idle || now - this.#improvedAt >= pace.fruitlessMilliseconds) return 'settled';
     const isEarly = now - this.#begun < pace.answerGap;
     const isTooSoon = !isEarly && now - this.#answeredAt < pace.answerGap;
@@ -51,6 +51,7 @@ export class SearchJob {
   #first(): Report {
     do this.#advance(pace.firstMilliseconds / 2, pace.firstEvaluations - this.#progress.evaluations);
     while (
+      !this.#progress.proved &&
       this.#progress.evaluations < pace.firstEvaluations &&
       this.#clock() - this.#begun < pace.firstMilliseconds
     );

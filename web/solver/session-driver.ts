@@ -6,6 +6,7 @@
 import type { Intentions, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
+import { CompareTask } from './compare-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import type { CoreModule, Session } from './core.ts';
 import { openScene } from './open-scene.ts';
@@ -32,6 +33,7 @@ export class SessionDriver {
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
+  #compare: CompareTask | null = null; // goes on while no search runs
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
@@ -44,7 +46,7 @@ export class SessionDriver {
 
   /** Whether `step` has something to do. */
   get busy(): boolean {
-    return this.#next !== null || this.#task !== null || this.#bound !== null;
+    return this.#next !== null || this.#task !== null || this.#bound !== null || this.#compare !== null;
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -58,6 +60,8 @@ export class SessionDriver {
   /** One slice of what runs. */
   step(): void {
     if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
+    else if (this.#compare && (!this.#task || this.#task instanceof BoundTask))
+      return this.#attempt(this.#compare.revision, this.#advanceCompare, this.#compare);
     else if (this.#bound && !this.#task) this.#attempt(this.#bound.revision, this.#beginBound, this.#bound);
     const task = this.#task;
     if (task) this.#attempt(task.revision, this.#advance, task);
@@ -67,7 +71,7 @@ export class SessionDriver {
     switch (message.type) {
       case 'solve':
         this.#next = message;
-        this.#bound = null; // it was meant for an older wish
+        this.#bound = this.#compare = null; // they were meant for an older wish
         return;
       case 'show':
         return this.#attempt(message.revision, this.#show, message);
@@ -75,6 +79,9 @@ export class SessionDriver {
         return this.#attempt(message.revision, this.#beginAlpha, message);
       case 'bound':
         this.#bound = message;
+        return;
+      case 'compare':
+        this.#compare = new CompareTask(this.#session, message, this.#leaves());
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);
@@ -91,6 +98,7 @@ export class SessionDriver {
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
     this.#drop();
+    this.#compare = null;
     this.#waiting = [];
     let isTold = false;
     try {
@@ -158,12 +166,19 @@ export class SessionDriver {
     if (task.done) this.#task = null;
   }
 
+  #advanceCompare(task: CompareTask): void {
+    this.#tell(task.step());
+    if (task.done && this.#compare === task) this.#compare = null;
+  }
+
   #show({ revision, intentions, layout }: Request<'show'>): void {
     this.#drop();
     this.#ask(intentions);
     const core = this.#session.show(...coreLayout(layout));
     if (typeof core === 'string') throw new Error(core);
-    const shown = shownOf(core, 0, this.#leaves());
+    const read = shownOf(core, 0, this.#leaves());
+    const { ties } = layout; // note: known by who found the layout, not by its light
+    const shown = ties ? { ...read, layout: { ...read.layout, ties } } : read;
     const now = this.#clock();
     const cost = { evaluations: 0, milliseconds: 0, askedAt: now, postedAt: now };
     this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
@@ -219,6 +234,7 @@ export class SessionDriver {
       action.call(this, argument);
     } catch (error) {
       this.#drop();
+      this.#compare = null;
       this.#fail(revision, error);
     }
   }

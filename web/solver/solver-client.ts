@@ -29,7 +29,7 @@ interface OpenFile {
 const hopeless = 3;
 
 /** Requests that replace each other: an answer is current while its request is the latest of its lane. */
-type Lane = 'open' | 'layout' | 'bound' | 'check';
+type Lane = 'open' | 'layout' | 'bound' | 'compare' | 'check';
 
 const laneOf = {
   open: 'open',
@@ -37,6 +37,7 @@ const laneOf = {
   show: 'layout',
   alpha: 'layout',
   bound: 'bound',
+  compare: 'compare',
   check: 'check',
 } as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'describe'>, Lane>;
 
@@ -51,7 +52,7 @@ interface Reading {
 export class SolverClient {
   readonly #createWorker: () => WorkerLike;
   readonly #receive: (message: FromWorker) => void;
-  readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, check: 0 };
+  readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, compare: 0, check: 0 };
   readonly #readings = new Map<number, Reading>(); // photometric files that are being read, by revision
   #worker: WorkerLike;
   #revision = 0;
@@ -96,6 +97,18 @@ export class SolverClient {
   bound(intentions: Intentions): number {
     const search = this.#searchFor(intentions);
     return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search });
+  }
+
+  /** Tries other intentions beside what is asked; the first from `start`. */
+  compare(variants: readonly Intentions[], start: Layout | null, seed: number, evaluations: number): number {
+    return this.#ask({
+      type: 'compare',
+      revision: ++this.#revision,
+      variants,
+      start,
+      seed,
+      evaluations,
+    });
   }
 
   check(intentions: Intentions, layout: Layout): number {
@@ -234,8 +247,9 @@ export class SolverClient {
   }
 
   #isLatest(answered: number): boolean {
-    const { open, layout, bound, check } = this.#latest;
+    const { open, layout, bound, compare, check } = this.#latest;
     if (answered < open) return false;
-    return answered === layout || ((answered === bound || answered === check) && answered > layout);
+    const isBeside = answered === bound || answered === compare || answered === check;
+    return answered === layout || (isBeside && answered > layout);
   }
 }

@@ -112,6 +112,17 @@ describe('what else cards ask for becomes constraints', () => {
     expect(asked({ weight: 0 }).intentions.goals).toEqual([]);
   });
 
+  test('saving power of what cannot be dimmed means fewer, where their number is not free anyway', () => {
+    const asked = (change: object) => {
+      const document = documentOf([wall], { saving: true });
+      const { luminaires } = document;
+      return intentionsOf({ ...document, luminaires: { ...luminaires, ...change } }).intentions.luminaires;
+    };
+    expect(asked({ count: 6, dimming: [1, 1], pinned: [4, 5] })).toMatchObject({ count: 2, most: 6 });
+    expect(asked({ count: 6, dimming: [0.1, 1] })).not.toHaveProperty('most');
+    expect(asked({ count: 3, most: 8, dimming: [1, 1] })).toMatchObject({ count: 3, most: 8 });
+  });
+
   test('saving power is a goal of its own', () => {
     const { intentions, goalCards } = intentionsOf(documentOf([wall], { saving: true }));
     expect(intentions.goals.at(-1)).toMatchObject({ statistic: 'power', sense: 'min' });

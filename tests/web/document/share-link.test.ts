@@ -56,6 +56,16 @@ function forged(json: string, version = 1): string {
 const plain = { i: '', r: 'box', c: [], s: 1 };
 const rules = { count: 1, flux: 1, dimming: [1, 1], excluded: [], minDistance: 0 };
 
+test('a link carries an arrangement and a range of counts', () => {
+  const arranged: Link = {
+    ...link,
+    luminaires: { ...link.luminaires, most: 9, arrangement: { rule: 'symmetric', axis: 'both' } },
+  };
+  expect(decodeLink(encodeLink(arranged))).toEqual({ ok: true, link: arranged });
+  const broken = forged(JSON.stringify({ ...plain, l: { ...rules, arrangement: { rule: 'circle' } } }));
+  expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
+});
+
 describe('a link', () => {
   test('comes back as it went', () => {
     const hash = encodeLink(link);

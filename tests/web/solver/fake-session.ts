@@ -22,6 +22,8 @@ export class FakeSession implements Session {
     readonly evaluationsPerMillisecond = 20_000,
   ) {}
 
+  provedAt = Infinity; // evaluations after which everything has been tried
+
   openTable(file: Uint8Array) {
     if (file[0] !== 1) return 'not a scene file';
     return this.openHead(file);
@@ -37,7 +39,7 @@ export class FakeSession implements Session {
   }
   outline = () => this.info();
   opening = () => ({
-    layout: { sites: Uint32Array.of(1), flux: Float64Array.of(500), dimming: 1 },
+    layout: { sites: Uint32Array.of(1), flux: Float64Array.of(500), dimming: 1, ties: new Uint32Array() },
     illuminance: Float32Array.of(1, 2, 3, 4),
   });
   verify = () => '';
@@ -93,7 +95,19 @@ export class FakeSession implements Session {
     this.evaluations += evaluations;
     this.clock.now += evaluations / this.evaluationsPerMillisecond;
     const found = this.improvesAt.filter((count) => count <= this.evaluations);
-    return { evaluations: this.evaluations, foundAt: found.at(-1) ?? 0, violation: 0, goal: -found.length };
+    const foundAt = found.at(-1) ?? 0;
+    const proved = this.evaluations >= this.provedAt;
+    return { evaluations: this.evaluations, foundAt, violation: 0, goal: -found.length, proved };
+  }
+  /** One luminaire on each of the first sites; more than three find no room. */
+  tryAside(intentions: CoreIntentions, seed: number, start: Uint32Array) {
+    const { count, flux } = intentions.luminaires;
+    this.calls.push(`try ${count} with ${seed} from ${[...start].join(' ')}`);
+    if (count > 3) return 'luminaires: no room';
+    const sites = Uint32Array.from({ length: count }, (_, i) => i);
+    const lumens = Float64Array.from(sites, () => flux[0] ?? 0);
+    const layout = { sites, flux: lumens, dimming: 0.5, ties: new Uint32Array() };
+    return { layout, violation: count < 2 ? 0.25 : 0, goal: 0 };
   }
   incumbent() {
     return shown([0, 1]);
@@ -154,7 +168,12 @@ export class FakeSession implements Session {
 
 function shown(sites: number[]): CoreShown {
   return {
-    layout: { sites: Uint32Array.from(sites), flux: Float64Array.from(sites, () => 100), dimming: 1 },
+    layout: {
+      sites: Uint32Array.from(sites),
+      flux: Float64Array.from(sites, () => 100),
+      dimming: 1,
+      ties: new Uint32Array(),
+    },
     illuminance: Float32Array.of(1, 2, 3, 4),
     surfaces: Float64Array.from({ length: 12 }, (_, i) => i),
     goals: Float64Array.of(5),

@@ -1,7 +1,9 @@
 /** A module of another build than the page: one line that says what it is and what to do. */
 import { afterEach, expect, test } from '@jest/globals';
 import {
+  axisCodes,
   quantityCodes,
+  ruleCodes,
   senseCodes,
   sessionMethods,
   statisticCodes,
@@ -18,6 +20,8 @@ const codes: CoreCodes = {
   statistic: Object.keys(statisticCodes),
   sense: Object.keys(senseCodes),
   quantity: Object.keys(quantityCodes),
+  rule: Object.keys(ruleCodes),
+  axis: Object.keys(axisCodes),
 };
 
 function moduleWith(names: readonly string[], counts: CoreCodes | null = codes): CoreModule {

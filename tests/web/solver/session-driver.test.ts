@@ -1,6 +1,6 @@
 /**
  * Messages in, answers out: the protocol, latest wins, pace.
- * Covers search-job, search-task, alpha-task, bound-task, core-intentions.
+ * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions.
  */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
@@ -421,4 +421,57 @@ describe('alpha, bound and stop', () => {
     expect(driver.busy).toBe(false);
     expect(kinds()).toEqual(['improved 2', 'settled 2']);
   });
+});
+
+describe('other ways', () => {
+  const variants = [1, 2, 4].map((count) => ({ ...asked, luminaires: { ...asked.luminaires, count } }));
+  const compare = (revision: number): ToWorker => ({
+    type: 'compare',
+    revision,
+    variants,
+    start: { sites: [1], flux: [100], dimming: 1 },
+    seed: 5,
+    evaluations: 1000,
+  });
+
+  test('are tried one after the other once no search runs, each from the one before', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    await driver.receive(compare(3));
+    settle();
+    const told = answers.flatMap((answer) => (answer.type === 'compared' ? [answer] : []));
+    expect(told.map(({ variant, done }) => [variant, done])).toEqual([
+      [0, false],
+      [1, false],
+      [2, true],
+    ]);
+    expect(told[0]?.outcome).toMatchObject({ met: false, violation: 0.25 });
+    expect(told[1]?.outcome).toMatchObject({ met: true, layout: { sites: [0, 1] } });
+    expect(told[2]?.outcome).toBeNull();
+    expect(session.calls.filter((call) => call.startsWith('try'))).toEqual([
+      'try 1 with 5 from 1',
+      'try 2 with 5 from 0',
+      'try 4 with 5 from 0 1',
+    ]);
+    expect(kinds().findIndex((kind) => kind === 'settled 2')).toBeLessThan(kinds().indexOf('compared 3'));
+  });
+
+  test('are forgotten with the wish that they were for', async () => {
+    await opened();
+    await driver.receive(compare(2));
+    driver.step();
+    await driver.receive(solve(3));
+    settle();
+    expect(kinds().filter((kind) => kind.startsWith('compared'))).toEqual(['compared 2']);
+  });
+});
+
+test('a search that has tried everything settles at once', async () => {
+  session.provedAt = 1;
+  await opened();
+  await driver.receive(solve(2));
+  const begun = clock.now;
+  settle();
+  expect(kinds()).toContain('settled 2');
+  expect(clock.now - begun).toBeLessThan(pace.fruitlessMilliseconds / 2);
 });

@@ -9,8 +9,16 @@ import { intentionsOf } from '../../document/intentions.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
 import type { Link } from '../../document/share-link.ts';
-import type { Camera, Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
-import type { AlphaStep, Shown } from '../../solver/protocol.ts';
+import type {
+  Camera,
+  Display,
+  FiatLuxDocument,
+  Intentions,
+  Layout,
+  Rule,
+  SceneInfo,
+} from '../../document/types.ts';
+import type { AlphaStep, Outcome, Shown } from '../../solver/protocol.ts';
 import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
@@ -71,6 +79,13 @@ export type Answering =
   /** Not at all: the light that is there answers it. */
   | { readonly by: 'nothing' };
 
+/** What a wish would reach with other numbers of luminaires, or otherwise arranged. */
+export interface Comparison {
+  readonly of: Intentions; // that were asked for: older ones are out of date
+  readonly counts: readonly { readonly count: number; readonly outcome: Outcome | null }[];
+  readonly rules: readonly { readonly rule: Rule; readonly outcome: Outcome | null }[];
+}
+
 export const firstDisplay: Display = {
   mode: 'realistic',
   exposure: 0,
@@ -111,6 +126,7 @@ export class Store {
   readonly shown = signal<Shown | null>(null); // at most once a frame
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
+  readonly comparison = signal<Comparison | null>(null); // of other numbers and arrangements, maybe of an older wish
   readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
   readonly alphaRun = signal<AlphaRun | null>(null);
   readonly surface = signal<number | null>(null); // selected leaf

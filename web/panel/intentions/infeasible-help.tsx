@@ -10,6 +10,7 @@ import {
 } from '../../app/words/explain.ts';
 import { isRatio } from '../../document/intentions.ts';
 import { compact, grouped, unitOf } from '../../app/words/format.ts';
+import { MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
 import { namesText } from './surface-picker.tsx';
 
 /** What is reached, with as many digits as tell it from what is asked. */
@@ -46,6 +47,7 @@ export function InfeasibleHelp() {
         <TriangleAlert size={15} aria-hidden />
         {bounds.length === 1 ? 'One bound cannot be met' : `${bounds.length} bounds cannot be met together`}
       </h2>
+      <RulesFirst />
       <ul>
         {bounds.slice(0, 4).map((bound) => {
           const suffix = isRatio(bound.field) ? '' : ` ${unit}`;
@@ -82,6 +84,7 @@ export function InfeasibleHelp() {
             Or {grouped(String(flux))} lm each
           </button>
         )}
+        <MoreLuminaires />
       </div>
     </section>
   );

@@ -1,6 +1,7 @@
 /** The cards, what to do where they cannot be met, and the quantity they speak of. */
 import { BookOpen, Plus } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
+import { savesByCount } from '../../document/intentions.ts';
 import { opposedCards } from '../../app/words/explain.ts';
 import type { Verb } from '../../document/types.ts';
 import { usePaperWords } from './card-hooks.ts';
@@ -60,6 +61,12 @@ export function IntentionsTab() {
         checked={saving}
         set={(on) => store.edit('Save power', (draft) => void (draft.saving = on))}
       />
+      {savesByCount(store.document.value) && (
+        <p class="field-note">
+          They are not dimmed: fewer than {store.document.value.luminaires.count} luminaires, where that is
+          enough.
+        </p>
+      )}
       {!inPaperWords && (
         <More isUsed={false}>
           <QuantityChoice />

@@ -1,6 +1,8 @@
 /** What may be used to light the room: how many luminaires, how strong, where not; and the list of them, for the keyboard. */
 import { useApp } from '../../app/app.ts';
 import type { Luminaires } from '../../document/types.ts';
+import { ArrangementChoice } from './arrangement-choice.tsx';
+import { CountStrip } from './count-strip.tsx';
 import { LuminaireList } from './luminaire-list.tsx';
 import { TypeList } from './type-list.tsx';
 import { NumberField } from '../controls/number-field.tsx';
@@ -13,6 +15,7 @@ export function LuminairesTab() {
   return (
     <>
       <TypeList />
+      <ArrangementChoice />
       <CountAndFlux />
       <Dimming luminaires={luminaires} />
       <Distance luminaires={luminaires} />
@@ -80,7 +83,8 @@ function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEn
 function CountAndFlux() {
   const { store } = useApp();
   const { set, end } = useRules();
-  const { count, flux, pinned, excluded } = store.document.value.luminaires;
+  const { count, most: atMost, flux, pinned, excluded } = store.document.value.luminaires;
+  const pushed = (next: number) => (atMost !== undefined && atMost < next ? { most: next } : {});
   const places = (store.scene.value?.sites.size.length ?? 1) - excluded.length;
   const most = Math.max(1, Math.min(200, places));
   return (
@@ -92,9 +96,11 @@ function CountAndFlux() {
         most={most}
         step={1}
         whole
-        onInput={(next) => set('Change the number of luminaires', { count: next })}
+        onInput={(next) => set('Change the number of luminaires', { count: next, ...pushed(next) })}
         onEnd={end}
       />
+      <MostLuminaires places={places} />
+      <CountStrip />
       {pinned.length > 1 && count <= pinned.length && (
         <p class="field-note">No fewer: {pinned.length} are pinned.</p>
       )}
@@ -109,6 +115,38 @@ function CountAndFlux() {
         onEnd={end}
       />
     </>
+  );
+}
+
+/** The number may be left to the search, up to a limit. */
+function MostLuminaires({ places }: { places: number }) {
+  const { store } = useApp();
+  const { set, end } = useRules();
+  const { count, most } = store.document.value.luminaires;
+  const limit = Math.max(1, Math.min(200, places));
+  const toggle = (on: boolean) =>
+    store.edit('Let the number vary', ({ luminaires }) => {
+      if (on) luminaires.most = Math.min(limit, 2 * count);
+      else delete luminaires.most;
+    });
+  return (
+    <div class="setting-row">
+      <Check label="or more, as many as it takes" checked={most !== undefined} set={toggle} />
+      {most !== undefined && (
+        <NumberField
+          label="At most so many luminaires"
+          value={most}
+          whole
+          step={1}
+          min={count}
+          max={limit}
+          onInput={(next) =>
+            next !== undefined && set('Change the most luminaires', { most: Math.round(next) })
+          }
+          onEnd={end}
+        />
+      )}
+    </div>
   );
 }
 

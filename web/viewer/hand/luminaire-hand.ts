@@ -102,7 +102,7 @@ export class LuminaireHand {
   }
 
   #taken(luminaire: number): Set<number> {
-    return takenSites(this.#layout.sites, luminaire, this.#excluded);
+    return takenSites(this.#layout, luminaire, this.#excluded);
   }
 
   #move(luminaire: number, site: number): void {

@@ -2,6 +2,8 @@
  * Which site a hand means: the free one nearest to the ray through the pointer, or the next one in a direction.
  * Distances across the ray are divided by those along it, so "nearest" is nearest on the screen.
  */
+import { tieOf } from '../../document/ties.ts';
+import type { Layout } from '../../document/types.ts';
 
 type Point = readonly [number, number, number];
 
@@ -63,13 +65,14 @@ export function nextFreeSite(
   return best;
 }
 
-/** Sites where luminaire `luminaire` may not go: those of the others and the excluded ones. */
+/** Sites where luminaire `luminaire` may not go: the excluded ones and those of the others that do not move with it. */
 export function takenSites(
-  sites: readonly number[],
+  layout: Pick<Layout, 'sites' | 'ties'>,
   luminaire: number,
   excluded: Iterable<number>,
 ): Set<number> {
   const taken = new Set(excluded);
-  sites.forEach((site, other) => other !== luminaire && taken.add(site));
+  const together = new Set(tieOf(layout, luminaire));
+  layout.sites.forEach((site, other) => !together.has(other) && taken.add(site));
   return taken;
 }

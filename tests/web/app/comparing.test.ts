@@ -1,0 +1,50 @@
+import { expect, test } from '@jest/globals';
+import { arrangementOf, countsAround, fewestMet, withCount, withRule } from '../../../web/app/comparing.ts';
+import type { Intentions, Luminaires } from '../../../web/document/types.ts';
+
+const luminaires: Luminaires = {
+  count: 6,
+  flux: 1000,
+  dimming: [1, 1],
+  pinned: [],
+  excluded: [],
+  minDistance: 0,
+};
+const asked: Intentions = { luminaires, goals: [], constraints: [], quantity: 'illuminance' };
+
+test('the strip shows the range asked for, else the numbers around', () => {
+  expect(countsAround({ ...luminaires, count: 3, most: 8 }, 260)).toEqual([3, 4, 5, 6, 7, 8]);
+  const around = countsAround(luminaires, 260);
+  expect(around).toContain(6);
+  expect(around[0]).toBe(1);
+  expect(around).toHaveLength(24);
+  expect(countsAround({ ...luminaires, pinned: [1, 2, 3] }, 5)).toEqual([3, 4, 5]);
+  expect(countsAround({ ...luminaires, count: 100 }, 260)).toContain(100);
+});
+
+test('another number is exactly that, another rule keeps the axis that it has a use for', () => {
+  const ranged = { ...asked, luminaires: { ...luminaires, most: 9 } };
+  expect(withCount(ranged, 4).luminaires).toEqual({ ...luminaires, count: 4 });
+  expect(withRule(asked, 'rows').luminaires.arrangement).toEqual({ rule: 'rows' });
+  const both = { arrangement: { rule: 'symmetric', axis: 'both' } } as const;
+  expect(arrangementOf('rows', both)).toEqual({ rule: 'rows' });
+  expect(arrangementOf('symmetric', both)).toEqual({ rule: 'symmetric', axis: 'both' });
+  expect(arrangementOf('field', { arrangement: { rule: 'rows', axis: 'x' } })).toEqual({ rule: 'field' });
+});
+
+test('the fewest are the first that met everything', () => {
+  const outcome = (met: boolean) => ({
+    layout: { sites: [], flux: [], dimming: 1 },
+    lumens: 1,
+    met,
+    violation: met ? 0 : 1,
+  });
+  const counts = [
+    { count: 3, outcome: null },
+    { count: 4, outcome: outcome(false) },
+    { count: 5, outcome: outcome(true) },
+    { count: 6, outcome: outcome(true) },
+  ];
+  expect(fewestMet({ counts })).toBe(5);
+  expect(fewestMet({ counts: counts.slice(0, 2) })).toBeNull();
+});

@@ -1,0 +1,104 @@
+/**
+ * What other numbers of luminaires, and other arrangements of them, would reach: tried by the solver beside the search,
+ * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
+ */
+import { effect, untracked } from '@preact/signals';
+import type { Arrangement, Intentions, Luminaires, Rule } from '../document/types.ts';
+import type { Outcome } from '../solver/protocol.ts';
+import type { Solving } from './solving.ts';
+import type { Comparison, Store } from './state/store.ts';
+
+export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
+
+const pause = 250; // ms after the latest change
+const evaluationsEach = 3000; // of a number of luminaires
+const evaluationsOfRule = 40_000;
+const mostCounts = 24;
+
+/** The numbers that are worth a look: the range that is asked for, or some around the one. */
+export function countsAround({ count, most, pinned }: Luminaires, places: number): number[] {
+  const least = most === undefined ? Math.max(1, pinned.length, count - mostCounts / 2) : count;
+  const length = Math.min(mostCounts, Math.max(0, Math.min(most ?? Infinity, places) - least + 1));
+  return Array.from({ length }, (_, i) => least + i);
+}
+
+/** The same wish for exactly `count` luminaires. */
+export function withCount(asked: Intentions, count: number): Intentions {
+  const { most: _, ...luminaires } = asked.luminaires;
+  return { ...asked, luminaires: { ...luminaires, count } };
+}
+
+/** The same wish under another rule; the axis stays where it has a meaning. */
+export function withRule(asked: Intentions, rule: Rule): Intentions {
+  return {
+    ...asked,
+    luminaires: { ...asked.luminaires, arrangement: arrangementOf(rule, asked.luminaires) },
+  };
+}
+
+/** A rule with the axis that the luminaires had, as far as it has one. */
+export function arrangementOf(rule: Rule, { arrangement }: Pick<Luminaires, 'arrangement'>): Arrangement {
+  const axis = arrangement?.axis;
+  const keeps = axis !== undefined && (rule === 'symmetric' || (rule === 'rows' && axis !== 'both'));
+  return keeps ? { rule, axis } : { rule };
+}
+
+/** The least number of luminaires that met everything, as far as has been tried. */
+export function fewestMet({ counts }: Pick<Comparison, 'counts'>): number | null {
+  return counts.find(({ outcome }) => outcome?.met)?.count ?? null;
+}
+
+export class Comparing {
+  readonly #store: Store;
+  readonly #solving: Solving;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(store: Store, solving: Solving) {
+    this.#store = store;
+    this.#solving = solving;
+    effect(() => {
+      const { intentions } = store.traced.value;
+      const isWanted = store.tab.value === 'luminaires' || (store.shown.value?.violation ?? 0) > 0;
+      const isKnown = store.comparison.value?.of === intentions;
+      clearTimeout(this.#timer);
+      if (!isWanted || isKnown || !store.scene.value) return;
+      this.#timer = setTimeout(() => untracked(() => this.#ask(intentions)), pause);
+    });
+  }
+
+  #ask(of: Intentions): void {
+    const { scene, comparison, document } = this.#store;
+    const places = (scene.peek()?.sites.size.length ?? 0) - of.luminaires.excluded.length;
+    const counts = countsAround(document.peek().luminaires, places);
+    const take = (change: Partial<Comparison>) =>
+      void (comparison.value = { of, counts: [], rules: [], ...currentOf(comparison.peek(), of), ...change });
+    take({});
+    this.#try(
+      counts.map((count) => withCount(of, count)),
+      evaluationsEach,
+      (outcomes) => {
+        take({ counts: outcomes.map((outcome, i) => ({ count: counts[i] ?? 0, outcome })) });
+        if (outcomes.length < counts.length) return;
+        this.#try(
+          rules.map((rule) => withRule(of, rule)),
+          evaluationsOfRule,
+          (found) => take({ rules: found.map((outcome, i) => ({ rule: rules[i] ?? 'free', outcome })) }),
+        );
+      },
+    );
+  }
+
+  /** Tells all outcomes once they are there. */
+  #try(variants: readonly Intentions[], evaluations: number, told: (outcomes: (Outcome | null)[]) => void) {
+    const outcomes: (Outcome | null)[] = [];
+    if (variants.length === 0) return told(outcomes);
+    this.#solving.compare(variants, evaluations, ({ outcome, done }) => {
+      outcomes.push(outcome);
+      if (done) told(outcomes);
+    });
+  }
+}
+
+/** What is known already of these very intentions. */
+const currentOf = (known: Comparison | null, of: Intentions): Partial<Comparison> =>
+  known?.of === of ? known : {};

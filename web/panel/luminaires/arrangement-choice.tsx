@@ -1,0 +1,123 @@
+/** How the luminaires hang together: four little drawings, and what each would cost for the same intentions. */
+import { useApp } from '../../app/app.ts';
+import { arrangementOf, rules } from '../../app/comparing.ts';
+import { compact } from '../../app/words/format.ts';
+import type { Arrangement, PlanAxis, Rule } from '../../document/types.ts';
+
+const words: Record<Rule, { readonly name: string; readonly title: string }> = {
+  free: { name: 'Free', title: 'Each where it does the most' },
+  symmetric: { name: 'Symmetric', title: 'Mirrored about an axis of the plan' },
+  rows: { name: 'Rows', title: 'Rows of equal number and pitch' },
+  field: { name: 'Field', title: 'One regular grid: the best of all is found' },
+};
+
+/** Dots of the drawings, in a square of 40 x 28. */
+const dots: Record<Rule, readonly (readonly [number, number])[]> = {
+  free: [[6, 8], [15, 20], [24, 6], [33, 13], [29, 23], [9, 22]], // prettier-ignore
+  symmetric: [[6, 8], [34, 8], [14, 14], [26, 14], [8, 22], [32, 22]], // prettier-ignore
+  rows: [[8, 8], [18, 8], [28, 8], [12, 20], [22, 20], [32, 20]], // prettier-ignore
+  field: [[8, 8], [20, 8], [32, 8], [8, 20], [20, 20], [32, 20]], // prettier-ignore
+};
+
+function Drawing({ rule }: { rule: Rule }) {
+  return (
+    <svg viewBox="0 0 40 28" width="40" height="28" aria-hidden="true">
+      <rect x="0.5" y="0.5" width="39" height="27" rx="2" class="plan" />
+      {rule === 'symmetric' && <line x1="20" y1="2" x2="20" y2="26" class="axis" />}
+      {rule === 'rows' && <path d="M5 8H31M9 20H35" class="row-line" />}
+      {dots[rule].map(([x, y]) => (
+        <circle key={`${x} ${y}`} cx={x} cy={y} r="2.2" class="dot" />
+      ))}
+    </svg>
+  );
+}
+
+export function ArrangementChoice() {
+  const { store } = useApp();
+  const { luminaires } = store.document.value;
+  const asked = luminaires.arrangement?.rule ?? 'free';
+  const comparison = store.comparison.value;
+  const isCurrent = comparison?.of === store.traced.value.intentions;
+  const choose = (arrangement: Arrangement) =>
+    store.edit('Change the arrangement', (draft) => {
+      if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
+      else draft.luminaires.arrangement = { ...arrangement };
+    });
+  return (
+    <fieldset class="field arrangement">
+      <legend class="field-name">Arrangement</legend>
+      <div class="drawings" data-current={isCurrent}>
+        {rules.map((rule) => {
+          const tried = comparison?.rules.find((each) => each.rule === rule);
+          return (
+            <label key={rule} class="drawing" title={words[rule].title}>
+              <input
+                type="radio"
+                name="arrangement"
+                checked={asked === rule}
+                onChange={() => choose(arrangementOf(rule, luminaires))}
+              />
+              <Drawing rule={rule} />
+              <span>{words[rule].name}</span>
+              <small>{tried ? costText(tried.outcome, store.efficacy.value) : '\u00a0'}</small>
+            </label>
+          );
+        })}
+      </div>
+      {(asked === 'symmetric' || asked === 'rows') && (
+        <Axis rule={asked} axis={luminaires.arrangement?.axis ?? 'found'} choose={choose} />
+      )}
+    </fieldset>
+  );
+}
+
+/** "482 W", "not met", "no room". */
+export function costText(
+  outcome: { readonly met: boolean; readonly lumens: number } | null,
+  efficacy: number,
+): string {
+  if (!outcome) return 'no room';
+  return outcome.met ? `${compact(outcome.lumens / efficacy)} W` : 'not met';
+}
+
+interface AxisProps {
+  readonly rule: 'symmetric' | 'rows';
+  readonly axis: PlanAxis;
+  readonly choose: (arrangement: Arrangement) => void;
+}
+
+function Axis({ rule, axis, choose }: AxisProps) {
+  const { store } = useApp();
+  const [long, short] = axesByLength(store.scene.value?.sites.position ?? new Float32Array());
+  return (
+    <label class="setting-row">
+      <span>{rule === 'rows' ? 'Rows run' : 'Mirrored about'}</span>
+      <select
+        class="select"
+        value={axis}
+        onChange={(event) => {
+          const next = event.currentTarget.value as PlanAxis;
+          choose(next === 'found' ? { rule } : { rule, axis: next });
+        }}
+      >
+        <option value="found">{rule === 'rows' ? 'the better way' : 'the better axis'}</option>
+        <option value={long}>{rule === 'rows' ? 'along the room' : 'the long axis'}</option>
+        <option value={short}>{rule === 'rows' ? 'across the room' : 'the short axis'}</option>
+        {rule === 'symmetric' && <option value="both">both axes</option>}
+      </select>
+    </label>
+  );
+}
+
+/** Of x and z the one that the places reach further along, then the other. */
+export function axesByLength(position: ArrayLike<number>): readonly ['x' | 'z', 'x' | 'z'] {
+  const reach = (axis: number) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = axis; i < position.length; i += 3) {
+      low = Math.min(low, position[i] ?? low);
+      high = Math.max(high, position[i] ?? high);
+    }
+    return high - low;
+  };
+  return reach(0) >= reach(2) ? ['x', 'z'] : ['z', 'x'];
+}

@@ -1,0 +1,75 @@
+/** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
+import { useApp } from '../../app/app.ts';
+import { fewestMet } from '../../app/comparing.ts';
+import type { Comparison } from '../../app/state/store.ts';
+import { compact } from '../../app/words/format.ts';
+import { costText } from './arrangement-choice.tsx';
+
+export function CountStrip() {
+  const { store } = useApp();
+  const comparison = store.comparison.value;
+  if (!comparison || comparison.counts.length < 2) return null;
+  const isCurrent = comparison.of === store.traced.value.intentions;
+  const shown = store.shown.value?.layout.sites.length;
+  const take = (count: number) =>
+    store.edit('Change the number of luminaires', ({ luminaires }) => {
+      luminaires.count = count;
+      delete luminaires.most;
+    });
+  return (
+    <div class="field count-strip" data-current={isCurrent}>
+      <div class="strip" role="group" aria-label="What each number of luminaires would reach">
+        {comparison.counts.map(({ count, outcome }) => {
+          const cost = costText(outcome, store.efficacy.value);
+          return (
+            <button
+              key={count}
+              class={outcome?.met ? 'met' : 'unmet'}
+              aria-pressed={count === shown}
+              aria-label={`${count} luminaires: ${outcome?.met ? `${cost}, all met` : cost}`}
+              title={`${count}: ${cost}`}
+              onClick={() => take(count)}
+            >
+              <i style={{ height: `${heightOf(comparison, outcome?.lumens ?? 0)}px` }} />
+              <span>{count}</span>
+            </button>
+          );
+        })}
+      </div>
+      <Fewest comparison={comparison} take={take} />
+    </div>
+  );
+}
+
+const tallest = 34; // px
+
+function heightOf({ counts }: Comparison, lumens: number): number {
+  const most = Math.max(...counts.map(({ outcome }) => outcome?.lumens ?? 0), 1);
+  return 3 + Math.round((tallest * lumens) / most);
+}
+
+function Fewest({ comparison, take }: { comparison: Comparison; take: (count: number) => void }) {
+  const { store } = useApp();
+  const fewest = fewestMet(comparison);
+  const cheapest = comparison.counts
+    .filter(({ outcome }) => outcome?.met)
+    .reduce<{ count: number; lumens: number } | null>(
+      (best, { count, outcome }) =>
+        outcome && (!best || outcome.lumens < best.lumens - 1) ? { count, lumens: outcome.lumens } : best,
+      null,
+    );
+  if (fewest === null || !cheapest) return <p class="field-note">None of these numbers meets every bound.</p>;
+  const watts = compact(cheapest.lumens / store.efficacy.value);
+  return (
+    <div class="row">
+      <button class="button small" onClick={() => take(fewest)}>
+        Fewest that meet everything: {fewest}
+      </button>
+      {cheapest.count !== fewest && (
+        <button class="button small" onClick={() => take(cheapest.count)}>
+          Least power: {cheapest.count} ({watts} W)
+        </button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,57 @@
+/**
+ * Other wishes, each tried shortly beside what runs: one counted further, or arranged otherwise. A step tries one of
+ * them, from the layout of the one before where their numbers of luminaires are near.
+ */
+import type { SceneInfo } from '../document/types.ts';
+import { coreIntentions, layoutOf, metUpTo } from './core-intentions.ts';
+import type { Session } from './core.ts';
+import type { Outcome, ToWorker } from './protocol.ts';
+import { noTransfer, type Answer, type Task } from './task.ts';
+
+type Request = Extract<ToWorker, { readonly type: 'compare' }>;
+
+export class CompareTask implements Task {
+  readonly #session: Session;
+  readonly #request: Request;
+  readonly #leaves: SceneInfo['surfaces'];
+  #next = 0;
+  #from: Uint32Array;
+
+  constructor(session: Session, request: Request, leaves: SceneInfo['surfaces']) {
+    this.#session = session;
+    this.#request = request;
+    this.#leaves = leaves;
+    this.#from = Uint32Array.from(request.start?.sites ?? []);
+  }
+
+  get revision(): number {
+    return this.#request.revision;
+  }
+
+  get done(): boolean {
+    return this.#next >= this.#request.variants.length;
+  }
+
+  step(): Answer[] {
+    const variant = this.#next++;
+    const asked = this.#request.variants[variant];
+    if (!asked) return [];
+    const outcome = this.#outcome(coreIntentions(asked, this.#leaves));
+    return [noTransfer({ type: 'compared', revision: this.revision, variant, outcome, done: this.done })];
+  }
+
+  stop(): Answer[] {
+    return [];
+  }
+
+  /** null where the rules leave no layout at all. */
+  #outcome(asked: ReturnType<typeof coreIntentions>): Outcome | null {
+    const { seed, evaluations } = this.#request;
+    const found = this.#session.tryAside(asked, seed, this.#from, evaluations);
+    if (typeof found === 'string') return null;
+    this.#from = found.layout.sites;
+    const layout = layoutOf(found.layout);
+    const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
+    return { layout, lumens, met: found.violation <= metUpTo, violation: found.violation };
+  }
+}
