@@ -16,7 +16,7 @@ const floors: readonly (readonly [floor: string, below: readonly string[]])[] = 
   ['builder/', ['document/']],
   ['viewer/types.ts', ['document/']],
   ['viewer/stage/', ['viewer/types.ts', 'document/']],
-  ['viewer/light/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
+  ['viewer/light/', ['viewer/eye/', 'viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/eye/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/room/', ['viewer/eye/', 'viewer/light/', 'viewer/stage/', 'viewer/types.ts', 'document/']],
   ['viewer/luminaires/', ['viewer/stage/', 'viewer/types.ts', 'document/']],

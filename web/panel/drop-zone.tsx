@@ -2,6 +2,7 @@
 import { Upload } from 'lucide-preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
+import { droppedFiles } from '../app/importing/dropped-files.ts';
 
 export function DropZone() {
   const app = useApp();
@@ -22,10 +23,11 @@ export function DropZone() {
       drop: (event) => {
         depth = 0;
         setOver(false);
-        const files = [...(event.dataTransfer?.files ?? [])];
-        if (!hasFiles(event)) return;
+        if (!hasFiles(event) || !event.dataTransfer) return;
         event.preventDefault();
-        if (files.length > 0) void app.opening.files(files);
+        void droppedFiles(event.dataTransfer).then((files) => {
+          if (files.length > 0) void app.opening.files(files);
+        });
       },
     };
     const entries = Object.entries(listeners) as [string, EventListener][];
@@ -41,8 +43,8 @@ export function DropZone() {
         <Upload size={28} aria-hidden />
         <strong>Drop it here</strong>
         <span>
-          a model (.glb, .gltf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this
-          computer.
+          a model (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, a folder or a .zip), a room of DIALux or Relux
+          (.stf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this computer.
         </span>
       </div>
     </div>

@@ -9,6 +9,7 @@ import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import { isForImport } from '../importing/model-files.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
@@ -45,6 +46,13 @@ export class FileOpening {
   /** Photometric files all, in their order; a model with those that it names; of other files the first one. */
   async open(files: readonly File[]): Promise<void> {
     const model = files.find(({ name }) => isModel.test(name));
+    try {
+      const inside = await this.#unzipped(files);
+      if (inside) return await this.open(inside);
+      if (!model && isForImport(files.map(({ name }) => name))) return await this.#import(files);
+    } catch (error) {
+      return this.#refuse(error instanceof Error ? error.message : String(error));
+    }
     const arePhotometric = files.every(({ name }) => isPhotometricName(name));
     if (model) {
       const others = files.filter((each) => each !== model);
@@ -53,6 +61,23 @@ export class FileOpening {
     for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file, []);
     if (!arePhotometric && files.length > 1)
       this.#store.say('info', `Of ${files.length} files the first is opened.`);
+  }
+
+  /** What a zip holds of a model; null where the files are none, or other things are in it. */
+  async #unzipped(files: readonly File[]): Promise<readonly File[] | null> {
+    const [zip] = files;
+    if (files.length !== 1 || !zip || !/\.zip$/i.test(zip.name) || zip.size > largestFile) return null;
+    const { unzippedModel } = await import('../importing/unzipped.ts');
+    return unzippedModel(zip);
+  }
+
+  /** A model of another program becomes a .glb and is opened as one; a plan opens the room maker. */
+  async #import(files: readonly File[]): Promise<void> {
+    const { imported } = await import('../importing/importing.ts');
+    const made = await imported(files);
+    if ('plan' in made) this.#store.making.value = { plan: made.plan };
+    else await this.#open(made.file, []);
+    if (made.note) this.#store.say('info', made.note);
   }
 
   async #open(file: File, others: readonly File[]): Promise<void> {

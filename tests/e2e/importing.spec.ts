@@ -1,0 +1,50 @@
+// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files.
+import type { Page } from '@playwright/test';
+import { expect, look, picture, test } from './app.ts';
+
+test.setTimeout(180_000); // the picture is drawn anew for each
+test.use({ viewport: { width: 900, height: 600 } });
+
+async function drop(page: Page, files: Record<string, string>): Promise<void> {
+  const transfer = await page.evaluateHandle((all) => {
+    const data = new DataTransfer();
+    for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
+    return data;
+  }, files);
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
+}
+
+/** A box of 4 x 3 x 5, seen from inside, in units of the file. */
+function boxObj(scale: number): string {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
+    (i) => `v ${(i & 1) * 4 * scale} ${((i >> 1) & 1) * 3 * scale} ${((i >> 2) & 1) * 5 * scale}`,
+  );
+  const faces = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
+  return ['mtllib room.mtl', 'o room', ...corners, 'usemtl paint', ...faces.map((face) => `f ${face}`)].join(
+    '\n',
+  );
+}
+
+test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room maker; others say the way', async ({
+  page,
+}) => {
+  await page.goto('./');
+  await expect(page.getByRole('tab', { name: 'Intentions' })).toBeVisible();
+  await drop(page, { 'room.obj': boxObj(100), 'room.mtl': 'newmtl paint\nKd 0.8 0.3 0.2' });
+  const messages = page.getByRole('region', { name: 'Messages' });
+  await expect(messages.getByText('It is 500 units wide, so these were taken as centimetres.')).toBeVisible();
+  await expect.poll(async () => look(await picture(page)).colors, { timeout: 60_000 }).toBeGreaterThan(5);
+
+  await drop(page, { 'house.skp': 'x' });
+  await expect(messages.getByText(/“house.skp” cannot be read here.*export it as glTF/)).toBeVisible();
+
+  const stf = [
+    '[VERSION]', 'STFF=1.0.5', '[PROJECT]', 'Name=P', 'NrRooms=1', 'Room1=ROOM.R1', '[ROOM.R1]', 'Name=Seminar',
+    'Height=3', 'WorkingPlane=0.75', 'NrPoints=4', 'Point1=0 0', 'Point2=7 0', 'Point3=7 5', 'Point4=0 5',
+    'R_Ceiling=0.7', 'R_Walls=0.5', 'R_Floor=0.2', 'NrLums=0', 'NrStruct=0', 'NrFurns=0',
+  ].join('\n'); // prettier-ignore
+  await drop(page, { 'seminar.stf': stf });
+  await expect(page.getByRole('heading', { name: 'Edit the room' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'wall north, 7 m' })).toBeVisible();
+});

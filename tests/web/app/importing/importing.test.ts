@@ -1,0 +1,68 @@
+// Files of other programs: which are read, what a zip and an STF file hold, and what is said of the others.
+// Covers importing, model-files, stf-plan, unzipped; import-model's loaders need a browser: see tests/e2e/importing.spec.ts.
+import { describe, expect, test } from '@jest/globals';
+import { zipSync, strToU8 } from 'fflate';
+import { imported } from '../../../../web/app/importing/importing.ts';
+import { cureOf, isForImport } from '../../../../web/app/importing/model-files.ts';
+import { planOfStf } from '../../../../web/app/importing/stf-plan.ts';
+import { unzippedModel } from '../../../../web/app/importing/unzipped.ts';
+import { unpackedPlan } from '../../../../web/room-maker/plan-code.mjs';
+
+const file = (name: string, text: string | Uint8Array<ArrayBuffer> = '') => new File([text], name);
+
+const stf = {
+  name: 'Seminar',
+  height: 3.1,
+  workingPlane: 0.8,
+  outline: [[1, 1], [7, 1], [7, 5], [4, 5], [4, 7], [1, 7]], // y upwards
+  reflectance: { ceiling: 0.7, walls: 0.5, floor: 1 },
+  luminaires: [],
+} as const; // prettier-ignore
+
+describe('a room of an STF file', () => {
+  test('becomes a plan: north is up, the corner of the room is its origin', () => {
+    const { plan } = unpackedPlan(planOfStf(stf));
+    expect(plan).toMatchObject({ name: 'Seminar', height: 3.1, plane: { height: 0.8, rim: 0.5 } });
+    expect(plan!.finishes.floor.reflectance).toBe(0.95);
+    const corners = plan!.outline.map(([x, z]) => `${x} ${z}`);
+    expect([...corners].sort()).toEqual(['0 0', '0 6', '3 0', '3 2', '6 2', '6 6']);
+  });
+
+  test('without a floor is refused', () => {
+    const flat = { ...stf, outline: [[0, 0], [1, 0], [2, 0]] as const }; // prettier-ignore
+    expect(() => planOfStf(flat)).toThrow(/./);
+  });
+});
+
+describe('a zip', () => {
+  const zip = (files: Record<string, string>) =>
+    file('room.zip', zipSync(Object.fromEntries(Object.entries(files).map(([name, text]) => [name, strToU8(text)]))) as Uint8Array<ArrayBuffer>); // prettier-ignore
+
+  test('gives its model with what that names', async () => {
+    const files = await unzippedModel(zip({ 'a/room.obj': 'v 0 0 0', 'a/room.mtl': '', 'readme.txt': 'x' }));
+    expect(files?.map(({ name }) => name).sort()).toEqual(['room.mtl', 'room.obj']);
+  });
+
+  test('without a model is none of ours', async () => {
+    expect(await unzippedModel(zip({ 'lamp.ldt': 'x' }))).toBeNull();
+  });
+
+  test('that is damaged says so', async () => {
+    await expect(unzippedModel(file('room.zip', 'PK but not a zip'))).rejects.toThrow(/damaged/);
+  });
+});
+
+test.each(['house.skp', 'house.rvt', 'house.3dm', 'house.ifc', 'plan.dwg', 'room.evo'])(
+  '%s is known by name, and how it is exported is said',
+  async (name) => {
+    expect(isForImport([name])).toBe(true);
+    await expect(imported([file(name)])).rejects.toThrow(
+      new RegExp(`“${name}” cannot be read here.*(export|draw)`),
+    );
+  },
+);
+
+test.each(['room.flux', 'lamp.ldt', 'work.json', 'notes.txt'])('%s is left to others', (name) => {
+  expect(isForImport([name])).toBe(false);
+  expect(cureOf(name)).toBeNull();
+});

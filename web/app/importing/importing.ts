@@ -1,0 +1,31 @@
+/** What comes from other programs: fetched when such a file is dropped. */
+import type { PackedPlan } from '../../document/made-room.ts';
+import { readStf } from '../../document/stf.ts';
+import { importModel, type Imported } from './import-model.ts';
+import { cureOf, isModel } from './model-files.ts';
+import { planOfStf } from './stf-plan.ts';
+
+export type Import = Imported | { readonly plan: PackedPlan; readonly note: string | null };
+
+/** A model as .glb, or a room as a plan. Throws one sentence. */
+export async function imported(files: readonly File[]): Promise<Import> {
+  const stf = files.find(({ name }) => /\.stf$/i.test(name));
+  const main = files.find((file) => isModel(file.name)) ?? stf ?? files.find((file) => cureOf(file.name));
+  const name = main?.name ?? 'The file';
+  try {
+    if (main && isModel(main.name)) return await importModel(files);
+    if (stf) return stfRoom(await stf.text());
+  } catch (error) {
+    throw new Error(`“${name}” cannot be read: ${error instanceof Error ? error.message : String(error)}.`);
+  }
+  throw new Error(`“${name}” cannot be read here. It comes from ${cureOf(name) ?? 'another program'}.`);
+}
+
+function stfRoom(text: string): Import {
+  const project = readStf(text);
+  if (typeof project === 'string') throw new Error(project);
+  const [room, ...others] = project.rooms;
+  if (!room) throw new Error('it holds no room');
+  const note = others.length > 0 ? `Of its ${others.length + 1} rooms the first is opened.` : null;
+  return { plan: planOfStf(room), note };
+}
