@@ -1,6 +1,7 @@
 // What a person sees first: a lit, solved room; every room and experiment of the gallery.
 // Covers viewer, camera-rig, room-mesh, room-light, light-material, luminaire-materials, surface-outline,
 // emphasis, picking; stage, view-toolbar, legend, gallery-dialog, surface-table, results-tab, alpha-plot.
+import type { Page } from '@playwright/test';
 import {
   canvas,
   difference,
@@ -12,6 +13,7 @@ import {
   places,
   results,
   settled,
+  tagPlaces,
   test,
 } from './app.ts';
 
@@ -118,4 +120,37 @@ test('a selected measuring plane is a veil that keeps the realistic picture', as
   let sum = 0;
   for (let i = 0; i < after.data.length; i++) sum += Math.abs(after.data[i]! - before.data[i]!);
   expect(sum / (0.75 * after.data.length)).toBeLessThan(16);
+});
+
+/** Nothing moves on the picture any more. */
+async function atRest(page: Page): Promise<void> {
+  let last: string[] = [];
+  const isStill = async () => {
+    const [before, now] = [last, await tagPlaces(page)];
+    last = now;
+    return before.join() === now.join();
+  };
+  await expect.poll(isStill, { intervals: [600] }).toBe(true);
+}
+
+test('a double click on the floor stands there, and the view is kept under a name', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await expect.poll(() => tagPlaces(page)).not.toContain(''); // drawn
+  const home = await tagPlaces(page);
+  const box = (await canvas(page).boundingBox())!;
+  await canvas(page).dblclick({ position: { x: 0.5 * box.width, y: 0.86 * box.height } });
+  await expect.poll(() => tagPlaces(page)).not.toEqual(home);
+  const views = page.getByRole('button', { name: 'Views' });
+  await views.click();
+  await page.getByRole('textbox', { name: 'Name of this view' }).fill('At the door');
+  await page.keyboard.press('Enter');
+  const kept = page.getByRole('list', { name: 'Kept views' });
+  await expect(kept.getByRole('button')).toHaveCount(2);
+  await atRest(page);
+  const stood = await tagPlaces(page);
+  await page.getByRole('button', { name: 'Home view' }).click();
+  await expect.poll(() => tagPlaces(page)).toEqual(home);
+  await views.click();
+  await kept.getByRole('button', { name: 'At the door', exact: true }).click();
+  await expect.poll(() => tagPlaces(page)).toEqual(stood);
 });

@@ -53,6 +53,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       holdExposure: (active) => void (viewer.held = active),
       exposureLevel: () => 250,
       setCamera: () => {},
+      flyTo: () => {},
       camera: () => camera,
       frame: () => fakePlan.frame,
       plan: () => fakePlan,

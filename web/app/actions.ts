@@ -19,7 +19,9 @@ export function isEnabled(action: Action, app: App): boolean {
   return action.enabled?.(app) ?? true;
 }
 
-const hasRoom = ({ store }: App) => store.scene.value !== null;
+/** A room with light is on the screen; a preview of a .glb is none. */
+const hasRoom = ({ store }: App) => store.scene.value !== null && store.preview.value === null;
+const hasPicture = ({ store }: App) => store.scene.value !== null || store.preview.value !== null;
 
 const show =
   (dialog: NonNullable<Dialog>) =>
@@ -37,7 +39,7 @@ const editing: readonly Action[] = [
     title: 'Undo',
     group: 'Edit',
     keys: ['Mod+Z'],
-    enabled: ({ store }) => store.undoes.value !== null,
+    enabled: ({ store }) => store.undoes.value !== null && store.preview.value === null,
     run: (app) => app.undo(),
   },
   {
@@ -45,7 +47,7 @@ const editing: readonly Action[] = [
     title: 'Redo',
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
-    enabled: ({ store }) => store.redoes.value !== null,
+    enabled: ({ store }) => store.redoes.value !== null && store.preview.value === null,
     run: (app) => app.redo(),
   },
 ];
@@ -172,7 +174,7 @@ const view: readonly Action[] = [
     title,
     group: 'View',
     keys: [String(index + 1)],
-    enabled: hasRoom,
+    enabled: hasPicture,
     run: ({ viewer }) => viewer.view(name),
   })),
   { id: 'fit', title: 'Fit the room', group: 'View', keys: ['F'], run: ({ viewer }) => viewer.fit() },

@@ -4,7 +4,7 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { keepRange } from '../document/intentions.ts';
 import { leavesOf } from '../document/surface-names.ts';
-import type { Card, Display, Quantity, Verb } from '../document/types.ts';
+import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { Comparing } from './comparing.ts';
@@ -139,6 +139,28 @@ export class App {
       null,
       { by: 'search', from: null },
     );
+  }
+
+  /** Keeps the view that is on the screen; one of the same name goes. */
+  keepView(name: string): void {
+    const view = { name, camera: this.viewer.camera() };
+    const others = (this.store.document.peek().views ?? []).filter((each) => each.name !== name);
+    this.#setViews(`Keep the view ${name}`, [...others, view]);
+    this.store.announcement.value = `The view ${name} is kept.`;
+  }
+
+  forgetView(name: string): void {
+    const views = this.store.document.peek().views ?? [];
+    this.#setViews(
+      `Forget the view ${name}`,
+      views.filter((each) => each.name !== name),
+    );
+  }
+
+  #setViews(label: string, views: readonly NamedView[]): void {
+    this.store.edit(label, (draft) => void (draft.views = structuredClone(views) as never), null, {
+      by: 'nothing',
+    });
   }
 
   selectSurface(surface: number | null): void {

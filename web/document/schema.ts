@@ -7,6 +7,7 @@ import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export const mostLuminaires = 500;
 export const mostCards = 60;
+export const mostViews = 20;
 const mostSites = 100_000;
 
 export const number = (low: number, high: number) =>
@@ -130,6 +131,12 @@ export const seedSchema = whole(0, 0xffffffff);
 export const quantitySchema = v.picklist(['illuminance', 'exitance']);
 export const cardsSchema = v.pipe(v.array(cardSchema), v.maxLength(mostCards));
 
+export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
+  position: pointSchema,
+  target: pointSchema,
+  plan: v.boolean(),
+});
+
 export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({
   scene: identitySchema,
   room: roomSchema,
@@ -139,12 +146,9 @@ export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.objec
   quantity: quantitySchema,
   seed: seedSchema,
   layout: v.nullable(layoutSchema),
-});
-
-export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
-  position: pointSchema,
-  target: pointSchema,
-  plan: v.boolean(),
+  views: v.exactOptional(
+    v.pipe(v.array(v.object({ name: nameSchema, camera: cameraSchema })), v.maxLength(mostViews)),
+  ),
 });
 
 export const displaySchema: v.GenericSchema<unknown, Display> = v.object({

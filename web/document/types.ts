@@ -122,6 +122,12 @@ export interface Camera {
   readonly plan: boolean; // orthographic view from above
 }
 
+/** A view that a person keeps; its name is its own in the document. */
+export interface NamedView {
+  readonly name: string;
+  readonly camera: Camera;
+}
+
 /** A layout: luminaire i on sites[i], dimming * flux[i] lm. */
 export interface Layout {
   readonly sites: readonly number[];
@@ -141,6 +147,7 @@ export interface FiatLuxDocument {
   readonly seed: number;
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
+  readonly views?: readonly NamedView[]; // absent: none; links leave them out
 }
 
 /** What the solver is asked for: cards turned into goals and constraints, surfaces still by their names. */

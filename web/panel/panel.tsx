@@ -20,6 +20,7 @@ export function Panel() {
   const root = useRef<HTMLElement>(null);
   const { sheet, raise, open, bar } = useSheet(root);
   const active = store.tab.value;
+  const isUnlit = store.preview.value !== null;
   const select = (tab: Tab) => {
     store.tab.value = tab;
     open();
@@ -69,17 +70,31 @@ export function Panel() {
         aria-labelledby={`tab-${active}`}
         tabIndex={-1}
       >
-        {active === 'intentions' && <IntentionsTab />}
-        {active === 'luminaires' && <LuminairesTab />}
-        {active === 'results' && <ResultsTab />}
+        {isUnlit ? <NoLight /> : <TabContent active={active} />}
       </div>
-      <StatusLine />
+      {!isUnlit && <StatusLine />}
     </aside>
+  );
+}
+
+function TabContent({ active }: { active: Tab }) {
+  if (active === 'intentions') return <IntentionsTab />;
+  return active === 'luminaires' ? <LuminairesTab /> : <ResultsTab />;
+}
+
+/** What the panel knew is of the room before, which is not on the screen. */
+function NoLight() {
+  return (
+    <p class="empty">
+      This room has no light yet. Once it is computed, what is asked of it stands here; the room before is
+      kept, and comes back when the preview is closed.
+    </p>
   );
 }
 
 function Unmet() {
   const { store } = useApp();
+  if (store.preview.value !== null) return null;
   const count = store.shown.value?.constraints.filter((result) => !result.met).length ?? 0;
   if (count === 0 || store.progress.value.state === 'improving') return null;
   return (

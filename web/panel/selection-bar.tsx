@@ -6,7 +6,7 @@ import { verbs } from './intentions/verbs.ts';
 
 export function SelectionBar() {
   const { store } = useApp();
-  if (!store.scene.value) return null;
+  if (!store.scene.value || store.preview.value !== null) return null;
   if (store.luminaire.value !== null) return <LuminaireBar luminaire={store.luminaire.value} />;
   if (store.surface.value !== null) return <SurfaceBar surface={store.surface.value} />;
   return null;

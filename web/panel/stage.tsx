@@ -39,7 +39,7 @@ function Overlays() {
     <>
       <ViewToolbar />
       <Probe />
-      {store.display.value.mode === 'falseColor' && store.scene.value && <Legend />}
+      {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && <Legend />}
       <SelectionBar />
       <PreviewNote />
       <Loading />

@@ -41,7 +41,7 @@ export function TopBar() {
         <span class="brand-name">Fiat Lux</span>
       </span>
       <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
-        <h1>{store.roomTitle.value || 'Rooms'}</h1>
+        <h1>{store.preview.value ?? (store.roomTitle.value || 'Rooms')}</h1>
         <ChevronDown size={15} aria-hidden />
       </button>
       <span class="spacer" />
@@ -57,7 +57,7 @@ export function TopBar() {
       <button
         class="button primary"
         aria-label="Share"
-        disabled={store.scene.value === null}
+        disabled={store.scene.value === null || store.preview.value !== null}
         onClick={() => (store.dialog.value = 'share')}
       >
         <Share2 size={15} aria-hidden />

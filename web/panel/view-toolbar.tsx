@@ -3,18 +3,9 @@ import type { ColorMap, Display } from '../document/types.ts';
 import { Box, House, Lock, LockOpen, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import type { ViewName } from '../viewer/types.ts';
 import { useDismiss } from './controls/menu.tsx';
 import { Slider } from './controls/slider.tsx';
-
-const views: readonly [ViewName, string][] = [
-  ['plan', 'Plan'],
-  ['corner', 'Corner'],
-  ['north', 'North'],
-  ['east', 'East'],
-  ['south', 'South'],
-  ['west', 'West'],
-];
+import { Views } from './views.tsx';
 
 const colorMaps: readonly ColorMap[] = ['viridis', 'cividis', 'inferno', 'turbo'];
 
@@ -46,13 +37,7 @@ export function ViewToolbar() {
       </Popover>
       {mode === 'realistic' && <ExposureLock />}
       <Popover label="Views" icon={Box}>
-        <div class="view-grid">
-          {views.map(([name, title]) => (
-            <button key={name} class="button small" onClick={() => app.viewer.view(name)}>
-              {title}
-            </button>
-          ))}
-        </div>
+        <Views />
       </Popover>
       <button class="icon-button" aria-label="Fit the room" title="Fit (F)" onClick={() => app.viewer.fit()}>
         <Maximize size={16} aria-hidden />

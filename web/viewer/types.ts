@@ -46,6 +46,8 @@ export interface Viewer {
   /** The light that the exposure is made for, lx: what a lock keeps. */
   exposureLevel(): number;
   setCamera(camera: Camera): void;
+  /** As setCamera, in a short flight. */
+  flyTo(camera: Camera): void;
   /** The view that is on the screen; a movement that is still running out ends there. */
   camera(): Camera;
   /** Where the corner of the floor is; null before a room is open. */

@@ -169,6 +169,10 @@ class RoomViewer implements Viewer {
     this.#rig.set(camera);
   }
 
+  flyTo(camera: Camera): void {
+    this.#rig.flyTo(camera);
+  }
+
   camera(): Camera {
     this.#rig.rest();
     return this.#rig.get();

@@ -1,7 +1,7 @@
 // The app with a pretended worker and view: what is asked, what is shown, and in which order.
 // Covers app, actions, hand, showing, solving, store, opening, opening-files, placing.
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
-import { actions } from '../../../web/app/actions.ts';
+import { actions, isEnabled } from '../../../web/app/actions.ts';
 import { App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
 import { Store } from '../../../web/app/state/store.ts';
@@ -53,6 +53,44 @@ beforeEach(async () => {
   });
   viewer = fake.viewer();
   await openRoom();
+});
+
+test('while a model without light is shown, the room before it can be neither shared nor changed', () => {
+  app.addCard('illuminate', ['floor']);
+  const enabled = (id: string) =>
+    isEnabled(
+      actions.find((each) => each.id === id)!,
+      app,
+    );
+  const ofRoom = ['undo', 'share', 'add-intention', 'resolve'];
+  expect(ofRoom.map(enabled)).toEqual([true, true, true, true]);
+  app.store.preview.value = 'model.glb';
+  expect(ofRoom.map(enabled)).toEqual([false, false, false, false]);
+  expect(enabled('view-plan')).toBe(true);
+});
+
+test('a luminaire that is removed leaves the others where they are, and the last one stays', () => {
+  const { sites } = app.store.shown.value!.layout;
+  app.hand.remove(1);
+  expect(app.store.document.value.luminaires.count).toBe(sites.length - 1);
+  expect(solver.last('solve')?.start?.sites).toEqual(sites.filter((_, i) => i !== 1));
+  settle();
+  for (let i = sites.length; i > 0; i--) {
+    app.hand.remove(0);
+    settle();
+  }
+  expect(app.store.document.value.luminaires.count).toBe(1);
+  expect(app.store.messages.value.at(-1)?.text).toContain('The last luminaire stays');
+});
+
+test('a kept view is part of the document and asks nothing of the solver', () => {
+  const asked = solver.asked.length;
+  app.keepView('Door');
+  app.keepView('Door');
+  expect(app.store.document.value.views).toEqual([{ name: 'Door', camera: viewer.camera() }]);
+  app.forgetView('Door');
+  expect(app.store.document.value.views).toEqual([]);
+  expect(solver.asked).toHaveLength(asked);
 });
 
 test('a room that is opened is asked about once, from nowhere', () => {

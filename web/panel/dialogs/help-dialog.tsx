@@ -8,7 +8,7 @@ const pointer: readonly [string, string][] = [
   ['Right or Shift drag', 'pan (two fingers)'],
   ['Wheel', 'zoom to the pointer'],
   ['Click', 'select a surface or a luminaire'],
-  ['Double click', 'turn around that point'],
+  ['Double click', 'stand there, on the floor; else turn around that point'],
   ['Drag a luminaire', 'pin it elsewhere; the others compensate'],
   ['Arrows on a slider', 'one step; Shift × 10, Alt × 0.1'],
 ];

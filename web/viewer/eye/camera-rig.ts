@@ -119,6 +119,18 @@ export class CameraRig {
     this.#loop.invalidate();
   }
 
+  flyTo({ position, target, plan }: Camera): void {
+    this.#atHome = false;
+    this.#fly(this.#poses.of(new Vector3(...position), new Vector3(...target), plan));
+  }
+
+  /** Stands on a point of the floor and looks where the eye has looked; a drag then turns the head. */
+  stand(point: Vector3): void {
+    this.#atHome = false;
+    const { eye, target } = this.#poses.standing(point, this.controls.target);
+    this.#fly(this.#poses.of(eye, target, false));
+  }
+
   view(name: ViewName): void {
     this.#atHome = false;
     if (name === 'plan') this.#fly(this.#poses.plan());
@@ -137,6 +149,10 @@ export class CameraRig {
     const offset = this.#perspective.position.clone().sub(this.controls.target).normalize();
     this.#fly(this.#poses.framed(offset.toArray(), 0.04));
     this.#atHome = false;
+  }
+
+  isFloor(point: Vector3): boolean {
+    return this.#poses.isFloor(point);
   }
 
   /** Makes a point the centre of orbits, bringing it to the middle of the picture. */

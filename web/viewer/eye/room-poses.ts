@@ -5,6 +5,9 @@ import * as framing from './framing.ts';
 
 export const fov = 38; // degrees, vertical
 export const tangent = Math.tan((fov * Math.PI) / 360);
+const eyeHeight = 1.6; // m, standing
+const arm = 0.4; // m from the eye to the centre of its turns
+const floorDepth = 0.15; // m: carpets and steps are floor, too
 const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
 
 export class RoomPoses {
@@ -48,6 +51,24 @@ export class RoomPoses {
     const { height } = framing.planFrame(this.#box, this.planAspect);
     const target = new Vector3(...framing.boxCenter(this.#box));
     return this.of(target.clone().setY(target.y + height / (2 * tangent)), target, true);
+  }
+
+  /** Whether a point is of the floor. */
+  isFloor(point: Vector3): boolean {
+    return point.y - this.#box.min[1] < floorDepth;
+  }
+
+  /** A person on a point of the floor who looks towards `seen`, level: the centre of turns is just before the eyes. */
+  standing(point: Vector3, seen: Vector3): { eye: Vector3; target: Vector3 } {
+    const eye = point.clone().setY(point.y + eyeHeight);
+    const ahead = seen.clone().sub(eye).setY(0);
+    if (ahead.length() < 1)
+      ahead
+        .set(...framing.boxCenter(this.#box))
+        .sub(eye)
+        .setY(0);
+    if (ahead.lengthSq() < 1e-6) ahead.set(0, 0, -1);
+    return { eye, target: ahead.setLength(arm).add(eye) };
   }
 
   of(eye: Vector3, target: Vector3, plan: boolean): CameraPose {

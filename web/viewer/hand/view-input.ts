@@ -84,7 +84,9 @@ export class ViewInput {
       click: (x, y) => events.surfacePicked(this.#pick(x, y)?.surface ?? null),
       doubleClick: (x, y) => {
         const hit = this.#pick(x, y);
-        if (hit?.surface != null) rig.pivot(hit.point);
+        if (hit?.surface == null) return;
+        if (rig.isFloor(hit.point)) rig.stand(hit.point);
+        else rig.pivot(hit.point);
       },
       press: (event) => {
         const luminaire = this.#pick(event.clientX, event.clientY)?.luminaire ?? null;

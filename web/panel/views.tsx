@@ -1,0 +1,80 @@
+/** Where the room is looked at from: the views that every room has, and those that a person keeps under a name. */
+import { Trash2 } from 'lucide-preact';
+import { useState } from 'preact/hooks';
+import { useApp } from '../app/app.ts';
+import { mostViews } from '../document/schema.ts';
+import type { ViewName } from '../viewer/types.ts';
+
+const views: readonly [ViewName, string][] = [
+  ['plan', 'Plan'],
+  ['corner', 'Corner'],
+  ['north', 'North'],
+  ['east', 'East'],
+  ['south', 'South'],
+  ['west', 'West'],
+];
+
+export function Views() {
+  const app = useApp();
+  return (
+    <>
+      <div class="view-grid">
+        {views.map(([name, title]) => (
+          <button key={name} class="button small" onClick={() => app.viewer.view(name)}>
+            {title}
+          </button>
+        ))}
+      </div>
+      <p class="fine-print">Double-click the floor to stand there.</p>
+      {app.store.scene.value && <KeptViews />}
+    </>
+  );
+}
+
+function KeptViews() {
+  const app = useApp();
+  const [name, setName] = useState('');
+  const kept = app.store.document.value.views ?? [];
+  const keep = (event: Event) => {
+    event.preventDefault();
+    app.keepView(name.trim() || `View ${kept.length + 1}`);
+    setName('');
+  };
+  return (
+    <>
+      {kept.length > 0 && (
+        <ul class="kept-views" aria-label="Kept views">
+          {kept.map((view) => (
+            <li key={view.name} class="row">
+              <button class="button small grow" onClick={() => app.viewer.flyTo(view.camera)}>
+                {view.name}
+              </button>
+              <button
+                class="icon-button small"
+                aria-label={`Forget the view ${view.name}`}
+                onClick={() => app.forgetView(view.name)}
+              >
+                <Trash2 size={14} aria-hidden />
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+      {kept.length < mostViews && (
+        <form class="row keep-view" onSubmit={keep}>
+          <input
+            type="text"
+            maxLength={40}
+            placeholder={`View ${kept.length + 1}`}
+            aria-label="Name of this view"
+            value={name}
+            onInput={(event) => setName(event.currentTarget.value)}
+          />
+          <button class="button small" type="submit">
+            Keep this view
+          </button>
+        </form>
+      )}
+    </>
+  );
+}
