@@ -1,9 +1,11 @@
 // The order of things in a sitting; see session.h.
 #include "core/session/session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/search/identity.h"
 #include "core/search/start_layout.h"
 #include "core/search/validate_intentions.h"
 
@@ -51,6 +53,7 @@ void Session::adopt(Scene scene) {
   search_.reset();
   alpha_.reset();
   bound_.reset();
+  before_.reset();
   prepared_.reset();
   asked_ = false;
   intentions_ = {};
@@ -80,7 +83,13 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   Result<Done> can = ready();
   if (!can) return can;
   bound_.reset();
-  if (start) pinAsIn(*start);
+  before_.reset();
+  if (start) {
+    pinAsIn(*start);
+    const bool isOfRoom = std::all_of(start->sites.begin(), start->sites.end(),
+                                      [&](std::uint32_t site) { return site < scene_->sites.size(); });
+    if (isOfRoom) before_ = *start;
+  }
   search_ = std::make_unique<LayoutSearch>(*prepared_, intentions_, seed, start);
   return Done{};
 }
@@ -112,7 +121,9 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
 
 Result<Shown> Session::incumbent() {
   if (!search_) return Error{"no search is running"};
-  return shownOf(*prepared_, intentions_, search_->incumbent());
+  const Layout best = search_->incumbent();
+  return shownOf(*prepared_, intentions_,
+                 before_ ? numberedAs(*scene_, intentions_.luminaires, best, *before_) : best);
 }
 
 Result<Shown> Session::show(const Layout& layout) {

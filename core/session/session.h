@@ -75,7 +75,8 @@ class Session {
   /// tried. What is asked and the searches that run stay as they are.
   Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                          std::uint32_t evaluations);
-  /// Readings of the best layout so far.
+  /// Readings of the best layout so far. Its luminaires are numbered as in the start, each the one that has
+  /// the shorter way to its place (identity.h).
   Result<Shown> incumbent();
   /// Readings of any layout.
   Result<Shown> show(const Layout& layout);
@@ -102,6 +103,7 @@ class Session {
   std::unique_ptr<PreparedScene> prepared_;
   bool asked_ = false;
   Intentions intentions_;
+  std::optional<Layout> before_;  // that the search started from
   std::unique_ptr<LayoutSearch> search_;
   std::unique_ptr<AlphaSearch> alpha_;
   std::unique_ptr<LayoutBound> bound_;
