@@ -5,6 +5,7 @@
 import { effect, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import type { PhotometricDescription } from '../document/photometry.ts';
+import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
 import type { FromWorker, OpeningLight, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
@@ -50,6 +51,7 @@ export class Solving {
   #first: OpeningLight | null = null; // of the scene that was opened, until something is asked of it
   #compared: ((answer: Answer<'compared'>) => void) | null = null;
   #checking: Layout | null = null; // was asked to be checked
+  #asked: { readonly of: Intentions; readonly factor: number; readonly asNew: Intentions } | null = null;
   #refusal: number | null = null; // the message about a wish that the solver refused
 
   constructor(store: Store, viewer: Viewer, createWorker: () => WorkerLike) {
@@ -94,7 +96,11 @@ export class Solving {
   findAlpha(card: string, intentions: Intentions): void {
     this.#begin();
     this.#store.alphaRun.value = { card, steps: [], done: null };
-    this.#client.alpha(intentions, this.#store.document.peek().seed, this.#showing.layout);
+    this.#client.alpha(
+      asNew(intentions, this.#factor),
+      this.#store.document.peek().seed,
+      this.#showing.layout,
+    );
   }
 
   /** Tries other intentions beside what is asked, until something newer is. */
@@ -104,7 +110,13 @@ export class Solving {
     told: (answer: Answer<'compared'>) => void,
   ): void {
     this.#compared = told;
-    this.#client.compare(variants, this.#showing.layout, this.#store.document.peek().seed, evaluations);
+    const factor = this.#factor;
+    this.#client.compare(
+      variants.map((each) => asNew(each, factor)),
+      this.#showing.layout,
+      this.#store.document.peek().seed,
+      evaluations,
+    );
   }
 
   /** Recomputes the layout shown from the patches; the answer is store.check. */
@@ -112,7 +124,7 @@ export class Solving {
     const layout = this.#store.shown.peek()?.layout;
     if (!layout) return;
     this.#checking = layout;
-    this.#client.check(this.#store.traced.peek().intentions, layout);
+    this.#client.check(this.#intentions(), layout);
   }
 
   /** Runs other intentions to their end and returns the light they reach; the document's stay. */
@@ -159,8 +171,10 @@ export class Solving {
     this.#first = null;
     const { count, most = count } = luminaires;
     if (!light || light.layout.sites.length < count || light.layout.sites.length > most) return null;
-    this.#showing.foresee(light);
-    return light.layout;
+    const factor = this.#factor;
+    const { layout, illuminance } = light;
+    this.#showing.foresee({ layout, illuminance: illuminance.map((value) => value * factor) });
+    return layout;
   }
 
   stop(): void {
@@ -198,7 +212,20 @@ export class Solving {
     this.#probing?.reject(new Superseded());
     this.#probing = null;
     if (this.#store.bound.peek()) this.#store.bound.value = null;
-    return this.#store.traced.peek().intentions;
+    return this.#intentions();
+  }
+
+  get #factor(): number {
+    return maintenanceOf(this.#store.document.peek().luminaires);
+  }
+
+  /** What the document asks of the new installation: the same object as long as it asks the same. */
+  #intentions(): Intentions {
+    const of = this.#store.traced.peek().intentions;
+    const factor = this.#factor;
+    if (this.#asked?.of !== of || this.#asked.factor !== factor)
+      this.#asked = { of, factor, asNew: asNew(of, factor) };
+    return this.#asked.asNew;
   }
 
   #receive(message: FromWorker): void {
@@ -248,13 +275,15 @@ export class Solving {
     }
     this.#forgetRefusal();
     const state = evaluations === 0 ? 'shown' : type === 'settled' ? 'settled' : 'improving';
-    this.#showing.present(this.#forgiven(shown), { state, evaluations, milliseconds }, (seen) => {
+    this.#showing.present(this.#read(shown), { state, evaluations, milliseconds }, (seen) => {
       if (state === 'settled') this.#settled(seen);
     });
   }
 
-  #forgiven(shown: Shown): Shown {
-    return withNearMisses(shown, this.#store.traced.peek().intentions.constraints);
+  /** Readings of the core as a person gets them. */
+  #read(shown: Shown): Shown {
+    const { intentions } = this.#store.traced.peek();
+    return withNearMisses(maintained(shown, intentions, this.#factor), intentions.constraints);
   }
 
   #settled(shown: Shown): void {
@@ -263,19 +292,26 @@ export class Solving {
     const { intentions } = this.#store.traced.peek();
     const outcome = intentions.constraints.length === 0 ? '' : `, ${met}`;
     this.#store.announcement.value = `Settled: ${counted(shown.layout.sites.length, 'luminaire')}${outcome}.`;
-    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(intentions);
+    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions());
   }
 
   #alphaStepped({ step }: Answer<'alphaStep'>): void {
     const run = this.#store.alphaRun.peek();
-    if (run) this.#store.alphaRun.value = { ...run, steps: [...run.steps, step] };
+    const factor = this.#factor;
+    const { mean, sigma, minimum } = step;
+    const aged = { ...step, mean: mean * factor, sigma: sigma * factor, minimum: minimum * factor };
+    if (run) this.#store.alphaRun.value = { ...run, steps: [...run.steps, aged] };
   }
 
   #alphaDone({ alpha, verdict, feasibleBound, shown }: Answer<'alphaDone'>): void {
     const run = this.#store.alphaRun.peek();
     if (!run) return;
-    this.#store.alphaRun.value = { ...run, done: { alpha, verdict, feasibleBound } };
-    this.#store.announcement.value = verdict;
+    const factor = this.#factor;
+    const bound = feasibleBound === null ? null : feasibleBound * factor;
+    // The sentence is the core's, which knows no maintenance.
+    const told = factor === 1 ? verdict : `${verdict} (In lux of the new installation.)`;
+    this.#store.alphaRun.value = { ...run, done: { alpha, verdict: told, feasibleBound: bound } };
+    this.#store.announcement.value = told;
     if (alpha !== null && shown) this.#alphaFound(run.card, alpha, shown);
     else this.solve();
   }
@@ -288,7 +324,7 @@ export class Solving {
     };
     this.#store.edit('Find alpha', set, null, { by: 'nothing' });
     const { evaluations, milliseconds } = this.#store.progress.peek();
-    this.#showing.present(this.#forgiven(shown), { state: 'settled', evaluations, milliseconds }, (seen) =>
+    this.#showing.present(this.#read(shown), { state: 'settled', evaluations, milliseconds }, (seen) =>
       this.#settled(seen),
     );
   }

@@ -6,7 +6,7 @@ export interface ResultLine {
   readonly name: string;
   readonly statistic: string;
   readonly target: number | null;
-  readonly value: number;
+  readonly value: number | null;
   readonly unit: string;
   readonly verdict: string; // 'met', 'not met', or '' where nothing is to be met
 }

@@ -98,6 +98,8 @@ const arrangement = v.object({
   axis: v.exactOptional(v.picklist(['found', 'x', 'z', 'both'])),
 });
 
+const factor = number(0.05, 1);
+
 export const luminairesSchema = v.object({
   types: v.exactOptional(typesSchema),
   count: whole(1, mostLuminaires),
@@ -108,6 +110,7 @@ export const luminairesSchema = v.object({
   pinned: v.pipe(sites, v.maxLength(mostLuminaires)),
   excluded: sites,
   minDistance: number(0, 1000),
+  maintenance: v.exactOptional(v.tuple([factor, factor, factor, factor])),
 });
 
 export const layoutSchema = v.pipe(
@@ -127,6 +130,7 @@ export const layoutSchema = v.pipe(
 
 export const identitySchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{0,16}$/));
 export const roomSchema = nameSchema;
+export const roomTypeSchema = v.pipe(v.string(), v.regex(/^[a-z-]{1,40}$/));
 export const seedSchema = whole(0, 0xffffffff);
 export const quantitySchema = v.picklist(['illuminance', 'exitance']);
 export const cardsSchema = v.pipe(v.array(cardSchema), v.maxLength(mostCards));
@@ -145,6 +149,7 @@ export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.objec
   luminaires: luminairesSchema,
   quantity: quantitySchema,
   seed: seedSchema,
+  roomType: v.exactOptional(roomTypeSchema),
   layout: v.nullable(layoutSchema),
   views: v.exactOptional(
     v.pipe(v.array(v.object({ name: nameSchema, camera: cameraSchema })), v.maxLength(mostViews)),

@@ -22,6 +22,7 @@ import {
   pointSchema,
   quantitySchema,
   roomSchema,
+  roomTypeSchema,
   seedSchema,
   typeEntries,
 } from './schema.ts';
@@ -41,6 +42,7 @@ export interface Link {
   readonly luminaires: Omit<Luminaires, 'pinned'>;
   readonly quantity: Quantity;
   readonly seed: number;
+  readonly roomType?: string;
   readonly layout: {
     readonly positions: readonly (readonly [number, number, number])[]; // m
     readonly flux: readonly number[]; // lm, before dimming
@@ -95,6 +97,7 @@ const payloadSchema = v.object({
   l: v.object(ruleEntries),
   q: v.exactOptional(quantitySchema, 'illuminance'),
   s: seedSchema,
+  e: v.exactOptional(roomTypeSchema),
   y: v.exactOptional(
     v.object({
       p: v.pipe(v.array(pointSchema), v.maxLength(mostLuminaires)), // cm
@@ -157,7 +160,7 @@ function encode(link: Link): string {
 
 function payloadOf(link: Link): Payload {
   const { layout, camera, display } = link;
-  const { types = [], ...rules } = link.luminaires;
+  const { types = [], maintenance, ...rules } = link.luminaires;
   const uniform = layout && layout.flux.every((each) => each === layout.flux[0]);
   const numbers = new Map(types.map((type, number) => [type.id, number]));
   return {
@@ -165,9 +168,15 @@ function payloadOf(link: Link): Payload {
     r: link.room,
     c: structuredClone(link.cards) as Payload['c'],
     ...(link.saving && { w: true }),
-    l: { ...rules, dimming: [...rules.dimming], excluded: [...rules.excluded] },
+    l: {
+      ...rules,
+      dimming: [...rules.dimming],
+      excluded: [...rules.excluded],
+      ...(maintenance && { maintenance: [...maintenance] }),
+    },
     ...(link.quantity === 'exitance' && { q: link.quantity }),
     s: link.seed,
+    ...(link.roomType && { e: link.roomType }),
     ...(layout && {
       y: {
         p: layout.positions.map((position) => rounded(position, 1, 100)),
@@ -252,7 +261,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, y, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, y, t, m, k, d } = parsed.output;
   if (y && y.f.length !== y.p.length && y.f.length !== 1) return 'luminaires and fluxes differ in number';
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
   const types = t ? typesFrom(t) : null;
@@ -269,6 +278,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     ...(types && { files: types.files }),
     quantity: q,
     seed: s,
+    ...(e !== undefined && { roomType: e }),
     layout: y
       ? {
           positions: y.p.map((point) => point.map((value) => value / 100) as [number, number, number]),

@@ -39,7 +39,7 @@ export function linkOf(
   plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
-  const { scene, room, cards, saving, quantity, seed } = document;
+  const { scene, room, cards, saving, quantity, seed, roomType } = document;
   return {
     scene,
     room,
@@ -47,6 +47,7 @@ export function linkOf(
     saving,
     quantity,
     seed,
+    ...(roomType !== undefined && { roomType }),
     luminaires: rules,
     layout: layout && {
       positions: layout.sites.map((site) => positionOf(sites, site)),
@@ -96,6 +97,15 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned };
-  const { room, cards, saving, quantity, seed } = link;
-  return { scene: scene.identity, room, cards, saving, luminaires, quantity, seed, layout };
+  const { room, cards, saving, quantity, seed, roomType } = link;
+  const asked = {
+    room,
+    cards,
+    saving,
+    luminaires,
+    quantity,
+    seed,
+    ...(roomType !== undefined && { roomType }),
+  };
+  return { scene: scene.identity, ...asked, layout };
 }

@@ -114,6 +114,8 @@ export interface Luminaires {
   readonly pinned: readonly number[]; // sites
   readonly excluded: readonly number[]; // sites
   readonly minDistance: number; // m
+  /** LLMF, LSF, LMF, RMF (CIE 97), 0..1: all light is maintained light. Absent: that of the new installation. */
+  readonly maintenance?: readonly [number, number, number, number];
 }
 
 export interface Camera {
@@ -145,6 +147,7 @@ export interface FiatLuxDocument {
   readonly luminaires: Luminaires;
   readonly quantity: Quantity;
   readonly seed: number;
+  readonly roomType?: string; // id of what a standard asks of such a room, beside the cards
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
   readonly views?: readonly NamedView[]; // absent: none; links leave them out

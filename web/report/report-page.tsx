@@ -20,19 +20,16 @@ export function ReportPage({ close }: { close: () => void }) {
   const root = useRef<HTMLElement>(null);
   useEffect(() => {
     const before = document.activeElement;
+    const leave = (event: KeyboardEvent) => event.key === 'Escape' && close();
     root.current?.focus();
-    return () => before instanceof HTMLElement && before.focus();
+    window.addEventListener('keydown', leave);
+    return () => {
+      window.removeEventListener('keydown', leave);
+      if (before instanceof HTMLElement) before.focus();
+    };
   }, []);
   return (
-    <section
-      ref={root}
-      class="report"
-      role="dialog"
-      aria-modal="true"
-      aria-label="Report"
-      tabIndex={-1}
-      onKeyDown={(event) => event.key === 'Escape' && close()}
-    >
+    <section ref={root} class="report" role="dialog" aria-modal="true" aria-label="Report" tabIndex={-1}>
       <div class="report-bar">
         <button class="button primary" onClick={() => window.print()}>
           <Printer size={15} aria-hidden />

@@ -4,8 +4,11 @@ import { drawn, hungInPlan } from '../app/exports/plan-drawings.ts';
 import type { App } from '../app/app.ts';
 import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
+import { maintenanceText } from '../app/words/room-types.ts';
 import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
-import { verdicts, type Verdict } from '../app/words/verdict.ts';
+import { everyVerdict } from '../app/words/room-types.ts';
+import type { Verdict } from '../app/words/verdict.ts';
+import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';
 import type { RoomPlan } from '../document/plan-frame.ts';
 import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
@@ -50,14 +53,17 @@ export function reportOf(app: App): Report {
     title: store.roomTitle.peek(),
     date: new Date().toLocaleDateString(undefined, { dateStyle: 'long' }),
     quantity: document.quantity,
-    verdicts: verdicts(document, store.traced.peek(), shown, scene),
+    verdicts: everyVerdict(store, plan.frame),
     power: powerOf(layout, scene.surfaces, efficacy, types),
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),
     surfaces: folded(rows, ({ name }) => name),
     plan,
     light: lightInPlan(scene, shown.illuminance, plan, store.display.peek()),
-    assumptions: assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
+    assumptions: [
+      maintenanceText(maintenanceOf(document.luminaires)),
+      ...assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
+    ],
     facts: roomFacts(scene),
     link: linkOf(app),
     identity: scene.identity,

@@ -1,11 +1,12 @@
 /** The results as lines of a table: every surface, every intention, the whole. */
 import type { ResultLine } from '../../document/results-csv.ts';
-import { powerOf } from '../state/power.ts';
+import type { PlanFrame } from '../../document/plan-frame.ts';
+import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
-import { verdicts } from '../words/verdict.ts';
+import { everyVerdict } from '../words/room-types.ts';
 
-export function resultLines(store: Store): ResultLine[] {
+export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[] {
   const shown = store.shown.peek();
   const scene = store.scene.peek();
   if (!shown || !scene) throw new Error('no layout is shown yet');
@@ -29,7 +30,7 @@ export function resultLines(store: Store): ResultLine[] {
     line({ name, statistic: 'U_o', value: min / mean, unit: '' }),
     line({ name, statistic: 'U_d', value: min / max, unit: '' }),
   ]);
-  const asked = verdicts(document, store.traced.peek(), shown, scene).map((row) =>
+  const asked = everyVerdict(store, frame).map((row) =>
     line({
       kind: 'intention',
       name: row.where,
@@ -52,7 +53,12 @@ export function resultLines(store: Store): ResultLine[] {
     total('count', shown.layout.sites.length, ''),
     total('flux', flux, 'lm'),
     total('power', watts, 'W'),
-    ...(floor ? [total('power per floor area', watts / floor, 'W/m²')] : []),
+    ...(floor
+      ? [
+          total('power per floor area', watts / floor, 'W/m²'),
+          total('LENI', leni(watts, floor), 'kWh/(m² a)'),
+        ]
+      : []),
   ];
   return [...asked, ...surfaces, ...totals];
 }

@@ -11,7 +11,7 @@ export interface Verdict {
   readonly where: string;
   readonly what: string; // "mean at least"
   readonly target: number | null; // null: as much, as little or as even as can be
-  readonly actual: number;
+  readonly actual: number | null; // null: nothing here tells it, "not in this file"
   readonly unit: string; // of both; '' for a ratio
   readonly margin: number | null; // relative, negative = short; null where nothing is to be met
   readonly met: boolean | null; // null = a wish without a bound
@@ -50,7 +50,9 @@ export function verdicts(
 }
 
 /** "612 lx", "0.62". */
-export function valueText(value: number, unit: string): string {
+export function valueText(value: number | null, unit: string): string {
+  if (value === null) return 'not in this file';
+  if (unit === '' && Number.isInteger(value) && value > 1) return String(value); // a UGR
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
 }
 

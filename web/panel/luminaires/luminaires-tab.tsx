@@ -4,6 +4,7 @@ import type { Luminaires } from '../../document/types.ts';
 import { ArrangementChoice } from './arrangement-choice.tsx';
 import { CountStrip } from './count-strip.tsx';
 import { LuminaireList } from './luminaire-list.tsx';
+import { MaintenanceFields } from './maintenance-fields.tsx';
 import { TypeList } from './type-list.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
@@ -20,6 +21,7 @@ export function LuminairesTab() {
       <Dimming luminaires={luminaires} />
       <Distance luminaires={luminaires} />
       <Places luminaires={luminaires} />
+      <MaintenanceFields />
       <LuminaireList />
     </>
   );

@@ -1,17 +1,19 @@
 /** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
 import { useApp } from '../../app/app.ts';
-import { powerOf } from '../../app/state/power.ts';
+import { leni, powerOf } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { SurfaceTable } from './surface-table.tsx';
+import { VerdictTable } from './verdict-table.tsx';
 
 export function ResultsTab() {
   const { store } = useApp();
   if (!store.shown.value || !store.scene.value) return <p class="empty">No layout is shown yet.</p>;
   return (
     <>
+      <VerdictTable />
       <Power />
       <SurfaceTable />
       <CheckLayout />
@@ -30,6 +32,9 @@ function Power() {
     watts,
     floor,
   } = powerOf(layout, scene.surfaces, store.efficacy.value, store.document.value.luminaires.types);
+  const plane = surfaces[scene.surfaces.findIndex(({ measuring }) => measuring)];
+  const isLit = floor && plane && plane.mean > 0 && store.document.value.quantity === 'illuminance';
+  const per100 = isLit ? watts / floor / (plane.mean / 100) : null;
   return (
     <dl class="totals">
       <div>
@@ -46,6 +51,14 @@ function Power() {
           {compact(watts)} W{floor ? `, ${compact(watts / floor)} W/m²` : ''}
         </dd>
       </div>
+      {floor !== null && (
+        <div title="EN 15193-1: 2500 h a year, nobody switching or dimming">
+          <dt>LENI</dt>
+          <dd>
+            {compact(leni(watts, floor))} kWh/(m² a){per100 && `, ${compact(per100)} W/m² per 100 lx`}
+          </dd>
+        </div>
+      )}
       <div>
         <dt>Efficacy</dt>
         <dd>

@@ -1,0 +1,110 @@
+/** Room types: the cards they write and the rows they are judged by. Covers verdict. */
+import { describe, expect, test } from '@jest/globals';
+import {
+  askForType,
+  cardsOf,
+  everyVerdict,
+  roomTypes,
+  typeVerdicts,
+} from '../../../../web/app/words/room-types.ts';
+import { targetText, valueText } from '../../../../web/app/words/verdict.ts';
+import { Store } from '../../../../web/app/state/store.ts';
+import { intentionsOf } from '../../../../web/document/intentions.ts';
+import { maintenanceOf } from '../../../../web/document/maintenance.ts';
+import { documentSchema } from '../../../../web/document/schema.ts';
+import { decodeLink, encodeLink } from '../../../../web/document/share-link.ts';
+import { documentOf, linkOf } from '../../../../web/document/sites.ts';
+import * as v from 'valibot';
+import { fakeScene, fakeShown } from '../../fake-solver.ts';
+import { fakePlan } from '../../fake-viewer.ts';
+import { sampleDocument } from '../../sample-rooms.ts';
+
+const surface = (name: string, measuring = false) => ({
+  name,
+  area: 10,
+  patches: 4,
+  reflectance: 0.5,
+  measuring,
+  lost: 0,
+});
+const surfaces = [
+  surface('floor'),
+  surface('ceiling'),
+  surface('wall north'),
+  surface('wall south'),
+  surface('whiteboard'),
+  surface('working plane', true),
+  surface('picture 1'),
+];
+const typeOf = (id: string) => roomTypes.find((type) => type.id === id)!;
+const layout = { sites: [0, 5], flux: [1200, 600], dimming: 1 };
+
+function storeOf(id: string) {
+  const store = new Store();
+  const scene = fakeScene();
+  store.scene.value = scene;
+  store.reset({ ...sampleDocument(scene.identity, 'office'), layout });
+  store.edit('type', (draft) => askForType(draft, typeOf(id), scene.surfaces));
+  store.shown.value = fakeShown(scene, layout, intentionsOf(store.document.peek()).intentions);
+  return { store, scene };
+}
+
+describe('a room type', () => {
+  test('writes cards for task, walls and ceiling', () => {
+    expect(cardsOf(typeOf('writing'), surfaces)).toMatchObject([
+      { surfaces: ['working plane'], verb: 'homogenize', mean: { min: 500 } },
+      { surfaces: ['wall north', 'wall south'], verb: 'keep', mean: { min: 150 } },
+      { surfaces: ['ceiling'], verb: 'keep', mean: { min: 100 } },
+    ]);
+  });
+
+  test('takes the floor where that is the task, and exhibits where they are', () => {
+    expect(cardsOf(typeOf('corridor'), surfaces)[0]).toMatchObject({
+      surfaces: ['floor'],
+      mean: { min: 100 },
+    });
+    const [museum, ...more] = cardsOf(typeOf('museum'), surfaces);
+    expect(more).toEqual([]);
+    expect(museum).toMatchObject({ surfaces: ['picture 1'], guarantee: { by: 'patches', max: 50 } });
+  });
+
+  test('makes light maintained, survives a link, and is undone in one step', () => {
+    const { store, scene } = storeOf('corridor');
+    const document = store.document.peek();
+    expect(maintenanceOf(document.luminaires)).toBe(0.8);
+    expect(v.is(documentSchema, document)).toBe(true);
+    const link = linkOf(document, layout, scene.sites, { camera: null, display: null });
+    const read = decodeLink(encodeLink(link));
+    expect(read.ok && documentOf(read.link, scene, true)).toMatchObject({
+      roomType: 'corridor',
+      luminaires: { maintenance: [0.9, 1, 0.95, 0.94] },
+    });
+    store.undo();
+    expect(store.document.peek().roomType).toBeUndefined();
+    expect(maintenanceOf(store.document.peek().luminaires)).toBe(1);
+  });
+
+  test('is judged on its grid first; what the file does not tell is said so', () => {
+    const { store, scene } = storeOf('corridor');
+    const rows = everyVerdict(store, fakePlan.frame);
+    expect(rows.slice(0, 3).map(({ where, what }) => `${where}: ${what}`)).toEqual([
+      'floor: Ēₘ on the EN grid at least',
+      'floor: Uₒ on the EN grid at least',
+      'walls: Ēₘ at least',
+    ]);
+    expect(rows.some(({ what }) => what === 'mean at least')).toBe(false); // said on the grid already
+    const cylindrical = rows.find(({ what }) => what.startsWith('cylindrical'))!;
+    expect(cylindrical).toMatchObject({ actual: null, met: null, target: 50 });
+    expect(valueText(cylindrical.actual, cylindrical.unit)).toBe('not in this file');
+    const mean = rows[0]!;
+    expect(mean.met).toBe(mean.actual! >= 100);
+    expect(targetText(mean)).toBe('100 lx');
+    const dark = typeVerdicts(
+      typeOf('corridor'),
+      scene,
+      { ...store.shown.peek()!, illuminance: new Float32Array(16) },
+      fakePlan.frame,
+    );
+    expect(dark[0]).toMatchObject({ actual: 0, met: false, margin: -1 });
+  });
+});

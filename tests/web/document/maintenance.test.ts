@@ -1,0 +1,47 @@
+/** Maintained light: what is asked of the new installation, and what is read of it later. */
+import { expect, test } from '@jest/globals';
+import { asNew, maintained, maintenanceOf, usualMaintenance } from '../../../web/document/maintenance.ts';
+import type { Intentions } from '../../../web/document/types.ts';
+
+const intentions: Intentions = {
+  luminaires: { count: 1, flux: 1000, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+  quantity: 'illuminance',
+  goals: [
+    { statistic: 'mean', sense: 'near', target: 400, weight: 1, surfaces: ['desk'] },
+    { statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['desk'] },
+    { statistic: 'power', sense: 'min', weight: 1, surfaces: [] },
+  ],
+  constraints: [
+    { statistic: 'mean', min: 500, max: 600, surfaces: ['desk'] },
+    { statistic: 'uniformity', min: 0.6, surfaces: ['desk'] },
+    { statistic: 'chebyshev', min: 300, alpha: 2, surfaces: ['desk'] },
+  ],
+};
+
+test('the usual factors make 0.80; nothing said means the new installation', () => {
+  expect(maintenanceOf({ maintenance: usualMaintenance })).toBe(0.8);
+  expect(maintenanceOf({})).toBe(1);
+  expect(asNew(intentions, 1)).toBe(intentions);
+});
+
+test('bounds and targets on light grow, ratios and power stay', () => {
+  const asked = asNew(intentions, 0.8);
+  expect(asked.constraints[0]).toMatchObject({ min: 625, max: 750 });
+  expect(asked.constraints.slice(1)).toMatchObject([{ min: 0.6 }, { min: 375, alpha: 2 }]);
+  expect(asked.goals.map(({ target }) => target)).toEqual([500, undefined, undefined]);
+  expect(intentions.constraints[0]?.min).toBe(500);
+});
+
+test('a bound that the new installation just meets is just met by what is shown', () => {
+  const shown = {
+    illuminance: Float32Array.of(625, 1250),
+    surfaces: [{ mean: 625, sigma: 10, min: 500, max: 1250 }],
+    goals: [{ value: 0.25 }, { value: 10 }, { value: 1000 }],
+    constraints: [{ value: 625 }, { value: 0.7 }, { value: 605 }],
+  };
+  const aged = maintained(shown, intentions, 0.8);
+  expect([...aged.illuminance]).toEqual([500, 1000]);
+  expect(aged.surfaces).toEqual([{ mean: 500, sigma: 8, min: 400, max: 1000 }]);
+  expect(aged.goals.map(({ value }) => value)).toEqual([0.25, 8, 1000]);
+  expect(aged.constraints.map(({ value }) => value)).toEqual([500, 0.7, 484]);
+});

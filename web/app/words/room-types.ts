@@ -1,0 +1,163 @@
+/**
+ * What a standard asks of a whole room: one choice writes the cards that a layout can be searched for, and the verdict
+ * judges everything else that is asked, on the standard's own grid. Numbers are those of standards.ts.
+ */
+import type { Draft } from 'immer';
+import { readGrid } from '../../document/en-grid.ts';
+import { lightField } from '../../document/light-field.ts';
+import { usualMaintenance } from '../../document/maintenance.ts';
+import type { PlanFrame } from '../../document/plan-frame.ts';
+import type { Card, FiatLuxDocument, SceneInfo } from '../../document/types.ts';
+import type { Shown } from '../../solver/protocol.ts';
+import type { Store } from '../state/store.ts';
+import { unionOf } from '../state/statistics.ts';
+import { presets, type Preset } from './standards.ts';
+import { verdicts, type Verdict } from './verdict.ts';
+
+export interface RoomType {
+  readonly id: string;
+  readonly title: string;
+  readonly numbers: Preset;
+  readonly onFloor: boolean; // the task is the floor, though there be measuring planes
+  readonly cylindrical?: number; // lx
+  readonly ugr?: number; // at most
+}
+
+const numbersOf = (id: string): Preset => {
+  const preset = presets.find((each) => each.id === id);
+  if (!preset) throw new Error(`there is no preset "${id}"`);
+  return preset;
+};
+
+export const roomTypes: readonly RoomType[] = [
+  {
+    id: 'writing',
+    title: 'Office, writing',
+    numbers: numbersOf('writing'),
+    onFloor: false,
+    cylindrical: 150,
+    ugr: 19,
+  },
+  {
+    id: 'classroom',
+    title: 'Classroom',
+    numbers: numbersOf('classroom'),
+    onFloor: false,
+    cylindrical: 150,
+    ugr: 19,
+  },
+  {
+    id: 'corridor',
+    title: 'Corridor',
+    numbers: numbersOf('corridor'),
+    onFloor: true,
+    cylindrical: 50,
+    ugr: 28,
+  },
+  { id: 'museum', title: 'Museum, 50 lx', numbers: numbersOf('museum-high'), onFloor: false },
+];
+
+type Surfaces = SceneInfo['surfaces'];
+
+const named = (surfaces: Surfaces, name: RegExp): string[] =>
+  surfaces.filter((each) => !each.measuring && name.test(each.name)).map((each) => each.name);
+
+/** Where the parts of a type are in a room; lists are empty where the room has no such surface. */
+function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
+  const planes = surfaces.filter(({ measuring }) => measuring).map(({ name }) => name);
+  const floor = named(surfaces, /(^|\/)floor\b/i);
+  const exhibits = named(surfaces, /picture (?!frames)|exhibit|sculpture/i);
+  const task = numbers.most !== undefined ? exhibits : onFloor || planes.length === 0 ? floor : planes;
+  return { task, walls: named(surfaces, /(^|\/| )walls?\b/i), ceiling: named(surfaces, /ceiling/i) };
+}
+
+/** The document asks for a type: its cards replace the others, and light is maintained. */
+export function askForType(draft: Draft<FiatLuxDocument>, type: RoomType, surfaces: Surfaces): void {
+  draft.cards = cardsOf(type, surfaces) as Draft<Card>[];
+  draft.roomType = type.id;
+  draft.quantity = 'illuminance';
+  draft.luminaires.maintenance ??= [...usualMaintenance];
+}
+
+export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
+  const { numbers } = type;
+  const { task, walls, ceiling } = placesOf(type, surfaces);
+  const least = (id: string, names: string[], min: number | undefined): Card[] =>
+    names.length > 0 && min !== undefined
+      ? [{ id: `type-${id}`, surfaces: names, verb: 'keep', weight: 1, mean: { min } }]
+      : [];
+  if (task.length === 0) return [];
+  const card: Card = { id: 'type-task', surfaces: task, verb: 'homogenize', weight: 1 };
+  if (numbers.most !== undefined)
+    return [{ ...card, verb: 'illuminate', guarantee: { by: 'patches', alpha: 2, max: numbers.most } }];
+  return [
+    { ...card, ...(numbers.required !== undefined && { mean: { min: numbers.required } }) },
+    ...least('walls', walls, numbers.walls),
+    ...least('ceiling', ceiling, numbers.ceiling),
+  ];
+}
+
+/** The rows of the type first, then those of the cards. */
+export function everyVerdict(store: Store, frame: PlanFrame | null): Verdict[] {
+  const document = store.document.value;
+  const shown = store.shown.value;
+  const scene = store.scene.value;
+  if (!shown || !scene) return [];
+  const type = roomTypes.find(({ id }) => id === document.roomType);
+  const rows = (cards: readonly Card[]) => verdicts({ ...document, cards }, store.traced.value, shown, scene);
+  if (!type || !frame || document.quantity !== 'illuminance' || type.numbers.most !== undefined)
+    return rows(document.cards);
+  // Cards that are as the type wrote them would only say again what its own rows say.
+  const written = cardsOf(type, scene.surfaces).map((card) => JSON.stringify(card));
+  const others = document.cards.filter((card) => !written.includes(JSON.stringify(card)));
+  return [...typeVerdicts(type, scene, shown, frame), ...rows(others)];
+}
+
+export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown, frame: PlanFrame): Verdict[] {
+  const { numbers, cylindrical, ugr } = type;
+  const { task, walls, ceiling } = placesOf(type, scene.surfaces);
+  const rows: Verdict[] = [];
+  for (const name of task) {
+    const leaf = scene.surfaces.findIndex((each) => each.name === name);
+    const field = lightField(scene, leaf, shown.illuminance, frame);
+    const reading = field && readGrid(field);
+    if (numbers.required !== undefined)
+      rows.push(atLeast(name, 'Ēₘ on the EN grid', reading?.mean ?? null, numbers.required, 'lx'));
+    if (numbers.uniformity !== undefined)
+      rows.push(atLeast(name, 'Uₒ on the EN grid', reading?.uniformity ?? null, numbers.uniformity, ''));
+  }
+  for (const [where, names, target] of [
+    ['walls', walls, numbers.walls],
+    ['ceiling', ceiling, numbers.ceiling],
+  ] as const) {
+    const readings = shown.surfaces.filter(({ name }) => names.includes(name));
+    const mean = readings.length > 0 ? unionOf(readings).mean : null;
+    if (target !== undefined) rows.push(atLeast(where, 'Ēₘ', mean, target, 'lx'));
+  }
+  const untold = { margin: null, met: null, actual: null };
+  if (cylindrical !== undefined)
+    rows.push({ where: 'task', what: 'cylindrical Ēz at least', target: cylindrical, unit: 'lx', ...untold });
+  if (ugr !== undefined)
+    rows.push({ where: 'task', what: 'glare UGR at most', target: ugr, unit: '', ...untold });
+  return rows;
+}
+
+function atLeast(where: string, what: string, actual: number | null, target: number, unit: string): Verdict {
+  const margin = actual === null ? null : actual / target - 1;
+  return {
+    where,
+    what: `${what} at least`,
+    target,
+    actual,
+    unit,
+    margin,
+    met: margin === null ? null : margin >= 0,
+  };
+}
+
+/** "Maintained light, factor 0.80." */
+export function maintenanceText(factor: number): string {
+  return factor === 1
+    ? 'Light of the new installation: no maintenance factor is set.'
+    : `All lux are maintained values: maintenance factor ${factor.toFixed(2)}.`;
+}

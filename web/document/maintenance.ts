@@ -1,0 +1,93 @@
+/**
+ * Maintained light: what is left of the light of a new installation when lamps have aged and dirt has settled (CIE 97).
+ * Where a document has maintenance factors, every lux that is asked for and shown is maintained; the core knows nothing
+ * of it and computes new installations: light is linear, so bounds go in divided and readings come back multiplied.
+ */
+import type { Constraint, Goal, Intentions, Luminaires, Statistic } from './types.ts';
+
+/** The factors by their names in CIE 97, in the order in which a document keeps them. */
+export const maintenanceFactors = [
+  ['LLMF', 'Lamp lumen maintenance'],
+  ['LSF', 'Lamp survival'],
+  ['LMF', 'Luminaire maintenance'],
+  ['RMF', 'Room maintenance'],
+] as const;
+
+export type Maintenance = NonNullable<Luminaires['maintenance']>;
+
+/** 0.80: a clean room, LED, cleaned every other year. */
+export const usualMaintenance: Maintenance = [0.9, 1, 0.95, 0.94];
+
+/** The product; 1 where a document says nothing: then light is that of the new installation. */
+export function maintenanceOf({ maintenance }: Pick<Luminaires, 'maintenance'>): number {
+  return maintenance ? Math.round(maintenance.reduce((product, each) => product * each, 1) * 100) / 100 : 1;
+}
+
+/** Whether a statistic is of light, so that it ages; a ratio does not, nor does power. */
+const isOfLight = (statistic: Statistic): boolean => !['power', 'uniformity', 'contrast'].includes(statistic);
+
+/** What the new installation has to reach for maintained light to be as it is asked. */
+export function asNew(intentions: Intentions, factor: number): Intentions {
+  if (factor === 1) return intentions;
+  const scaled = (constraint: Constraint): Constraint => {
+    if (!isOfLight(constraint.statistic)) return constraint;
+    const { min, max } = constraint;
+    return {
+      ...constraint,
+      ...(min !== undefined && { min: min / factor }),
+      ...(max !== undefined && { max: max / factor }),
+    };
+  };
+  const aimed = (goal: Goal): Goal =>
+    goal.target === undefined ? goal : { ...goal, target: goal.target / factor };
+  return {
+    ...intentions,
+    constraints: intentions.constraints.map(scaled),
+    goals: intentions.goals.map(aimed),
+  };
+}
+
+interface Readings {
+  readonly illuminance: Float32Array;
+  readonly surfaces: readonly {
+    readonly mean: number;
+    readonly sigma: number;
+    readonly min: number;
+    readonly max: number;
+  }[];
+  readonly goals: readonly { readonly value: number }[];
+  readonly constraints: readonly { readonly value: number }[];
+}
+
+/** The readings of a new installation as they will be; `intentions`: what was asked, for what ages and what does not. */
+export function maintained<Shown extends Readings>(
+  shown: Shown,
+  intentions: Intentions,
+  factor: number,
+): Shown {
+  if (factor === 1) return shown;
+  const results = <T extends { readonly value: number }>(
+    list: readonly T[],
+    asked: readonly (Constraint | Goal)[],
+  ): T[] =>
+    list.map((result, i) => {
+      const what = asked[i];
+      const isShare = what !== undefined && 'sense' in what && what.sense === 'near'; // a distance from its target
+      return what && isOfLight(what.statistic) && !isShare
+        ? { ...result, value: result.value * factor }
+        : result;
+    });
+  return {
+    ...shown,
+    illuminance: shown.illuminance.map((value) => value * factor),
+    surfaces: shown.surfaces.map((row) => ({
+      ...row,
+      mean: row.mean * factor,
+      sigma: row.sigma * factor,
+      min: row.min * factor,
+      max: row.max * factor,
+    })),
+    goals: results(shown.goals, intentions.goals),
+    constraints: results(shown.constraints, intentions.constraints),
+  };
+}

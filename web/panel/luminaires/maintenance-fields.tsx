@@ -1,0 +1,62 @@
+/** Maintained light, or that of the new installation: the four factors of CIE 97 and their product. */
+import { useApp } from '../../app/app.ts';
+import {
+  maintenanceFactors,
+  maintenanceOf,
+  usualMaintenance,
+  type Maintenance,
+} from '../../document/maintenance.ts';
+import { NumberField } from '../controls/number-field.tsx';
+import { Check } from '../view-toolbar.tsx';
+
+export function MaintenanceFields() {
+  const { store } = useApp();
+  const { luminaires } = store.document.value;
+  const { maintenance } = luminaires;
+  const set = (label: string, next: Maintenance | null) =>
+    store.edit(
+      label,
+      (draft) => {
+        if (next) draft.luminaires.maintenance = [...next];
+        else delete draft.luminaires.maintenance;
+      },
+      next ? label : null,
+    );
+  return (
+    <div class="field">
+      <Check
+        label={
+          maintenance
+            ? `Maintained light, factor ${maintenanceOf(luminaires).toFixed(2)}`
+            : 'Maintained light'
+        }
+        checked={maintenance !== undefined}
+        set={(on) => {
+          set('Maintenance factor', on ? usualMaintenance : null);
+          store.endGesture();
+        }}
+      />
+      {maintenance &&
+        maintenanceFactors.map(([short, name], i) => (
+          <div key={short} class="setting-row">
+            <span>
+              {name} <small>{short}</small>
+            </span>
+            <NumberField
+              label={name}
+              value={maintenance[i] ?? 1}
+              step={0.01}
+              min={0.05}
+              max={1}
+              onInput={(value) => {
+                if (value === undefined) return;
+                const next = maintenance.map((each, k) => (k === i ? value : each));
+                set('Maintenance factor', next as unknown as Maintenance);
+              }}
+              onEnd={() => store.endGesture()}
+            />
+          </div>
+        ))}
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+/** What was asked beside what is reached, first of all results: target, actual, margin, and whether it is met. */
+import { CircleCheck, CircleX } from 'lucide-preact';
+import { useApp } from '../../app/app.ts';
+import { marginText } from '../../app/words/layout-check.ts';
+import { everyVerdict, maintenanceText, roomTypes } from '../../app/words/room-types.ts';
+import { targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
+import { maintenanceOf } from '../../document/maintenance.ts';
+
+export function VerdictTable() {
+  const { store, viewer } = useApp();
+  const { roomType, luminaires } = store.document.value;
+  const rows = everyVerdict(store, viewer.frame());
+  const type = roomTypes.find(({ id }) => id === roomType);
+  if (rows.length === 0) return null;
+  return (
+    <>
+      <table class="list verdicts">
+        <caption>Verdict {type && <small>{type.title}: check your own copy of the standard</small>}</caption>
+        <thead>
+          <tr>
+            <th scope="col">Asked</th>
+            <th scope="col" class="number">
+              Target
+            </th>
+            <th scope="col" class="number">
+              Actual
+            </th>
+            <th scope="col">
+              <span class="unseen">Met</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row, i) => (
+            <Row key={i} row={row} />
+          ))}
+        </tbody>
+      </table>
+      <p class="fine-print">{maintenanceText(maintenanceOf(luminaires))}</p>
+    </>
+  );
+}
+
+function Row({ row }: { row: Verdict }) {
+  const { where, what, actual, unit, margin, met } = row;
+  const spare = margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
+  return (
+    <tr>
+      <th scope="row">
+        <span class="verdict-where">{where}</span> <span class="faint">{what}</span>
+      </th>
+      <td class="number">{targetText(row)}</td>
+      <td class="number">
+        {actual === null ? <small>not in this file</small> : <strong>{valueText(actual, unit)}</strong>}
+        {spare && <small class="verdict-margin">{spare}</small>}
+      </td>
+      <td>
+        {met !== null && (
+          <span
+            class={`met ${met ? 'met' : 'unmet'}`}
+            role="img"
+            aria-label={met ? 'met' : 'not met'}
+            title={spare ?? undefined}
+          >
+            {met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
+          </span>
+        )}
+      </td>
+    </tr>
+  );
+}
