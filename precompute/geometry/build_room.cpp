@@ -127,10 +127,11 @@ std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
   std::vector<LightPlace> places;
   for (const Luminaire& l : luminaires) {
     const bool isotropic = l.distribution == Luminaire::Distribution::kIsotropic;
-    const Vec3 normal = isotropic ? Vec3{} : l.normal;
+    const bool toAllSides = isotropic || l.distribution == Luminaire::Distribution::kPhotometric;
+    const Vec3 clear = isotropic ? Vec3{} : kLuminaireClearance * l.normal;
     const Vec3 u = kNearCorner * l.width * l.axis, v = kNearCorner * l.height * cross(l.normal, l.axis);
     for (const Vec3& from : {Vec3{}, u + v, u - v, v - u, -u - v})
-      places.push_back({l.position + from + kLuminaireClearance * normal, normal});
+      places.push_back({l.position + from + clear, toAllSides ? Vec3{} : l.normal});
   }
   return places;
 }

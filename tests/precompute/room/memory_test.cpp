@@ -28,6 +28,9 @@ TEST(Memory, GrowsWithEveryCount) {
   RunCounts paper = office();
   paper.paper = true;
   EXPECT_GT(bytesNeeded(paper), usual);
+  RunCounts exchange = office();
+  exchange.exchange = true;
+  EXPECT_GT(bytesNeeded(exchange), usual + exchange.rows * exchange.sites);
 }
 
 TEST(Memory, WhatIsTooMuchIsNamedWithItsCure) {
