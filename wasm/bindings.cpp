@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include "core/candidates/candidate_scene.h"
 #include "core/photometry/photometric_description.h"
 #include "core/session/session.h"
 
@@ -76,6 +77,7 @@ val sectionsOf(const Session& session) {
     line.set("deflated", section.codec == Codec::kDeflate);
     line.set("needed", session.needed(i));
     line.set("early", session.early(i));
+    line.set("ofOperator", session.ofOperator(i));
     sections.set(i, line);
   }
   return sections;
@@ -287,6 +289,57 @@ val check(Session& session, val sites, val flux, double dimming) {
   return result;
 }
 
+// --- candidates: luminaires of photometric files on sites
+
+Result<std::vector<CandidateType>> typesOf(const val& files, const val& flux) {
+  const std::vector<double> lumens = vectorOf<double>(flux);
+  std::vector<CandidateType> types;
+  for (std::size_t i = 0; i < lumens.size(); ++i) {
+    const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(files[i]);
+    Result<Photometry> photometry = readPhotometry(bytes);
+    if (!photometry) return photometry.error();
+    types.push_back({sampledType(std::make_shared<const Photometry>(std::move(*photometry))), lumens[i]});
+  }
+  return types;
+}
+
+/// `asked`: three numbers a candidate (site, type, turn) and three of its aim, NaN for none.
+std::vector<Candidate> candidatesOf(const val& asked) {
+  const std::vector<double> numbers = vectorOf<double>(asked);
+  std::vector<Candidate> candidates(numbers.size() / 6);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double* n = &numbers[6 * i];
+    candidates[i] = {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1]), n[2], {}};
+    if (n[3] == n[3]) candidates[i].aim = Vec3{n[3], n[4], n[5]};
+  }
+  return candidates;
+}
+
+/// A CandidateScene that may not have begun yet, for a class that the page makes without arguments.
+struct Candidates {
+  std::optional<CandidateScene> scene;
+};
+
+std::string begin(Candidates& candidates, const Session& room, val files, val flux, val asked) {
+  if (!room.scene()) return "no scene is open";
+  Result<std::vector<CandidateType>> types = typesOf(files, flux);
+  if (!types) return types.error().message;
+  Result<CandidateScene> begun = CandidateScene::begin(*room.scene(), std::move(*types), candidatesOf(asked));
+  if (!begun) return begun.error().message;
+  candidates.scene.emplace(std::move(*begun));
+  return {};
+}
+
+bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
+  return candidates.scene && candidates.scene->advance(count);
+}
+
+/// Its scene becomes the session's; there is nothing left of it.
+void adopt(Session& session, Candidates& candidates, int quantity) {
+  session.adopt(candidates.scene->finish(static_cast<Quantity>(quantity)));
+  candidates.scene.reset();
+}
+
 // --- the alpha-search
 
 std::string startAlpha(Session& session, std::uint32_t seed, val held) {
@@ -391,6 +444,10 @@ val describePhotometry(val file) {
 EMSCRIPTEN_BINDINGS(core) {
   emscripten::function("codes", &codes);
   emscripten::function("describePhotometry", &describePhotometry);
+  emscripten::class_<Candidates>("Candidates")
+      .constructor<>()
+      .function("begin", &begin)
+      .function("advance", &advanceCandidates);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)
@@ -409,6 +466,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("incumbent", &incumbent)
       .function("show", &show)
       .function("check", &check)
+      .function("adopt", &adopt)
       .function("startAlpha", &startAlpha)
       .function("advanceAlpha", &advanceAlpha)
       .function("startBound", &startBound)

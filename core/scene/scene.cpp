@@ -5,13 +5,30 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/stored_statistics.h"
 #include "core/scene/surface_names.h"
 
 namespace fiatlux {
+namespace {
+
+/// Patches, or receivers, of a set of leaves, in order.
+std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& leaves) {
+  std::vector<char> wanted(scene.surfaces.size(), 0);
+  for (const std::uint32_t s : leaves) wanted[s] = 1;
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    if (wanted[scene.patches.surface[p]]) rows.push_back(p);
+  return rows;
+}
+
+}  // namespace
+
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces) {
   const auto& leaves = quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
   const SurfaceSet members = leavesOf(scene, surfaces);
   const std::size_t m = scene.sites.size();
+  if (!members.empty() && leaves[members[0]].covariance.empty())
+    return storedStatistics(scene.patches, scene.responses, quantity, rowsOf(scene, members));
   SurfaceStatistics result{std::vector<double>(m), std::vector<double>(m * m)};
   double total = 0;
   for (std::uint32_t s : members) total += scene.surfaces[s].area;

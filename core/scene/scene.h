@@ -16,7 +16,7 @@ namespace fiatlux {
 /// Statistics of one leaf surface's responses: mu = a x and sigma^2 = x^T C x for site fluxes x (lm).
 struct SurfaceStatistics {
   std::vector<double> mean;        // a_s, m entries: lx (or lm/m2) per lm, paper (8)
-  std::vector<double> covariance;  // C_s, m x m, row-major, symmetric, paper (11)
+  std::vector<double> covariance;  // C_s, m x m, row-major, symmetric, paper (11); {}: not made
 };
 
 /// Light of every patch for each site at 1 lm. Column j holds rows() values: illuminance in lx per lm, direct
@@ -41,7 +41,7 @@ struct Scene {
 };
 
 /// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,
-/// C = sum w_i (C_i + a_i a_i^T) - a a^T. `surfaces` empty means all leaves that are not measuring planes.
+/// C = sum w_i (C_i + a_i a_i^T) - a a^T, or of responses. `surfaces` empty: all that are no measuring planes.
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces);
 
 /// Mean and sigma of the light on a surface set, in the unit of its statistics.

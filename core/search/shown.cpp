@@ -91,11 +91,39 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
   }
 }
 
+/// Means and sigmas of all leaves and of their union, off the light itself.
+void readLight(const Scene& scene, Quantity quantity, Shown& shown) {
+  const std::size_t leaves = scene.surfaces.size();
+  std::vector<double> area(leaves), sum(leaves), squares(leaves);
+  for (std::size_t p = 0; p < shown.illuminance.size(); ++p) {
+    const std::uint32_t s = scene.patches.surface[p];
+    const double factor = quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0;
+    const double weight = scene.patches.area[p], value = factor * shown.illuminance[p];
+    area[s] += weight;
+    sum[s] += weight * value;
+    squares[s] += weight * value * value;
+  }
+  double total = 0, all = 0, allSquares = 0;
+  const auto read = [](SurfaceReading& reading, double weight, double first, double second) {
+    if (weight <= 0) return;
+    reading.mean = first / weight;
+    reading.sigma = std::sqrt(std::max(0.0, second / weight - reading.mean * reading.mean));
+  };
+  for (std::size_t s = 0; s < leaves; ++s) read(shown.surfaces[s], area[s], sum[s], squares[s]);
+  for (const std::uint32_t s : leavesOf(scene, {})) {
+    total += area[s];
+    all += sum[s];
+    allSquares += squares[s];
+  }
+  read(shown.surfaces.back(), total, all, allSquares);
+}
+
 void readSurfaces(const Lit& lit, Shown& shown) {
   const Scene& scene = lit.prepared.scene();
   const auto& leaves = lit.quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
   shown.surfaces.resize(scene.surfaces.size() + 1);
   readExtremes(scene, lit.quantity, shown);
+  if (leaves[0].covariance.empty()) return readLight(scene, lit.quantity, shown);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     SurfaceReading& reading = shown.surfaces[s];
     if (lit.quantity == Quantity::kExitance && scene.surfaces[s].measuring) {

@@ -44,6 +44,8 @@ class Session {
   /// Precondition of the next eight: one of the two succeeded (an Error says so otherwise).
   const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
   bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
+  /// A section that the light of other photometries needs: provide() all of them before finish(), or none.
+  bool ofOperator(std::uint32_t section) const { return reader_ && reader_->ofOperator(section); }
   bool early(std::uint32_t section) const { return reader_ && reader_->early(section); }
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);

@@ -180,7 +180,14 @@ describe('inflated bytes are checked against the table', () => {
 
 test('a deflate bomb is stopped at the announced size', async () => {
   const bomb = new Uint8Array(deflateSync(new Uint8Array(32 << 20)));
-  const room = { storedBytes: 0, inflatedBytes: 0, deflated: false, needed: false, early: false };
+  const room = {
+    storedBytes: 0,
+    inflatedBytes: 0,
+    deflated: false,
+    needed: false,
+    early: false,
+    ofOperator: false,
+  };
   const fake: Partial<Session> = {
     verify: () => '',
     openTable: () => [
@@ -194,6 +201,7 @@ test('a deflate bomb is stopped at the announced size', async () => {
         deflated: true,
         needed: true,
         early: false,
+        ofOperator: false,
       },
     ],
   };

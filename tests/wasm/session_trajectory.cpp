@@ -1,5 +1,6 @@
 // The native half of the test that a search takes the same path natively and as Wasm, bit by bit:
 //   session_trajectory write FILE           a small made-up scene as a .flux file, its sections deflated
+//   session_trajectory write-operator FILE  the same with a light operator
 //   session_trajectory run FILE SEED LUX    searches of the wishes below; one JSON line an incumbent
 // tests/wasm/trajectory.test.ts asks the same of the Wasm module.
 #include <cinttypes>
@@ -11,7 +12,7 @@
 
 #include "core/scene/opening_light.h"
 #include "core/scene/scene_sections.h"
-#include "tests/core/synthetic_scene.h"
+#include "tests/core/operator_scene.h"
 #include "tests/wasm/open_file.h"
 
 namespace fiatlux {
@@ -34,8 +35,8 @@ PlainSection textSection(const char* name, const char* text) {
   return plainSection(name, ElementType::kUint8, Encoding::kPlain, 1, size, Bytes(text, text + size));
 }
 
-void write(const char* path) {
-  const Scene scene = syntheticScene(64, 40);
+void write(const char* path, bool withOperator) {
+  const Scene scene = withOperator ? operatorScene(64, 40) : syntheticScene(64, 40);
   auto sections = encodeScene(scene);
   if (!sections) fail(sections.error().message);
   const Layout layout{{3, 17}, {1000, 2000}, 0.5};
@@ -94,11 +95,12 @@ void run(const char* path, std::uint32_t seed, double lux) {
 }  // namespace fiatlux
 
 int main(int count, char** arguments) {
-  if (count == 3 && std::strcmp(arguments[1], "write") == 0)
-    fiatlux::write(arguments[2]);
+  const auto is = [&](const char* command) { return count > 1 && std::strcmp(arguments[1], command) == 0; };
+  if (count == 3 && (is("write") || is("write-operator")))
+    fiatlux::write(arguments[2], is("write-operator"));
   else if (count == 5 && std::strcmp(arguments[1], "run") == 0)
     fiatlux::run(arguments[2], std::strtoul(arguments[3], nullptr, 10), std::strtod(arguments[4], nullptr));
   else
-    fiatlux::fail("usage: write FILE | run FILE SEED LUX");
+    fiatlux::fail("usage: write FILE | write-operator FILE | run FILE SEED LUX");
   return 0;
 }

@@ -19,15 +19,22 @@ export function runTool(...args: string[]): string {
   return execFileSync(tool, args, { encoding: 'utf8', maxBuffer: 1 << 26 });
 }
 
-let written: string | null = null;
+const written = new Map<string, string>();
+
+function writtenBy(command: string): string {
+  const known = written.get(command);
+  if (known !== undefined) return known;
+  const file = path.join(mkdtempSync(path.join(tmpdir(), 'fiatlux-')), 'synthetic.flux');
+  runTool(command, file);
+  written.set(command, file);
+  return file;
+}
 
 /** A .flux file of a small made-up scene: surfaces "floor", "wall é", "desk plane"; 40 sites. */
-export function syntheticFile(): string {
-  if (written) return written;
-  written = path.join(mkdtempSync(path.join(tmpdir(), 'fiatlux-')), 'synthetic.flux');
-  runTool('write', written);
-  return written;
-}
+export const syntheticFile = (): string => writtenBy('write');
+
+/** The same with a light operator. */
+export const operatorFile = (): string => writtenBy('write-operator');
 
 export function bytesOf(file: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(file));

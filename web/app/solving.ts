@@ -43,6 +43,7 @@ export class Solving {
   readonly #viewer: Viewer;
   readonly #createWorker: () => WorkerLike;
   readonly #showing: Showing;
+  readonly #brought = new Map<string, Uint8Array>(); // photometric files, for another client
   #client: SolverClient;
   #opening: Waiting<OpenedScene> | null = null;
   #arrived: ArrayBuffer | null = null; // the display mesh of the scene that is being opened
@@ -141,6 +142,17 @@ export class Solving {
     return this.#client.describe(file);
   }
 
+  /** Hands a photometric file to the solver, for the luminaire types that name it. */
+  bring(hash: string, file: Uint8Array): void {
+    this.#brought.set(hash, file);
+    this.#client.bring(hash, file);
+  }
+
+  /** Answers the document once more: a file that it names has come. */
+  answerAgain(): void {
+    this.#answerDocument();
+  }
+
   /** The layout shown now (or just put there by hand). */
   layout(): Layout | null {
     return this.#showing.layout;
@@ -156,6 +168,7 @@ export class Solving {
     if (!this.#file) return;
     this.#client.dispose();
     this.#client = this.#newClient();
+    for (const [hash, file] of this.#brought) this.#client.bring(hash, file);
     try {
       await this.#open(this.#file);
       this.solve();

@@ -1,12 +1,13 @@
 /** The alpha-search (paper, section 4): tells each iteration when it ends, the verdict when all have. */
 import { shownOf } from './core-intentions.ts';
-import type { AlphaProgress, Session } from './core.ts';
+import type { AlphaProgress } from './core.ts';
+import type { Searching } from './mounted-session.ts';
 import type { SceneInfo } from '../document/types.ts';
 import { pace, Slicer, type Clock } from './pacing.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';
 
 export class AlphaTask implements Task {
-  readonly #session: Session;
+  readonly #session: Searching;
   readonly #slicer: Slicer;
   readonly #leaves: SceneInfo['surfaces'];
   readonly revision: number;
@@ -14,7 +15,7 @@ export class AlphaTask implements Task {
   done = false;
 
   /** The session's alpha-search has just been started. */
-  constructor(session: Session, clock: Clock, revision: number, leaves: SceneInfo['surfaces']) {
+  constructor(session: Searching, clock: Clock, revision: number, leaves: SceneInfo['surfaces']) {
     this.#session = session;
     this.#slicer = new Slicer(clock, pace.probe);
     this.#leaves = leaves;

@@ -1,5 +1,5 @@
 /** A provable bound on the goal of the search before it: tells each time the gap has become clearly smaller. */
-import type { Session } from './core.ts';
+import type { Searching } from './mounted-session.ts';
 import { Slicer, type Clock } from './pacing.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';
 
@@ -7,14 +7,14 @@ const clearly = 0.005; // of the goal
 const first = 20; // steps of the first slice
 
 export class BoundTask implements Task {
-  readonly #session: Session;
+  readonly #session: Searching;
   readonly #slicer: Slicer;
   readonly revision: number;
   #told = Infinity; // gap
   done = false;
 
   /** The session's bound has just been started. */
-  constructor(session: Session, clock: Clock, revision: number) {
+  constructor(session: Searching, clock: Clock, revision: number) {
     this.#session = session;
     this.#slicer = new Slicer(clock, first);
     this.revision = revision;

@@ -4,20 +4,21 @@
  */
 import type { SceneInfo } from '../document/types.ts';
 import { coreIntentions, layoutOf, metUpTo } from './core-intentions.ts';
-import type { Session } from './core.ts';
+import type { Searching } from './mounted-session.ts';
 import type { Outcome, ToWorker } from './protocol.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';
 
 type Request = Extract<ToWorker, { readonly type: 'compare' }>;
 
 export class CompareTask implements Task {
-  readonly #session: Session;
+  readonly #session: () => Searching;
   readonly #request: Request;
   readonly #leaves: SceneInfo['surfaces'];
   #next = 0;
   #from: Uint32Array;
 
-  constructor(session: Session, request: Request, leaves: SceneInfo['surfaces']) {
+  /** `session`: the one that the search before it was in. */
+  constructor(session: () => Searching, request: Request, leaves: SceneInfo['surfaces']) {
     this.#session = session;
     this.#request = request;
     this.#leaves = leaves;
@@ -47,7 +48,7 @@ export class CompareTask implements Task {
   /** null where the rules leave no layout at all. */
   #outcome(asked: ReturnType<typeof coreIntentions>): Outcome | null {
     const { seed, evaluations } = this.#request;
-    const found = this.#session.tryAside(asked, seed, this.#from, evaluations);
+    const found = this.#session().tryAside(asked, seed, this.#from, evaluations);
     if (typeof found === 'string') return null;
     this.#from = found.layout.sites;
     const layout = layoutOf(found.layout);

@@ -56,8 +56,9 @@ export function coreLayout(layout: Layout): [Uint32Array, Float64Array, number] 
   return [Uint32Array.from(layout.sites), Float64Array.from(layout.flux), layout.dimming];
 }
 
-export function layoutOf({ sites, flux, dimming, ties }: CoreLayout): Layout {
-  return { sites: [...sites], flux: [...flux], dimming, ...(ties.length > 0 && { ties: [...ties] }) };
+export function layoutOf({ sites, flux, dimming, ties, mountings }: CoreLayout): Layout {
+  const tied = ties.length > 0 && { ties: [...ties] };
+  return { sites: [...sites], flux: [...flux], dimming, ...tied, ...(mountings && { mountings }) };
 }
 
 // Rounding of the sums, and of bounds that are met exactly.

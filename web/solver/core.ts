@@ -4,7 +4,7 @@
  * Errors are one readable line, '' where all is well. tests/wasm checks every declared method against the built module.
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
-import type { SceneInfo } from '../document/types.ts';
+import type { Mounting, SceneInfo } from '../document/types.ts';
 
 /** A line of the scene file's table that somebody has to inflate. */
 export interface Section {
@@ -16,10 +16,11 @@ export interface Section {
   readonly deflated: boolean; // zlib format; otherwise the stored bytes are the bytes
   readonly needed: boolean; // by finish(); the others may be verified
   readonly early: boolean; // by outline()
+  readonly ofOperator: boolean; // for the light of candidates: all of these or none
 }
 
 /** What is in the scene that is open; m = sites. */
-export interface CoreInfo extends Omit<SceneInfo, 'sites' | 'provenance'> {
+export interface CoreInfo extends Omit<SceneInfo, 'sites' | 'provenance' | 'hasOperator'> {
   readonly sitePosition: Float32Array; // 3m, m
   readonly siteNormal: Float32Array; // 3m
   readonly siteAxis: Float32Array; // 3m
@@ -31,6 +32,7 @@ export interface CoreLayout {
   readonly flux: Float64Array; // N, lm
   readonly dimming: number;
   readonly ties: Uint32Array; // N: the tie that each moves with; empty = none is tied
+  readonly mountings?: readonly Mounting[]; // where luminaires are of types: of MountedSession, not of the core
 }
 
 /** A layout that was chosen when the file was made, and its light. */
@@ -191,6 +193,8 @@ export interface Session {
   show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
   /** Statistics of a layout against its patches. */
   check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
+  /** Takes the scene that `candidates` have made, of which nothing is left; only `quantity` can be asked about. */
+  adopt(candidates: Candidates, quantity: number): void;
   /** Begins the alpha-search for the true minima and maxima that are asked for. `held`: sites of the layout whose
    *  luminaires are pinned; none = the first ones are. */
   startAlpha(seed: number, held: Uint32Array): string;
@@ -201,6 +205,18 @@ export interface Session {
   /** Spends about that many steps (O(m) each). */
   advanceBound(steps: number): OrError<BoundProgress>;
   /** Frees the session; nothing may be called after it. */
+  delete(): void;
+}
+
+/** A scene in the making, whose sites are luminaires of photometric files on the sites of a room. */
+export interface Candidates {
+  /**
+   * `files` are photometric, `flux` (lm, or any unit of light) is of one luminaire of each. A candidate is six numbers:
+   * site, file, turn (degrees), and the point that it is aimed at or NaN. The room's session must stay.
+   */
+  begin(room: Session, files: readonly Uint8Array[], flux: Float64Array, candidates: Float64Array): string;
+  /** Computes the light of so many more of them; true when all are there. */
+  advance(count: number): boolean;
   delete(): void;
 }
 
@@ -222,6 +238,7 @@ export const sessionMethods = {
   incumbent: 0,
   show: 3,
   check: 3,
+  adopt: 2,
   startAlpha: 2,
   advanceAlpha: 2,
   startBound: 0,
@@ -243,4 +260,5 @@ export interface CoreModule {
   /** What a photometric file (LM-63 or EULUMDAT) says; needs no session. */
   describePhotometry(file: Uint8Array): OrError<PhotometricDescription>;
   readonly Session: new () => Session;
+  readonly Candidates: new () => Candidates;
 }

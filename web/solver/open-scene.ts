@@ -31,6 +31,7 @@ export async function openScene(
   if (!wanted.some(isRoom))
     throw new Error('the scene file has no room to display; make it again with fiatlux precompute');
   let provenance: unknown = null;
+  const hasOperator = wanted.some((section) => section.ofOperator);
   const early = wanted.filter(isEarly).length;
   const inflating: Promise<Uint8Array<ArrayBuffer>>[] = [];
   for (const [turn, section] of wanted.entries()) {
@@ -38,14 +39,15 @@ export async function openScene(
     const bytes = await inflating[turn]!;
     delete inflating[turn]; // its bytes are in the session now
     if (!current()) return false;
-    check(section.needed ? session.provide(section.index, bytes) : session.verify(section.index, bytes));
+    const isKept = section.needed || section.ofOperator;
+    check(isKept ? session.provide(section.index, bytes) : session.verify(section.index, bytes));
     if (isRoom(section)) steps.room(bytes.buffer);
     if (isProvenance(section)) provenance = parsed(bytes);
     if (!file.isWhole && turn + 1 === early)
-      steps.scene(sceneInfo(valid(session.outline()), provenance), lightOf(session));
+      steps.scene(sceneInfo(valid(session.outline()), provenance, hasOperator), lightOf(session));
   }
   check(session.finish());
-  if (file.isWhole) steps.scene(sceneInfo(session.info(), provenance), null);
+  if (file.isWhole) steps.scene(sceneInfo(session.info(), provenance, hasOperator), null);
   return true;
 }
 
@@ -73,7 +75,7 @@ const isRoom = ({ name }: Section): boolean => name === 'room';
 
 const isProvenance = ({ name }: Section): boolean => name === 'provenance';
 const isEarly = (section: Section): boolean => section.early || isRoom(section) || isProvenance(section);
-const isWanted = (section: Section): boolean => section.needed || isEarly(section);
+const isWanted = (section: Section): boolean => section.needed || section.ofOperator || isEarly(section);
 
 function check(error: string): void {
   if (error) throw new Error(error);
@@ -98,12 +100,13 @@ function parsed(bytes: Uint8Array): unknown {
   }
 }
 
-function sceneInfo(info: CoreInfo | null, provenance: unknown): SceneInfo {
+function sceneInfo(info: CoreInfo | null, provenance: unknown, hasOperator: boolean): SceneInfo {
   if (!info) throw new Error('no scene is open');
   const { sitePosition, siteNormal, siteAxis, siteSize, ...rest } = info;
   return {
     ...rest,
     sites: { position: sitePosition, normal: siteNormal, axis: siteAxis, size: siteSize },
+    hasOperator,
     provenance,
   };
 }

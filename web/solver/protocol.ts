@@ -110,6 +110,8 @@ export type ToWorker =
    * supersedes it. The buffer is transferred.
    */
   | { readonly type: 'describe'; readonly revision: number; readonly file: ArrayBuffer }
+  /** Keeps a photometric file for intentions whose luminaire types name it; no answer. The buffer is transferred. */
+  | { readonly type: 'bring'; readonly hash: string; readonly file: ArrayBuffer }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 

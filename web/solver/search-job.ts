@@ -2,13 +2,14 @@
  * One search in slices. The first answer comes after some milliseconds, then every better one of the same frame, then
  * one a frame at most; the search settles when it has tried long in vain.
  */
-import type { Progress, Session } from './core.ts';
+import type { Progress } from './core.ts';
+import type { Searching } from './mounted-session.ts';
 import { pace, Slicer, type Clock } from './pacing.ts';
 
 export type Report = 'nothing' | 'improved' | 'settled';
 
 export class SearchJob {
-  readonly #session: Session;
+  readonly #session: Searching;
   readonly #clock: Clock;
   readonly #slicer: Slicer;
   readonly #begun: number;
@@ -18,7 +19,7 @@ export class SearchJob {
   #progress: Progress = { evaluations: 0, foundAt: 0, violation: 0, goal: 0, proved: false };
 
   /** The session's search has just been started. */
-  constructor(session: Session, clock: Clock) {
+  constructor(session: Searching, clock: Clock) {
     this.#session = session;
     this.#clock = clock;
     this.#slicer = new Slicer(clock, pace.probe);

@@ -1,14 +1,14 @@
 /** A search whose answers carry everything that is shown. */
 import type { SceneInfo } from '../document/types.ts';
 import { shownOf } from './core-intentions.ts';
-import type { Session } from './core.ts';
+import type { Searching } from './mounted-session.ts';
 import type { ToWorker } from './protocol.ts';
 import type { Clock } from './pacing.ts';
 import { SearchJob } from './search-job.ts';
 import type { Answer, Task } from './task.ts';
 
 export class SearchTask implements Task {
-  readonly #session: Session;
+  readonly #session: Searching;
   readonly #clock: Clock;
   readonly #request: Extract<ToWorker, { readonly type: 'solve' }>;
   readonly #leaves: SceneInfo['surfaces'];
@@ -17,7 +17,7 @@ export class SearchTask implements Task {
 
   /** The session's search has just been started. */
   constructor(
-    session: Session,
+    session: Searching,
     clock: Clock,
     request: Extract<ToWorker, { readonly type: 'solve' }>,
     leaves: SceneInfo['surfaces'],

@@ -3,12 +3,14 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
-import type { Intentions, SceneInfo } from '../document/types.ts';
+import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { CompareTask } from './compare-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
-import type { CoreModule, Session } from './core.ts';
+import type { OrError, Session } from './core.ts';
+import { MountedSession, type LayoutArguments, type Searching } from './mounted-session.ts';
+import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
@@ -19,26 +21,31 @@ import type { Answer, Task } from './task.ts';
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
 /** What waits for its turn. */
-type Turned = Exclude<ToWorker, Request<'open' | 'describe'>>;
+type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring'>>;
 
 export class SessionDriver {
-  readonly #reader: Pick<CoreModule, 'describePhotometry'>;
+  readonly #core: Core;
+  readonly #mounts: Mounts;
   readonly #session: Session;
   readonly #post: Post;
   readonly #clock: Clock;
+  #asked: Searching; // the session that the latest intentions went to
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
   #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
+  #preparing: Request<'solve'> | null = null; // what it may try is being made
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
   #compare: CompareTask | null = null; // goes on while no search runs
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
-  constructor(reader: Pick<CoreModule, 'describePhotometry'>, session: Session, post: Post, clock: Clock) {
-    this.#reader = reader;
+  constructor(core: Core, session: Session, post: Post, clock: Clock) {
+    this.#core = core;
+    this.#mounts = new Mounts(core, session);
+    this.#asked = session;
     this.#session = session;
     this.#post = post;
     this.#clock = clock;
@@ -46,13 +53,15 @@ export class SessionDriver {
 
   /** Whether `step` has something to do. */
   get busy(): boolean {
-    return this.#next !== null || this.#task !== null || this.#bound !== null || this.#compare !== null;
+    const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
+    return running.some((each) => each !== null);
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
   async receive(message: ToWorker): Promise<void> {
     if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
     if (message.type === 'describe') this.#describe(message);
+    else if (message.type === 'bring') this.#mounts.bring(message.hash, new Uint8Array(message.file));
     else if (this.#isOpening) this.#waiting.push(message);
     else this.#take(message);
   }
@@ -60,6 +69,7 @@ export class SessionDriver {
   /** One slice of what runs. */
   step(): void {
     if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
+    else if (this.#preparing) this.#attempt(this.#preparing.revision, this.#prepare, this.#preparing);
     else if (this.#compare && (!this.#task || this.#task instanceof BoundTask))
       return this.#attempt(this.#compare.revision, this.#advanceCompare, this.#compare);
     else if (this.#bound && !this.#task) this.#attempt(this.#bound.revision, this.#beginBound, this.#bound);
@@ -81,7 +91,7 @@ export class SessionDriver {
         this.#bound = message;
         return;
       case 'compare':
-        this.#compare = new CompareTask(this.#session, message, this.#leaves());
+        this.#compare = new CompareTask(() => this.#asked, message, this.#leaves());
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);
@@ -100,12 +110,14 @@ export class SessionDriver {
     this.#drop();
     this.#compare = null;
     this.#waiting = [];
+    this.#mounts.setScene(null);
     let isTold = false;
     try {
       const isOpen = await openScene(this.#session, file, isCurrent, {
         room: (room) => this.#post({ type: 'room', revision, room }, [room]),
         scene: (scene, light) => {
           this.#scene = scene;
+          this.#mounts.setScene(scene);
           this.#searched = null;
           isTold = true;
           this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
@@ -125,40 +137,60 @@ export class SessionDriver {
   }
 
   #describe({ revision, file }: Request<'describe'>): void {
-    const description = this.#reader.describePhotometry(new Uint8Array(file));
+    const description = this.#core.describePhotometry(new Uint8Array(file));
     const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
     this.#post({ type: 'described', revision, description }, transfer);
   }
 
   #beginSearch(request: Request<'solve'>): void {
-    this.#next = this.#task = null;
-    this.#ask(request.intentions);
-    check(
-      request.start && request.start.sites.length > 0
-        ? this.#session.startFrom(request.seed, ...coreLayout(request.start))
-        : this.#session.start(request.seed),
-    );
-    this.#searched = request.revision;
-    this.#task = new SearchTask(this.#session, this.#clock, request, this.#leaves());
+    this.#next = this.#preparing = this.#task = null;
+    const { intentions: asked, start: layout } = request;
+    if (this.#mounts.isReady({ asked, layout, extent: 'all' })) return this.#search(request);
+    this.#preparing = layout ? this.#foreshow(request, layout) : request;
+  }
+
+  /** The light of the layout that a search is to start from: there at once, before all that it may try. */
+  #foreshow(request: Request<'solve'>, layout: Layout): Request<'solve'> {
+    const held = this.#ask(request.intentions, layout, 'start');
+    const shown = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves());
+    const { revision, askedAt } = request;
+    const cost = { evaluations: 1, milliseconds: 0, askedAt, postedAt: this.#clock() };
+    this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
+    return { ...request, start: shown.layout };
+  }
+
+  /** One slice of the light of all candidates; the search begins when it is there. */
+  #prepare(request: Request<'solve'>): void {
+    const { intentions: asked, start: layout } = request;
+    if (this.#mounts.advance({ asked, layout, extent: 'all' })) this.#search(request);
+  }
+
+  #search(request: Request<'solve'>): void {
+    this.#preparing = null;
+    const { intentions, start, seed, revision } = request;
+    const layout = this.#ask(intentions, start, 'all');
+    check(layout[0].length > 0 ? this.#asked.startFrom(seed, ...layout) : this.#asked.start(seed));
+    this.#searched = revision;
+    this.#task = new SearchTask(this.#asked, this.#clock, request, this.#leaves());
   }
 
   #beginAlpha(request: Request<'alpha'>): void {
     this.#drop();
-    this.#ask(request.intentions);
-    check(this.#session.startAlpha(request.seed, Uint32Array.from(request.held?.sites ?? [])));
-    this.#task = new AlphaTask(this.#session, this.#clock, request.revision, this.#leaves());
+    const [held] = this.#ask(request.intentions, request.held, 'all');
+    check(this.#asked.startAlpha(request.seed, held));
+    this.#task = new AlphaTask(this.#asked, this.#clock, request.revision, this.#leaves());
   }
 
   /** Bounds the search that has been made for these intentions, or a short one made now. */
   #beginBound(request: Request<'bound'>): void {
     this.#drop();
     if (!this.#isSearched(request)) {
-      this.#ask(request.intentions);
-      check(this.#session.start(1));
-      this.#session.advance(pace.firstEvaluations);
+      this.#ask(request.intentions, null, 'all');
+      check(this.#asked.start(1));
+      this.#asked.advance(pace.firstEvaluations);
     }
-    check(this.#session.startBound());
-    this.#task = new BoundTask(this.#session, this.#clock, request.revision);
+    check(this.#asked.startBound());
+    this.#task = new BoundTask(this.#asked, this.#clock, request.revision);
   }
 
   #advance(task: Task): void {
@@ -173,10 +205,8 @@ export class SessionDriver {
 
   #show({ revision, intentions, layout }: Request<'show'>): void {
     this.#drop();
-    this.#ask(intentions);
-    const core = this.#session.show(...coreLayout(layout));
-    if (typeof core === 'string') throw new Error(core);
-    const read = shownOf(core, 0, this.#leaves());
+    const held = this.#ask(intentions, layout, 'layout');
+    const read = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves());
     const { ties } = layout; // note: known by who found the layout, not by its light
     const shown = ties ? { ...read, layout: { ...read.layout, ties } } : read;
     const now = this.#clock();
@@ -187,12 +217,10 @@ export class SessionDriver {
   #check(request: Request<'check'>): void {
     const { revision, intentions, layout } = request;
     // The search that answers these very intentions may go on: a check only reads.
-    if (!this.#isSearched(request)) {
-      this.#drop();
-      this.#ask(intentions);
-    }
-    const checked = this.#session.check(...coreLayout(layout));
-    if (typeof checked === 'string') throw new Error(checked);
+    const isSearched = this.#isSearched(request);
+    if (!isSearched) this.#drop();
+    const held = isSearched ? this.#taken(layout) : this.#ask(intentions, layout, 'layout');
+    const checked = valid(this.#asked.check(...held));
     const { largestDifference } = checked;
     const surface = this.#leaves()[checked.surface]?.name ?? 'all';
     const margins = Array.from(checked.margins, (margin, constraint) => ({ constraint, margin }));
@@ -207,12 +235,23 @@ export class SessionDriver {
 
   /** Ends what runs, and what was to run. */
   #drop(): void {
-    this.#next = this.#task = this.#bound = null;
+    this.#next = this.#preparing = this.#task = this.#bound = null;
   }
 
-  #ask(intentions: Intentions): void {
+  /** Asks the session that is for these intentions; returns a layout as it takes it, empty for none. */
+  #ask(intentions: Intentions, layout: Layout | null, extent: Wanted['extent']): LayoutArguments {
     this.#searched = null;
-    check(this.#session.setIntentions(coreIntentions(intentions, this.#leaves())));
+    const mounted = this.#mounts.session({ asked: intentions, layout, extent });
+    this.#asked = mounted ?? this.#session;
+    const none = { sites: [], flux: [], dimming: 1 };
+    const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
+    check(this.#asked.setIntentions(coreIntentions(intentions, this.#leaves())));
+    return held;
+  }
+
+  /** A layout as the session takes it that was asked last. */
+  #taken(layout: Layout): LayoutArguments {
+    return this.#asked instanceof MountedSession ? this.#asked.take(layout) : coreLayout(layout);
   }
 
   /** Whether the session's search is for the very intentions of this request. */
@@ -220,9 +259,13 @@ export class SessionDriver {
     return search !== null && search === this.#searched;
   }
 
-  #leaves(): SceneInfo['surfaces'] {
+  #opened(): SceneInfo {
     if (!this.#scene) throw new Error('no scene is open yet; open one first');
-    return this.#scene.surfaces;
+    return this.#scene;
+  }
+
+  #leaves(): SceneInfo['surfaces'] {
+    return this.#opened().surfaces;
   }
 
   #tell(answers: readonly Answer[]): void {
@@ -245,6 +288,12 @@ export class SessionDriver {
     const message = error instanceof Error ? error.message : String(error);
     this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
+}
+
+/** The value, where it is no line that says what is wrong. */
+function valid<T extends object>(value: OrError<T>): T {
+  if (typeof value === 'string') throw new Error(value);
+  return value;
 }
 
 function check(error: string): void {

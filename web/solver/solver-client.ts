@@ -39,9 +39,9 @@ const laneOf = {
   bound: 'bound',
   compare: 'compare',
   check: 'check',
-} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'describe'>, Lane>;
+} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'describe' | 'bring'>, Lane>;
 
-type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'describe' }>;
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'describe' | 'bring' }>;
 
 interface Reading {
   readonly resolve: (description: PhotometricDescription) => void;
@@ -54,6 +54,7 @@ export class SolverClient {
   readonly #receive: (message: FromWorker) => void;
   readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, compare: 0, check: 0 };
   readonly #readings = new Map<number, Reading>(); // photometric files that are being read, by revision
+  readonly #brought = new Map<string, Uint8Array>(); // photometric files, by hash: a new worker gets them again
   #worker: WorkerLike;
   #revision = 0;
   #deaths = 0;
@@ -126,6 +127,13 @@ export class SolverClient {
     });
   }
 
+  /** Hands a photometric file to the worker, once; intentions may name it from now on. */
+  bring(hash: string, file: Uint8Array): void {
+    if (this.#brought.has(hash)) return;
+    this.#brought.set(hash, file);
+    this.#hand(this.#worker, hash, file);
+  }
+
   stop(): void {
     this.#wish = null;
     this.#worker.postMessage({ type: 'stop' }, []);
@@ -167,7 +175,13 @@ export class SolverClient {
       this.#restart(event.message);
     };
     worker.onmessageerror = () => this.#restart('an answer could not be read');
+    for (const [hash, file] of this.#brought) this.#hand(worker, hash, file);
     return worker;
+  }
+
+  #hand(worker: WorkerLike, hash: string, bytes: Uint8Array): void {
+    const file = bytes.slice().buffer;
+    worker.postMessage({ type: 'bring', hash, file }, [file]);
   }
 
   /** note: a worker whose script cannot be loaded tells no reason. */

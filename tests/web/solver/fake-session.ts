@@ -1,10 +1,33 @@
 /** A session of four patches whose search becomes better at given counts of evaluations, and a clock set by hand. */
-import type { AlphaProgress, CoreIntentions, CoreShown, Session } from '../../../web/solver/core.ts';
+import type {
+  AlphaProgress,
+  Candidates,
+  CoreIntentions,
+  CoreShown,
+  Session,
+} from '../../../web/solver/core.ts';
 import type { Intentions } from '../../../web/document/types.ts';
 
 export class FakeClock {
   now = 1_000;
   readonly read = () => this.now;
+}
+
+/** Remembers which files hang on which sites. */
+export class FakeCandidates implements Candidates {
+  asked: number[] = []; // site and file of each
+  #left = 0;
+
+  begin(_room: Session, _files: readonly Uint8Array[], _flux: Float64Array, candidates: Float64Array) {
+    this.asked = [...candidates].filter((_, i) => i % 6 < 2);
+    this.#left = this.asked.length / 2;
+    return '';
+  }
+  advance(count: number) {
+    this.#left -= count;
+    return this.#left <= 0;
+  }
+  delete() {}
 }
 
 export class FakeSession implements Session {
@@ -16,6 +39,7 @@ export class FakeSession implements Session {
   failure = '';
   /** Where in the file something lies that only finish() wants; null = there is nothing. */
   lateAt: number | null = null;
+  hasOperator = false;
 
   constructor(
     readonly clock: FakeClock,
@@ -29,7 +53,7 @@ export class FakeSession implements Session {
     return this.openHead(file);
   }
   openHead(_head: Uint8Array) {
-    const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false };
+    const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false, ofOperator: this.hasOperator };
     const late = { index: 2, name: 'responses', needed: true, early: false, ...at };
     return [
       { index: 0, name: 'sites', needed: true, early: true, ...at },
@@ -67,9 +91,9 @@ export class FakeSession implements Session {
           ...surface,
         },
       ],
-      sitePosition: new Float32Array(6),
-      siteNormal: new Float32Array(6),
-      siteAxis: new Float32Array(6),
+      sitePosition: Float32Array.of(0, 3, 0, 1, 3, 0),
+      siteNormal: Float32Array.of(0, -1, 0, 0, -1, 0),
+      siteAxis: Float32Array.of(1, 0, 0, 1, 0, 0),
       siteSize: new Float32Array(2),
       surfaceOfPatch: Uint32Array.of(0, 0, 1, 1),
       patchArea: new Float32Array(4),
@@ -160,6 +184,9 @@ export class FakeSession implements Session {
     this.clock.now += steps / 100;
     const gap = Math.max(0.1, 0.5 - this.evaluations / 5_000);
     return { done: gap === 0.1, goal: -1 - gap, gap: this.evaluations > 100 ? gap : null };
+  }
+  adopt(candidates: Candidates) {
+    this.calls.push(`adopt ${(candidates as FakeCandidates).asked.join(' ')}`);
   }
   delete() {
     this.calls.push('delete');

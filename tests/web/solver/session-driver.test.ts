@@ -1,21 +1,32 @@
 /**
  * Messages in, answers out: the protocol, latest wins, pace.
- * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions.
+ * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions, mounts.
  */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { pace } from '../../../web/solver/pacing.ts';
 import { ArrivingFile } from '../../../web/solver/scene-stream.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
-import { asked, FakeClock, FakeSession } from './fake-session.ts';
+import { asked, FakeCandidates, FakeClock, FakeSession } from './fake-session.ts';
+import type { Intentions, LuminaireType } from '../../../web/document/types.ts';
 import { described } from '../described.ts';
+import { luminaireType } from '../document/luminaire-type.ts';
 
 /** Reads files of one byte: their luminous intensity. */
 const reader = {
   describePhotometry: (file: Uint8Array) =>
-    file[0] ? described(file[0]) : 'the file is empty; fetch it again',
+    file[0]
+      ? described(file[0], { luminous: { length: file[0] > 100 ? 9 : 0, width: 0, height: 0, round: false } })
+      : 'the file is empty; fetch it again',
+  Session: class {
+    constructor() {
+      return (mounted = new FakeSession(clock));
+    }
+  } as unknown as new () => FakeSession,
+  Candidates: FakeCandidates,
 };
 
+let mounted: FakeSession; // the latest session of candidates
 let clock: FakeClock;
 let session: FakeSession;
 let driver: SessionDriver;
@@ -221,6 +232,102 @@ describe('a photometric file', () => {
     });
     settle();
     expect(kinds().at(-1)).toBe('settled 2');
+  });
+});
+
+const type = luminaireType('t1', 'spot');
+const ofTypes = (more: Partial<LuminaireType> = {}): Intentions => ({
+  ...asked,
+  luminaires: { ...asked.luminaires, types: [{ ...type, ...more }] },
+});
+const start = { sites: [1, 0], flux: [100, 100], dimming: 1 };
+const mounting = { type: 't1', turn: 0, aim: null };
+const searched = () => [...session.calls, ...mounted.calls].filter((call) => call.startsWith('start'));
+
+/** A room whose file knows any photometry, and a photometric file. */
+async function openedForTypes(): Promise<void> {
+  mounted = session;
+  session.hasOperator = true;
+  await opened();
+  await driver.receive({ type: 'bring', hash: type.hash, file: Uint8Array.of(7).buffer });
+}
+
+describe('luminaires of types', () => {
+  beforeEach(openedForTypes);
+
+  test('the start is lit at once, then all that may be tried is made and searched', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes(), start }));
+    driver.step();
+    expect(answers).toMatchObject([
+      {
+        type: 'improved',
+        revision: 2,
+        evaluations: 1,
+        shown: { layout: { mountings: [mounting, mounting] } },
+      },
+    ]);
+    expect(mounted.calls).toEqual(['adopt 1 0 0 0', 'show 0 1']);
+    expect(searched()).toEqual([]);
+    settle();
+    expect(mounted.calls).toContain('adopt 0 0 1 0');
+    expect(searched()).toEqual(['start 3 from 1 0']);
+    expect(kinds().at(-1)).toBe('settled 2');
+  });
+
+  test('what is made serves the next wish', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes(), start }));
+    settle();
+    const known = mounted;
+    await driver.receive(solve(3, { intentions: ofTypes(), start, seed: 4 }));
+    settle();
+    expect(mounted).toBe(known);
+    expect(searched()).toEqual(['start 3 from 1 0', 'start 4 from 1 0']);
+  });
+
+  test('the latest wish wins while candidates are being made', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes(), start }));
+    driver.step();
+    await driver.receive(solve(3, { intentions: ofTypes({ flux: 500 }), start }));
+    settle();
+    expect(searched()).toEqual(['start 3 from 1 0']);
+    expect(kinds().at(-1)).toBe('settled 3');
+  });
+});
+
+describe('luminaires of types that', () => {
+  beforeEach(openedForTypes);
+
+  test('the room, the file or the rules do not let shine are squares', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes({ isAllowed: false }), start }));
+    settle();
+    await driver.receive(solve(3, { intentions: ofTypes({ hash: 'f'.repeat(16) }), start }));
+    settle();
+    session.hasOperator = false;
+    await opened();
+    await driver.receive(solve(4, { intentions: ofTypes(), start }));
+    settle();
+    expect(mounted).toBe(session);
+  });
+
+  test('are shown hang exactly as they did, their own aims included', async () => {
+    const aimed = { ...mounting, aim: [1, 2, 3] as const };
+    const layout = { ...start, mountings: [aimed, mounting] };
+    await driver.receive({ type: 'show', revision: 2, intentions: ofTypes(), layout });
+    expect(answers).toMatchObject([
+      { type: 'improved', shown: { layout: { mountings: [aimed, mounting] } } },
+    ]);
+  });
+
+  test('fit nowhere are refused in one line', async () => {
+    await driver.receive({ type: 'bring', hash: 'e'.repeat(16), file: Uint8Array.of(200).buffer });
+    await driver.receive(
+      solve(2, { intentions: ofTypes({ hash: 'e'.repeat(16), name: 'Long one' }), start }),
+    );
+    settle();
+    expect(answers.at(-1)).toMatchObject({
+      type: 'failed',
+      message: expect.stringMatching(/“Long one” fits on no/),
+    });
   });
 });
 

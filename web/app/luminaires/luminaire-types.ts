@@ -36,6 +36,7 @@ export class LuminaireTypes {
   readonly #store: Store;
   readonly #solving: Solving;
   readonly #asked = new Set<string>(); // hashes whose description is on its way, or was refused
+  readonly #brought = new Set<string>(); // hashes that the solver has
   readonly #missed = new Set<string>(); // hashes whose file has been asked for
 
   constructor(store: Store, solving: Solving) {
@@ -79,7 +80,7 @@ export class LuminaireTypes {
   /** Files that came with a project or a link; for those that are still missing the site is asked, and then the person. */
   provide(files: PhotometricFiles): void {
     const fresh = Object.entries(files).filter(([hash]) => !(hash in this.files.peek()));
-    if (fresh.length > 0) this.files.value = { ...this.files.peek(), ...Object.fromEntries(fresh) };
+    if (fresh.length > 0) this.#keep({ ...this.files.peek(), ...Object.fromEntries(fresh) });
   }
 
   /** Looks for the files that the document names and nobody has brought. */
@@ -90,6 +91,7 @@ export class LuminaireTypes {
     for (const { hash } of missing) this.#missed.add(hash);
     await this.#findGeneric(missing).catch(() => undefined); // no list: the person is asked
     const lost = missing.filter(isMissing);
+    if (lost.length < missing.length) this.#solving.answerAgain();
     if (lost.length === 0) return;
     const names = lost.map(({ file }) => `“${file}”`).join(', ');
     const [are, them] = lost.length === 1 ? ['is', 'it'] : ['are', 'them'];
@@ -132,7 +134,17 @@ export class LuminaireTypes {
 
   /** A room that knows squares only has nothing to answer to a change of types. */
   get #answering(): { readonly by: 'nothing' } | { readonly by: 'search' } {
-    return { by: 'nothing' };
+    return this.#store.scene.peek()?.hasOperator ? { by: 'search' } : { by: 'nothing' };
+  }
+
+  /** The solver has every file before anything names it. */
+  #keep(files: PhotometricFiles): void {
+    for (const [hash, text] of Object.entries(files)) {
+      if (this.#brought.has(hash)) continue;
+      this.#brought.add(hash);
+      this.#solving.bring(hash, bytesOfText(text));
+    }
+    this.files.value = files;
   }
 
   #choose(offer: Offer): void {
@@ -145,7 +157,8 @@ export class LuminaireTypes {
       throw new Error('it has more than 4 MB, which no photometric table has');
     const description = await this.#solving.describe(bytes);
     const { hash, files } = withFile(this.files.peek(), bytes);
-    this.files.value = files;
+    const isNew = files !== this.files.peek();
+    this.#keep(files);
     this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
     this.#store.tab.value = 'luminaires';
     const known = this.all.find((type) => type.hash === hash);
@@ -159,6 +172,7 @@ export class LuminaireTypes {
         null,
         this.#answering,
       );
+    else if (isNew) this.#solving.answerAgain();
     if (isOpened) this.opened.value = type.id;
     this.#store.announcement.value = known
       ? `${type.name} is here already.`
@@ -203,7 +217,7 @@ export class LuminaireTypes {
       if (!names.has(file)) continue;
       const bytes = await genericFile(file);
       if (missing.some(({ hash }) => hash === hashOf(bytes)))
-        this.files.value = withFile(this.files.peek(), bytes).files;
+        this.#keep(withFile(this.files.peek(), bytes).files);
     }
   }
 }

@@ -85,8 +85,9 @@ function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEn
 function CountAndFlux() {
   const { store } = useApp();
   const { set, end } = useRules();
-  const { count, most: atMost, flux, pinned, excluded } = store.document.value.luminaires;
+  const { count, most: atMost, flux, pinned, excluded, types } = store.document.value.luminaires;
   const pushed = (next: number) => (atMost !== undefined && atMost < next ? { most: next } : {});
+  const isOfTypes = store.scene.value?.hasOperator && types?.some(({ isAllowed }) => isAllowed);
   const places = (store.scene.value?.sites.size.length ?? 1) - excluded.length;
   const most = Math.max(1, Math.min(200, places));
   return (
@@ -106,16 +107,18 @@ function CountAndFlux() {
       {pinned.length > 1 && count <= pinned.length && (
         <p class="field-note">No fewer: {pinned.length} are pinned.</p>
       )}
-      <SliderRow
-        label="Flux of each"
-        value={flux}
-        range={[100, Math.max(10_000, flux)]}
-        most={1e6}
-        step={100}
-        unit="lm"
-        onInput={(next) => set('Change the flux', { flux: Math.round(next) })}
-        onEnd={end}
-      />
+      {!isOfTypes && (
+        <SliderRow
+          label="Flux of each"
+          value={flux}
+          range={[100, Math.max(10_000, flux)]}
+          most={1e6}
+          step={100}
+          unit="lm"
+          onInput={(next) => set('Change the flux', { flux: Math.round(next) })}
+          onEnd={end}
+        />
+      )}
     </>
   );
 }

@@ -2,6 +2,7 @@
 import { ChevronRight, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact, sentence } from '../../app/words/format.ts';
+import { fitsSomewhere } from '../../document/candidates.ts';
 import type { PhotometricDescription } from '../../document/photometry.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { PolarCurve } from './polar-curve.tsx';
@@ -55,6 +56,12 @@ function usedText(used: number, isAllowed: boolean): string {
 
 const unknown = '–';
 
+/** Below 10 a unified glare rating says no more than that nothing glares. */
+function glareText(rating: number | null | undefined): string {
+  if (typeof rating !== 'number') return unknown;
+  return rating < 10 ? '< 10' : rating.toFixed(1);
+}
+
 interface Described extends TypeProps {
   readonly description: PhotometricDescription | undefined;
 }
@@ -67,7 +74,7 @@ function Facts({ type, description }: Described) {
     ['Efficacy', watts > 0 ? `${compact(flux / watts)} lm/W` : unknown],
     ['Beam', description ? `${Math.round(description.beamAngle)}°` : unknown],
     ['Colour', description?.cct ? `${Math.round(description.cct)} K` : unknown],
-    ['UGR 4H 8H', typeof description?.ugr4h8h === 'number' ? description.ugr4h8h.toFixed(1) : unknown],
+    ['UGR 4H 8H', glareText(description?.ugr4h8h)],
   ];
   return (
     <div>
@@ -114,6 +121,8 @@ function Dispute({ type, description }: TypeProps & { description: PhotometricDe
 function Notes({ type, description }: Described) {
   const { store, types, opening } = useApp();
   const isMissing = !(type.hash in types.files.value);
+  const scene = store.scene.value;
+  const fits = !scene || !description || fitsSomewhere(type, description, scene);
   // The question above says it with both numbers.
   const warnings = description?.warnings.filter((text) => !text.endsWith('which is right?')) ?? [];
   return (
@@ -126,7 +135,8 @@ function Notes({ type, description }: Described) {
           </button>
         </p>
       )}
-      {store.scene.value && !store.scene.value.hasOperator && (
+      {!fits && <p class="type-note warn">It fits on no place of this room.</p>}
+      {scene && !scene.hasOperator && (
         <p class="type-note">This room’s file knows Lambertian squares only: compute it again.</p>
       )}
       {warnings.map((text) => (

@@ -13,6 +13,7 @@ import { sampleDocument } from '../../sample-rooms.ts';
 
 let store: Store;
 let types: LuminaireTypes;
+let again: number; // times that the document was answered once more
 let says: PhotometricDescription | Error;
 const text = photometricText();
 const bytes = bytesOfText(text);
@@ -22,8 +23,11 @@ const last = () => store.messages.value.at(-1);
 beforeEach(() => {
   says = described(100, { name: 'Spot', maker: 'Maker', integratedFlux: 1234.5678, watts: 12 });
   const solving = {
+    bring: () => undefined,
+    answerAgain: () => void again++,
     describe: () => (says instanceof Error ? Promise.reject(says) : Promise.resolve(says)),
   } as unknown as Solving;
+  again = 0;
   store = new Store();
   store.scene.value = fakeScene();
   store.reset(sampleDocument('0'.repeat(16), 'box'));
@@ -114,6 +118,7 @@ describe('types of a project or link', () => {
     show();
     await types.findMissing();
     expect(types.files.value[type.hash]).toBe(text);
+    expect(again).toBe(1);
     expect(last()).toBeUndefined();
   });
 
@@ -133,6 +138,7 @@ describe('types of a project or link', () => {
     expect(last()).toBeUndefined();
     await types.open('whatever.ies', bytes);
     expect(types.all).toHaveLength(1);
+    expect(again).toBe(1);
     expect(types.files.value[type.hash]).toBe(text);
   });
 });

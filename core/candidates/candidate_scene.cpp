@@ -1,0 +1,97 @@
+#include "core/candidates/candidate_scene.h"
+
+#include <cassert>
+#include <string>
+#include <utility>
+
+namespace fiatlux {
+namespace {
+
+Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
+                   const std::vector<Candidate>& candidates) {
+  if (!room.lightOperator)
+    return Error{
+        "this room's file knows Lambertian squares only; make it again with fiatlux precompute for "
+        "luminaires of "
+        "photometric files"};
+  if (candidates.empty()) return Error{"none of the luminaire types fits anywhere in this room"};
+  if (candidates.size() > kMaxCandidates)
+    return Error{"these types, turns and aims make " + std::to_string(candidates.size()) +
+                 " candidates, more than " + std::to_string(kMaxCandidates) + "; allow fewer of them"};
+  for (const Candidate& candidate : candidates)
+    if (candidate.site >= room.sites.size() || candidate.type >= types.size())
+      return Error{"a luminaire is asked for on site " + std::to_string(candidate.site) + " as type " +
+                   std::to_string(candidate.type) + ", which are not both there"};
+  return Done{};
+}
+
+/// Mean rows alone.
+void addMeans(Quantity quantity, Scene& scene) {
+  const Patches& patches = scene.patches;
+  const std::size_t m = scene.responses.sites, surfaces = scene.surfaces.size();
+  const bool exitance = quantity == Quantity::kExitance;
+  std::vector<SurfaceStatistics>& leaves = exitance ? scene.exitance : scene.illuminance;
+  leaves.assign(surfaces, {std::vector<double>(m), {}});
+  std::vector<double> area(surfaces);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p) area[patches.surface[p]] += patches.area[p];
+  for (std::uint32_t j = 0; j < m; ++j) {
+    const float* column = scene.responses.column(j);
+    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+      const double factor = exitance ? patches.reflectance[p] : 1.0;
+      leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
+    }
+  }
+}
+
+}  // namespace
+
+CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> types,
+                               std::vector<Candidate> candidates)
+    : room_(&room),
+      light_(std::make_unique<PhotometricLight>(room)),
+      types_(std::move(types)),
+      candidates_(std::move(candidates)) {
+  responses_.rows = room.responses.rows;
+  responses_.sites = static_cast<std::uint32_t>(candidates_.size());
+  responses_.illuminance.reserve(std::size_t{responses_.rows} * responses_.sites);
+}
+
+Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
+                                             std::vector<Candidate> candidates) {
+  const Result<Done> checked = check(room, types, candidates);
+  if (!checked) return checked.error();
+  return CandidateScene(room, std::move(types), std::move(candidates));
+}
+
+bool CandidateScene::advance(std::uint32_t count) {
+  std::vector<PhotometricCandidate> some;
+  for (; some.size() < count && done_ < candidates_.size(); ++done_) {
+    const Candidate& candidate = candidates_[done_];
+    const CandidateType& type = types_[candidate.type];
+    Mounting mounting;
+    mounting.turn = candidate.turn;
+    mounting.aim = candidate.aim;
+    some.push_back({candidate.site,
+                    mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mounting)});
+  }
+  if (!some.empty()) {
+    const std::vector<float> columns = light_->total(some, light_->direct(some));
+    responses_.illuminance.insert(responses_.illuminance.end(), columns.begin(), columns.end());
+  }
+  return done_ == candidates_.size();
+}
+
+Scene CandidateScene::finish(Quantity quantity) {
+  assert(done_ == candidates_.size());
+  Scene scene;
+  scene.identity = room_->identity;
+  scene.patches = room_->patches;
+  scene.surfaces = room_->surfaces;
+  scene.errorBound = room_->errorBound;
+  for (const Candidate& candidate : candidates_) scene.sites.push_back(room_->sites[candidate.site]);
+  scene.responses = std::move(responses_);
+  addMeans(quantity, scene);
+  return scene;
+}
+
+}  // namespace fiatlux

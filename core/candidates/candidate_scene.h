@@ -1,0 +1,61 @@
+// A room seen through the luminaires that may hang in it: each candidate (a site, a luminaire type on it, its
+// turn and aim) becomes a site of its own, whose response is the light of that luminaire. Searches, bounds
+// and readings then work as they do for squares of light; a layout's flux is 1 for each luminaire.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "core/transport/mounted_luminaire.h"
+#include "core/transport/photometric_light.h"
+
+namespace fiatlux {
+
+struct CandidateType {
+  PhotometricType photometric;  // a sampled one: its light is asked for many times
+  double flux = 0;              // lm of one luminaire
+};
+
+struct Candidate {
+  std::uint32_t site = 0;   // of the room
+  std::uint32_t type = 0;   // index of a CandidateType
+  double turn = 0;          // degrees about the site's normal
+  std::optional<Vec3> aim;  // m, a point that gamma 0 goes through
+};
+
+inline constexpr std::uint32_t kMaxCandidates = 2048;
+
+/// Makes the scene of some candidates, a few at a time. The room must outlive it.
+class CandidateScene {
+ public:
+  /// An error where the room has no light operator, a candidate no site or type, or there are none or too
+  /// many.
+  static Result<CandidateScene> begin(const Scene& room, std::vector<CandidateType> types,
+                                      std::vector<Candidate> candidates);
+
+  /// Computes the columns of `count` more; true when all are there. What lies on one site costs less
+  /// together.
+  bool advance(std::uint32_t count);
+
+  /// Column j and entry j of the mean rows are candidate j's at its type's flux (lx, lm/m2). Statistics of
+  /// `quantity` alone, and no covariances: unionStatistics makes them of the responses where they are asked
+  /// for. Candidates of one site lie at one place: a least distance above 0 keeps them apart. Precondition:
+  /// advance() said true. Once only.
+  Scene finish(Quantity quantity);
+
+ private:
+  CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates);
+
+  const Scene* room_;
+  std::unique_ptr<PhotometricLight> light_;
+  std::vector<CandidateType> types_;
+  std::vector<Candidate> candidates_;
+  std::size_t done_ = 0;  // candidates
+  Responses responses_;
+};
+
+}  // namespace fiatlux

@@ -1,0 +1,119 @@
+// A room of candidates against the light of each of them, and its statistics against those made beforehand.
+#include "core/candidates/candidate_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/search/shown.h"
+#include "core/transport/photometric_light.h"
+#include "core/transport/surface_statistics.h"
+#include "tests/core/operator_scene.h"
+#include "tests/core/photometry/photometric_files.h"
+
+namespace fiatlux {
+namespace {
+
+PhotometricType spot() {
+  samples::IesFile file;
+  file.candela = samples::cosinePower(1000, 4);
+  const std::string text = file.text();
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  return sampledType(std::make_shared<const Photometry>(*readPhotometry({bytes, text.size()})));
+}
+
+const std::vector<Candidate> kCandidates = {
+    {2, 0, 0, {}}, {2, 0, 90, {}}, {4, 1, 30, Vec3{1, 0, 1}}, {0, 0, 0, Vec3{2, 0, 0.5}}};
+
+/// In slices of three.
+Result<Scene> candidateScene(const Scene& room, Quantity quantity, const std::vector<CandidateType>& types,
+                             const std::vector<Candidate>& candidates) {
+  Result<CandidateScene> making = CandidateScene::begin(room, types, candidates);
+  if (!making) return making.error();
+  while (!making->advance(3)) continue;
+  return making->finish(quantity);
+}
+
+std::vector<CandidateType> twoTypes() { return {{spot(), 1500}, {spot(), 400}}; }
+
+TEST(CandidateScene, HasTheLightOfEachCandidate) {
+  const Scene room = operatorScene(12, 6);
+  const auto types = twoTypes();
+  const Result<Scene> scene = candidateScene(room, Quantity::kIlluminance, types, kCandidates);
+  ASSERT_TRUE(scene) << scene.error().message;
+  ASSERT_EQ(scene->sites.size(), kCandidates.size());
+  const PhotometricLight light(room);
+  for (std::uint32_t j = 0; j < kCandidates.size(); ++j) {
+    const Candidate& candidate = kCandidates[j];
+    Mounting mounting;
+    mounting.turn = candidate.turn;
+    mounting.aim = candidate.aim;
+    const Site& site = room.sites[candidate.site];
+    const std::vector<PhotometricCandidate> one = {
+        {candidate.site,
+         mountedLuminaire(types[candidate.type].photometric, types[candidate.type].flux, site, mounting)}};
+    const std::vector<float> column = light.total(one, light.direct(one));
+    for (std::size_t p = 0; p < column.size(); ++p)
+      ASSERT_NEAR(scene->responses.column(j)[p], column[p], 1e-4f * column[p] + 1e-6f) << j << ' ' << p;
+    EXPECT_EQ(scene->sites[j].position.x, site.position.x);
+  }
+}
+
+class OfQuantity : public testing::TestWithParam<Quantity> {};
+
+TEST_P(OfQuantity, StatisticsAreMadeWhenTheyAreAskedFor) {
+  const Quantity quantity = GetParam();
+  const Scene room = operatorScene(12, 6);
+  const Result<Scene> scene = candidateScene(room, quantity, twoTypes(), kCandidates);
+  ASSERT_TRUE(scene);
+  Scene before = *scene;
+  for (std::uint32_t s = 0; s < before.surfaces.size(); ++s) {
+    before.illuminance.resize(before.surfaces.size());
+    before.exitance.resize(before.surfaces.size());
+    (quantity == Quantity::kExitance ? before.exitance : before.illuminance)[s] =
+        responseStatistics(before.patches, before.responses, quantity, s);
+  }
+  for (const SurfaceSet& set : {SurfaceSet{0}, SurfaceSet{0, 1}, SurfaceSet{}}) {
+    const SurfaceStatistics made = unionStatistics(*scene, quantity, set),
+                            known = unionStatistics(before, quantity, set);
+    const double scale = *std::max_element(known.covariance.begin(), known.covariance.end());
+    for (std::size_t i = 0; i < known.mean.size(); ++i)
+      EXPECT_NEAR(made.mean[i], known.mean[i], 1e-5 * known.mean[i]);
+    for (std::size_t i = 0; i < known.covariance.size(); ++i)
+      EXPECT_NEAR(made.covariance[i], known.covariance[i], 1e-5 * scale);
+  }
+}
+
+TEST_P(OfQuantity, ReadingsAreThoseOfTheLightItself) {
+  const Scene room = operatorScene(12, 6);
+  const Result<Scene> scene = candidateScene(room, GetParam(), twoTypes(), kCandidates);
+  ASSERT_TRUE(scene);
+  PreparedScene prepared(*scene);
+  Intentions intentions;
+  intentions.quantity = GetParam();
+  intentions.luminaires.count = 2;
+  const Shown shown = shownOf(prepared, intentions, {{1, 2}, {1, 1}, 0.5});
+  const StatisticsCheck check = checkStatistics(*scene, intentions.quantity, shown);
+  EXPECT_LT(check.largestDifference, 1e-6) << check.surface;
+  EXPECT_GT(shown.surfaces.back().sigma, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, OfQuantity, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
+
+TEST(CandidateScene, WhatCannotBeIsSaidInOneLine) {
+  const Scene room = operatorScene(12, 6);
+  Scene squares = room;
+  squares.lightOperator.reset();
+  const auto refusal = [](const Scene& in, const std::vector<Candidate>& candidates) {
+    const Result<Scene> scene = candidateScene(in, Quantity::kIlluminance, twoTypes(), candidates);
+    return scene ? std::string() : scene.error().message;
+  };
+  EXPECT_NE(refusal(squares, kCandidates).find("Lambertian squares only"), std::string::npos);
+  EXPECT_NE(refusal(room, {}).find("fits anywhere"), std::string::npos);
+  EXPECT_NE(refusal(room, {{6, 0, 0, {}}}).find("site 6"), std::string::npos);
+  EXPECT_NE(refusal(room, {{0, 2, 0, {}}}).find("type 2"), std::string::npos);
+  EXPECT_NE(refusal(room, std::vector<Candidate>(kMaxCandidates + 1)).find("allow fewer"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fiatlux

@@ -1,0 +1,125 @@
+/** Luminaires of photometric types in the built module: their light adds up, and the search finds the best of them. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { expect, test } from '@jest/globals';
+import { candidatesOf } from '../../web/document/candidates.ts';
+import type { Intentions, Layout, LuminaireType, SceneInfo } from '../../web/document/types.ts';
+import { coreIntentions, shownOf } from '../../web/solver/core-intentions.ts';
+import { beginCandidates, MountedSession } from '../../web/solver/mounted-session.ts';
+import { openScene } from '../../web/solver/open-scene.ts';
+import { wholeFile } from '../../web/solver/scene-stream.ts';
+import { bytesOf, loadBuiltCore, operatorFile, root } from './solver-module.ts';
+
+const core = await loadBuiltCore();
+const folder = mkdtempSync(path.join(tmpdir(), 'fiatlux-'));
+execFileSync('node', [path.join(root, 'rooms/luminaires.mjs'), '--folder', folder], { stdio: 'ignore' });
+const files = new Map(
+  ['spot-24.ldt', 'panel.ldt'].map((name) => [name, new Uint8Array(readFileSync(path.join(folder, name)))]),
+);
+const fileOf = ({ file }: LuminaireType) => files.get(file)!;
+
+const use = { name: 'x', maker: '', hash: '0', watts: 10, isAllowed: true, tilt: 0 } as const;
+const range = { count: [0, 9], turns: [0] } as const;
+const spot: LuminaireType = { ...use, ...range, id: 's', file: 'spot-24.ldt', flux: 1200, aims: [] };
+const panel: LuminaireType = { ...use, ...range, id: 'p', file: 'panel.ldt', flux: 3600, aims: [] };
+
+const room = new core.Session();
+let scene!: SceneInfo;
+await openScene(room, wholeFile(bytesOf(operatorFile()).buffer), () => true, {
+  room: () => undefined,
+  scene: (opened) => void (scene = opened),
+});
+const sites = [3, 8, 14, 21, 29, 36];
+
+/** A session of these types on a few sites, asked for even light by `count` luminaires. */
+function sessionOf(types: readonly LuminaireType[], count = 2): MountedSession {
+  const candidates = candidatesOf(types, () => undefined, scene).filter(({ site }) => sites.includes(site));
+  const making = new core.Candidates();
+  beginCandidates(making, room, candidates, fileOf);
+  while (!making.advance(5)) continue;
+  const session = new core.Session();
+  session.adopt(making, 0);
+  making.delete();
+  const mounted = new MountedSession(session, candidates);
+  const asked: Intentions = {
+    quantity: 'illuminance',
+    luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+    goals: [{ statistic: 'mean', sense: 'near', target: 40, weight: 1, surfaces: ['floor'] }],
+    constraints: [],
+  };
+  expect(mounted.setIntentions(coreIntentions(asked, scene.surfaces))).toBe('');
+  return mounted;
+}
+
+const valid = <T>(value: T | string): T => {
+  if (typeof value === 'string') throw new Error(value);
+  return value;
+};
+const light = (session: MountedSession, layout: Layout) => valid(session.show(...session.take(layout)));
+const layoutOf = (hung: readonly (readonly [number, LuminaireType])[]): Layout => ({
+  sites: hung.map(([site]) => site),
+  flux: hung.map(([, { flux }]) => flux),
+  dimming: 1,
+  mountings: hung.map(([, { id }]) => ({ type: id, turn: 0, aim: null })),
+});
+
+test('the file has an operator, and its room says so', () => {
+  expect(scene.hasOperator).toBe(true);
+});
+
+test('light of several types adds up, and is as strong as their lumens', () => {
+  const session = sessionOf([spot, panel]);
+  const both = light(
+    session,
+    layoutOf([
+      [8, spot],
+      [21, panel],
+    ]),
+  );
+  const one = light(session, layoutOf([[8, spot]]));
+  const other = light(session, layoutOf([[21, panel]]));
+  both.illuminance.forEach((value, p) =>
+    expect(value).toBeCloseTo(one.illuminance[p]! + other.illuminance[p]!, 3),
+  );
+  const twice = light(sessionOf([{ ...spot, flux: 2400 }]), layoutOf([[8, spot]]));
+  twice.illuminance.forEach((value, p) => expect(value).toBeCloseTo(2 * one.illuminance[p]!, 3));
+  expect(both.layout.mountings).toEqual(
+    layoutOf([
+      [8, spot],
+      [21, panel],
+    ]).mountings,
+  );
+  expect([...both.layout.flux]).toEqual([1200, 3600]);
+});
+
+test('a spot that is aimed is brightest where it is aimed', () => {
+  const shown = shownOf(light(sessionOf([spot]), layoutOf([[8, spot]])), 0, scene.surfaces);
+  const brightest = shown.illuminance.indexOf(Math.max(...shown.illuminance));
+  const { position } = scene.sites;
+  expect(scene.patchCenter[3 * brightest]).toBeCloseTo(position[24]!, 0);
+  const target = [0, 1, 2].map((i) => scene.patchCenter[3 * 40 + i]!) as [number, number, number];
+  const aimed = light(sessionOf([{ ...spot, aims: [target] }]), layoutOf([[8, spot]])).illuminance;
+  expect(aimed[40]).toBeGreaterThan(3 * shown.illuminance[40]!);
+});
+
+/** How near to its aim the best layout of two luminaires comes, every one of them tried. */
+function bestOfAll(types: readonly LuminaireType[]): number {
+  const session = sessionOf(types);
+  const hung = sites.flatMap((site) => types.map((type) => [site, type] as const));
+  const pairs = hung.flatMap((a, i) => hung.slice(i + 1).map((b) => [a, b] as const));
+  const apart = pairs.filter(([a, b]) => a[0] !== b[0]);
+  return Math.min(...apart.map((pair) => light(session, layoutOf(pair)).goals[0] ?? Infinity));
+}
+
+test('place and type are found together, as well as by trying everything', () => {
+  const [spots, panels, both] = [[spot], [panel], [spot, panel]].map(bestOfAll);
+  expect(both).toBeLessThanOrEqual(Math.min(spots!, panels!));
+  const session = sessionOf([spot, panel]);
+  expect(session.start(3)).toBe('');
+  session.advance(20_000);
+  const found = valid(session.incumbent());
+  expect(found.goals[0]).toBeCloseTo(both!, 6);
+  expect(new Set(found.layout.sites).size).toBe(2);
+});

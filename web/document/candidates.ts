@@ -1,0 +1,128 @@
+/**
+ * Everything that luminaires of some types could do in a room: a candidate is a site, a type on it, its turn and its aim.
+ * Those whose luminous area does not fit on the mount are left out.
+ */
+import { frameOn, middleOf } from './mounting.ts';
+import type { PhotometricDescription } from './photometry.ts';
+import { distance, positionOf, siteCount } from './sites.ts';
+import { leavesOf } from './surface-names.ts';
+import type { Aim, LuminaireType, Mounting, Point, SceneInfo } from './types.ts';
+
+export interface Candidate {
+  readonly site: number;
+  readonly type: LuminaireType;
+  readonly mounting: Mounting;
+  readonly aim: Point | null; // that gamma 0 goes through, a tilt included
+}
+
+type Luminous = Pick<PhotometricDescription, 'luminous' | 'longAxis'>;
+type Sites = SceneInfo['sites'];
+
+const tiltReach = 10; // m from the site to a point that stands for a tilt
+const slack = 0.02; // m by which an edge may overhang
+
+/** The point of an aim; null where the room has no such surface. */
+export function pointOf(aim: Aim, scene: SceneInfo): Point | null {
+  return typeof aim === 'string' ? middleOf(scene, leavesOf([aim], scene.surfaces)) : aim;
+}
+
+export function candidateOf(sites: Sites, site: number, type: LuminaireType, mounting: Mounting): Candidate {
+  if (mounting.aim || type.tilt === 0) return { site, type, mounting, aim: mounting.aim };
+  const { down } = frameOn(sites, site, mounting, type.tilt);
+  const place = positionOf(sites, site);
+  const aim: Point = [
+    place[0] + tiltReach * down[0],
+    place[1] + tiltReach * down[1],
+    place[2] + tiltReach * down[2],
+  ];
+  return { site, type, mounting, aim };
+}
+
+/** Every way to hang a luminaire of a type on a site that it fits on. */
+export function mountingsOf(type: LuminaireType, scene: SceneInfo): Mounting[] {
+  const points = type.aims.map((aim) => pointOf(aim, scene)).filter((point) => point !== null);
+  const aims = points.length > 0 ? points : [null];
+  return type.turns.flatMap((turn) => aims.map((aim) => ({ type: type.id, turn, aim })));
+}
+
+/** Site by site, of each the types in their order. */
+export function candidatesOf(
+  types: readonly LuminaireType[],
+  describedBy: (type: LuminaireType) => Luminous | undefined,
+  scene: SceneInfo,
+): Candidate[] {
+  const { sites } = scene;
+  const mount = new Mount(sites);
+  const ways = types.map((type) => ({ type, ways: mountingsOf(type, scene), luminous: describedBy(type) }));
+  return [...Array(siteCount(sites)).keys()].flatMap((site) =>
+    ways.flatMap(({ type, ways: all, luminous }) =>
+      all
+        .filter((way) => !luminous || mount.holds(site, way, luminous))
+        .map((way) => candidateOf(sites, site, type, way)),
+    ),
+  );
+}
+
+/** Whether a type fits on any site. */
+export function fitsSomewhere(type: LuminaireType, luminous: Luminous, scene: SceneInfo): boolean {
+  const mount = new Mount(scene.sites);
+  const sites = [...Array(siteCount(scene.sites)).keys()];
+  return mountingsOf(type, scene).some((way) => sites.some((site) => mount.holds(site, way, luminous)));
+}
+
+/** What the sites tell of the surfaces that luminaires hang on: squares as large as a site, or as far as to the next one. */
+class Mount {
+  readonly #sites: Sites;
+  readonly #reach: Float64Array; // m, half the edge of each site's square
+
+  constructor(sites: Sites) {
+    this.#sites = sites;
+    const places = Array.from(sites.size, (_, site) => positionOf(sites, site));
+    this.#reach = Float64Array.from(sites.size, (size, site) => {
+      let pitch = Infinity;
+      places.forEach((place, other) => {
+        if (other !== site) pitch = Math.min(pitch, distance(place, places[site]!));
+      });
+      return Math.max(size, Number.isFinite(pitch) ? Math.min(pitch, 2 * size) : 0) / 2 + slack;
+    });
+  }
+
+  /** Whether the luminous area, laid flat, stays on the mount: its corners and the middles of its edges do. */
+  holds(site: number, { turn }: Mounting, { luminous, longAxis }: Luminous): boolean {
+    const { along, down } = frameOn(this.#sites, site, { turn, aim: null });
+    const across: Point = [
+      down[1] * along[2] - down[2] * along[1],
+      down[2] * along[0] - down[0] * along[2],
+      down[0] * along[1] - down[1] * along[0],
+    ];
+    const [x, y] = longAxis === 'C0' ? [luminous.length, luminous.width] : [luminous.width, luminous.length];
+    const place = positionOf(this.#sites, site);
+    return [-1, 0, 1].every((u) =>
+      [-1, 0, 1].every((v) =>
+        this.#isOn(
+          site,
+          [0, 1, 2].map((i) => place[i]! + (u * x * along[i]!) / 2 + (v * y * across[i]!) / 2),
+        ),
+      ),
+    );
+  }
+
+  #isOn(site: number, point: readonly number[]): boolean {
+    if (this.#covers(site, point)) return true;
+    for (let other = 0; other < this.#reach.length; other++) if (this.#covers(other, point)) return true;
+    return false;
+  }
+
+  #covers(site: number, point: readonly number[]): boolean {
+    const reach = this.#reach[site]!;
+    const { position, normal, axis } = this.#sites;
+    const at = (list: Float32Array, i: number) => list[3 * site + i] ?? 0;
+    const off = [0, 1, 2].map((i) => point[i]! - at(position, i));
+    const dot = (list: Float32Array) => off.reduce((sum, value, i) => sum + value * at(list, i), 0);
+    const [away, side] = [dot(normal), dot(axis)];
+    const rest = Math.sqrt(
+      Math.max(0, off.reduce((sum, value) => sum + value * value, 0) - away ** 2 - side ** 2),
+    );
+    return Math.abs(away) < slack && Math.abs(side) <= reach && rest <= reach;
+  }
+}

@@ -1,0 +1,186 @@
+/**
+ * Which session answers: the room's own, of squares of light, or one of the candidates that the asked luminaire types make
+ * in it. There are two of the latter: what one layout needs is made at once, all that a search may try slice by slice.
+ */
+import { candidatesOf, type Candidate } from '../document/candidates.ts';
+import type { PhotometricDescription } from '../document/photometry.ts';
+import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
+import { quantityCodes, type Candidates, type CoreModule, type Session } from './core.ts';
+import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
+
+/** What is used of the module. */
+export type Core = Pick<CoreModule, 'describePhotometry' | 'Session' | 'Candidates'>;
+
+/** What a session is wanted for. */
+export interface Wanted {
+  readonly asked: Intentions;
+  readonly layout: Layout | null;
+  /** Exactly this layout; the start of a search, whose luminaires hang as the types may; or all that it may try. */
+  readonly extent: 'layout' | 'start' | 'all';
+}
+
+interface Photometric {
+  readonly file: Uint8Array;
+  readonly description: PhotometricDescription;
+}
+
+interface Made {
+  readonly key: string; // what it was made for
+  readonly session: MountedSession;
+}
+
+interface Making {
+  readonly key: string;
+  readonly candidates: readonly Candidate[];
+  readonly scene: Candidates;
+}
+
+const slice = 8; // candidates between two looks at what else is asked
+
+export class Mounts {
+  readonly #core: Core;
+  readonly #room: Session;
+  readonly #files = new Map<string, Photometric>();
+  #scene: SceneInfo | null = null;
+  #few: Made | null = null; // of one layout
+  #all: Made | null = null;
+  #making: Making | null = null; // the next `#all`
+
+  constructor(core: Core, room: Session) {
+    this.#core = core;
+    this.#room = room;
+  }
+
+  /** Takes a photometric file that can be read; another one is left to whoever shows what it says. */
+  bring(hash: string, file: Uint8Array): void {
+    const description = this.#core.describePhotometry(file);
+    if (typeof description !== 'string') this.#files.set(hash, { file, description });
+  }
+
+  /** Another room, or none. */
+  setScene(scene: SceneInfo | null): void {
+    this.#scene = scene;
+    for (const made of [this.#few, this.#all]) made?.session.delete();
+    this.#few = this.#all = null;
+    this.#forget();
+  }
+
+  /** Whether `session` has nothing to make. */
+  isReady(wanted: Wanted): boolean {
+    return this.#types(wanted).length === 0 || this.#made(wanted) !== null;
+  }
+
+  /** One slice of all that a search may try; true when it is there. Throws one readable line. */
+  advance(wanted: Wanted): boolean {
+    if (this.isReady(wanted)) return true;
+    const { key, candidates, scene } = this.#begun(wanted);
+    if (!scene.advance(slice)) return false;
+    this.#all?.session.delete();
+    this.#all = { key, session: this.#adopted(scene, candidates, wanted) };
+    this.#making = null;
+    return true;
+  }
+
+  /** null where luminaires are squares. Makes what is missing. Throws one readable line. */
+  session(wanted: Wanted): MountedSession | null {
+    if (this.#types(wanted).length === 0) return null;
+    const made = this.#made(wanted);
+    if (made) return made.session;
+    if (wanted.extent !== 'all') return this.#makeFew(wanted);
+    while (!this.advance(wanted)) continue;
+    return this.#all?.session ?? null;
+  }
+
+  #makeFew(wanted: Wanted): MountedSession {
+    const candidates = this.#candidates(wanted);
+    const scene = new this.#core.Candidates();
+    try {
+      this.#begin(scene, candidates, wanted);
+      while (!scene.advance(candidates.length)) continue;
+      const session = this.#adopted(scene, candidates, wanted);
+      this.#few?.session.delete();
+      this.#few = { key: this.#keyOf(wanted), session };
+      return session;
+    } finally {
+      scene.delete();
+    }
+  }
+
+  /** The types that can light this room; none where luminaires are squares. */
+  #types({ asked }: Wanted): LuminaireType[] {
+    if (!this.#scene?.hasOperator) return [];
+    return (asked.luminaires.types ?? []).filter(({ hash, isAllowed }) => isAllowed && this.#files.has(hash));
+  }
+
+  #made(wanted: Wanted): Made | null {
+    const { extent, layout } = wanted;
+    const isOfAll = this.#all?.key === this.#keyOf({ ...wanted, extent: 'all' });
+    if (this.#all && isOfAll && (extent !== 'layout' || !layout || this.#all.session.has(layout)))
+      return this.#all;
+    return extent !== 'all' && this.#few?.key === this.#keyOf(wanted) ? this.#few : null;
+  }
+
+  /** What is being made for these wishes, begun anew where it was for others. */
+  #begun(wanted: Wanted): Making {
+    const key = this.#keyOf(wanted);
+    if (this.#making?.key === key) return this.#making;
+    this.#forget();
+    const candidates = this.#candidates(wanted);
+    const scene = new this.#core.Candidates();
+    this.#begin(scene, candidates, wanted);
+    this.#making = { key, candidates, scene };
+    return this.#making;
+  }
+
+  #begin(scene: Candidates, candidates: readonly Candidate[], wanted: Wanted): void {
+    if (candidates.length === 0) throw new Error(fitsNowhere(this.#types(wanted)));
+    beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file);
+  }
+
+  #adopted(scene: Candidates, candidates: readonly Candidate[], { asked }: Wanted): MountedSession {
+    const session = new this.#core.Session();
+    session.adopt(scene, quantityCodes[asked.quantity]);
+    return new MountedSession(session, candidates);
+  }
+
+  #forget(): void {
+    this.#making?.scene.delete();
+    this.#making = null;
+  }
+
+  #candidates(wanted: Wanted): Candidate[] {
+    const scene = this.#scene;
+    if (!scene) return [];
+    const { asked, layout, extent } = wanted;
+    const all = candidatesOf(this.#types(wanted), ({ hash }) => this.#files.get(hash)?.description, scene);
+    if (extent === 'all' || !layout) return all;
+    const known = (asked.luminaires.types ?? []).filter(({ hash }) => this.#files.has(hash));
+    const own = extent === 'layout' ? candidatesIn(layout, known, scene) : [];
+    const taken = new Set(own.map(({ site }) => site));
+    const others = layout.sites.flatMap((site, i) => {
+      const there = taken.has(site) ? [] : all.filter((candidate) => candidate.site === site);
+      return there[chosenAt(there, layout.mountings?.[i])] ?? [];
+    });
+    return [...own, ...others];
+  }
+
+  #keyOf(wanted: Wanted): string {
+    const used = this.#types(wanted).map(({ id, hash, flux, turns, tilt, aims }) => [
+      id,
+      hash,
+      flux,
+      turns,
+      tilt,
+      aims,
+    ]);
+    const { asked, layout, extent } = wanted;
+    const place: readonly [readonly number[], readonly Mounting[]] | null =
+      extent === 'all' || !layout ? null : [layout.sites, layout.mountings ?? []];
+    return JSON.stringify([extent, asked.quantity, used, place]);
+  }
+}
+
+function fitsNowhere(types: readonly LuminaireType[]): string {
+  const names = types.map(({ name }) => `“${name}”`).join(', ');
+  return `${names} ${types.length === 1 ? 'fits' : 'fit'} on no place of this room: take a smaller luminaire`;
+}
