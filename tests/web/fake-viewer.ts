@@ -45,6 +45,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
         viewer.layout = layout;
         viewer.pinned = pinned;
       },
+      setBodies: () => {},
       setSelection: () => {},
       setAims: () => {},
       reveal: () => {},

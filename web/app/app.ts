@@ -216,6 +216,7 @@ export class App {
     const { store, viewer } = this;
     effect(() => viewer.setDisplay(store.display.value));
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
+    effect(() => viewer.setBodies(this.types.bodies.value));
     effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
     effect(() => viewer.setExcluded(store.document.value.luminaires.excluded));
   }

@@ -23,6 +23,17 @@ export interface ViewerEvents {
   contextLost(lost: boolean): void;
 }
 
+/** What luminaires of a type look like: their luminous area and, where it is known, their light. */
+export interface LuminaireBody {
+  readonly id: string; // of the type
+  readonly tilt: number; // degrees, where they are not aimed
+  readonly along: number; // m, of the luminous area along C0
+  readonly across: number; // m, along C90
+  readonly height: number; // m, along gamma 0
+  readonly round: boolean;
+  readonly candela: Float32Array; // as a description has it
+}
+
 export interface Viewer {
   /** Begins to read a room's display mesh, for an `open` of the same buffer. */
   prepare(glb: ArrayBuffer): void;
@@ -34,6 +45,8 @@ export interface Viewer {
   setLight(illuminance: Float32Array): void;
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
+  /** Of the types that a layout's mountings name; luminaires of others are drawn as squares. */
+  setBodies(bodies: readonly LuminaireBody[]): void;
   setSelection(surface: number | null, luminaire: number | null): void;
   /** The leaf surfaces that the intentions name: the room is first looked at from where they are seen. */
   setAims(surfaces: readonly number[]): void;

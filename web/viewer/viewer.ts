@@ -20,7 +20,7 @@ import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from 
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
 import { SurfaceOutlines } from './room/surface-outline.ts';
-import type { CreateViewer, Viewer, ViewerEvents, ViewName } from './types.ts';
+import type { CreateViewer, LuminaireBody, Viewer, ViewerEvents, ViewName } from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
 import { warmUp } from './warm-up.ts';
 
@@ -127,7 +127,12 @@ class RoomViewer implements Viewer {
     this.#emphasis.refresh();
   }
 
+  setBodies(bodies: readonly LuminaireBody[]): void {
+    this.#luminaires.setBodies(bodies);
+  }
+
   setSelection(surface: number | null, luminaire: number | null): void {
+    this.#luminaires.select(luminaire);
     this.#emphasis.select(surface, luminaire);
     this.#showPlanes();
   }

@@ -2,7 +2,7 @@
  * The luminaire types of the document, with their photometric files and what these say: opened by a person, taken from the
  * site's generic ones, or come with a link or a project.
  */
-import { effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import { partsOf, type PhotometricPart } from '../../document/photometric-container.ts';
 import {
   bytesOfText,
@@ -14,6 +14,7 @@ import {
 import type { PhotometricDescription } from '../../document/photometry.ts';
 import { cleanName, mostLuminaires, mostTypes } from '../../document/schema.ts';
 import type { LuminaireType } from '../../document/types.ts';
+import type { LuminaireBody } from '../../viewer/types.ts';
 import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
@@ -48,6 +49,18 @@ export class LuminaireTypes {
       untracked(() => types?.forEach((type) => void this.#describe(type, files[type.hash])));
     });
   }
+
+  /** What luminaires of the types look like, as far as their files are known. */
+  readonly bodies = computed<readonly LuminaireBody[]>(() =>
+    (this.#store.document.value.luminaires.types ?? []).flatMap(({ id, tilt, hash }) => {
+      const description = this.descriptions.value[hash];
+      if (!description) return [];
+      const { luminous, longAxis, candela } = description;
+      const { length, width, height, round } = luminous;
+      const [along, across] = longAxis === 'C0' ? [length, width] : [width, length];
+      return [{ id, tilt, along, across, height, round, candela }];
+    }),
+  );
 
   get all(): readonly LuminaireType[] {
     return this.#store.document.value.luminaires.types ?? [];

@@ -1,11 +1,15 @@
 /**
- * Luminaires as things in the room: a shining square the size of its site with a soft halo, and seen from behind
+ * Luminaires as things in the room: a shining square the size of its site, or the luminous area of its type, with a soft
+ * halo, and seen from behind
  * (through a cut-away ceiling) its housing, which fades under the pointer so that what lies below can be seen. A
  * luminaire that gets another site walks there.
  */
 import {
   BoxGeometry,
+  type BufferGeometry,
+  CircleGeometry,
   Color,
+  CylinderGeometry,
   Group,
   Matrix4,
   Mesh,
@@ -14,22 +18,28 @@ import {
   type ShaderMaterial,
   Vector3,
 } from 'three';
-import type { Layout, SceneInfo } from '../../document/types.ts';
+import { frameOn } from '../../document/mounting.ts';
+import type { Layout, Mounting, SceneInfo } from '../../document/types.ts';
+import type { LuminaireBody } from '../types.ts';
 import { createHaloMaterial, createHousingMaterial, createPanelMaterial } from './luminaire-materials.ts';
+import { PhotometricSolid } from './photometric-solid.ts';
 import { easeOut, reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
 
 const walk = 200; // ms
 const gap = 0.012; // m between the mount and the luminaire
 const depth = 0.07; // m, of the housing, which is let into the mount
+const slim = 0.04; // m, height of a body whose file gives none
+const least = 0.06; // m: what is smaller could not be seen
 const faded = 0.25; // opacity of the housing under the pointer
 
 /** One luminaire in the room. */
 export interface LuminaireObject {
   readonly group: Group;
-  readonly panel: Mesh<PlaneGeometry, ShaderMaterial>;
-  readonly housing: Mesh<BoxGeometry, ShaderMaterial>;
+  readonly panel: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly housing: Mesh<BufferGeometry, ShaderMaterial>;
   readonly halo: Mesh<PlaneGeometry, ShaderMaterial>;
   site: number;
+  mounting: Mounting | undefined;
 }
 
 interface Walk {
@@ -38,6 +48,9 @@ interface Walk {
   readonly to: Vector3;
   begun: number;
 }
+
+const isSame = (a: Mounting | undefined, b: Mounting | undefined): boolean =>
+  a?.type === b?.type && a?.turn === b?.turn && a?.aim?.join() === b?.aim?.join();
 
 /** Rotation that lays a plane's z on the site's normal and its x on the site's axis. */
 export function siteRotation(sites: SceneInfo['sites'], site: number): Quaternion {
@@ -58,11 +71,33 @@ export class LuminaireObjects {
   #sites: SceneInfo['sites'] | null = null;
   #loop: FrameLoop;
   #walks: Walk[] = [];
+  #bodies = new Map<string, LuminaireBody>();
+  #solid = new PhotometricSolid();
+  #selected: number | null = null;
   #plane = new PlaneGeometry(1, 1);
   #box = new BoxGeometry(1, 1, 1);
+  #disc = new CircleGeometry(0.5, 32);
+  #can = new CylinderGeometry(0.5, 0.5, 1, 32).rotateX(Math.PI / 2);
 
   constructor(loop: FrameLoop) {
     this.#loop = loop;
+  }
+
+  /** Of the types; luminaires that hang already take them. */
+  setBodies(bodies: readonly LuminaireBody[]): void {
+    this.#bodies = new Map(bodies.map((body) => [body.id, body]));
+    if (this.#sites) for (const object of this.objects) this.#place(object, object.site, object.mounting);
+    this.select(this.#selected);
+  }
+
+  /** Shows where the light of a luminaire goes. */
+  select(luminaire: number | null): void {
+    this.#selected = luminaire;
+    const object = this.objects[luminaire ?? -1];
+    const body = this.#bodies.get(object?.mounting?.type ?? '');
+    this.#solid.show(body?.candela ?? null);
+    if (object && body) object.group.add(this.#solid.mesh);
+    this.#loop.invalidate();
   }
 
   /** A new room: no luminaires yet. */
@@ -81,12 +116,15 @@ export class LuminaireObjects {
       if (!(site >= 0 && site < count)) return;
       const known = this.objects[i];
       const object = known ?? this.#add();
-      if (!known) this.#place(object, site);
-      else if (object.site !== site) this.#walkTo(object, site);
+      const mounting = layout.mountings?.[i];
+      if (!known) this.#place(object, site, mounting);
+      else if (object.site !== site) this.#walkTo(object, site, mounting);
+      else if (!isSame(object.mounting, mounting)) this.#place(object, site, mounting);
       const output = Math.sqrt((layout.flux[i]! / strongest) * Math.min(1, layout.dimming));
       for (const part of [object.panel, object.housing, object.halo])
         part.material.uniforms['output_']!.value = output;
     });
+    this.select(this.#selected);
   }
 
   /** Gives a luminaire a rim of this colour, or none. */
@@ -103,7 +141,8 @@ export class LuminaireObjects {
   dispose(): void {
     this.#clear();
     this.#plane.dispose();
-    this.#box.dispose();
+    for (const geometry of [this.#box, this.#disc, this.#can]) geometry.dispose();
+    this.#solid.dispose();
   }
 
   #add(): LuminaireObject {
@@ -113,6 +152,7 @@ export class LuminaireObjects {
       housing: new Mesh(this.#box, createHousingMaterial()),
       halo: new Mesh(this.#plane, createHaloMaterial()),
       site: -1,
+      mounting: undefined,
     };
     object.halo.renderOrder = 4;
     object.panel.renderOrder = object.housing.renderOrder = 3;
@@ -123,22 +163,47 @@ export class LuminaireObjects {
     return object;
   }
 
-  #place(object: LuminaireObject, site: number): void {
+  #place(object: LuminaireObject, site: number, mounting: Mounting | undefined): void {
     const sites = this.#sites!;
-    const size = sites.size[site]!;
     object.site = site;
+    object.mounting = mounting;
+    const body = this.#bodies.get(mounting?.type ?? '');
+    if (mounting && body) return this.#hang(object, body, mounting);
+    const size = sites.size[site]!;
     object.group.position.copy(sitePosition(sites, site));
     object.group.quaternion.copy(siteRotation(sites, site));
-    object.panel.scale.setScalar(0.94 * size);
-    object.housing.scale.set(0.94 * size, 0.94 * size, depth);
+    this.#shape(object, 0.94 * size, 0.94 * size, depth, false);
     object.housing.position.z = -gap - depth / 2;
-    object.halo.scale.setScalar(3.4 * size);
   }
 
-  #walkTo(object: LuminaireObject, site: number): void {
+  /** A body below its mount, so far that no corner of it is behind, turned and aimed as it hangs. */
+  #hang(object: LuminaireObject, body: LuminaireBody, mounting: Mounting): void {
+    const sites = this.#sites!;
+    const { down, along } = frameOn(sites, object.site, mounting, body.tilt);
+    const [z, x] = [new Vector3(...down), new Vector3(...along)];
+    const y = z.clone().cross(x);
+    const normal = new Vector3().fromArray(sites.normal, 3 * object.site);
+    const [wide, long] = [Math.max(least, body.along), Math.max(least, body.across)];
+    const high = Math.max(slim, body.height);
+    const off = (wide * Math.abs(x.dot(normal)) + long * Math.abs(y.dot(normal))) / 2;
+    object.group.position.copy(sitePosition(sites, object.site, gap + off + high * Math.abs(z.dot(normal))));
+    object.group.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(x, y, z));
+    this.#shape(object, wide, long, high, body.round);
+    object.housing.position.z = -gap / 2 - high / 2;
+  }
+
+  #shape(object: LuminaireObject, wide: number, long: number, high: number, round: boolean): void {
+    object.panel.geometry = round ? this.#disc : this.#plane;
+    object.housing.geometry = round ? this.#can : this.#box;
+    object.panel.scale.set(wide, long, 1);
+    object.housing.scale.set(wide, long, high);
+    object.halo.scale.setScalar(3.4 * Math.max(0.25, wide, long));
+  }
+
+  #walkTo(object: LuminaireObject, site: number, mounting: Mounting | undefined): void {
     this.#walks = this.#walks.filter((other) => other.object !== object);
     const from = object.group.position.clone();
-    this.#place(object, site);
+    this.#place(object, site, mounting);
     if (reducedMotion()) return this.#loop.invalidate();
     const to = object.group.position.clone();
     object.group.position.copy(from);
