@@ -1,5 +1,5 @@
 // Without a pointer: every control has its turn, the palette and help open by key, luminaires move by arrows.
-// Covers panel, top-bar, palette, surface-picker, luminaire-list, keyboard, view-input.
+// Covers panel, first-hint, top-bar, palette, surface-picker, luminaire-list, keyboard, view-input.
 import { expect, openRoom, places, settled, tab, test, violations } from './app.ts';
 
 test('everything can be reached and done by keyboard', async ({ page }) => {
@@ -121,10 +121,15 @@ test('surfaces and luminaires are found by name; Delete takes a luminaire away',
 test('a number field says how it read a comma, and what it cut', async ({ page }) => {
   await openRoom(page, 'Box');
   const field = page.getByRole('textbox', { name: /aim at a mean/ });
+  const hint = page.getByText('Drag the slider');
+  await expect(hint).toBeVisible();
   await field.fill('1,250');
   await expect(page.getByRole('status').filter({ hasText: /^Read as 1.250$/ })).toBeVisible();
   await field.press('Enter');
   await expect(field).toHaveValue('1250');
+  await expect(hint).toHaveCount(0);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(hint).toHaveCount(0);
   await tab(page, 'Luminaires');
   await page.getByRole('textbox', { name: 'Luminaires', exact: true }).fill('5000');
   await expect(page.getByRole('status').filter({ hasText: /^At most/ })).toBeVisible();

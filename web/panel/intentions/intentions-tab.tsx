@@ -5,6 +5,7 @@ import { savesByCount } from '../../document/intentions.ts';
 import { opposedCards } from '../../app/words/explain.ts';
 import type { Verb } from '../../document/types.ts';
 import { usePaperWords } from './card-hooks.ts';
+import { FirstHint } from './first-hint.tsx';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
 import { namesText } from './surface-picker.tsx';
@@ -23,6 +24,7 @@ export function IntentionsTab() {
   return (
     <>
       {inPaperWords && <QuantityChoice />}
+      <FirstHint />
       <InfeasibleHelp />
       <ul class="cards">
         {cards.map((card) => (
