@@ -1,10 +1,13 @@
 /** Luminaires under the hand: dragging one pins it where it is dropped and the others compensate while it moves. */
-import { siteCount } from '../document/sites.ts';
+import type { Point3 } from '../document/plan-frame.ts';
+import { nearestSite, siteCount } from '../document/sites.ts';
 import { heldTogether, movedSites, tieOf } from '../document/ties.ts';
 import type { Layout } from '../document/types.ts';
 import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
+
+const exactly = 0.005; // m: half of what a place is written to
 
 const tag = (luminaire: number) => `L${luminaire + 1}`;
 
@@ -55,6 +58,20 @@ export class Hand {
     const site = nextFreeSite(scene.sites.position, taken, from, direction);
     if (site !== null) this.moveTo(luminaire, site, false);
     else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
+  }
+
+  /** To the free site nearest to a typed place (m, in the room's axes); says so where that is somewhere else. */
+  moveNear(luminaire: number, place: Point3): void {
+    const sites = this.#store.scene.peek()?.sites;
+    const layout = this.#layout();
+    if (!sites || !layout) return;
+    const { excluded } = this.#store.document.peek().luminaires;
+    const { site, distance: away } = nearestSite(sites, place, takenSites(layout, luminaire, excluded));
+    if (site < 0) return;
+    if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
+    const apart = `${away.toFixed(2)} m from there`;
+    if (away > exactly)
+      this.#store.say('info', `${tag(luminaire)} hangs at the nearest free place, ${apart}.`);
   }
 
   togglePin(luminaire: number): void {

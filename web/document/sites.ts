@@ -19,10 +19,15 @@ export function distance(a: readonly number[], b: readonly number[]): number {
   return Math.hypot(...a.map((value, axis) => value - (b[axis] ?? 0)));
 }
 
-/** The site nearest to a point, and how far away it is (m). */
-export function nearestSite(sites: Sites, point: readonly number[]): { site: number; distance: number } {
+/** The site nearest to a point that is not taken, and how far away it is (m); -1 where there is none. */
+export function nearestSite(
+  sites: Sites,
+  point: readonly number[],
+  taken: ReadonlySet<number> = new Set(),
+): { site: number; distance: number } {
   let best = { site: -1, distance: Infinity };
   for (let site = 0; site < siteCount(sites); site++) {
+    if (taken.has(site)) continue;
     const away = distance(positionOf(sites, site), point);
     if (away < best.distance) best = { site, distance: away };
   }

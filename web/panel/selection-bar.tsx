@@ -2,6 +2,9 @@
 import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, Trash2, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, unitOf } from '../app/words/format.ts';
+import { cornerName, inPlan, inRoom } from '../document/plan-frame.ts';
+import { positionOf } from '../document/sites.ts';
+import { NumberField } from './controls/number-field.tsx';
 import { verbs } from './intentions/verbs.ts';
 
 export function SelectionBar() {
@@ -67,6 +70,7 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
         {isPinned ? <PinOff size={15} aria-hidden /> : <Pin size={15} aria-hidden />}
         <span>{isPinned ? 'Unpin' : 'Pin here'}</span>
       </button>
+      <TypedPlace luminaire={luminaire} site={site} />
       {steps.map(({ key, title, icon: Icon, direction }) => (
         <button
           key={key}
@@ -94,5 +98,34 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
         <X size={15} aria-hidden />
       </button>
     </div>
+  );
+}
+
+/** Where it hangs, east and north of the corner: typed exactly, taken to the nearest free place. */
+function TypedPlace({ luminaire, site }: { luminaire: number; site: number }) {
+  const { store, hand, viewer } = useApp();
+  const scene = store.scene.value;
+  const frame = viewer.frame();
+  if (!scene || !frame) return null;
+  const place = inPlan(frame, positionOf(scene.sites, site));
+  return (
+    <span class="typed-place" title={`From the ${cornerName}`}>
+      {(['x', 'y'] as const).map((name, axis) => (
+        <NumberField
+          key={`${name} ${luminaire}`}
+          label={`${name} of L${luminaire + 1}`}
+          unit="m"
+          value={Math.round(place[axis]! * 1000) / 1000}
+          step={0.5}
+          max={frame.size[axis]!}
+          waits={() => true}
+          onInput={(value) => {
+            if (value === undefined || value === Math.round(place[axis]! * 1000) / 1000) return;
+            const next = place.map((own, i) => (i === axis ? value : own)) as [number, number, number];
+            hand.moveNear(luminaire, inRoom(frame, next));
+          }}
+        />
+      ))}
+    </span>
   );
 }

@@ -223,6 +223,19 @@ describe('a luminaire under the hand', () => {
     expect(solver.asked).toHaveLength(asked);
   });
 
+  test('goes to the free place nearest to a typed one, and says where that is not there', () => {
+    app.hand.moveNear(2, [3, 3, 3]);
+    expect(solver.last('solve')?.start?.sites[2]).toBe(15);
+    expect(app.store.messages.value.filter(({ text }) => text.includes('nearest'))).toEqual([]);
+    settle();
+    const asked = solver.asked.length;
+    app.hand.moveNear(2, [3.3, 3, 3]);
+    expect(solver.asked).toHaveLength(asked); // it hangs there already
+    expect(app.store.messages.value.at(-1)?.text).toBe(
+      'L3 hangs at the nearest free place, 0.30 m from there.',
+    );
+  });
+
   test('can be told that a place stays free', () => {
     const site = app.store.shown.value!.layout.sites[0]!;
     app.hand.exclude(site);
