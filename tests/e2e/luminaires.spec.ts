@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
 import { zipSync } from 'fflate';
-import { expect, openApp, tab, test } from './app.ts';
+import { difference, expect, openApp, openRoom, picture, status, tab, test } from './app.ts';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const luminaires = path.join(import.meta.dirname, '../../public/luminaires');
@@ -51,6 +51,32 @@ test('files that are dropped become cards, several at once', async ({ page }) =>
   await expect(cube).toContainText('Maker & Sons');
   await expect(cube).toContainText('1\u202f257 lm'); // 4 pi x 100 cd
   await expect(cube).toContainText('20.0 W');
+});
+
+test('a luminaire that is dropped lights the room: picture, layout and link change', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const before = await picture(page);
+  await drop(page, { 'spot-24.ldt': generic('spot-24.ldt') });
+  const spot = card(page, 'Spot 24 degrees');
+  await expect(spot).toContainText(/\d used/, { timeout: 60_000 });
+  await expect.poll(async () => difference(before, await picture(page))).toBeGreaterThan(0.1);
+  await expect(
+    page
+      .getByRole('table', { name: /Luminaires in place/ })
+      .locator('tbody tr')
+      .first(),
+  ).toContainText('1\u202f200');
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const link = await page.getByRole('textbox', { name: 'Link' }).inputValue();
+  expect(link).toMatch(/#f2\./);
+  expect(link.length).toBeLessThan(1800);
+
+  // The receiver sees the same luminaires, whose file the link brings along.
+  await page.goto('about:blank');
+  await page.goto(link);
+  await expect(status(page)).toHaveText('As given', { timeout: 60_000 });
+  await tab(page, 'Luminaires');
+  await expect(spot).toContainText(/\d used/, { timeout: 60_000 });
 });
 
 test('a file that disagrees with itself is asked about with both numbers', async ({ page }) => {
