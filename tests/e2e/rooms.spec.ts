@@ -52,6 +52,13 @@ test('an experiment of the paper states its bounds and meets them', async ({ pag
 
 test('the smallest alpha is found, step by step, and becomes the one of the card', async ({ page }) => {
   await openRoom(page, '5.4 Find alpha');
+  const aim = page.getByRole('textbox', { name: /aim at a mean/ });
+  await aim.fill('1');
+  await page.getByRole('button', { name: 'Find alpha', exact: true }).click();
+  await expect(page.getByText(/Find alpha knows no aims/)).toBeVisible();
+  await aim.fill('');
+  await aim.press('Enter');
+  await settled(page);
   await page.getByRole('button', { name: 'Find alpha', exact: true }).click();
   const plot = page.getByRole('figure').filter({ hasText: 'iteration' });
   await expect(plot.locator('figcaption')).toContainText(/^α = /, { timeout: 60_000 });

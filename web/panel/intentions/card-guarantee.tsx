@@ -7,6 +7,7 @@ import type { Card } from '../../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
+import { namesText } from './surface-picker.tsx';
 import { useReached } from './use-reached.ts';
 
 type Guarantee = NonNullable<Card['guarantee']>;
@@ -128,6 +129,12 @@ function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
   // The search replaces the true least and most by Chebyshev's inequality, so those are what it is given.
   const find = () => {
     const document = store.document.peek();
+    const aimed = document.cards.find(({ aim, verb, weight }) => aim && verb !== 'keep' && weight > 0);
+    if (aimed) {
+      const where = namesText(aimed.surfaces);
+      store.say('warning', `Find alpha knows no aims: empty the field “Mean about” of ${where} first.`);
+      return;
+    }
     const cards = document.cards.map((each) =>
       each.id === card.id ? { ...each, guarantee: { ...guarantee, by: 'patches' as const } } : each,
     );
