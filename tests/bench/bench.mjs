@@ -253,6 +253,7 @@ const figures = {
   scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
   js_compressed: firstLoad,
   wasm_compressed: () => bytes('wasm_compressed', packed(need(inRoot('web/solver/core.wasm')))),
+  builder_compressed: () => bytes('builder_compressed', packed(need(inRoot('public/builder/builder.wasm')))),
   scene_file_office: () =>
     bytes('scene_file_office', statSync(need(inRoot('public/scenes/office.flux'))).size),
   first_10mbit: first10Mbit,
