@@ -111,20 +111,22 @@ function TypedPlace({ luminaire, site }: { luminaire: number; site: number }) {
   return (
     <span class="typed-place" title={`From the ${cornerName}`}>
       {(['x', 'y'] as const).map((name, axis) => (
-        <NumberField
-          key={`${name} ${luminaire}`}
-          label={`${name} of L${luminaire + 1}`}
-          unit="m"
-          value={Math.round(place[axis]! * 1000) / 1000}
-          step={0.5}
-          max={frame.size[axis]!}
-          waits={() => true}
-          onInput={(value) => {
-            if (value === undefined || value === Math.round(place[axis]! * 1000) / 1000) return;
-            const next = place.map((own, i) => (i === axis ? value : own)) as [number, number, number];
-            hand.moveNear(luminaire, inRoom(frame, next));
-          }}
-        />
+        <span key={`${name} ${luminaire}`}>
+          <small aria-hidden="true">{name}</small>
+          <NumberField
+            label={`${name} of L${luminaire + 1}`}
+            unit="m"
+            value={Math.round(place[axis]! * 1000) / 1000}
+            step={0.5}
+            max={frame.size[axis]!}
+            waits={() => true}
+            onInput={(value) => {
+              if (value === undefined || value === Math.round(place[axis]! * 1000) / 1000) return;
+              const next = place.map((own, i) => (i === axis ? value : own)) as [number, number, number];
+              hand.moveNear(luminaire, inRoom(frame, next));
+            }}
+          />
+        </span>
       ))}
     </span>
   );
