@@ -70,6 +70,11 @@ export class Mounts {
     return this.#types(wanted).length === 0 || this.#made(wanted) !== null;
   }
 
+  /** Whether anything hangs on the places of a layout; of a type that fits elsewhere nothing may. */
+  hangs(asked: Intentions, layout: Layout): boolean {
+    return this.#candidates({ asked, layout, extent: 'start' }).length > 0;
+  }
+
   /** One slice of all that a search may try; true when it is there. Throws one readable line. */
   advance(wanted: Wanted): boolean {
     if (this.isReady(wanted)) return true;

@@ -146,7 +146,8 @@ export class SessionDriver {
     this.#next = this.#preparing = this.#task = null;
     const { intentions: asked, start: layout } = request;
     if (this.#mounts.isReady({ asked, layout, extent: 'all' })) return this.#search(request);
-    this.#preparing = layout ? this.#foreshow(request, layout) : request;
+    const isLit = layout !== null && this.#mounts.hangs(asked, layout);
+    this.#preparing = isLit ? this.#foreshow(request, layout) : request;
   }
 
   /** The light of the layout that a search is to start from: there at once, before all that it may try. */
