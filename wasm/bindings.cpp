@@ -148,6 +148,7 @@ val infoOf(const Scene& scene) {
   result.set("patchArea", copied(std::vector<float>(scene.patches.area.begin(), scene.patches.area.end())));
   result.set("patchCenter", copied(center));
   result.set("patchReflectance", copied(scene.patches.reflectance));
+  result.set("patchCovered", copied(scene.patches.covered));
   return result;
 }
 

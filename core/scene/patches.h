@@ -26,7 +26,12 @@ struct Patches {
   std::vector<std::uint32_t> cluster;  // of each patch, 0..k-1: V has its non-zero of row q there
   // The neighbour one cell before in its chart's grid (smaller index), or kNone.
   std::vector<std::uint32_t> left, up;
+  // 1 of a row that nobody sees lit and no meter reaches (the floor under a cabinet, a plane inside one): it
+  // takes part in the exchange of light and is left out of all statistics. Empty = no row is covered.
+  std::vector<std::uint8_t> covered;
 
+  /// Whether row p counts in the statistics of its surface.
+  bool counts(std::uint32_t p) const { return covered.empty() || covered[p] == 0; }
   std::uint32_t rows() const { return static_cast<std::uint32_t>(area.size()); }
 };
 
@@ -34,7 +39,7 @@ struct Patches {
 /// scene; never "all". An inner node of the tree means the union of the leaves below it.
 struct Surface {
   std::string name;
-  double area = 0;            // m2
+  double area = 0;            // m2, of the patches that are not covered
   double reflectance = 0;     // area-weighted mean of its patches
   std::uint32_t patches = 0;  // how many
   bool measuring = false;     // a measuring plane: outside "all", no exitance

@@ -77,7 +77,7 @@ ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<floa
   ExplicitStatistics result{0, 0, kInfinity, -kInfinity};
   double area = 0, sum = 0, squares = 0;
   for (std::size_t p = 0; p < values.size(); ++p) {
-    if (!member[scene.patches.surface[p]]) continue;
+    if (!member[scene.patches.surface[p]] || !scene.patches.counts(static_cast<std::uint32_t>(p))) continue;
     const double weight = scene.patches.area[p];
     area += weight;
     sum += weight * values[p];
@@ -86,7 +86,7 @@ ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<floa
   }
   result.mean = sum / area;
   for (std::size_t p = 0; p < values.size(); ++p) {
-    if (!member[scene.patches.surface[p]]) continue;
+    if (!member[scene.patches.surface[p]] || !scene.patches.counts(static_cast<std::uint32_t>(p))) continue;
     const double deviation = values[p] - result.mean;
     squares += scene.patches.area[p] * deviation * deviation;
   }

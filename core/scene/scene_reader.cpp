@@ -52,6 +52,19 @@ void readSurfaces(CheckedSections& in, const SceneCounts& counts, Scene& scene) 
   if (from != names.end()) in.fail("surfaceNames", "there are more names than surfaces");
 }
 
+/// Absent in files where everything counts.
+void readCovered(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  if (!in.has("patchCovered")) return;
+  Patches& patches = scene.patches;
+  const std::vector<std::uint32_t> covered = in.integers("patchCovered", patches.rows(), 1);
+  if (!in.ok()) return;
+  if (std::any_of(covered.begin(), covered.end(), [](std::uint32_t flag) { return flag > 1; }))
+    return in.fail("patchCovered", "a patch is neither covered nor not");
+  patches.covered.assign(covered.begin(), covered.end());
+  for (const std::vector<std::uint32_t>& rows : rowsOfSurfaces(patches, counts.surfaces))
+    if (rows.empty()) return in.fail("patchCovered", "a surface has no patch that counts");
+}
+
 void readPatchLabels(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   Patches& patches = scene.patches;
   const std::uint32_t rows = counts.rows();
@@ -74,6 +87,7 @@ void readPatchLabels(CheckedSections& in, const SceneCounts& counts, Scene& scen
       return in.fail("patchClusters", "a patch is in a cluster that is not there");
   for (const Surface& surface : scene.surfaces)
     if (surface.patches == 0) return in.fail("patchSurfaces", "a surface has no patch");
+  readCovered(in, counts, scene);
   patches.left.resize(rows), patches.up.resize(rows);
   for (std::uint32_t p = 0; p < rows; ++p) {
     patches.left[p] = before[2 * p] > 0 ? p - before[2 * p] : kNone;
@@ -242,9 +256,9 @@ Result<SceneReader> SceneReader::openHead(std::span<const std::uint8_t> head, st
 
 bool SceneReader::early(std::uint32_t section) const {
   constexpr std::string_view kEarly[] = {
-      "surfaceNames",      "surfaces",      "patchCenters",  "patchNormals",    "patchAreas",
-      "patchReflectances", "patchSurfaces", "patchClusters", "patchNeighbours", "sites",
-      "openingLayout",     "openingScales", "openingLight"};
+      "surfaceNames",  "surfaces",      "patchCenters",    "patchNormals", "patchAreas", "patchReflectances",
+      "patchSurfaces", "patchClusters", "patchNeighbours", "patchCovered", "sites",      "openingLayout",
+      "openingScales", "openingLight"};
   const std::string_view name = table_.sections[section].name;
   return std::find(std::begin(kEarly), std::end(kEarly), name) != std::end(kEarly);
 }

@@ -98,6 +98,8 @@ void addPatches(const Patches& patches, std::vector<PlainSection>& out) {
   out.push_back(integers("patchSurfaces", patches.surface, 1));
   out.push_back(integers("patchClusters", patches.cluster, 1));
   out.push_back(integers("patchNeighbours", neighbours, 2));
+  if (!patches.covered.empty())
+    out.push_back(integers("patchCovered", {patches.covered.begin(), patches.covered.end()}, 1));
 }
 
 void addSites(const std::vector<Site>& sites, std::vector<PlainSection>& out) {

@@ -29,7 +29,8 @@ void addProducts(const float* g, std::size_t count, std::size_t stride, double* 
 
 std::vector<std::vector<std::uint32_t>> rowsOfSurfaces(const Patches& patches, std::uint32_t surfaces) {
   std::vector<std::vector<std::uint32_t>> rows(surfaces);
-  for (std::uint32_t p = 0; p < patches.rows(); ++p) rows[patches.surface[p]].push_back(p);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    if (patches.counts(p)) rows[patches.surface[p]].push_back(p);
   return rows;
 }
 

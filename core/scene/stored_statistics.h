@@ -11,7 +11,7 @@
 
 namespace fiatlux {
 
-/// The rows of each surface, ascending.
+/// The rows of each surface that count in its statistics, ascending.
 std::vector<std::vector<std::uint32_t>> rowsOfSurfaces(const Patches& patches, std::uint32_t surfaces);
 
 /// Area-weighted statistics of `rows` (at least one) of the responses: paper (8) and (11), of illuminance or

@@ -19,7 +19,7 @@ PatchExtremes::PatchExtremes(const Scene& scene, Quantity quantity, const Surfac
   }
   for (std::uint32_t p = 0; p < scene.responses.rows; ++p) {
     const std::uint32_t leaf = leafOf[scene.patches.surface[p]];
-    if (leaf == kNone) continue;
+    if (leaf == kNone || !scene.patches.counts(p)) continue;
     rows_.push_back({p, leaf, quantity == Quantity::kIlluminance ? 1.0f : scene.patches.reflectance[p]});
   }
   light_.assign(rows_.size(), 0.0f);

@@ -77,7 +77,8 @@ double readGoal(const Lit& lit, const Goal& goal) {
 void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
   const bool exitance = quantity == Quantity::kExitance;
   for (SurfaceReading& reading : shown.surfaces) reading = {0, 0, kUnbounded, -kUnbounded};
-  for (std::size_t p = 0; p < shown.illuminance.size(); ++p) {
+  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p) {
+    if (!scene.patches.counts(p)) continue;
     SurfaceReading& reading = shown.surfaces[scene.patches.surface[p]];
     const double value =
         exitance ? shown.illuminance[p] * scene.patches.reflectance[p] : shown.illuminance[p];

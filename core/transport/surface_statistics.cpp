@@ -40,7 +40,7 @@ SurfaceStatistics responseStatistics(const Patches& patches, const Responses& re
                                      std::uint32_t surface) {
   std::vector<std::uint32_t> members;
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-    if (patches.surface[p] == surface) members.push_back(p);
+    if (patches.surface[p] == surface && patches.counts(p)) members.push_back(p);
   }
   const bool exitance = quantity == Quantity::kExitance;
   if (members.empty() || (exitance && members[0] >= patches.count)) return {};

@@ -53,12 +53,16 @@ Json infoOf(const std::string& path) {
   json["clusters"] = table.counts.clusters;
   json["sites"] = table.counts.sites;
   json["receivers"] = table.counts.receivers;
+  std::vector<double> covered(scene.surfaces.size());
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    if (!scene.patches.counts(p)) covered[scene.patches.surface[p]] += scene.patches.area[p];
   json["surfaces"] = Json::array();
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     json["surfaces"].push_back({{"name", surface.name},
                                 {"patches", surface.patches},
                                 {"area", surface.area},
+                                {"covered", covered[s]},
                                 {"reflectance", surface.reflectance},
                                 {"lost", surface.lost},
                                 {"measuring", surface.measuring},
@@ -119,10 +123,12 @@ void printTable(const std::string& path, const Json& json) {
               json["bytes"].get<double>() / 1e6);
   std::printf("%u patches, %u clusters, %u sites, %u receivers\n\n", count("patches"), count("clusters"),
               count("sites"), count("receivers"));
-  std::printf("%-32s %8s %10s %12s %8s\n", "surface", "patches", "area m2", "reflectance", "lost");
+  std::printf("%-32s %8s %10s %10s %12s %8s\n", "surface", "patches", "area m2", "covered m2", "reflectance",
+              "lost");
   for (const Json& s : json["surfaces"])
-    std::printf("%-32s %8u %10.3f %12.3f %7.3f%%%s\n", printable(s["name"].get<std::string>(), 60).c_str(),
-                s["patches"].get<unsigned>(), s["area"].get<double>(), s["reflectance"].get<double>(),
+    std::printf("%-32s %8u %10.3f %10.3f %12.3f %7.3f%%%s\n",
+                printable(s["name"].get<std::string>(), 60).c_str(), s["patches"].get<unsigned>(),
+                s["area"].get<double>(), s["covered"].get<double>(), s["reflectance"].get<double>(),
                 100 * s["lost"].get<double>(), s["measuring"].get<bool>() ? "  (measuring plane)" : "");
   std::printf("\n%-32s %12s %12s\n", "section", "bytes", "inflated");
   for (const Json& s : json["sections"])

@@ -49,6 +49,7 @@ Answer solveChebyshev(Experiments& e, double minimum, double alpha, const Layout
   double area = 0;
   for (std::size_t p = 0; p < exitance.size(); ++p) {
     if (std::find(e.wall.begin(), e.wall.end(), scene.patches.surface[p]) == e.wall.end()) continue;
+    if (!scene.patches.counts(static_cast<std::uint32_t>(p))) continue;
     area += scene.patches.area[p];
     if (exitance[p] < minimum) answer.below += scene.patches.area[p];
   }

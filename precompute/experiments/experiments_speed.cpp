@@ -112,6 +112,7 @@ Costs measured(Experiments& e) {
   const Patches& patches = e.prepared.scene().patches;
   std::vector<std::uint32_t> wall, all;
   for (std::uint32_t p = 0; p < patches.count; ++p) {
+    if (!patches.counts(p)) continue;
     all.push_back(p);
     if (std::find(e.wall.begin(), e.wall.end(), patches.surface[p]) != e.wall.end()) wall.push_back(p);
   }

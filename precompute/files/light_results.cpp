@@ -70,6 +70,7 @@ LightResults lightResults(const Patches& patches, const std::vector<Surface>& su
   LightResults results;
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     const std::uint32_t s = patches.surface[p];
+    if (!patches.counts(p)) continue;
     const double exitance = double{patches.reflectance[p]} * light[p];
     lit[s].add(patches.area[p], light[p]);
     if (surfaces[s].measuring) continue;

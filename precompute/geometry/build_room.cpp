@@ -10,6 +10,7 @@
 #include "precompute/base/names.h"
 #include "precompute/geometry/charts.h"
 #include "precompute/geometry/clusters.h"
+#include "precompute/geometry/covered.h"
 #include "precompute/geometry/cut_patches.h"
 #include "precompute/geometry/mounts.h"
 #include "precompute/geometry/outside.h"
@@ -201,13 +202,15 @@ void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
   room.warnings.insert(room.warnings.end(), tree.warnings.begin(), tree.warnings.end());
 }
 
-/// Areas, reflectances and counts of the surfaces, from their patches.
+/// Areas, reflectances and counts of the surfaces, from their patches; areas and reflectances of what is not
+/// covered.
 void sumSurfaces(Room& room) {
   for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
     Surface& surface = room.surfaces[room.patches.surface[p]];
+    ++surface.patches;
+    if (!room.patches.counts(p)) continue;
     surface.area += room.patches.area[p];
     surface.reflectance += room.patches.area[p] * room.patches.reflectance[p];
-    ++surface.patches;
   }
   for (Surface& surface : room.surfaces)
     if (surface.area > 0) surface.reflectance /= surface.area;
@@ -289,6 +292,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
     room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
                             " patches, so that there are at most " + std::to_string(kMostClusters));
   addMeasuringPlanes(source, roles, options, inside.names, room);
+  room.patches.covered = coveredRows(room, tracer);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, tracer, options, room);
   orThrow(checkMemory(countsOf(options, room), options.memory));

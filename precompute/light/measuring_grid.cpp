@@ -13,16 +13,16 @@ constexpr double kRim = 0.5;          // m
 constexpr double kRoomEdge = 2;       // m: a smaller area is a task, not a room, and keeps its rim
 constexpr double kFloorHeight = 0.1;  // m above the lowest point: still floor
 
-bool onChart(const Chart& chart, double u, double v) {
-  if (u < 0 || v < 0) return false;
+/// The patch at (u, v) of a chart, or kNone.
+std::uint32_t patchOn(const Chart& chart, double u, double v) {
+  if (u < 0 || v < 0) return kNone;
   const auto column = static_cast<std::uint32_t>(u / chart.cellU),
              row = static_cast<std::uint32_t>(v / chart.cellV);
-  return column < chart.columns && row < chart.rows &&
-         chart.patchOfCell[row * chart.columns + column] != kNone;
+  return column < chart.columns && row < chart.rows ? chart.patchOfCell[row * chart.columns + column] : kNone;
 }
 
-/// Points of one chart whose rim lies on the chart too.
-void addPoints(const Chart& chart, MeasuringGrid& grid) {
+/// Points of one chart that are not covered and whose rim lies on the chart too.
+void addPoints(const Chart& chart, const Patches& patches, MeasuringGrid& grid) {
   const double length = chart.columns * chart.cellU, width = chart.rows * chart.cellV;
   grid.rim = std::min(length, width) > kRoomEdge ? kRim : 0;
   const double inner = length - 2 * grid.rim, across = width - 2 * grid.rim;
@@ -34,10 +34,9 @@ void addPoints(const Chart& chart, MeasuringGrid& grid) {
       const double u = grid.rim + (column + 0.5) * inner / columns,
                    v = grid.rim + (row + 0.5) * across / rows;
       const double r = 0.999 * grid.rim;
-      if (!onChart(chart, u, v) || !onChart(chart, u - r, v) || !onChart(chart, u + r, v) ||
-          !onChart(chart, u, v - r) || !onChart(chart, u, v + r)) {
-        continue;
-      }
+      const auto isOff = [&](double du, double dv) { return patchOn(chart, u + du, v + dv) == kNone; };
+      if (isOff(0, 0) || isOff(-r, 0) || isOff(r, 0) || isOff(0, -r) || isOff(0, r)) continue;
+      if (!patches.counts(patchOn(chart, u, v))) continue;
       grid.points.push_back({chart.origin + u * chart.uAxis + v * chart.vAxis, chart.normal});
     }
   }
@@ -59,7 +58,7 @@ std::vector<MeasuringGrid> measuringGrids(const Room& room) {
     if (chart.normal.y < 0.999 || (!measuring && chart.origin.y > lowest + kFloorHeight)) continue;
     MeasuringGrid grid;
     grid.surface = chart.surface;
-    addPoints(chart, grid);
+    addPoints(chart, room.patches, grid);
     if (!grid.points.empty()) grids.push_back(std::move(grid));
   }
   return grids;

@@ -1,6 +1,6 @@
 // The calculation grid of EN 12464-1 on floors and horizontal measuring planes: p = 0.2 * 5^log10(d) m, at
 // most 10 m, d = the longer side, or the shorter one where they differ by a factor of two or more; on areas
-// large enough to be rooms a rim of 0.5 m is left out.
+// large enough to be rooms a rim of 0.5 m is left out, and so are points that something covers.
 #pragma once
 
 #include <cstdint>

@@ -79,7 +79,7 @@ SurfaceStatistics clusterStatistics(const Patches& patches, const std::vector<fl
   std::vector<float> values;
   std::vector<double> weights;
   for (std::uint32_t p = 0; p < patches.count; ++p) {
-    if (patches.surface[p] != surface) continue;
+    if (patches.surface[p] != surface || !patches.counts(p)) continue;
     for (std::uint32_t c = 0; c < k; ++c) values.push_back(-y[std::size_t{p} * k + c]);
     weights.push_back(patches.area[p]);
   }

@@ -21,13 +21,13 @@ inline SurfaceStatistics statisticsOf(const Scene& scene, std::uint32_t surface,
            scene.responses.column(static_cast<std::uint32_t>(j))[p];
   };
   for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
-    if (scene.patches.surface[p] != surface) continue;
+    if (scene.patches.surface[p] != surface || !scene.patches.counts(p)) continue;
     area += scene.patches.area[p];
     for (std::size_t j = 0; j < m; ++j) result.mean[j] += scene.patches.area[p] * value(p, j);
   }
   for (double& v : result.mean) v /= area;
   for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
-    if (scene.patches.surface[p] != surface) continue;
+    if (scene.patches.surface[p] != surface || !scene.patches.counts(p)) continue;
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = 0; j < m; ++j)
         result.covariance[i * m + j] +=
@@ -69,6 +69,16 @@ inline void addGrid(Scene& scene, const char* name, const Vec3& origin, const Ve
   scene.surfaces.push_back(description);
 }
 
+/// Means and covariances of every surface, from the patches that count.
+inline void setStatistics(Scene& scene) {
+  scene.illuminance.clear(), scene.exitance.clear();
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    scene.illuminance.push_back(statisticsOf(scene, s, false));
+    scene.exitance.push_back(scene.surfaces[s].measuring ? SurfaceStatistics{}
+                                                         : statisticsOf(scene, s, true));
+  }
+}
+
 /// Floor and wall of `cells` x 8 patches of 0.25 m under `sites` sites 3 m up, and a measuring plane.
 inline Scene syntheticScene(std::uint32_t cells, std::uint32_t sites, double noise = 0.005) {
   Scene scene;
@@ -101,11 +111,7 @@ inline Scene syntheticScene(std::uint32_t cells, std::uint32_t sites, double noi
   }
   scene.surfaces[1].reflectance = sum / scene.surfaces[1].area;
   scene.errorBound.assign(scene.surfaces.size(), 0);
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    scene.illuminance.push_back(statisticsOf(scene, s, false));
-    scene.exitance.push_back(scene.surfaces[s].measuring ? SurfaceStatistics{}
-                                                         : statisticsOf(scene, s, true));
-  }
+  setStatistics(scene);
   return scene;
 }
 

@@ -28,6 +28,7 @@ export function fakeScene(): SceneInfo {
     },
     surfaceOfPatch: Uint32Array.from(cells, ([, z]) => (z === side - 1 ? 1 : 0)),
     patchArea: Float32Array.from(cells, () => 1),
+    patchCovered: new Uint8Array(0),
     patchReflectance: Float32Array.from(cells, ([, z]) => (z === side - 1 ? 0.25 : 0.5)),
     patchCenter: Float32Array.from(cells.flatMap(([x, z]) => [x, 0, z])),
     provenance: {},

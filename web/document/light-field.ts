@@ -11,10 +11,10 @@ export interface LightField {
   readonly columns: number; // to the east
   readonly rows: number; // to the north
   readonly height: number; // above the floor
-  readonly values: Float32Array; // row by row from the south-west; NaN where there is no patch
+  readonly values: Float32Array; // row by row from the south-west; NaN where no patch is, or something covers it
 }
 
-type Geometry = Pick<SceneInfo, 'surfaceOfPatch' | 'patchCenter' | 'patchArea'>;
+type Geometry = Pick<SceneInfo, 'surfaceOfPatch' | 'patchCenter' | 'patchArea' | 'patchCovered'>;
 
 const flat = 0.01; // m: what differs less in height is level
 
@@ -44,7 +44,7 @@ export function lightField(
   const areas = new Float64Array(columns * rows);
   places.forEach(([x, y], i) => {
     const into = Math.round((y - south) / pitch[1]) * columns + Math.round((x - west) / pitch[0]);
-    const area = scene.patchArea[patches[i]!] ?? 0;
+    const area = scene.patchCovered[patches[i]!] === 1 ? 0 : (scene.patchArea[patches[i]!] ?? 0);
     sums[into] = sums[into]! + area * (light[patches[i]!] ?? 0);
     areas[into] = areas[into]! + area;
   });

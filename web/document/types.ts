@@ -188,6 +188,7 @@ export interface SceneInfo {
   readonly surfaceOfPatch: Uint32Array; // rows
   readonly patchArea: Float32Array; // rows, m2
   readonly patchCenter: Float32Array; // 3 rows, m
+  readonly patchCovered: Uint8Array; // rows: 1 = left out of statistics; empty = none is
   readonly patchReflectance: Float32Array; // rows: exitance = this x illuminance; 0 on measuring planes
   readonly hasOperator?: boolean; // its file knows the light of any photometry, not of squares only
   readonly provenance: unknown; // JSON of how the file was made: options, rays, residuals, seconds, patch size

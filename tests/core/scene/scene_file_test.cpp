@@ -128,6 +128,32 @@ TEST(SceneFile, StatisticsSurviveToATenThousandth) {
       }
 }
 
+TEST(SceneFile, WhatIsCoveredIsKeptAndLeftOutOfStatistics) {
+  Scene scene = syntheticScene(40, 9);
+  EXPECT_EQ(errorWith(scene, "patchCovered", [](PlainSection&) {}), "no error");
+  scene.patches.covered.assign(scene.patches.rows(), 0);
+  for (std::uint32_t p = 0; p < 40; ++p) scene.patches.covered[p] = 1;  // five rows of the floor's eight
+  scene.surfaces[0].area -= 40 * scene.patches.area[0];
+  setStatistics(scene);
+  const Result<Scene> back = read(fileOf(scene));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->patches.covered, scene.patches.covered);
+  EXPECT_EQ(back->surfaces[0].patches, scene.surfaces[0].patches);
+  const Layout layout{{0, 3, 8}, {1000, 2000, 500}, 1};
+  const std::vector<float> light = illuminanceOf(scene, layout);
+  for (const SurfaceSet& surfaces : {SurfaceSet{0}, SurfaceSet{0, 1}}) {
+    const ExplicitStatistics exact = explicitStatistics(scene, light, surfaces);
+    const MeanAndSigma read =
+        meanAndSigmaOf(unionStatistics(*back, Quantity::kIlluminance, surfaces), layout);
+    EXPECT_NEAR(read.mean, exact.mean, 1e-4 * exact.mean);
+    EXPECT_NEAR(read.sigma, exact.sigma, 1e-4 * exact.sigma);
+  }
+  EXPECT_NE(errorWith(scene, "patchCovered", [](PlainSection& part) { part.bytes[0] = 4; }).find("neither"),
+            std::string::npos);
+  scene.patches.covered.assign(scene.patches.rows(), 1);
+  EXPECT_NE(errorOf(fileOf(scene)).find("no patch that counts"), std::string::npos);
+}
+
 TEST(SceneFile, OldVersionsStayReadable) {
   const Scene scene = syntheticScene(2, 2);
   for (const char* golden : {kSceneFileVersion1, kSceneFileVersion2}) {

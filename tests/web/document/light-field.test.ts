@@ -20,6 +20,7 @@ function fieldOf(
   const scene = {
     surfaceOfPatch: Uint32Array.from(places, () => 1),
     patchArea: Float32Array.from(places, () => 0.25),
+    patchCovered: new Uint8Array(0),
     patchCenter: Float32Array.from(places.flatMap(([x, y]) => [x, 0.75, 4 - y])),
   };
   const field = lightField(
@@ -69,6 +70,7 @@ describe('a field', () => {
     const scene = {
       surfaceOfPatch: Uint32Array.of(0, 0, 0, 0),
       patchArea: Float32Array.of(1, 1, 1, 1),
+      patchCovered: new Uint8Array(0),
       patchCenter: Float32Array.of(0, 0.5, 0, 0, 1.5, 0, 0, 0.5, 1, 0, 1.5, 1),
     };
     expect(lightField(scene, 0, [1, 1, 1, 1], frame)).toBeNull();

@@ -98,6 +98,7 @@ export class FakeSession implements Session {
       surfaceOfPatch: Uint32Array.of(0, 0, 1, 1),
       patchArea: new Float32Array(4),
       patchCenter: new Float32Array(12),
+      patchCovered: new Uint8Array(0),
       patchReflectance: new Float32Array(4),
     };
   }

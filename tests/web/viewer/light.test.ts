@@ -69,6 +69,7 @@ function exposed() {
     patches,
     receivers: 0,
     patchArea: new Float32Array(patches).fill(1),
+    patchCovered: new Uint8Array(0),
     patchReflectance: new Float32Array(patches).fill(0.5),
   } as unknown as SceneInfo);
   const step = (now: number) => {

@@ -15,12 +15,12 @@ export interface AreaSample {
   readonly most: number;
 }
 
-/** The patches of some leaves. */
+/** The patches of some leaves, without those that something covers. */
 export function patchesOf(scene: SceneInfo, leaves: readonly number[]): Uint32Array {
   const wanted = new Set(leaves);
   const patches: number[] = [];
   scene.surfaceOfPatch.forEach((surface, patch) => {
-    if (wanted.has(surface)) patches.push(patch);
+    if (wanted.has(surface) && scene.patchCovered[patch] !== 1) patches.push(patch);
   });
   return Uint32Array.from(patches);
 }

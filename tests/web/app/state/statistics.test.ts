@@ -17,6 +17,7 @@ describe('statistics of an area', () => {
     ...fakeScene(),
     surfaceOfPatch: Uint32Array.of(0, 0, 1),
     patchArea: Float32Array.of(1, 3, 2),
+    patchCovered: new Uint8Array(0),
     patchReflectance: Float32Array.of(0.8, 0.4, 0.25),
   };
   const light = Float32Array.of(2, 6, 8);
@@ -26,6 +27,11 @@ describe('statistics of an area', () => {
     expect(sample.mean).toBeCloseTo(5);
     expect(sample.sigma).toBeCloseTo(1.7320508);
     expect([sample.least, sample.most]).toEqual([2, 6]);
+  });
+
+  test('leave out what something covers', () => {
+    const covered = { ...scene, patchCovered: Uint8Array.of(1, 0, 0) };
+    expect(patchesOf(covered, [0, 1])).toEqual(Uint32Array.of(1, 2));
   });
 
   test('exitance is what each patch reflects, not the mean of its surface', () => {

@@ -1,0 +1,20 @@
+// Area that is there and that nobody can light, see or measure: floor under a cabinet, wall behind a shelf, a
+// measuring plane where it passes through furniture. Its darkness says nothing about a layout, and a minimum
+// or a uniformity over it would always be 0.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "precompute/rays/ray_tracer.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+/// One value a row of the patches, 1 = covered; empty where none is. A patch is covered where for at least
+/// half of its area a body stands closer than 2 cm in front of it, or where it sees nothing farther away than
+/// 25 cm or nothing but insides of bodies; a measuring plane where something lies on it (within 10 cm above)
+/// or where it is inside a body. A surface that would be covered throughout counts as a whole. Deterministic.
+std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer);
+
+}  // namespace fiatlux
