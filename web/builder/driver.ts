@@ -86,6 +86,8 @@ function lineOf(error: unknown): string {
     return error.message
       .replace('--memory allows', 'a page may use')
       .replace(/pass (a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
-  // The module has trapped: most likely because the browser gives it no more memory.
-  return 'not enough memory in this browser: close other pages, or make the room smaller';
+  const what = error instanceof Error ? error.message : String(error);
+  if (/memory|allocation|OOM/i.test(what) && !/out of bounds/i.test(what))
+    return 'not enough memory in this browser: close other pages, or make the room smaller';
+  return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
 }

@@ -29,7 +29,7 @@ export function StatusLine() {
       <span class="status-state">{words[state]}</span>
       {evaluations > 0 && (
         <span class="status-figures" title={`in ${took}`}>
-          {count(evaluations)} layouts
+          {count(evaluations)} {evaluations === 1 ? 'layout' : 'layouts'}
           {!isTelling && !isMissing && ` · ${took}`}
         </span>
       )}
