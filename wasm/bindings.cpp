@@ -105,6 +105,8 @@ std::string provide(Session& session, std::uint32_t section, val bytes) {
 
 std::string finish(Session& session) { return errorOf(session.finish()); }
 
+std::string finishOperator(Session& session) { return errorOf(session.finishOperator()); }
+
 val surfacesOf(const Scene& scene) {
   val surfaces = val::array();
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -458,6 +460,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("verify", &verify)
       .function("provide", &provide)
       .function("finish", &finish)
+      .function("finishOperator", &finishOperator)
       .function("info", &info)
       .function("setIntentions", &setIntentions)
       .function("start", &start)

@@ -332,4 +332,11 @@ Result<Scene> SceneReader::finish() {
   return std::move(*scene);
 }
 
+Result<Done> SceneReader::finishOperator(Scene& scene) {
+  CheckedSections in(table_, bytes_);
+  readOperator(in, table_.counts, scene);
+  if (!in.ok()) return in.fault();
+  return Done{};
+}
+
 }  // namespace fiatlux

@@ -49,6 +49,9 @@ class SceneReader {
   /// Decodes and checks everything: shapes against the counts, ranges of all indices, no NaN or infinity,
   /// areas > 0. Once only: it frees the sections as it goes.
   Result<Scene> finish();
+  /// The light operator of a scene that finish() made before the sections of ofOperator() were there; all of them must
+  /// be now. Without any the scene stays as it is.
+  Result<Done> finishOperator(Scene& scene);
 
  private:
   explicit SceneReader(SceneTable table) : table_(std::move(table)), bytes_(table_.sections.size()) {}

@@ -43,10 +43,19 @@ Result<Done> Session::provide(std::uint32_t section, std::vector<std::uint8_t> b
 Result<Done> Session::finish() {
   if (!reader_) return Error{"no scene file is being opened"};
   Result<Scene> scene = reader_->finish();
-  reader_.reset();
-  if (!scene) return scene.error();
+  if (!scene) {
+    reader_.reset();
+    return scene.error();
+  }
   adopt(std::move(*scene));
   return Done{};
+}
+
+Result<Done> Session::finishOperator() {
+  if (!reader_ || !scene_) return Error{"no scene file is being opened"};
+  const Result<Done> read = reader_->finishOperator(*scene_);
+  reader_.reset();
+  return read;
 }
 
 void Session::adopt(Scene scene) {

@@ -44,7 +44,8 @@ class Session {
   /// Precondition of the next eight: one of the two succeeded (an Error says so otherwise).
   const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
   bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
-  /// A section that the light of other photometries needs: provide() all of them before finish(), or none.
+  /// A section that the light of other photometries needs: provide() all of them before finish(), or between finish()
+  /// and finishOperator(), or none.
   bool ofOperator(std::uint32_t section) const { return reader_ && reader_->ofOperator(section); }
   bool early(std::uint32_t section) const { return reader_ && reader_->early(section); }
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
@@ -54,6 +55,8 @@ class Session {
   const OpeningLight* opening() const { return reader_ ? reader_->opening() : nullptr; }
   /// Decodes the sections into the scene; drops the old one, its intentions and searches.
   Result<Done> finish();
+  /// Completes the scene of finish() by what the light of other photometries needs; the file is then done with.
+  Result<Done> finishOperator();
   /// Takes a scene that did not come from a file.
   void adopt(Scene scene);
   const Scene* scene() const { return scene_.get(); }

@@ -218,6 +218,7 @@ describe('errors are one readable line', () => {
     for (const error of [
       empty.start(1),
       empty.finish(),
+      empty.finishOperator(),
       empty.incumbent(),
       empty.show(Uint32Array.of(1), Float64Array.of(1), 1),
     ])

@@ -4,7 +4,7 @@ import { describe, expect, test } from '@jest/globals';
 import type { Section, Session } from '../../web/solver/core.ts';
 import { openScene, type OpeningSteps } from '../../web/solver/open-scene.ts';
 import { ArrivingFile, wholeFile } from '../../web/solver/scene-stream.ts';
-import { bytesOf, loadBuiltCore, syntheticFile } from './solver-module.ts';
+import { bytesOf, loadBuiltCore, operatorFile, syntheticFile } from './solver-module.ts';
 
 const core = await loadBuiltCore();
 const file = bytesOf(syntheticFile());
@@ -15,8 +15,10 @@ const whole = (bytes: Uint8Array<ArrayBuffer>) => wholeFile(bytes.slice().buffer
 class Told implements OpeningSteps {
   readonly rooms: string[] = [];
   scenes: Parameters<OpeningSteps['scene']>[] = [];
+  isReady = false;
   room = (glb: ArrayBuffer) => void this.rooms.push(new TextDecoder().decode(glb));
   scene = (...told: Parameters<OpeningSteps['scene']>) => void this.scenes.push(told);
+  ready = () => void (this.isReady = true);
 }
 
 /** A file that arrives in pieces, the next one whenever `send` is called. */
@@ -92,6 +94,28 @@ describe('a file that is arriving', () => {
     expect(session.info()?.identity).toBe(scene.identity);
     expect(told.scenes).toHaveLength(1);
     expect(new Uint8Array(await arrivingFile.whole())).toEqual(file);
+  });
+
+  test('can be asked before what luminaire types need is there', async () => {
+    const bytes = bytesOf(operatorFile());
+    const table = withSession((session) => session.openTable(bytes)) as readonly Section[];
+    const behind = Math.min(...table.filter(({ ofOperator }) => ofOperator).map(({ offset }) => offset));
+    const told = new Told();
+    const session = new core.Session();
+    const { file: arrivingFile, send, close } = arriving(bytes);
+    const opening = openScene(session, arrivingFile, always, told);
+    send(100);
+    send(behind);
+    while (!told.isReady) await new Promise((resolve) => setTimeout(resolve, 1));
+    expect(told.scenes[0]![0].hasOperator).toBe(true);
+    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
+    const candidates = new core.Candidates();
+    expect(candidates.begin(session, [], new Float64Array(), new Float64Array())).toMatch(/^[^\n]{10,200}$/);
+    candidates.delete();
+    send(bytes.length);
+    close();
+    expect(await opening).toBe(true);
+    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
   });
 
   test('and ends too early, or is lost, says so', async () => {

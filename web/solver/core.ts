@@ -170,6 +170,8 @@ export interface Session {
   provide(section: number, bytes: Uint8Array): string;
   /** Decodes the needed sections into the scene. */
   finish(): string;
+  /** After finish(): completes the scene by the sections of the operator; '' or one readable line. */
+  finishOperator(): string;
   /** null while no scene is open. */
   info(): CoreInfo | null;
   /** Replaces what is asked and ends running searches; statistics of surface sets are kept. */
@@ -229,6 +231,7 @@ export const sessionMethods = {
   verify: 2,
   provide: 2,
   finish: 0,
+  finishOperator: 0,
   info: 0,
   setIntentions: 1,
   start: 1,

@@ -14,6 +14,8 @@ export interface OpeningSteps {
   room(glb: ArrayBuffer): void;
   /** The room without its light but for the one layout that the file may begin with; once, after `room`. */
   scene(scene: SceneInfo, light: OpeningLight | null): void;
+  /** The session can be asked; what the light of luminaire types needs is still on its way. */
+  ready(): void;
 }
 
 /**
@@ -33,6 +35,7 @@ export async function openScene(
   let provenance: unknown = null;
   const hasOperator = wanted.some((section) => section.ofOperator);
   const early = wanted.filter(isEarly).length;
+  const lit = wanted.filter((section) => !isLate(section)).length;
   const inflating: Promise<Uint8Array<ArrayBuffer>>[] = [];
   for (const [turn, section] of wanted.entries()) {
     for (const next of wanted.slice(inflating.length, turn + ahead)) inflating.push(begun(file, next));
@@ -43,10 +46,16 @@ export async function openScene(
     check(isKept ? session.provide(section.index, bytes) : session.verify(section.index, bytes));
     if (isRoom(section)) steps.room(bytes.buffer);
     if (isProvenance(section)) provenance = parsed(bytes);
-    if (!file.isWhole && turn + 1 === early)
+    if (file.isWhole) continue;
+    if (turn + 1 === early)
       steps.scene(sceneInfo(valid(session.outline()), provenance, hasOperator), lightOf(session));
+    if (turn + 1 === lit) {
+      check(session.finish());
+      steps.ready();
+    }
   }
-  check(session.finish());
+  if (file.isWhole) check(session.finish());
+  check(session.finishOperator());
   if (file.isWhole) steps.scene(sceneInfo(session.info(), provenance, hasOperator), null);
   return true;
 }
@@ -57,9 +66,16 @@ async function tableOf(session: Session, file: SceneFile): Promise<readonly Sect
   return valid(session.openHead(bytes, fileBytes));
 }
 
-/** What is to be seen first comes first, the room's mesh before all, for it takes longest to be read. */
+/**
+ * What is to be seen first comes first, the room's mesh before all, for it takes longest to be read; what only luminaire
+ * types need comes last.
+ */
 function byEarliness(a: Section, b: Section): number {
-  return Number(isEarly(b)) - Number(isEarly(a)) || Number(isRoom(b)) - Number(isRoom(a));
+  return (
+    Number(isEarly(b)) - Number(isEarly(a)) ||
+    Number(isRoom(b)) - Number(isRoom(a)) ||
+    Number(isLate(a)) - Number(isLate(b))
+  );
 }
 
 /** A failure is told when its turn comes, and by nobody where an earlier one has ended it all. */
@@ -75,6 +91,7 @@ const isRoom = ({ name }: Section): boolean => name === 'room';
 
 const isProvenance = ({ name }: Section): boolean => name === 'provenance';
 const isEarly = (section: Section): boolean => section.early || isRoom(section) || isProvenance(section);
+const isLate = (section: Section): boolean => section.ofOperator && !section.needed && !isEarly(section);
 const isWanted = (section: Section): boolean => section.needed || section.ofOperator || isEarly(section);
 
 function check(error: string): void {

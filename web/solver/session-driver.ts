@@ -33,6 +33,7 @@ export class SessionDriver {
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
+  #awaitsOperator = false; // the room stands, and the light of luminaire types is on its way
   #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #preparing: Request<'solve'> | null = null; // what it may try is being made
@@ -62,8 +63,21 @@ export class SessionDriver {
     if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
     if (message.type === 'describe') this.#describe(message);
     else if (message.type === 'bring') this.#mounts.bring(message.hash, new Uint8Array(message.file));
-    else if (this.#isOpening) this.#waiting.push(message);
+    else if (this.#mustWait(message)) this.#waiting.push(message);
     else this.#take(message);
+  }
+
+  /** Until the room stands everything waits, until its operator is there what asks for types and what came after it. */
+  #mustWait(message: Turned): boolean {
+    if (this.#isOpening) return true;
+    return this.#awaitsOperator && (this.#waiting.length > 0 || asksForTypes(message));
+  }
+
+  #takeWaiting(): void {
+    for (const request of this.#waiting.splice(0)) {
+      if (this.#mustWait(request)) this.#waiting.push(request);
+      else this.#take(request);
+    }
   }
 
   /** One slice of what runs. */
@@ -107,6 +121,7 @@ export class SessionDriver {
     const turn = ++this.#openings;
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
+    this.#awaitsOperator = false;
     this.#drop();
     this.#compare = null;
     this.#waiting = [];
@@ -122,18 +137,23 @@ export class SessionDriver {
           isTold = true;
           this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
         },
+        ready: () => {
+          this.#isOpening = false;
+          this.#awaitsOperator = this.#scene?.hasOperator === true;
+          this.#takeWaiting();
+        },
       });
       if (!isOpen) return;
     } catch (error) {
       if (!isCurrent()) return;
       this.#fail(revision, error);
       // What was asked of a room whose rest did not come cannot be answered.
-      if (isTold) this.#scene = null;
+      if (isTold && this.#isOpening) this.#scene = null;
       if (isTold) this.#waiting = [];
     }
     if (!isCurrent()) return;
-    this.#isOpening = false;
-    for (const request of this.#waiting.splice(0)) this.#take(request);
+    this.#isOpening = this.#awaitsOperator = false;
+    this.#takeWaiting();
   }
 
   #describe({ revision, file }: Request<'describe'>): void {
@@ -289,6 +309,12 @@ export class SessionDriver {
     const message = error instanceof Error ? error.message : String(error);
     this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
+}
+
+function asksForTypes(message: Turned): boolean {
+  return (
+    'intentions' in message && (message.intentions.luminaires.types ?? []).some((type) => type.isAllowed)
+  );
 }
 
 /** The value, where it is no line that says what is wrong. */

@@ -72,6 +72,10 @@ export class FakeSession implements Session {
     this.calls.push('finish');
     return '';
   }
+  finishOperator() {
+    this.calls.push('finishOperator');
+    return '';
+  }
   info() {
     const surface = { area: 2, patches: 2, reflectance: 0.5, lost: 0 };
     return {
