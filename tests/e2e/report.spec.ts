@@ -89,7 +89,7 @@ test('the report of the office prints on three pages and says what the app says'
   holds(plane.split('\t').slice(0, 1).join(''));
   for (const figure of plane.split('\t').slice(1, 5)) holds(figure);
   at.forEach((place, i) => holds(`L${i + 1} ${place}`));
-  holds('mean at least');
+  holds('mean about');
   holds('500 lx');
   holds('wish');
   holds('Luminaires are Lambertian squares');

@@ -52,6 +52,7 @@ export class Comparing {
   readonly #store: Store;
   readonly #solving: Solving;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #asked: Intentions | null = null; // whose outcomes are on their way; until then the last ones stay, dimmed
 
   constructor(store: Store, solving: Solving) {
     this.#store = store;
@@ -59,7 +60,7 @@ export class Comparing {
     effect(() => {
       const { intentions } = store.traced.value;
       const isWanted = store.tab.value === 'luminaires' || (store.shown.value?.violation ?? 0) > 0;
-      const isKnown = store.comparison.value?.of === intentions;
+      const isKnown = this.#asked === intentions || store.comparison.value?.of === intentions;
       clearTimeout(this.#timer);
       if (!isWanted || isKnown || !store.scene.value) return;
       this.#timer = setTimeout(() => untracked(() => this.#ask(intentions)), pause);
@@ -72,7 +73,7 @@ export class Comparing {
     const counts = countsAround(document.peek().luminaires, places);
     const take = (change: Partial<Comparison>) =>
       void (comparison.value = { of, counts: [], rules: [], ...currentOf(comparison.peek(), of), ...change });
-    take({});
+    this.#asked = of;
     this.#try(
       counts.map((count) => withCount(of, count)),
       evaluationsEach,

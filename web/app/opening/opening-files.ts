@@ -75,9 +75,9 @@ export class FileOpening {
   async #import(files: readonly File[]): Promise<void> {
     const { imported } = await import('../importing/importing.ts');
     const made = await imported(files);
+    if (made.note) this.#store.say('info', made.note);
     if ('plan' in made) this.#store.making.value = { plan: made.plan };
     else await this.#open(made.file, []);
-    if (made.note) this.#store.say('info', made.note);
   }
 
   async #open(file: File, others: readonly File[]): Promise<void> {

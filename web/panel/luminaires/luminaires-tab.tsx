@@ -103,7 +103,6 @@ function CountAndFlux() {
         onEnd={end}
       />
       <MostLuminaires places={places} />
-      <CountStrip />
       {pinned.length > 1 && count <= pinned.length && (
         <p class="field-note">No fewer: {pinned.length} are pinned.</p>
       )}
@@ -119,6 +118,7 @@ function CountAndFlux() {
           onEnd={end}
         />
       )}
+      <CountStrip />
     </>
   );
 }
