@@ -94,11 +94,16 @@ export async function results(page: Page): Promise<string[]> {
   return rows.allInnerTexts();
 }
 
-/** Where the tags stand on the picture: what tells that luminaires moved while a pointer is held. */
+/**
+ * Where the tags stand on the picture: what tells that luminaires moved while a pointer is held. Those behind the eye are
+ * hidden where they last were.
+ */
 export function tagPlaces(page: Page): Promise<string[]> {
   return page
     .locator('[data-luminaire]')
-    .evaluateAll((tags) => tags.map((tag) => (tag as HTMLElement).style.transform));
+    .evaluateAll((tags) =>
+      (tags as HTMLElement[]).map((tag) => (tag.hidden ? 'behind the eye' : tag.style.transform)),
+    );
 }
 
 export function canvas(page: Page) {
