@@ -4,6 +4,7 @@ import { cpus } from 'node:os';
 import path from 'node:path';
 import { writeLuminaires } from '../rooms/luminaire-files.mjs';
 import { output, root, runBeside, say } from './processes.mjs';
+import { writeRoomPages } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 
 export const jobs = String(cpus().length);
@@ -29,11 +30,12 @@ export async function cmake(preset, targets = []) {
   await runBeside(preset, 'cmake', ['--build', '--preset', preset, '-j', jobs, ...wanted], { env });
 }
 
-/** dist/ anew: the page, and what public/ holds. */
-export async function site() {
+/** dist/ anew: the page, what public/ holds, and, where the address of the site is known, a page a room. */
+export async function site(origin = null) {
   await writeLuminaires(path.join(root, 'public', 'luminaires'));
   say('Building the site');
   await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
+  if (origin) await writeRoomPages(path.join(root, 'dist'), origin);
 }
 
 /** The Wasm module that computes rooms in the page (public/builder), which the page fetches when it is needed. */

@@ -1,19 +1,31 @@
 // The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run pictures`,
 // `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
+import { parseArgs } from 'node:util';
 import { builder, cmake, programs, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
 import { makeAll, sampleRooms } from './sample-rooms.mjs';
+import { siteAddress } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 import { start } from './start.mjs';
 import { ctest, testSuites } from './test-suites.mjs';
 
 const others = process.argv.slice(3);
 
-/** Everything but tests: all rooms, then the site with them. */
-async function build() {
+/** Everything but tests: all rooms, then the site with them. `origin`: the address it will have, where that is known. */
+async function build(origin = null) {
   await programs(builder);
   await makeAll(sampleRooms());
-  await site();
+  await site(origin);
+}
+
+/** `--origin URL` of npm run build. */
+function originAsked() {
+  try {
+    const { values } = parseArgs({ args: others, options: { origin: { type: 'string' } } });
+    return values.origin === undefined ? null : siteAddress(values.origin);
+  } catch (error) {
+    return fail(`npm run build: ${error.message}`);
+  }
 }
 
 /** All that the tests and the benchmarks run. */
@@ -25,7 +37,7 @@ async function buildAll() {
 }
 
 const commands = {
-  build,
+  build: () => build(originAsked()),
   start,
 
   async test() {

@@ -12,6 +12,7 @@ import './styles/plots.css';
 import './styles/tables.css';
 import './styles/overlays.css';
 import './styles/dialogs.css';
+import './styles/embed.css';
 import './viewer/viewer.css';
 import { expectScene, likelyRoom, sceneAddress } from './app/opening/first-scene.ts';
 import { expectCatalog } from './app/rooms/catalog-request.ts';

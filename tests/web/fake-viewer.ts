@@ -50,6 +50,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       setAims: () => {},
       reveal: () => {},
       setExcluded: () => {},
+      lookOnly: () => {},
       setDisplay: () => {},
       holdExposure: (active) => void (viewer.held = active),
       exposureLevel: () => 250,

@@ -9,7 +9,7 @@ import { linkOf } from '../document/sites.ts';
 import type { Layout } from '../document/types.ts';
 import type { Viewer } from '../viewer/types.ts';
 import type { LuminaireTypes } from './luminaires/luminaire-types.ts';
-import { hasLink } from './opening/address.ts';
+import { hasLink, isEmbedded, pageOf } from './opening/address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 
@@ -79,7 +79,7 @@ export class Keeping {
 
   /** The last work in a room, from this visit or an earlier one; null where there is none for this very scene. */
   async kept(room: string, scene: string): Promise<Work | null> {
-    const work = this.#visited.get(room)?.work ?? (await loadWork(room));
+    const work = this.#visited.get(room)?.work ?? (isEmbedded() ? null : await loadWork(room));
     return work?.project.document.scene === scene ? work : null;
   }
 
@@ -91,16 +91,17 @@ export class Keeping {
     const view = { camera: this.#viewer.camera(), display: display.peek() };
     const files = this.#types.files.peek();
     const { hash, left } = fitLink(linkOf(document.peek(), this.layout(), sites, view, files, plan.peek()));
-    return { address: `${location.href.split('#')[0]}${hash}`, left };
+    return { address: pageOf(document.peek().room) + hash, left };
   }
 
   /**
    * Keeps the work in the browser some time after each change and when the page is left, and says honestly when that is
    * refused. What a link shows is not kept before something is changed: it stays in the address, and the work that was
-   * there before must outlive a look at it. `isOurs`: whether a room comes with the site; others are not kept.
+   * there before must outlive a look at it. Nothing of an embedded page is kept. `isOurs`: whether a room comes with the
+   * site; others are not kept.
    */
   keepSaved(isOurs: (room: string) => boolean): () => void {
-    const isKept = () => isOurs(this.#store.document.peek().room) && !hasLink();
+    const isKept = () => isOurs(this.#store.document.peek().room) && !hasLink() && !isEmbedded();
     const leave = () => {
       if (this.#store.scene.peek() !== null && isKept()) keepForReload(this.#left());
     };

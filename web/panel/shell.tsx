@@ -1,7 +1,7 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { forgetLink, roomOfState } from '../app/opening/address.ts';
+import { forgetLink, isEmbedded, roomOfState, wishedRoom } from '../app/opening/address.ts';
 import { AppContext, App, type Parts } from '../app/app.ts';
 import { actions } from '../app/actions.ts';
 import { listenToKeys } from '../app/keyboard.ts';
@@ -9,6 +9,7 @@ import type { Store } from '../app/state/store.ts';
 import { takeFromReload } from '../document/reload.ts';
 import { Dialogs } from './dialogs/dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
+import { EmbedCaption } from './embed-caption.tsx';
 import { MakingPanel } from './making-panel.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';
@@ -23,6 +24,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const labels = useRef<HTMLDivElement>(null);
   const [app, setApp] = useState<App | null>(null);
+  const [embedded] = useState(isEmbedded);
 
   useLayoutEffect(() => {
     if (!canvas.current || !labels.current) return;
@@ -39,7 +41,9 @@ export function Shell({ store, createViewer, createWorker }: Props) {
 
   useEffect(() => {
     if (!app) return;
-    void app.opening.start(location.hash, lastWork);
+    if (embedded) app.viewer.lookOnly();
+    const started = app.opening.start(location.hash, embedded ? async () => null : lastWork, wishedRoom());
+    if (embedded) void started.then(() => embed(app));
     const listen = () => {
       if (location.hash.length > 1) void app.opening.link(location.hash);
     };
@@ -55,7 +59,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     });
     const deaf = listenToKeys(
       app,
-      actions,
+      embedded ? actions.filter(({ group }) => group === 'View') : actions,
       () => store.dialog.peek() !== null || store.making.peek() !== null,
     );
     return () => {
@@ -68,16 +72,25 @@ export function Shell({ store, createViewer, createWorker }: Props) {
 
   return (
     <AppContext.Provider value={app}>
-      <div class="shell">
-        {app && <TopBar />}
-        <Stage canvas={canvas} labels={labels} ready={app !== null} />
-        {app && <RightPanel store={store} />}
-        {app && <Dialogs />}
-        {app && <DropZone />}
+      <div class={embedded ? 'shell embedded' : 'shell'}>
+        {app && !embedded && <TopBar />}
+        <Stage canvas={canvas} labels={labels} ready={app !== null} lookOnly={embedded} />
+        {app && (embedded ? <EmbedCaption /> : <Work store={store} />)}
         <Messages store={store} />
         <LiveRegion store={store} />
       </div>
     </AppContext.Provider>
+  );
+}
+
+/** All that changes what is on the screen. */
+function Work({ store }: { store: Store }) {
+  return (
+    <>
+      <RightPanel store={store} />
+      <Dialogs />
+      <DropZone />
+    </>
   );
 }
 
@@ -87,9 +100,16 @@ function RightPanel({ store }: { store: Store }) {
   return making ? <MakingPanel plan={making.plan} /> : <Panel />;
 }
 
+/** The page around may move the view and hear of it; nothing else of the app is needed for that. */
+async function embed(app: App): Promise<void> {
+  const { Embedding } = await import('../app/embedding/embedding.ts');
+  new Embedding(app, window).connect();
+}
+
+/** The work as it was left: by a reload, else the latest one, unless the address wishes for a room. */
 async function lastWork() {
   const left = takeFromReload();
-  if (left) return left;
+  if (left || wishedRoom() !== null) return left;
   try {
     const { loadLatest } = await import('../document/autosave.ts');
     return await loadLatest();

@@ -14,9 +14,14 @@ interface Props {
   readonly canvas: RefObject<HTMLCanvasElement | null>;
   readonly labels: RefObject<HTMLDivElement | null>;
   readonly ready: boolean;
+  readonly lookOnly: boolean; // nothing here may be changed
 }
 
-export function Stage({ canvas, labels, ready }: Props) {
+const lookingWords = 'The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit.';
+const workingWords =
+  'With a luminaire selected, the arrow keys move it. Surfaces and luminaires are also listed in the panel.';
+
+export function Stage({ canvas, labels, ready, lookOnly }: Props) {
   return (
     <main class="stage">
       <canvas
@@ -25,23 +30,32 @@ export function Stage({ canvas, labels, ready }: Props) {
         tabIndex={0}
         role="application"
         aria-roledescription="3D view"
-        aria-label="The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit. With a luminaire selected, the arrow keys move it. Surfaces and luminaires are also listed in the panel."
+        aria-label={lookOnly ? lookingWords : `${lookingWords} ${workingWords}`}
       />
       <div ref={labels} class="labels" aria-hidden="true" />
-      {ready && <Overlays />}
+      {ready && (lookOnly ? <Looking /> : <Overlays />)}
     </main>
   );
 }
 
 function Overlays() {
-  const { store } = useApp();
   return (
     <>
       <ViewToolbar />
-      <Probe />
-      {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && <Legend />}
+      <Looking />
       <SelectionBar />
       <PreviewNote />
+    </>
+  );
+}
+
+/** What tells something about the picture. */
+function Looking() {
+  const { store } = useApp();
+  return (
+    <>
+      <Probe />
+      {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && <Legend />}
       <Loading />
     </>
   );

@@ -53,6 +53,8 @@ export interface Viewer {
   /** Flies to where these leaf surfaces are seen, unless they are. */
   reveal(surfaces: readonly number[]): void;
   setExcluded(sites: readonly number[]): void;
+  /** From now on nothing in the picture can be picked or taken: pointers and keys only move the eye, and hover. */
+  lookOnly(): void;
   setDisplay(display: Display): void;
   /** True while a person drags: the exposure stays as it is, so that more light looks brighter. */
   holdExposure(active: boolean): void;

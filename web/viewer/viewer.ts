@@ -153,6 +153,10 @@ class RoomViewer implements Viewer {
     this.#loop.invalidate();
   }
 
+  lookOnly(): void {
+    this.#input.lookOnly();
+  }
+
   setDisplay(display: Display): void {
     this.#display = display;
     this.#light.setDisplay(display);

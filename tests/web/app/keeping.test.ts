@@ -75,6 +75,7 @@ test('a browser that refuses is told of once, and tried again after each change'
 test.each([
   ['a room of one’s own', () => show('mine.flux')],
   ['what a link shows', () => void (location.hash = '#f1.x')],
+  ['an embedded view', () => void (location.search = '?embed')],
   ['a search that runs', () => void (store.progress.value = { ...store.progress.value, state: 'improving' })],
 ])('%s is not stored', async (_, change) => {
   change();

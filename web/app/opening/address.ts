@@ -1,10 +1,35 @@
 /**
  * The page's address and its history. A link stays in the address as long as it tells what is on the screen; a change of
- * rooms is a step of the browser's history, so that Back returns to the room before.
+ * rooms is a step of the browser's history, so that Back returns to the room before. What stands before the hash says
+ * whether the page is only looked at (?embed), and which room it begins with (?room=, or the room's own page).
  */
 
 export function hasLink(): boolean {
   return (globalThis.location?.hash ?? '').length > 1;
+}
+
+const query = (): URLSearchParams => new URLSearchParams(globalThis.location?.search ?? '');
+
+/** What a page of scripts/room-pages.mjs is told about itself. */
+const told = (name: string): string | null =>
+  globalThis.document?.querySelector?.<HTMLMetaElement>(`meta[name="fiatlux:${name}"]`)?.content ?? null;
+
+/** Shown inside another page: only looked at. Nothing is kept, and nothing comes from what this browser has kept. */
+export function isEmbedded(): boolean {
+  return query().has('embed');
+}
+
+/** The room that the address asks for, as documents call it; null where it leaves that open. */
+export function wishedRoom(): string | null {
+  return query().get('room') ?? told('room');
+}
+
+/** The address under which a room is shared: its own page, where the site has one. */
+export function pageOf(room: string): string {
+  const pages = told('pages')?.split(' ');
+  const page = new URL(pages ? (pages.includes(room) ? `./${room}.html` : './') : '', location.href);
+  page.search = page.hash = '';
+  return page.href;
 }
 
 const plain = (): string => location.pathname + location.search;
@@ -21,7 +46,8 @@ export function roomOfState(state: unknown): string | null {
 
 /** The room that is on the screen now: a new step where it is another one than before. */
 export function tellRoom(room: string): void {
-  if (!globalThis.history) return;
+  // An embedded page leaves the steps of the history to the page around it.
+  if (!globalThis.history || isEmbedded()) return;
   const present = roomOfState(history.state);
   if (present === room) return;
   const step = { fiatlux: room };

@@ -2,6 +2,7 @@
  * Scene files of the site. The one that the first screen will most likely show (the room of the last work, or the
  * first one) is asked for before the app has arrived; it is used once, by whoever fetches that room first.
  */
+import { isEmbedded, wishedRoom } from './address.ts';
 import { sceneBytes } from '../../solver/scene-bytes.ts';
 import type { FileBytes } from '../../solver/solver-client.ts';
 
@@ -29,15 +30,21 @@ let early: Early | null = null;
 /** The room to expect; null where a link says which one. */
 export function likelyRoom(hash: string): string | null {
   if (hash.length > 1) return null;
+  const room = wishedRoom() ?? lastRoom() ?? firstRoom;
+  return sceneFile.test(`${room}.flux`) ? room : firstRoom;
+}
+
+function lastRoom(): string | null {
+  if (isEmbedded()) return null;
   try {
-    const last = localStorage.getItem(key) ?? firstRoom;
-    return sceneFile.test(`${last}.flux`) ? last : firstRoom;
+    return localStorage.getItem(key);
   } catch {
-    return firstRoom; // no storage
+    return null; // no storage
   }
 }
 
 export function rememberRoom(room: string): void {
+  if (isEmbedded()) return;
   try {
     localStorage.setItem(key, room);
   } catch {

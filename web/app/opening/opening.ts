@@ -64,15 +64,23 @@ export class Opening {
     this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, openProject);
   }
 
-  /** What the address asks for, or else (no link, or none that can be shown) the last work, or else the first room. */
-  async start(hash: string, lastWork: () => Promise<Work | null>): Promise<void> {
+  /**
+   * What the address asks for, or else (no link, or none that can be shown) the last work, or else the room `wished` for,
+   * or the first one.
+   */
+  async start(
+    hash: string,
+    lastWork: () => Promise<Work | null>,
+    wished: string | null = null,
+  ): Promise<void> {
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
     if (this.#isTaken()) return;
     if (last && (await this.#openOwnWork(last))) return;
-    if (!(await this.#hasRooms(() => void this.start(hash, async () => last))) || this.#isTaken()) return;
+    const again = () => void this.start(hash, async () => last, wished);
+    if (!(await this.#hasRooms(again)) || this.#isTaken()) return;
     if (last && this.#rooms.has(last.project.document.room) && (await this.#openWork(last))) return;
-    await this.#openFirst();
+    await this.#openFirst(wished);
   }
 
   /** A room or an experiment of the gallery. */
@@ -194,8 +202,11 @@ export class Opening {
     return isThere;
   }
 
-  async #openFirst(): Promise<void> {
-    const first = this.#rooms.first();
+  async #openFirst(wished: string | null = null): Promise<void> {
+    const entry = wished === null ? undefined : this.#rooms.roomOf(wished);
+    if (wished !== null && !entry)
+      this.#store.say('warning', `There is no room “${cleanName(wished)}” here; this is another one.`);
+    const first = entry ?? this.#rooms.first();
     if (first) await this.#openEntry(first.id);
   }
 

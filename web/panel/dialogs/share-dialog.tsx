@@ -1,15 +1,20 @@
 /** The link of the present layout, ready to copy, and what it holds. */
-import { Copy } from 'lucide-preact';
-import { useMemo, useRef } from 'preact/hooks';
+import { Send } from 'lucide-preact';
+import { useMemo } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { exportFormats } from '../../app/exports/formats.ts';
 import { saveAs } from '../../app/exports/save-as.ts';
+import { CopyRow } from './copy-row.tsx';
 import { Dialog } from './dialog.tsx';
+import { ShareEmbed } from './share-embed.tsx';
+
+/** Where fingers are, the system has a list of people and apps to send things to. */
+const canSend = (): boolean =>
+  typeof navigator.share === 'function' && matchMedia('(pointer: coarse)').matches;
 
 export function ShareDialog({ close }: { close: () => void }) {
   const app = useApp();
   const { store, keeping } = app;
-  const field = useRef<HTMLInputElement>(null);
   const [shared, fault] = useMemo(() => {
     try {
       return [keeping.link(), null];
@@ -18,16 +23,7 @@ export function ShareDialog({ close }: { close: () => void }) {
     }
   }, []);
   const isOwn = !app.rooms.has(store.document.value.room);
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(shared?.address ?? '');
-      store.say('info', 'The link is on the clipboard.');
-      close();
-    } catch {
-      field.current?.select();
-      store.say('warning', 'The browser does not let the page copy. The link is selected: press Ctrl+C.');
-    }
-  };
+  const holdsRoom = !isOwn || store.plan.value !== null;
   return (
     <Dialog title="Share this layout" close={close}>
       {shared ? (
@@ -36,27 +32,13 @@ export function ShareDialog({ close }: { close: () => void }) {
             Whoever opens the link sees this very layout, its intentions and this view. Nothing is uploaded:
             it is all in the link.
           </p>
-          <div class="row">
-            <input
-              ref={field}
-              class="link-field"
-              readOnly
-              value={shared.address}
-              aria-label="Link"
-              onFocus={(event) => event.currentTarget.select()}
-            />
-            <button class="button primary" autoFocus onClick={() => void copy()}>
-              <Copy size={15} aria-hidden />
-              <span>Copy</span>
-            </button>
-          </div>
+          <CopyRow label="Link" text={shared.address} copied="The link is on the clipboard." close={close}>
+            {canSend() && <SendButton address={shared.address} title={store.roomTitle.value} />}
+          </CopyRow>
           <p class="fine-print">
             {shared.address.length} characters.{' '}
-            {isOwn &&
-              store.plan.value &&
-              'It holds the room, too: whoever opens it has it made and computed there.'}
-            {isOwn &&
-              !store.plan.value &&
+            {isOwn && holdsRoom && 'It holds the room, too: whoever opens it has it made and computed there.'}
+            {!holdsRoom &&
               `It names the room “${store.document.value.room}” but does not hold it: send the .flux file along.`}
           </p>
           {shared.left.length > 0 && (
@@ -70,6 +52,7 @@ export function ShareDialog({ close }: { close: () => void }) {
       ) : (
         <p class="fault">{fault}</p>
       )}
+      {shared && holdsRoom && <ShareEmbed address={shared.address} close={close} />}
       <div class="row">
         {exportFormats.map((format) => (
           <button key={format.id} class="button" onClick={() => void saveAs(format, app)}>
@@ -78,5 +61,21 @@ export function ShareDialog({ close }: { close: () => void }) {
         ))}
       </div>
     </Dialog>
+  );
+}
+
+function SendButton({ address, title }: { address: string; title: string }) {
+  const send = async () => {
+    try {
+      await navigator.share({ title: `${title} · Fiat Lux`, url: address });
+    } catch {
+      return; // nobody was chosen; the link is still there to be copied
+    }
+  };
+  return (
+    <button class="button" onClick={() => void send()}>
+      <Send size={15} aria-hidden />
+      <span>Send</span>
+    </button>
   );
 }

@@ -31,13 +31,20 @@ export class ViewInput {
   #parts: InputParts;
   #pointer: PointerInput;
   #probing = false; // the app was told of a surface under the pointer
+  #isLookOnly = false;
 
   constructor(parts: InputParts) {
     this.#parts = parts;
     this.#pointer = this.#createPointer();
   }
 
+  /** From now on the hand is away: nothing is picked or grabbed. */
+  lookOnly(): void {
+    this.#isLookOnly = true;
+  }
+
   grabTag(luminaire: number, event: PointerEvent): void {
+    if (this.#isLookOnly) return;
     this.#parts.hand.grab(luminaire, event.currentTarget as HTMLElement, event);
     this.#parts.canvas.focus(quietly);
   }
@@ -64,7 +71,7 @@ export class ViewInput {
     if (hand.busy) return;
     const hit = at ? this.#pick(at.x, at.y) : null;
     emphasis.hover(hit?.surface ?? null, hit?.luminaire ?? null);
-    canvas.style.cursor = hit?.luminaire != null ? 'grab' : '';
+    canvas.style.cursor = hit?.luminaire != null && !this.#isLookOnly ? 'grab' : '';
     const surface = hit?.surface ?? null;
     if (!at || !hit || surface === null) {
       if (this.#probing) events.hovered(null, null);
@@ -81,7 +88,9 @@ export class ViewInput {
     const { canvas, emphasis, events, hand, rig } = this.#parts;
     return new PointerInput(canvas, {
       hover: (at) => this.#hover(at),
-      click: (x, y) => events.surfacePicked(this.#pick(x, y)?.surface ?? null),
+      click: (x, y) => {
+        if (!this.#isLookOnly) events.surfacePicked(this.#pick(x, y)?.surface ?? null);
+      },
       doubleClick: (x, y) => {
         const hit = this.#pick(x, y);
         if (hit?.surface == null) return;
@@ -89,6 +98,7 @@ export class ViewInput {
         else rig.pivot(hit.point);
       },
       press: (event) => {
+        if (this.#isLookOnly) return false;
         const luminaire = this.#pick(event.clientX, event.clientY)?.luminaire ?? null;
         if (luminaire === null) return false;
         hand.grab(luminaire, canvas, event);

@@ -56,6 +56,22 @@ test('is the one of the last work, else the first one, and none for a link', () 
   expect(likelyRoom('')).toBe(firstRoom);
 });
 
+test('is the one that the address names; an embedded page knows nothing of the last work', () => {
+  rememberRoom('gallery');
+  try {
+    put('location', { search: '?room=box' });
+    expect(likelyRoom('')).toBe('box');
+    put('location', { search: '?room=../../etc' });
+    expect(likelyRoom('')).toBe(firstRoom);
+    put('location', { search: '?embed' });
+    expect(likelyRoom('')).toBe(firstRoom);
+    rememberRoom('box');
+  } finally {
+    put('location', undefined);
+  }
+  expect(likelyRoom('')).toBe('gallery');
+});
+
 test('is used once', async () => {
   // Whoever asks gets it as soon as it begins to arrive.
   expectScene(firstRoom, early(Promise.resolve(), never));
