@@ -76,7 +76,7 @@ async function measure({ cwd, command, cache }) {
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   try {
-    const page = await browser.newPage();
+    const page = await browser.newPage({ reducedMotion: 'reduce' }); // the light does not fade on
     await page.goto(await address);
     tell('the page is open');
     const isLit = () => performance.getEntriesByName('light set').length > 0;

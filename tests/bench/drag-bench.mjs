@@ -31,13 +31,14 @@ async function served(root, use) {
   }
 }
 
-export async function inBrowser(use) {
+/** `options`: of the page, such as { reducedMotion: 'reduce' }. */
+export async function inBrowser(use, options = {}) {
   const browser = await chromium.launch({
     executablePath: '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   try {
-    return await use(await browser.newPage({ viewport }));
+    return await use(await browser.newPage({ viewport, ...options }));
   } finally {
     await browser.close();
   }

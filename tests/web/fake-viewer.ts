@@ -40,6 +40,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       prepare: () => {},
       open: async () => void viewer.opened++,
       preview: async () => {},
+      arrive: () => {},
       setLight: (light) => void (viewer.light = light),
       setLayout: (layout, pinned) => {
         viewer.layout = layout;

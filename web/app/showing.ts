@@ -56,7 +56,6 @@ export class Showing {
   foresee({ layout, illuminance }: OpeningLight): void {
     if (this.#store.preview.peek() !== null) return;
     this.#viewer.setLight(illuminance);
-    performance.mark('light set');
     this.#viewer.setLayout(layout, this.#store.document.peek().luminaires.pinned);
   }
 
@@ -64,7 +63,6 @@ export class Showing {
   relight(): void {
     if (!this.#live || this.#store.preview.peek() !== null) return;
     this.#viewer.setLight(this.#live.illuminance);
-    performance.mark('light set');
     this.#viewer.setLayout(this.#live.layout, this.#store.document.peek().luminaires.pinned);
   }
 }

@@ -2,7 +2,7 @@
 import type { RefObject } from 'preact';
 import { useContext, useRef, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
-import { likelyRoom } from '../app/opening/first-scene.ts';
+import { isFirstVisit, likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
@@ -82,12 +82,14 @@ function Loading() {
   );
 }
 
-/** The picture of the room to come, blurred. */
+/** The picture of the room to come, blurred; dark where the light is going to fade on. */
 function Placeholder() {
   const [room] = useState(() => likelyRoom(location.hash));
+  const [arrives] = useState(() => isFirstVisit(location.hash));
   const [missing, setMissing] = useState(false);
   if (!room || missing) return null;
-  return <RoomPicture id={room} class="placeholder" onError={() => setMissing(true)} />;
+  const shade = arrives ? 'placeholder at-dusk' : 'placeholder';
+  return <RoomPicture id={room} class={shade} onError={() => setMissing(true)} />;
 }
 
 /** The light under the pointer. */

@@ -41,7 +41,15 @@ export interface Viewer {
   open(glb: ArrayBuffer, scene: SceneInfo): Promise<void>;
   /** Shows a plain .glb without light (a dropped file that still needs `fiatlux precompute`). */
   preview(glb: ArrayBuffer, options?: { readonly keepView?: boolean }): Promise<void>;
-  /** The light of a layout: n + receivers values, lx. Cheap: once per solver update. */
+  /**
+   * The next room is come into: from within, at dusk; as soon as there is light it fades on and the eye rises to home. Any
+   * input ends that at once. Nothing of it where less motion is asked for.
+   */
+  arrive(): void;
+  /**
+   * The light of a layout: n + receivers values, lx. Cheap: once per solver update. Sets the mark 'light set': the next
+   * frame shows it in full.
+   */
   setLight(illuminance: Float32Array): void;
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;

@@ -2,6 +2,7 @@
 import { DoubleSide, FrontSide, Mesh } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
+import { Arrival } from './eye/arrival.ts';
 import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
 import { Emphasis } from './hand/emphasis.ts';
@@ -29,6 +30,7 @@ class RoomViewer implements Viewer {
   #loop = new FrameLoop(() => this.#draw());
   #stage: Stage;
   #rig: CameraRig;
+  #arrival: Arrival;
   #light = new RoomLight(this.#loop);
   #cutAway = new CutAway();
   #outlines = new SurfaceOutlines();
@@ -55,6 +57,7 @@ class RoomViewer implements Viewer {
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
     this.#events = events;
     this.#rig = new CameraRig(canvas, this.#loop, (camera) => events.cameraMoved(camera));
+    this.#arrival = new Arrival(canvas, this.#loop, this.#rig);
     this.#stage = new Stage(canvas, {
       resized: (width, height, ratio, covered) => {
         this.#rig.resize(width, height, covered);
@@ -115,9 +118,14 @@ class RoomViewer implements Viewer {
     this.#show(room, null, keepView);
   }
 
+  arrive(): void {
+    this.#arrival.expect();
+  }
+
   setLight(illuminance: Float32Array): void {
     this.#unlit = false;
     this.#light.set(illuminance);
+    this.#arrival.light();
   }
 
   setLayout(layout: Layout, pinned: readonly number[]): void {
@@ -175,6 +183,7 @@ class RoomViewer implements Viewer {
   }
 
   setCamera(camera: Camera): void {
+    this.#arrival.end();
     this.#rig.set(camera);
   }
 
@@ -206,7 +215,7 @@ class RoomViewer implements Viewer {
   }
 
   home(): void {
-    this.#rig.home();
+    if (!this.#arrival.begin()) this.#rig.home();
   }
 
   async png(): Promise<Blob> {
@@ -218,6 +227,7 @@ class RoomViewer implements Viewer {
 
   dispose(): void {
     this.#disposed = true;
+    this.#arrival.end();
     this.#loop.suspend();
     this.#input.dispose();
     this.#clearRoom();

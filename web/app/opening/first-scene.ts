@@ -34,6 +34,11 @@ export function likelyRoom(hash: string): string | null {
   return sceneFile.test(`${room}.flux`) ? room : firstRoom;
 }
 
+/** Nothing of this site was opened in this browser before, and the address shows nothing in particular. */
+export function isFirstVisit(hash: string): boolean {
+  return hash.length <= 1 && !isEmbedded() && lastRoom() === null;
+}
+
 function lastRoom(): string | null {
   if (isEmbedded()) return null;
   try {

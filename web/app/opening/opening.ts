@@ -24,7 +24,7 @@ import { progressText, type Rooms } from '../rooms/rooms.ts';
 import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { forgetLink } from './address.ts';
-import { requestScene } from './first-scene.ts';
+import { isFirstVisit, requestScene } from './first-scene.ts';
 import { Lighting, type CreatePool } from '../lighting/lighting.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { FileOpening } from './opening-files.ts';
@@ -73,6 +73,7 @@ export class Opening {
     lastWork: () => Promise<Work | null>,
     wished: string | null = null,
   ): Promise<void> {
+    if (isFirstVisit(hash)) this.#viewer.arrive();
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
     if (this.#isTaken()) return;

@@ -27,6 +27,7 @@ export class CameraRig {
   #atHome = true; // untouched since home(): a new picture size frames the room anew
   #unreported = false;
   #flying: Animation | null = null;
+  #isRising = false; // by rise(), a frame at a time
 
   constructor(canvas: HTMLCanvasElement, loop: FrameLoop, report: (camera: Camera) => void) {
     this.#loop = loop;
@@ -90,9 +91,10 @@ export class CameraRig {
 
   /** Steps damping before a frame; tells the app of a new pose once the eye rests. */
   update(): void {
-    const moving = this.#flying === null && this.controls.update();
+    const isFlying = this.#flying !== null || this.#isRising;
+    const moving = !isFlying && this.controls.update();
     this.#project();
-    if (moving || this.#flying !== null || !this.#unreported) return;
+    if (moving || isFlying || !this.#unreported) return;
     this.#unreported = false;
     this.#report(this.get());
   }
@@ -141,6 +143,28 @@ export class CameraRig {
   home(): void {
     this.#fly(this.#poses.home());
     this.#atHome = true;
+  }
+
+  /** Puts the eye into the room. */
+  enter(): void {
+    this.#atHome = false;
+    this.rise(0);
+    this.#loop.invalidate();
+  }
+
+  /** Share k (0..1) of the way from within the room to home. */
+  rise(k: number): void {
+    this.#stop();
+    this.#isRising = true;
+    this.#apply(poseBetween(this.#poses.within(), this.#poses.home(), k));
+  }
+
+  /** As home, at once. */
+  land(): void {
+    this.#stop();
+    this.#apply(this.#poses.home());
+    this.#atHome = true;
+    this.#loop.invalidate();
   }
 
   /** The whole room from where the eye stands. */
@@ -261,6 +285,7 @@ export class CameraRig {
   #stop(): void {
     if (this.#flying) this.#loop.cancel(this.#flying);
     this.#flying = null;
+    this.#isRising = false;
   }
 
   #fly(goal: CameraPose): void {

@@ -6,6 +6,7 @@ import * as framing from './framing.ts';
 export const fov = 38; // degrees, vertical
 export const tangent = Math.tan((fov * Math.PI) / 360);
 const eyeHeight = 1.6; // m, standing
+const fromWall = 1.2; // m, of an eye within the room
 const arm = 0.4; // m from the eye to the centre of its turns
 const floorDepth = 0.15; // m: carpets and steps are floor, too
 const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
@@ -32,6 +33,22 @@ export class RoomPoses {
   home(): CameraPose {
     const azimuth = framing.cornerAzimuth(this.#box, this.aspect, this.#facing);
     return this.framed(framing.directionOf(azimuth, framing.cornerElevation(this.#box, this.aspect)), 0.07);
+  }
+
+  /**
+   * A person in the room, on the side from which home looks: the way from there to home turns nothing. They look across,
+   * a little down.
+   */
+  within(): CameraPose {
+    const { theta } = this.home().spherical;
+    const { min, max } = this.#box;
+    const target = new Vector3(...framing.boxCenter(this.#box));
+    const height = Math.min(eyeHeight, 0.6 * (max[1] - min[1]));
+    const [x, z] = [Math.sin(theta), Math.cos(theta)];
+    const reach = Math.min((max[0] - min[0]) / 2 / Math.abs(x), (max[2] - min[2]) / 2 / Math.abs(z));
+    const away = Math.max(0.5 * reach, reach - fromWall);
+    const eye = new Vector3(target.x + away * x, min[1] + height, target.z + away * z);
+    return this.of(eye, target.setY(min[1] + 0.8 * height), false);
   }
 
   /** As home, from one quadrant (0..3: azimuths 45, 135, 225, 315). */

@@ -60,6 +60,12 @@ export class FrameLoop {
 /** 0..1 -> 0..1, fast first, at rest at the end. */
 export const easeOut = (t: number): number => 1 - Math.pow(1 - Math.min(1, Math.max(0, t)), 3);
 
+/** 0..1 -> 0..1, at rest at both ends. */
+export function easeInOut(t: number): number {
+  const k = Math.min(1, Math.max(0, t));
+  return k * k * k * (10 - 15 * k + 6 * k * k);
+}
+
 const query = '(prefers-reduced-motion: reduce)';
 
 /** Whether the person asked for less motion: then everything jumps to its end. */
