@@ -11,6 +11,7 @@ import './styles/types.css';
 import './styles/plots.css';
 import './styles/tables.css';
 import './styles/overlays.css';
+import './styles/compare.css';
 import './styles/dialogs.css';
 import './styles/embed.css';
 import './viewer/viewer.css';

@@ -109,6 +109,12 @@ export class FakeSolver implements WorkerLike {
       case 'check':
       case 'stop':
         return;
+      case 'read': {
+        const { revision, layout, intentions } = message;
+        const shown = fakeShown(this.scene, layout, intentions);
+        this.#queue.push({ type: 'readings', revision, shown });
+        return;
+      }
       case 'describe':
         this.#queue.push({ type: 'described', revision: message.revision, description: this.describes });
         return;

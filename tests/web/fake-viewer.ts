@@ -24,6 +24,7 @@ export interface FakeViewer extends Viewer {
   pinned: readonly number[];
   opened: number;
   held: boolean;
+  other: Parameters<Viewer['compareWith']>[0];
 }
 
 export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer } {
@@ -37,6 +38,9 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       pinned: [],
       opened: 0,
       held: false,
+      other: null,
+      compareWith: (other) => void (viewer.other = other),
+      divide: () => {},
       prepare: () => {},
       open: async () => void viewer.opened++,
       preview: async () => {},

@@ -2,6 +2,7 @@
 import type { Display } from '../document/types.ts';
 import type { ViewName } from '../viewer/types.ts';
 import type { App } from './app.ts';
+import { comparingActions } from './comparing-actions.ts';
 import { exportFormats } from './exports/formats.ts';
 import { saveAs } from './exports/save-as.ts';
 import type { Dialog } from './state/store.ts';
@@ -9,7 +10,8 @@ import type { Dialog } from './state/store.ts';
 export interface Action {
   readonly id: string;
   readonly title: string;
-  readonly group: 'Intentions' | 'Luminaires' | 'View' | 'File' | 'Edit' | 'Rooms' | 'Surfaces' | 'Help';
+  readonly group:
+    'Intentions' | 'Luminaires' | 'View' | 'Compare' | 'File' | 'Edit' | 'Rooms' | 'Surfaces' | 'Help';
   readonly keys?: readonly string[]; // "Mod+Z": Mod is Ctrl, or Cmd on a Mac
   readonly enabled?: (app: App) => boolean;
   readonly run: (app: App) => void;
@@ -275,6 +277,7 @@ export const actions: readonly Action[] = [
   ...luminaires,
   ...types,
   ...view,
+  ...comparingActions,
   ...file,
   ...help,
 ];

@@ -18,6 +18,7 @@ import { Rooms } from './rooms/rooms.ts';
 import { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
+import { Variants } from './variants.ts';
 
 export interface Parts {
   readonly canvas: HTMLCanvasElement;
@@ -37,6 +38,7 @@ export class App {
   readonly opening: Opening;
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
+  readonly variants: Variants;
 
   constructor(store: Store, { canvas, labels, createViewer, createWorker, createPool }: Parts) {
     this.store = store;
@@ -56,6 +58,7 @@ export class App {
       this.own,
       createPool,
     );
+    this.variants = new Variants(store, this.solving, this.viewer);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }

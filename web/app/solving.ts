@@ -6,7 +6,7 @@ import { effect, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
-import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
+import type { FiatLuxDocument, Intentions, Layout, LuminaireType, SceneInfo } from '../document/types.ts';
 import type { FromWorker, OpeningLight, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
@@ -137,6 +137,16 @@ export class Solving {
     });
   }
 
+  /**
+   * The light of another layout, of luminaires of the document's types or of others, judged by what is asked now. What runs
+   * goes on. Rejects with one readable line.
+   */
+  async read(layout: Layout, types?: readonly LuminaireType[]): Promise<Shown> {
+    const asked = this.#intentions();
+    const luminaires = { ...asked.luminaires, types: types ?? asked.luminaires.types ?? [] };
+    return this.#read(await this.#client.read({ ...asked, luminaires }, layout));
+  }
+
   /** What a photometric file says. Rejects with one readable line. */
   describe(file: Uint8Array): Promise<PhotometricDescription> {
     return this.#client.describe(file);
@@ -264,7 +274,8 @@ export class Solving {
         return this.#compared?.(message);
       case 'checked':
         return this.#checked(message);
-      case 'described': // the client keeps these for whoever asked
+      case 'readings': // the client keeps these for whoever asked
+      case 'described':
         return;
       case 'failed':
         return this.#failed(message);

@@ -53,7 +53,8 @@ export function withFile(
 
 /** The files that a document names. `beside`: text that may name more of them, as the JSON of a history. */
 export function filesOf(files: PhotometricFiles, document: FiatLuxDocument, beside = ''): PhotometricFiles {
-  const hashes = new Set(document.luminaires.types?.map(({ hash }) => hash));
+  const types = [document, document.kept].flatMap((each) => each?.luminaires.types ?? []);
+  const hashes = new Set(types.map(({ hash }) => hash));
   return Object.fromEntries(
     Object.entries(files).filter(([hash]) => hashes.has(hash) || beside.includes(`"${hash}"`)),
   );

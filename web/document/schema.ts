@@ -141,16 +141,21 @@ export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
   plan: v.boolean(),
 });
 
-export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({
-  scene: identitySchema,
-  room: roomSchema,
+const askedEntries = {
   cards: cardsSchema,
   saving: v.boolean(),
   luminaires: luminairesSchema,
   quantity: quantitySchema,
   seed: seedSchema,
   roomType: v.exactOptional(roomTypeSchema),
+};
+
+export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({
+  scene: identitySchema,
+  room: roomSchema,
+  ...askedEntries,
   layout: v.nullable(layoutSchema),
+  kept: v.exactOptional(v.object({ ...askedEntries, layout: layoutSchema })),
   views: v.exactOptional(
     v.pipe(v.array(v.object({ name: nameSchema, camera: cameraSchema })), v.maxLength(mostViews)),
   ),

@@ -151,6 +151,12 @@ export interface FiatLuxDocument {
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
   readonly views?: readonly NamedView[]; // absent: none; links leave them out
+  readonly kept?: Variant; // absent: none; of it a link carries the layout alone
+}
+
+/** Kept beside the work to be compared with it: everything that was asked, and the layout that answered. */
+export interface Variant extends Omit<FiatLuxDocument, 'scene' | 'room' | 'layout' | 'views' | 'kept'> {
+  readonly layout: Layout;
 }
 
 /** What the solver is asked for: cards turned into goals and constraints, surfaces still by their names. */

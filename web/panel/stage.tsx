@@ -4,6 +4,8 @@ import { useContext, useRef, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
 import { isFirstVisit, likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
+import { CompareBar } from './compare/compare-bar.tsx';
+import { Divider } from './compare/divider.tsx';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
 import { RoomPicture } from './room-picture.tsx';
@@ -41,7 +43,9 @@ export function Stage({ canvas, labels, ready, lookOnly }: Props) {
 function Overlays() {
   return (
     <>
+      <Divider />
       <ViewToolbar />
+      <CompareBar />
       <Looking />
       <SelectionBar />
       <PreviewNote />

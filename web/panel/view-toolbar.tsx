@@ -1,9 +1,20 @@
 /** How the room is looked at: realistic or false colour, what belongs to each, and where from. */
 import type { ColorMap, Display } from '../document/types.ts';
-import { Box, House, Lock, LockOpen, Maximize, Palette, SlidersHorizontal, Sun } from 'lucide-preact';
+import {
+  Box,
+  House,
+  Lock,
+  LockOpen,
+  Maximize,
+  Palette,
+  SlidersHorizontal,
+  SquareSplitHorizontal,
+  Sun,
+} from 'lucide-preact';
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import { useDismiss } from './controls/menu.tsx';
+import { comparingActions } from '../app/comparing-actions.ts';
+import { Menu, useDismiss } from './controls/menu.tsx';
 import { Slider } from './controls/slider.tsx';
 import { Views } from './views.tsx';
 
@@ -45,6 +56,7 @@ export function ViewToolbar() {
       <button class="icon-button" aria-label="Home view" title="Home (H)" onClick={() => app.viewer.home()}>
         <House size={16} aria-hidden />
       </button>
+      <Menu label="Compare" icon={SquareSplitHorizontal} items={comparingActions} />
     </div>
   );
 }

@@ -70,6 +70,11 @@ export class Mounts {
     return this.#types(wanted).length === 0 || this.#made(wanted) !== null;
   }
 
+  /** Whether a session is still there: the room's own, or of candidates that no others have replaced. */
+  has(session: unknown): boolean {
+    return [this.#room, this.#few?.session, this.#all?.session].includes(session as MountedSession);
+  }
+
   /** Whether anything hangs on the places of a layout; of a type that fits elsewhere nothing may. */
   hangs(asked: Intentions, layout: Layout): boolean {
     return this.#candidates({ asked, layout, extent: 'start' }).length > 0;

@@ -106,6 +106,16 @@ export type ToWorker =
       readonly layout: Layout;
     }
   /**
+   * Reads the light of another layout by the intentions asked last -> 'readings'. It supersedes nothing and nothing but
+   * another room supersedes it: what runs goes on.
+   */
+  | {
+      readonly type: 'read';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly layout: Layout;
+    }
+  /**
    * Reads a photometric file -> 'described', at once and whatever else runs. It supersedes nothing and nothing
    * supersedes it. The buffer is transferred.
    */
@@ -176,6 +186,11 @@ export type FromWorker =
       readonly largestDifference: number; // relative, statistics against patches
       readonly surface: string; // where
       readonly margins: readonly { readonly constraint: number; readonly margin: number }[]; // relative
+    }
+  | {
+      readonly type: 'readings';
+      readonly revision: number;
+      readonly shown: Shown | string; // one readable line where the layout cannot hang here
     }
   | {
       readonly type: 'described';

@@ -13,7 +13,7 @@ import { MountedSession, type LayoutArguments, type Searching } from './mounted-
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
-import type { FromWorker, ToWorker } from './protocol.ts';
+import type { FromWorker, Shown, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
@@ -40,6 +40,7 @@ export class SessionDriver {
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
   #compare: CompareTask | null = null; // goes on while no search runs
+  #reads: Request<'read'>[] = []; // layouts whose light is wanted beside all that
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
@@ -55,7 +56,7 @@ export class SessionDriver {
   /** Whether `step` has something to do. */
   get busy(): boolean {
     const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
-    return running.some((each) => each !== null);
+    return this.#reads.length > 0 || running.some((each) => each !== null);
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -84,6 +85,7 @@ export class SessionDriver {
   step(): void {
     if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
     else if (this.#preparing) this.#attempt(this.#preparing.revision, this.#prepare, this.#preparing);
+    else if (this.#reads.length > 0) return this.#read(this.#reads.shift()!);
     else if (this.#compare && (!this.#task || this.#task instanceof BoundTask))
       return this.#attempt(this.#compare.revision, this.#advanceCompare, this.#compare);
     else if (this.#bound && !this.#task) this.#attempt(this.#bound.revision, this.#beginBound, this.#bound);
@@ -109,6 +111,9 @@ export class SessionDriver {
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);
+      case 'read':
+        this.#reads.push(message);
+        return;
       case 'stop':
         return this.#stop();
       default:
@@ -125,6 +130,7 @@ export class SessionDriver {
     this.#drop();
     this.#compare = null;
     this.#waiting = [];
+    this.#reads = [];
     this.#mounts.setScene(null);
     let isTold = false;
     try {
@@ -246,6 +252,26 @@ export class SessionDriver {
     const surface = this.#leaves()[checked.surface]?.name ?? 'all';
     const margins = Array.from(checked.margins, (margin, constraint) => ({ constraint, margin }));
     this.#post({ type: 'checked', revision, largestDifference, surface, margins }, []);
+  }
+
+  /** The light of a layout beside what runs, by the intentions that were asked last: the search goes on. */
+  #read({ revision, intentions, layout }: Request<'read'>): void {
+    const answer = (shown: Shown | string) =>
+      this.#post(
+        { type: 'readings', revision, shown },
+        typeof shown === 'string' ? [] : [shown.illuminance.buffer],
+      );
+    try {
+      const mounted = this.#mounts.session({ asked: intentions, layout, extent: 'layout' });
+      const session = mounted ?? this.#session;
+      if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, this.#leaves())));
+      if (!this.#mounts.has(this.#asked)) this.#asked = session; // its candidates made room for these
+      const held = mounted ? mounted.take(layout) : coreLayout(layout);
+      answer(shownOf(valid(session.show(...held)), 0, this.#leaves()));
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError) throw error;
+      answer(error instanceof Error ? error.message : String(error));
+    }
   }
 
   #stop(): void {

@@ -4,7 +4,7 @@
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
-import type { FromWorker, ToWorker } from './protocol.ts';
+import type { FromWorker, Shown, ToWorker } from './protocol.ts';
 
 /** A scene file, which may still be arriving. */
 export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
@@ -39,12 +39,12 @@ const laneOf = {
   bound: 'bound',
   compare: 'compare',
   check: 'check',
-} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'describe' | 'bring'>, Lane>;
+} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring'>, Lane>;
 
-type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'describe' | 'bring' }>;
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' }>;
 
-interface Reading {
-  readonly resolve: (description: PhotometricDescription) => void;
+interface Reading<T> {
+  readonly resolve: (value: T) => void;
   readonly reject: (error: Error) => void;
 }
 
@@ -53,7 +53,8 @@ export class SolverClient {
   readonly #createWorker: () => WorkerLike;
   readonly #receive: (message: FromWorker) => void;
   readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, compare: 0, check: 0 };
-  readonly #readings = new Map<number, Reading>(); // photometric files that are being read, by revision
+  readonly #readings = new Map<number, Reading<PhotometricDescription>>(); // photometric files that are being read, by revision
+  readonly #lit = new Map<number, Reading<Shown>>(); // layouts whose light is being read, by revision
   readonly #brought = new Map<string, Uint8Array>(); // photometric files, by hash: a new worker gets them again
   #worker: WorkerLike;
   #revision = 0;
@@ -75,6 +76,7 @@ export class SolverClient {
   open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = null;
+    endAll(this.#lit, 'another room was opened');
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
@@ -115,6 +117,15 @@ export class SolverClient {
   check(intentions: Intentions, layout: Layout): number {
     const search = this.#searchFor(intentions);
     return this.#ask({ type: 'check', revision: ++this.#revision, intentions, layout, search });
+  }
+
+  /** The light of another layout, by the intentions asked last. Rejects with one readable line. */
+  read(intentions: Intentions, layout: Layout): Promise<Shown> {
+    const revision = ++this.#revision;
+    return new Promise((resolve, reject) => {
+      this.#lit.set(revision, { resolve, reject });
+      this.#worker.postMessage({ type: 'read', revision, intentions, layout }, []);
+    });
   }
 
   /** Reads a photometric file, of which it keeps nothing. Rejects with one readable line. */
@@ -221,10 +232,15 @@ export class SolverClient {
   }
 
   #endReadings(): void {
-    const readings = [...this.#readings.values()];
-    this.#readings.clear();
-    for (const { reject } of readings)
-      reject(new Error('the solver stopped while it read the file; try again'));
+    endAll(this.#readings, 'the solver stopped while it read the file; try again');
+    endAll(this.#lit, 'the solver stopped while it computed the light; try again');
+  }
+
+  #wasRead({ revision, shown }: Extract<FromWorker, { readonly type: 'readings' }>): void {
+    const reading = this.#lit.get(revision);
+    this.#lit.delete(revision);
+    if (typeof shown === 'string') reading?.reject(new Error(shown));
+    else reading?.resolve(shown);
   }
 
   #described({ revision, description }: Extract<FromWorker, { readonly type: 'described' }>): void {
@@ -236,6 +252,7 @@ export class SolverClient {
 
   #take(message: FromWorker): void {
     if (message.type === 'described') return this.#described(message);
+    if (message.type === 'readings') return this.#wasRead(message);
     if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
     if (this.#isCurrent(message)) this.#receive(message);
   }
@@ -266,4 +283,10 @@ export class SolverClient {
     const isBeside = answered === bound || answered === compare || answered === check;
     return answered === layout || (isBeside && answered > layout);
   }
+}
+
+function endAll(readings: Map<number, Reading<never>>, why: string): void {
+  const ended = [...readings.values()];
+  readings.clear();
+  for (const { reject } of ended) reject(new Error(why));
 }

@@ -53,6 +53,10 @@ export interface Viewer {
   setLight(illuminance: Float32Array): void;
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
+  /** Another light of the same room, drawn left of a divider with the same eye, exposure and scale; null: none. */
+  compareWith(other: { readonly illuminance: Float32Array; readonly layout: Layout } | null): void;
+  /** Where the divider stands, a share of the picture's width. */
+  divide(share: number): void;
   /** Of the types that a layout's mountings name; luminaires of others are drawn as squares. */
   setBodies(bodies: readonly LuminaireBody[]): void;
   setSelection(surface: number | null, luminaire: number | null): void;

@@ -23,6 +23,7 @@ import { Stage } from './stage/stage.ts';
 import { SurfaceOutlines } from './room/surface-outline.ts';
 import type { CreateViewer, LuminaireBody, Viewer, ViewerEvents, ViewName } from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
+import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
 
 class RoomViewer implements Viewer {
@@ -35,9 +36,11 @@ class RoomViewer implements Viewer {
   #cutAway = new CutAway();
   #outlines = new SurfaceOutlines();
   #luminaires = new LuminaireObjects(this.#loop);
+  #wipe = new Wipe(this.#loop);
   #marks = new SiteMarks();
   #tags: LuminaireTags;
   #planeLabels: PlaneLabels;
+  #otherPlaneLabels: PlaneLabels; // left of the divider
   #emphasis: Emphasis;
   #hand: LuminaireHand;
   #input: ViewInput;
@@ -68,7 +71,9 @@ class RoomViewer implements Viewer {
       schemeChanged: () => this.#loop.invalidate(),
     });
     this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root);
+    this.#stage.scene.add(this.#wipe.luminaires.root);
     this.#planeLabels = new PlaneLabels(labels);
+    this.#otherPlaneLabels = new PlaneLabels(labels);
     this.#tags = new LuminaireTags(
       labels,
       (luminaire, event) => this.#input.grabTag(luminaire, event),
@@ -86,6 +91,7 @@ class RoomViewer implements Viewer {
     this.#input = new ViewInput({
       ...shared,
       light: this.#light,
+      wipe: this.#wipe,
       emphasis: this.#emphasis,
       hand: this.#hand,
       solid: () => this.#solid,
@@ -135,8 +141,17 @@ class RoomViewer implements Viewer {
     this.#emphasis.refresh();
   }
 
+  compareWith(other: Parameters<Viewer['compareWith']>[0]): void {
+    this.#wipe.set(other);
+  }
+
+  divide(share: number): void {
+    this.#wipe.divide(share);
+  }
+
   setBodies(bodies: readonly LuminaireBody[]): void {
     this.#luminaires.setBodies(bodies);
+    this.#wipe.luminaires.setBodies(bodies);
   }
 
   setSelection(surface: number | null, luminaire: number | null): void {
@@ -234,7 +249,16 @@ class RoomViewer implements Viewer {
     this.#cool();
     this.#tags.dispose();
     this.#planeLabels.dispose();
-    for (const part of [this.#outlines, this.#luminaires, this.#marks, this.#light, this.#rig, this.#stage])
+    this.#otherPlaneLabels.dispose();
+    for (const part of [
+      this.#outlines,
+      this.#luminaires,
+      this.#wipe,
+      this.#marks,
+      this.#light,
+      this.#rig,
+      this.#stage,
+    ])
       part.dispose();
   }
 
@@ -244,7 +268,8 @@ class RoomViewer implements Viewer {
     this.#info = info;
     this.#light.setScene(info);
     this.#light.setBox(room.box);
-    this.#planeLabels.setScene(info);
+    this.#wipe.setScene(info);
+    for (const labels of [this.#planeLabels, this.#otherPlaneLabels]) labels.setScene(info);
     this.#hand.setSites(info?.sites ?? null);
     this.#emphasis.setRoom(room.lit);
     this.#stage.daylight.visible = info === null;
@@ -322,18 +347,27 @@ class RoomViewer implements Viewer {
     if (this.#disposed || this.#unlit) return;
     this.#rig.update();
     this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
-    this.#stage.draw(this.#rig.active);
+    this.#wipe.draw(this.#stage, this.#rig.active, this.#light.uniforms, this.#luminaires.root);
+    const { width, height } = this.#stage;
+    const from = this.#wipe.at * width;
+    this.#drawLabels(this.#planeLabels, this.#light.light, from, width);
+    this.#drawLabels(this.#otherPlaneLabels, this.#wipe.light, 0, from);
+    this.#tags.follow(this.#luminaires.objects, this.#rig.active, width, height, from);
+  }
+
+  /** Numbers on the planes between two places of the picture, px. */
+  #drawLabels(labels: PlaneLabels, light: Float32Array | null, from: number, to: number): void {
     const { width, height, ratio } = this.#stage;
     const display = this.#display;
     const falseColor = display?.mode === 'falseColor' && display.quantity === 'illuminance';
-    this.#planeLabels.draw(
+    labels.draw(
       this.#rig.active,
       { width, height, ratio },
-      this.#light.light,
+      to > from ? light : null,
       falseColor ? this.#planes : [],
       { values: display?.values ?? false, levels: display?.isolux ?? false },
     );
-    this.#tags.follow(this.#luminaires.objects, this.#rig.active, this.#stage.width, this.#stage.height);
+    labels.canvas.style.clipPath = to - from < width ? `inset(0 ${width - to}px 0 ${from}px)` : '';
   }
 
   #contextLost(lost: boolean): void {
@@ -341,6 +375,7 @@ class RoomViewer implements Viewer {
       this.#loop.suspend();
       freeGpu(this.#stage.scene);
       this.#light.release();
+      this.#wipe.release();
     } else this.#loop.resume();
     this.#events.contextLost(lost);
   }

@@ -582,3 +582,26 @@ test('a search that has tried everything settles at once', async () => {
   expect(kinds()).toContain('settled 2');
   expect(clock.now - begun).toBeLessThan(pace.fruitlessMilliseconds / 2);
 });
+
+describe('the light of another layout', () => {
+  const read = (revision: number, sites: number[]): ToWorker => ({
+    type: 'read',
+    revision,
+    intentions: asked,
+    layout: { sites, flux: sites.map(() => 1), dimming: 1 },
+  });
+
+  test('is read beside a search, which goes on and settles as without it', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    await driver.receive(read(3, [0]));
+    await driver.receive(read(4, [1]));
+    settle();
+    const told = kinds().filter((kind) => !kind.startsWith('improved'));
+    expect(told).toEqual(['readings 3', 'readings 4', 'settled 2']);
+    expect(answers.find(({ type }) => type === 'readings')).toMatchObject({
+      shown: { layout: { sites: [0] } },
+    });
+  });
+});

@@ -1,7 +1,7 @@
 /** Latest wins on the page's side, and a new worker where the old one dies. */
 import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
-import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
+import type { FromWorker, Shown, ToWorker } from '../../../web/solver/protocol.ts';
 import { SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
 import type { PhotometricDescription } from '../../../web/document/photometry.ts';
 import { described as sample } from '../described.ts';
@@ -238,5 +238,32 @@ describe('a photometric file', () => {
     const reading = client.describe(Uint8Array.of(7));
     worker().die('out of memory');
     await expect(reading).rejects.toThrow(/stopped while it read the file/);
+  });
+});
+
+describe('the light of another layout', () => {
+  const readings = (revision: number, shown: Shown | string): FromWorker => ({
+    type: 'readings',
+    revision,
+    shown,
+  });
+
+  test('comes to whoever asked for it, whatever is asked since; what cannot hang is one line', async () => {
+    const [one, other] = [client.read(asked, layout), client.read(asked, { ...layout, sites: [9] })];
+    const [first, second] = worker().sent.flatMap((message) =>
+      message.type === 'read' ? message.revision : [],
+    );
+    client.solve(asked, null, 1, 0);
+    worker().answer(readings(second!, 'there is no site 9'));
+    worker().answer(readings(first!, { goal: 7 } as Shown));
+    await expect(one).resolves.toEqual({ goal: 7 });
+    await expect(other).rejects.toThrow('there is no site 9');
+    expect(received).toEqual([]);
+  });
+
+  test('of a room that is left is not waited for', async () => {
+    const reading = client.read(asked, layout);
+    client.open(file());
+    await expect(reading).rejects.toThrow('another room');
   });
 });

@@ -124,6 +124,7 @@ export class Store {
   readonly scene = signal<SceneInfo | null>(null);
   readonly roomTitle = signal('');
   readonly shown = signal<Shown | null>(null); // at most once a frame
+  readonly other = signal<Shown | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
   readonly comparison = signal<Comparison | null>(null); // of other numbers and arrangements, maybe of an older wish

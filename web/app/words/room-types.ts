@@ -98,9 +98,12 @@ export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
 }
 
 /** The rows of the type first, then those of the cards. */
-export function everyVerdict(store: Store, frame: PlanFrame | null): Verdict[] {
+export function everyVerdict(
+  store: Store,
+  frame: PlanFrame | null,
+  shown: Shown | null = store.shown.value,
+): Verdict[] {
   const document = store.document.value;
-  const shown = store.shown.value;
   const scene = store.scene.value;
   if (!shown || !scene) return [];
   const type = roomTypes.find(({ id }) => id === document.roomType);

@@ -2,6 +2,7 @@
 import { useApp } from '../../app/app.ts';
 import { leni, powerOf } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
+import { Differences } from '../compare/differences.tsx';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
 import { NumberField } from '../controls/number-field.tsx';
@@ -13,6 +14,7 @@ export function ResultsTab() {
   if (!store.shown.value || !store.scene.value) return <p class="empty">No layout is shown yet.</p>;
   return (
     <>
+      <Differences />
       <VerdictTable />
       <Power />
       <SurfaceTable />

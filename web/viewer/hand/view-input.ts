@@ -6,6 +6,7 @@ import type { LuminaireObjects } from '../luminaires/luminaire-objects.ts';
 import type { Hit, Picking } from './picking.ts';
 import { PointerInput } from './pointer-input.ts';
 import type { RoomLight } from '../light/room-light.ts';
+import type { Wipe } from '../wipe.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import type { ViewerEvents } from '../types.ts';
 
@@ -20,6 +21,7 @@ export interface InputParts {
   readonly picking: Picking;
   readonly luminaires: LuminaireObjects;
   readonly light: RoomLight;
+  readonly wipe: Wipe;
   readonly emphasis: Emphasis;
   readonly hand: LuminaireHand;
   readonly events: ViewerEvents;
@@ -60,10 +62,13 @@ export class ViewInput {
   }
 
   #pick(x: number, y: number): Hit | null {
-    const { picking, rig, luminaires, light, solid } = this.#parts;
+    const { canvas, picking, rig, luminaires, light, solid, wipe } = this.#parts;
     const room = solid();
     if (room.length === 0) return null;
-    return picking.pick(x, y, rig.active, room, luminaires.objects, light.light, light.reflectance);
+    const frame = canvas.getBoundingClientRect();
+    const other = wipe.lightAt((x - frame.left) / frame.width); // its luminaires are looked at only
+    const [own, there] = other ? [[], other] : [luminaires.objects, light.light];
+    return picking.pick(x, y, rig.active, room, own, there, light.reflectance);
   }
 
   #hover(at: { x: number; y: number } | null): void {

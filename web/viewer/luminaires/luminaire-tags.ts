@@ -55,12 +55,22 @@ export class LuminaireTags {
     });
   }
 
-  /** Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden. */
-  follow(objects: readonly LuminaireObject[], camera: Camera, width: number, height: number): void {
+  /**
+   * Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden, and those
+   * left of `from` (px).
+   */
+  follow(
+    objects: readonly LuminaireObject[],
+    camera: Camera,
+    width: number,
+    height: number,
+    from = -Infinity,
+  ): void {
     const places = this.#tags.map((tag, i) => {
       const object = objects[i];
       if (object) this.#point.copy(object.group.position).project(camera);
-      const visible = object !== undefined && Math.abs(this.#point.z) <= 1;
+      const isRight = (0.5 + 0.5 * this.#point.x) * width >= from;
+      const visible = object !== undefined && Math.abs(this.#point.z) <= 1 && isRight;
       if (tag.hidden === visible) tag.hidden = !visible;
       if (!visible) return { x: -1e4 * (i + 1), y: 0 };
       return this.#placeOf(object, camera, width, height);

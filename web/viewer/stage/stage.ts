@@ -72,8 +72,13 @@ export class Stage {
     return this.renderer.getPixelRatio();
   }
 
-  draw(camera: Camera): void {
-    this.renderer.render(this.scene, camera);
+  /** Draws the picture, or the part of it between two shares of its width. */
+  draw(camera: Camera, from = 0, to = 1): void {
+    const isPart = from > 0 || to < 1;
+    const [left, right] = [Math.round(from * this.width), Math.round(to * this.width)];
+    this.renderer.setScissorTest(isPart);
+    if (isPart) this.renderer.setScissor(left, 0, right - left, this.height);
+    if (right > left) this.renderer.render(this.scene, camera);
   }
 
   /** The picture of a frame drawn just now, in the same task. */

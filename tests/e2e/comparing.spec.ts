@@ -1,0 +1,34 @@
+// Two layouts in one picture: kept, wiped by the keyboard, told apart in a table, switched, and kept over a reload.
+// Covers compare-bar, divider, differences, wipe.
+import { difference, expect, openRoom, picture, settled, status, tab, test, violations } from './app.ts';
+
+test('a variant is kept as A, compared with what comes after it, and survives a reload', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await page.keyboard.press('k');
+  const divider = page.getByRole('slider', { name: 'Divider between A and B' });
+  await expect(divider).toBeVisible();
+
+  await tab(page, 'Luminaires');
+  await page.getByRole('textbox', { name: /Flux of each/ }).fill('400');
+  await settled(page);
+  await divider.press('End');
+  const other = await picture(page);
+  await divider.press('Home');
+  expect(difference(other, await picture(page))).toBeGreaterThan(0.2);
+  await divider.press('Shift+ArrowRight');
+  await expect(divider).toHaveAttribute('aria-valuenow', '10');
+
+  await page.getByRole('button', { name: 'Table of differences' }).click();
+  const table = page.getByRole('table', { name: /A beside B/ });
+  await expect(table.getByRole('row', { name: /^Flux/ })).toContainText('−');
+  expect(await violations(page)).toEqual([]);
+
+  await page.getByRole('button', { name: 'Switch A and B' }).click();
+  await expect(status(page)).toHaveText('As given');
+  await expect(table.getByRole('row', { name: /^Flux/ })).toContainText('+');
+  await page.reload();
+  await expect(status(page)).toHaveText('As given', { timeout: 60_000 });
+  await expect(divider).toHaveCount(0);
+  await page.keyboard.press('b');
+  await expect(divider).toBeVisible();
+});

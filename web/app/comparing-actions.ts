@@ -1,0 +1,46 @@
+/** What can be compared, as actions. */
+import type { Action } from './actions.ts';
+import type { App } from './app.ts';
+import type { Against } from './variants.ts';
+
+const hasLight = ({ store }: App) => store.shown.value !== null && store.preview.value === null;
+
+const against = (id: Against, title: string, keys?: readonly string[]): Action => ({
+  id: `compare-${id}`,
+  title,
+  group: 'Compare',
+  ...(keys && { keys }),
+  enabled: (app) => hasLight(app) && app.variants.isThere(id),
+  run({ variants }) {
+    if (variants.against.peek() === id) variants.close();
+    else variants.compare(id);
+  },
+});
+
+export const comparingActions: readonly Action[] = [
+  {
+    id: 'keep-a',
+    title: 'Keep this layout as A',
+    group: 'Compare',
+    keys: ['K'],
+    enabled: hasLight,
+    run: ({ variants }) => variants.keep(),
+  },
+  against('kept', 'Compare with A', ['B']),
+  {
+    id: 'switch',
+    title: 'Switch A and B: A becomes the work',
+    group: 'Compare',
+    enabled: (app) => hasLight(app) && app.variants.isThere('kept'),
+    run: ({ variants }) => variants.switch(),
+  },
+  {
+    id: 'forget-a',
+    title: 'Forget A',
+    group: 'Compare',
+    enabled: ({ variants }) => variants.isThere('kept'),
+    run: ({ variants }) => variants.forget(),
+  },
+  against('opened', 'Compare with the room as it was opened', ['W']),
+  against('scattered', 'Compare with luminaires scattered at random'),
+];

@@ -1,0 +1,72 @@
+/** What is compared, how bright, and how to end it: over the picture while two lights are in it. */
+import { ArrowLeftRight, Table2, X } from 'lucide-preact';
+import { useApp } from '../../app/app.ts';
+import type { Against } from '../../app/variants.ts';
+
+const choices: readonly [Against, string][] = [
+  ['kept', 'A, as kept'],
+  ['opened', 'As it was opened'],
+  ['scattered', 'Scattered at random'],
+];
+
+/** A bracket as photographers take it: darker, as it is, brighter; EV. */
+const bracket = [-1, 0, 1];
+
+export function CompareBar() {
+  const app = useApp();
+  const { store, variants } = app;
+  const against = variants.against.value;
+  if (!against || !store.other.value) return null;
+  const { mode, exposure } = store.display.value;
+  return (
+    <div class="compare-bar" role="toolbar" aria-label="Comparison">
+      <select
+        aria-label="Compared with"
+        value={against}
+        onChange={(event) => variants.compare(event.currentTarget.value as Against)}
+      >
+        {choices.map(([id, title]) => (
+          <option key={id} value={id} disabled={!variants.isThere(id)}>
+            {title}
+          </option>
+        ))}
+      </select>
+      {mode === 'realistic' && (
+        <div class="segments" role="group" aria-label="Exposure of both">
+          {bracket.map((ev) => (
+            <button key={ev} aria-pressed={exposure === ev} onClick={() => app.setDisplay({ exposure: ev })}>
+              {ev === 0 ? '0' : `${ev > 0 ? '+' : '−'}${Math.abs(ev)}`}
+              {ev !== 0 && <span class="wide-only"> EV</span>}
+            </button>
+          ))}
+        </div>
+      )}
+      {against === 'kept' && (
+        <button
+          class="icon-button"
+          aria-label="Switch A and B"
+          title="Switch A and B: A becomes the work"
+          onClick={() => variants.switch()}
+        >
+          <ArrowLeftRight size={16} aria-hidden />
+        </button>
+      )}
+      <button
+        class="icon-button"
+        aria-label="Table of differences"
+        title="Table of differences"
+        onClick={() => (store.tab.value = 'results')}
+      >
+        <Table2 size={16} aria-hidden />
+      </button>
+      <button
+        class="icon-button"
+        aria-label="End the comparison"
+        title="End the comparison"
+        onClick={() => variants.close()}
+      >
+        <X size={16} aria-hidden />
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,92 @@
+/**
+ * Another light of the same room, left of a divider: the same eye, exposure and scale, so that what differs in the picture
+ * is the light and the luminaires alone. Its luminaires are looked at only.
+ */
+import type { Camera, Object3D } from 'three';
+import type { SceneInfo } from '../document/types.ts';
+import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
+import type { FrameLoop } from './stage/frame-loop.ts';
+import type { Stage } from './stage/stage.ts';
+import type { Viewer } from './types.ts';
+import type { SharedUniforms } from './light/light-material.ts';
+import { LightTexture } from './light/light-texture.ts';
+
+type Other = Parameters<Viewer['compareWith']>[0];
+
+export class Wipe {
+  readonly luminaires: LuminaireObjects;
+  #loop: FrameLoop;
+  #scene: SceneInfo | null = null;
+  #texture: LightTexture | null = null; // null while nothing is compared
+  #divider = 0.5;
+
+  constructor(loop: FrameLoop) {
+    this.#loop = loop;
+    this.luminaires = new LuminaireObjects(loop);
+    this.luminaires.root.visible = false;
+  }
+
+  /** How much of the picture's width it takes. */
+  get at(): number {
+    return this.#texture ? this.#divider : 0;
+  }
+
+  /** lx a patch; null while nothing is compared. */
+  get light(): Float32Array | null {
+    return this.#texture?.light ?? null;
+  }
+
+  /** The other light where it is drawn, at a share of the picture's width. */
+  lightAt(share: number): Float32Array | null {
+    return share < this.at ? this.light : null;
+  }
+
+  /** Another room, or none. */
+  setScene(scene: SceneInfo | null): void {
+    this.#scene = scene;
+    this.set(null);
+    this.luminaires.setSites(scene?.sites ?? null);
+  }
+
+  set(other: Other): void {
+    if (!other || !this.#scene) {
+      this.#texture?.dispose();
+      this.#texture = null;
+    } else {
+      this.#texture ??= new LightTexture(this.#scene.patches + this.#scene.receivers);
+      this.#texture.set(other.illuminance);
+      this.luminaires.setLayout(other.layout);
+    }
+    this.#loop.invalidate();
+  }
+
+  divide(share: number): void {
+    this.#divider = share;
+    this.#loop.invalidate();
+  }
+
+  /** Draws the picture, both parts of it; `live`: the luminaires of the other part. */
+  draw(stage: Stage, camera: Camera, { lightTexture }: SharedUniforms, live: Object3D): void {
+    const other = this.#texture;
+    if (!other) return stage.draw(camera);
+    const [light, isVisible] = [lightTexture.value, live.visible];
+    lightTexture.value = other.texture;
+    live.visible = false;
+    this.luminaires.root.visible = isVisible;
+    stage.draw(camera, 0, this.#divider);
+    lightTexture.value = light;
+    live.visible = isVisible;
+    this.luminaires.root.visible = false;
+    stage.draw(camera, this.#divider, 1);
+  }
+
+  /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
+  release(): void {
+    this.#texture?.texture.dispose();
+  }
+
+  dispose(): void {
+    this.setScene(null);
+    this.luminaires.dispose();
+  }
+}
