@@ -29,6 +29,7 @@ export class SessionDriver {
   readonly #session: Session;
   readonly #post: Post;
   readonly #clock: Clock;
+  readonly #wake: () => void;
   #asked: Searching; // the session that the latest intentions went to
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
@@ -43,14 +44,18 @@ export class SessionDriver {
   #reads: Request<'read'>[] = []; // layouts whose light is wanted beside all that
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
-  /** `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). */
-  constructor(core: Core, session: Session, post: Post, clock: Clock) {
+  /**
+   * `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). `wake` is called when there is
+   * work though no message has come.
+   */
+  constructor(core: Core, session: Session, post: Post, clock: Clock, wake: () => void) {
     this.#core = core;
     this.#mounts = new Mounts(core, session);
     this.#asked = session;
     this.#session = session;
     this.#post = post;
     this.#clock = clock;
+    this.#wake = wake;
   }
 
   /** Whether `step` has something to do. */
@@ -147,6 +152,7 @@ export class SessionDriver {
           this.#isOpening = false;
           this.#awaitsOperator = this.#scene?.hasOperator === true;
           this.#takeWaiting();
+          this.#wake();
         },
       });
       if (!isOpen) return;

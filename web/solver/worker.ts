@@ -64,7 +64,7 @@ self.onmessage = ({ data }: MessageEvent<ToWorker | AheadRequest>) => {
 };
 
 loadCore(new URL('./core.wasm', import.meta.url)).then((core) => {
-  driver = new SessionDriver(core, new core.Session(), post, clock);
+  driver = new SessionDriver(core, new core.Session(), post, clock, schedule);
   post({ type: 'ready' }, []);
   early.splice(0).forEach(work);
 }, die);

@@ -40,6 +40,8 @@ export class FakeSession implements Session {
   /** Where in the file something lies that only finish() wants; null = there is nothing. */
   lateAt: number | null = null;
   hasOperator = false;
+  /** Where in the file the operator lies; null = nowhere. */
+  operatorAt: number | null = null;
 
   constructor(
     readonly clock: FakeClock,
@@ -55,10 +57,12 @@ export class FakeSession implements Session {
   openHead(_head: Uint8Array) {
     const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false, ofOperator: this.hasOperator };
     const late = { index: 2, name: 'responses', needed: true, early: false, ...at };
+    const operator = { ...late, index: 3, name: 'exchange', needed: false, ofOperator: true };
     return [
       { index: 0, name: 'sites', needed: true, early: true, ...at },
       { index: 1, name: 'room', needed: false, early: false, ...at },
       ...(this.lateAt === null ? [] : [{ ...late, offset: this.lateAt }]),
+      ...(this.operatorAt === null ? [] : [{ ...operator, offset: this.operatorAt }]),
     ];
   }
   outline = () => this.info();

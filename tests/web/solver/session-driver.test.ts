@@ -32,12 +32,14 @@ let session: FakeSession;
 let driver: SessionDriver;
 let answers: FromWorker[];
 let transferred: Transferable[];
+let woken: number; // times that the driver had work without a message
 
 beforeEach(() => {
   clock = new FakeClock();
   session = new FakeSession(clock);
   answers = [];
   transferred = [];
+  woken = 0;
   driver = new SessionDriver(
     reader,
     session,
@@ -46,6 +48,7 @@ beforeEach(() => {
       transferred.push(...transfer);
     },
     clock.read,
+    () => ++woken,
   );
 });
 
@@ -104,6 +107,19 @@ describe('open', () => {
     await opening;
     expect(answers.at(-1)).toMatchObject({ type: 'failed', revision: 4 }); // it ended too early
     expect(driver.busy).toBe(false);
+  });
+
+  test('a wish that came meanwhile is begun before what only luminaire types need is there', async () => {
+    const body = new ReadableStream<Uint8Array>({
+      start: (controller) => controller.enqueue(new Uint8Array(64)), // and no end
+    });
+    session.operatorAt = 100;
+    void driver.open(4, new ArrivingFile(body));
+    await driver.receive(solve(5));
+    expect(driver.busy).toBe(false);
+    while (woken === 0) await new Promise((resolve) => setTimeout(resolve, 1));
+    driver.step();
+    expect(kinds()).toEqual(['room 4', 'opened 4', 'improved 5']);
   });
 
   test('the latest of several files wins; the others are not answered', async () => {
@@ -334,7 +350,13 @@ describe('luminaires of types that', () => {
 describe('the pace of a search', () => {
   test('on a slow scene the first answer does not wait for all its evaluations', async () => {
     session = new FakeSession(clock, 20);
-    driver = new SessionDriver(reader, session, (message) => answers.push(message), clock.read);
+    driver = new SessionDriver(
+      reader,
+      session,
+      (message) => answers.push(message),
+      clock.read,
+      () => {},
+    );
     await driver.receive(open(1, 1, 7));
     const asking = clock.now;
     await driver.receive(solve(2));
