@@ -44,7 +44,7 @@ function prepare(bare, home) {
   run('git', ['clone', '--quiet', '--depth', '1', `file://${root}`, folder]);
   if (!bare) return { cwd: folder, command: ['npm', 'start'], cache: path.join(home, 'npm') };
   const machine = path.join(home, 'machine');
-  for (const name of ['/etc/resolv.conf', '/etc/ssl/certs/ca-certificates.crt'])
+  for (const name of ['/etc/hosts', '/etc/resolv.conf', '/etc/ssl/certs/ca-certificates.crt'])
     cpSync(name, path.join(machine, name), { dereference: true });
   // What is mounted goes with the last process that sees it.
   const inside = `mount -t proc proc ${machine}/proc && mount --rbind /dev ${machine}/dev &&
