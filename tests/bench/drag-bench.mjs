@@ -118,12 +118,9 @@ const answers = (page) => page.evaluate(() => globalThis.__record.answered.lengt
 
 /** Drags the slider of the least mean over half of its length, one step an interval. */
 async function dragSlider(page) {
-  const slider = page.getByRole('slider', { name: 'mean at least' }).first();
-  if (!(await slider.isVisible()))
-    await page
-      .getByRole('button', { name: /yellow wall/ })
-      .first()
-      .click();
+  const slider = page.locator('input').and(page.getByLabel('yellow wall: mean at least')).first();
+  for (const name of [/yellow wall/, /^More/])
+    if (!(await slider.isVisible())) await page.getByRole('button', { name }).first().click();
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
   const y = box.y + box.height / 2;
@@ -171,6 +168,9 @@ function bestOf(session, { intentions, start }, leaves, milliseconds) {
     quantity: 0,
     luminaires: {
       count: intentions.luminaires.count,
+      countHigh: 0,
+      rule: 0,
+      axis: 0,
       flux: Float64Array.of(intentions.luminaires.flux),
       dimmingLow: 1,
       dimmingHigh: 1,
