@@ -13,6 +13,7 @@ export default defineConfig({
   use: {
     baseURL: address,
     viewport: { width: 1280, height: 800 },
+    serviceWorkers: 'block', // but for the test of visits without a connection
     // Somebody who was here before: the light is there at once, and nothing moves that nobody has asked to.
     storageState: {
       cookies: [],

@@ -1,4 +1,6 @@
 // The static site: relative addresses, so that dist/ works from any folder of any static host.
+import { createHash } from 'node:crypto';
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 /** Names the app's own script in the page, so that it is fetched along with the first one and not after it. */
@@ -16,10 +18,36 @@ const announceApp = {
   },
 };
 
+/** Adds the service worker (web/offline/service-worker.ts) to a build and tells it what the build is made of. */
+const keepOffline = {
+  name: 'keep-offline',
+  apply: 'build',
+  buildStart() {
+    const id = fileURLToPath(new URL('web/offline/service-worker.ts', import.meta.url));
+    this.emitFile({ type: 'chunk', id, fileName: 'service-worker.js' });
+  },
+  generateBundle: {
+    order: 'post',
+    handler(_options, bundle) {
+      const worker = bundle['service-worker.js'];
+      const files = Object.keys(bundle).filter((name) => name !== worker.fileName && !name.endsWith('.html'));
+      const entry = Object.values(bundle).find(
+        ({ isEntry, fileName }) => isEntry && fileName !== worker.fileName,
+      );
+      const id = createHash('sha256')
+        .update(JSON.stringify([files.sort(), worker.code]))
+        .digest('hex')
+        .slice(0, 16);
+      const build = { id, files, entry: entry.fileName };
+      worker.code = `const fiatluxBuild = ${JSON.stringify(build)};\n${worker.code}`;
+    },
+  },
+};
+
 export default defineConfig({
   root: 'web',
   base: './',
-  plugins: [announceApp],
+  plugins: [announceApp, keepOffline],
   publicDir: '../public',
   // three.js alone is larger than the size above which Vite warns.
   build: { outDir: '../dist', emptyOutDir: true, target: 'es2022', chunkSizeWarningLimit: 1000 },

@@ -95,6 +95,7 @@ try {
       colorScheme: 'dark',
       reducedMotion: 'reduce',
       bypassCSP: true,
+      serviceWorkers: 'block',
     });
     await page.goto(address);
     if (style) await page.addStyleTag({ content: style });

@@ -1,5 +1,6 @@
 /** The page: the tree of components, nothing else. */
 import { render } from 'preact';
+import { keepForOffline } from './app/offline.ts';
 import { Store } from './app/state/store.ts';
 import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
@@ -7,5 +8,6 @@ import { createViewer } from './viewer/viewer.ts';
 
 const root = document.getElementById('app');
 root?.replaceChildren();
-if (root)
-  render(<Shell store={new Store()} createViewer={createViewer} createWorker={createSolverWorker} />, root);
+const store = new Store();
+if (root) render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);
+if (import.meta.env.PROD) keepForOffline(store);

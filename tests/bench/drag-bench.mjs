@@ -38,7 +38,7 @@ export async function inBrowser(use, options = {}) {
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   try {
-    return await use(await browser.newPage({ viewport, ...options }));
+    return await use(await browser.newPage({ viewport, serviceWorkers: 'block', ...options }));
   } finally {
     await browser.close();
   }

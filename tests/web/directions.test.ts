@@ -12,6 +12,7 @@ const web = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../we
 /** The first floor whose path begins a file's path is the file's; what it may import besides itself. */
 const floors: readonly (readonly [floor: string, below: readonly string[]])[] = [
   ['document/', []],
+  ['offline/', []],
   ['solver/', ['document/']],
   ['builder/', ['document/']],
   ['viewer/types.ts', ['document/']],
