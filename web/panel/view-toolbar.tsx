@@ -14,6 +14,7 @@ import {
 import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { comparingActions } from '../app/comparing-actions.ts';
+import { Check } from './controls/check.tsx';
 import { Menu, useDismiss } from './controls/menu.tsx';
 import { Slider } from './controls/slider.tsx';
 import { Views } from './views.tsx';
@@ -191,22 +192,5 @@ function DisplaySettings() {
         />
       ))}
     </div>
-  );
-}
-
-export function Check({
-  label,
-  checked,
-  set,
-}: {
-  label: string;
-  checked: boolean;
-  set: (on: boolean) => void;
-}) {
-  return (
-    <label class="check">
-      <input type="checkbox" checked={checked} onChange={(event) => set(event.currentTarget.checked)} />
-      <span>{label}</span>
-    </label>
   );
 }

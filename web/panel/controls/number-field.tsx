@@ -3,7 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { grouped } from '../../app/words/format.ts';
 import { stepped } from './slider.tsx';
 
-interface Props {
+export interface NumberFieldProps {
   readonly label: string;
   readonly value: number | undefined;
   readonly unit?: string;
@@ -77,7 +77,7 @@ function useRemark(isTyping: boolean) {
   return [remark, setRemark] as const;
 }
 
-export function NumberField(props: Props) {
+export function NumberField(props: NumberFieldProps) {
   const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const [before, setBefore] = useState(value); // the typing began

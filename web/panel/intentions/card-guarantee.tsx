@@ -7,6 +7,7 @@ import type { Card } from '../../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
 import { namesText } from './surface-picker.tsx';
 import { useReached } from './use-reached.ts';
 
@@ -104,17 +105,15 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
         />
       </div>
       {guarantee.by === 'chebyshev' && (
-        <div class="setting-row">
-          <span>Alpha</span>
-          <NumberField
-            label="Alpha"
-            value={Number(alphaText(guarantee.alpha))}
-            step={0.1}
-            max={100}
-            onInput={setAlpha}
-            onEnd={end}
-          />
-        </div>
+        <NumberRow
+          name="Alpha"
+          label="Alpha"
+          value={Number(alphaText(guarantee.alpha))}
+          step={0.1}
+          max={100}
+          onInput={setAlpha}
+          onEnd={end}
+        />
       )}
     </>
   );

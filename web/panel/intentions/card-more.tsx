@@ -6,6 +6,7 @@ import { withOptional } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
 import { useReached, type Reached } from './use-reached.ts';
 
@@ -132,17 +133,15 @@ function UniformityField({ card, reached }: FieldsProps) {
         Evenness Uₒ {reached && <span class="field-note">now {ratio(reached.min / reached.mean)}</span>}
       </legend>
       <Remove card={card} what="uniformity" name="evenness" />
-      <div class="setting-row">
-        <span>Darkest spot / mean at least</span>
-        <NumberField
-          label="Evenness at least"
-          value={card.uniformity}
-          step={0.01}
-          max={1}
-          onInput={(value) => value !== undefined && set('uniformity', value)}
-          onEnd={end}
-        />
-      </div>
+      <NumberRow
+        name="Darkest spot / mean at least"
+        label="Evenness at least"
+        value={card.uniformity}
+        step={0.01}
+        max={1}
+        onInput={(value) => set('uniformity', value)}
+        onEnd={end}
+      />
     </fieldset>
   );
 }
@@ -170,17 +169,15 @@ function ContrastFields({ card }: CardProps) {
           }))
         }
       />
-      <div class="setting-row">
-        <span>Mean here / there at least</span>
-        <NumberField
-          label="Contrast at least"
-          value={contrast.min}
-          step={0.1}
-          max={1e4}
-          onInput={(value) => value !== undefined && set('contrast', value)}
-          onEnd={end}
-        />
-      </div>
+      <NumberRow
+        name="Mean here / there at least"
+        label="Contrast at least"
+        value={contrast.min}
+        step={0.1}
+        max={1e4}
+        onInput={(value) => set('contrast', value)}
+        onEnd={end}
+      />
     </fieldset>
   );
 }

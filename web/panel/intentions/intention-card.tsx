@@ -13,7 +13,7 @@ import { usePaperWords, useScale, type CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
 import { More } from '../controls/more.tsx';
-import { NumberField } from '../controls/number-field.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
 import { MeanRange } from './mean-range.tsx';
 import { namesText, SurfacePicker } from './surface-picker.tsx';
 import { useReached, useSample, type Reached } from './use-reached.ts';
@@ -190,19 +190,16 @@ function Reading({ name, title, value }: { name: string; title?: string; value: 
 function Weight({ card }: CardProps) {
   const app = useApp();
   return (
-    <div class="setting-row">
-      <span>Weight of this goal</span>
-      <NumberField
-        label="Weight of this goal"
-        value={card.weight}
-        step={0.1}
-        max={1000}
-        onInput={(weight) =>
-          weight !== undefined &&
-          app.changeCard(card.id, 'Change a weight', (each) => ({ ...each, weight }), `${card.id} weight`)
-        }
-        onEnd={() => app.store.endGesture()}
-      />
-    </div>
+    <NumberRow
+      name="Weight of this goal"
+      label="Weight of this goal"
+      value={card.weight}
+      step={0.1}
+      max={1000}
+      onInput={(weight) =>
+        app.changeCard(card.id, 'Change a weight', (each) => ({ ...each, weight }), `${card.id} weight`)
+      }
+      onEnd={() => app.store.endGesture()}
+    />
   );
 }

@@ -11,7 +11,7 @@ import { IntentionCard } from './intention-card.tsx';
 import { namesText } from './surface-picker.tsx';
 import { verbs } from './verbs.ts';
 import { More } from '../controls/more.tsx';
-import { Check } from '../view-toolbar.tsx';
+import { Check } from '../controls/check.tsx';
 
 const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title ?? verb;
 

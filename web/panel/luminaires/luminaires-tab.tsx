@@ -7,8 +7,9 @@ import { LuminaireList } from './luminaire-list.tsx';
 import { MaintenanceFields } from './maintenance-fields.tsx';
 import { TypeList } from './type-list.tsx';
 import { NumberField } from '../controls/number-field.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { Check } from '../view-toolbar.tsx';
+import { Check } from '../controls/check.tsx';
 
 export function LuminairesTab() {
   const { store } = useApp();
@@ -169,22 +170,20 @@ function Dimming({ luminaires }: { luminaires: Luminaires }) {
         set={(on) => set('Common dimming', { dimming: on ? [0.1, 1] : [1, 1] }, '')}
       />
       {isOn && (
-        <div class="setting-row">
-          <span>
-            From the least of <output class="field-note">now {Math.round(dimming * 100)} %</output>
-          </span>
-          <NumberField
-            label="Dimmed to at least"
-            unit="%"
-            value={Math.round(low * 100)}
-            step={1}
-            max={99}
-            onInput={(value) =>
-              value !== undefined && set('Change the dimming', { dimming: [value / 100, high] })
-            }
-            onEnd={end}
-          />
-        </div>
+        <NumberRow
+          name={
+            <>
+              From the least of <output class="field-note">now {Math.round(dimming * 100)} %</output>
+            </>
+          }
+          label="Dimmed to at least"
+          unit="%"
+          value={Math.round(low * 100)}
+          step={1}
+          max={99}
+          onInput={(value) => set('Change the dimming', { dimming: [value / 100, high] })}
+          onEnd={end}
+        />
       )}
     </div>
   );
@@ -193,18 +192,16 @@ function Dimming({ luminaires }: { luminaires: Luminaires }) {
 function Distance({ luminaires }: { luminaires: Luminaires }) {
   const { set, end } = useRules();
   return (
-    <div class="setting-row">
-      <span>Apart by at least</span>
-      <NumberField
-        label="Apart by at least"
-        unit="m"
-        value={luminaires.minDistance}
-        step={0.1}
-        max={1000}
-        onInput={(minDistance) => minDistance !== undefined && set('Change the distance', { minDistance })}
-        onEnd={end}
-      />
-    </div>
+    <NumberRow
+      name="Apart by at least"
+      label="Apart by at least"
+      unit="m"
+      value={luminaires.minDistance}
+      step={0.1}
+      max={1000}
+      onInput={(minDistance) => set('Change the distance', { minDistance })}
+      onEnd={end}
+    />
   );
 }
 

@@ -6,8 +6,8 @@ import {
   usualMaintenance,
   type Maintenance,
 } from '../../document/maintenance.ts';
-import { NumberField } from '../controls/number-field.tsx';
-import { Check } from '../view-toolbar.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
+import { Check } from '../controls/check.tsx';
 
 export function MaintenanceFields() {
   const { store } = useApp();
@@ -38,24 +38,24 @@ export function MaintenanceFields() {
       />
       {maintenance &&
         maintenanceFactors.map(([short, name], i) => (
-          <div key={short} class="setting-row">
-            <span>
-              {name} <small>{short}</small>
-            </span>
-            <NumberField
-              label={name}
-              value={maintenance[i] ?? 1}
-              step={0.01}
-              min={0.05}
-              max={1}
-              onInput={(value) => {
-                if (value === undefined) return;
-                const next = maintenance.map((each, k) => (k === i ? value : each));
-                set('Maintenance factor', next as unknown as Maintenance);
-              }}
-              onEnd={() => store.endGesture()}
-            />
-          </div>
+          <NumberRow
+            key={short}
+            name={
+              <>
+                {name} <small>{short}</small>
+              </>
+            }
+            label={name}
+            value={maintenance[i] ?? 1}
+            step={0.01}
+            min={0.05}
+            max={1}
+            onInput={(value) => {
+              const next = maintenance.map((each, k) => (k === i ? value : each));
+              set('Maintenance factor', next as unknown as Maintenance);
+            }}
+            onEnd={() => store.endGesture()}
+          />
         ))}
     </div>
   );

@@ -1,8 +1,8 @@
 /** How luminaires of a type may be used: at all, how strong, how turned and tilted, and where aimed. */
 import { useApp } from '../../app/app.ts';
 import type { LuminaireType } from '../../document/types.ts';
-import { NumberField } from '../controls/number-field.tsx';
-import { Check } from '../view-toolbar.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
+import { Check } from '../controls/check.tsx';
 import { TypeAims } from './type-aims.tsx';
 import type { TypeProps } from './type-card.tsx';
 
@@ -32,45 +32,37 @@ export function TypeUse({ type }: TypeProps) {
         checked={type.isAllowed}
         set={(isAllowed) => set('Use', { isAllowed }, false)}
       />
-      <div class="setting-row">
-        <span>Flux of one</span>
-        <NumberField
-          label={`Flux of one ${type.name}`}
-          unit="lm"
-          value={type.flux}
-          step={50}
-          min={1}
-          onInput={(flux) =>
-            flux !== undefined && set('Flux', { flux, isOverridden: held === undefined || flux !== held })
-          }
-          onEnd={end}
-        />
-      </div>
-      <div class="setting-row">
-        <span>Power of one</span>
-        <NumberField
-          label={`Power of one ${type.name}`}
-          unit="W"
-          value={type.watts}
-          step={1}
-          max={1e5}
-          onInput={(watts) => watts !== undefined && set('Power', { watts })}
-          onEnd={end}
-        />
-      </div>
+      <NumberRow
+        name="Flux of one"
+        label={`Flux of one ${type.name}`}
+        unit="lm"
+        value={type.flux}
+        step={50}
+        min={1}
+        onInput={(flux) => set('Flux', { flux, isOverridden: held === undefined || flux !== held })}
+        onEnd={end}
+      />
+      <NumberRow
+        name="Power of one"
+        label={`Power of one ${type.name}`}
+        unit="W"
+        value={type.watts}
+        step={1}
+        max={1e5}
+        onInput={(watts) => set('Power', { watts })}
+        onEnd={end}
+      />
       <Turn type={type} />
-      <div class="setting-row">
-        <span>Tilt from the mount</span>
-        <NumberField
-          label={`Tilt of ${type.name}`}
-          unit="°"
-          value={type.tilt}
-          step={5}
-          max={180}
-          onInput={(tilt) => tilt !== undefined && set('Tilt', { tilt })}
-          onEnd={end}
-        />
-      </div>
+      <NumberRow
+        name="Tilt from the mount"
+        label={`Tilt of ${type.name}`}
+        unit="°"
+        value={type.tilt}
+        step={5}
+        max={180}
+        onInput={(tilt) => set('Tilt', { tilt })}
+        onEnd={end}
+      />
       <TypeAims type={type} />
     </div>
   );
@@ -110,19 +102,17 @@ function Turn({ type }: TypeProps) {
         </select>
       </label>
       {choice === 'free' && (
-        <div class="setting-row">
-          <span>Angle</span>
-          <NumberField
-            label={`Turn of ${type.name}`}
-            unit="°"
-            value={type.turns[0] ?? 0}
-            step={5}
-            min={-360}
-            max={360}
-            onInput={(turn) => turn !== undefined && set('Turn', { turns: [turn] })}
-            onEnd={end}
-          />
-        </div>
+        <NumberRow
+          name="Angle"
+          label={`Turn of ${type.name}`}
+          unit="°"
+          value={type.turns[0] ?? 0}
+          step={5}
+          min={-360}
+          max={360}
+          onInput={(turn) => set('Turn', { turns: [turn] })}
+          onEnd={end}
+        />
       )}
     </>
   );
