@@ -12,8 +12,7 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
   if (!room.lightOperator)
     return Error{
         "this room's file knows Lambertian squares only; make it again with fiatlux precompute for "
-        "luminaires of "
-        "photometric files"};
+        "luminaires of photometric files"};
   if (candidates.empty()) return Error{"none of the luminaire types fits anywhere in this room"};
   if (candidates.size() > kMaxCandidates)
     return Error{"these types, turns and aims make " + std::to_string(candidates.size()) +
@@ -25,7 +24,7 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
   return Done{};
 }
 
-/// Mean rows alone.
+/// Mean rows alone, over the patches that count.
 void addMeans(Quantity quantity, Scene& scene) {
   const Patches& patches = scene.patches;
   const std::size_t m = scene.responses.sites, surfaces = scene.surfaces.size();
@@ -33,10 +32,12 @@ void addMeans(Quantity quantity, Scene& scene) {
   std::vector<SurfaceStatistics>& leaves = exitance ? scene.exitance : scene.illuminance;
   leaves.assign(surfaces, {std::vector<double>(m), {}});
   std::vector<double> area(surfaces);
-  for (std::uint32_t p = 0; p < patches.rows(); ++p) area[patches.surface[p]] += patches.area[p];
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    if (patches.counts(p)) area[patches.surface[p]] += patches.area[p];
   for (std::uint32_t j = 0; j < m; ++j) {
     const float* column = scene.responses.column(j);
     for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+      if (!patches.counts(p)) continue;
       const double factor = exitance ? patches.reflectance[p] : 1.0;
       leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
     }

@@ -96,7 +96,8 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
 void readLight(const Scene& scene, Quantity quantity, Shown& shown) {
   const std::size_t leaves = scene.surfaces.size();
   std::vector<double> area(leaves), sum(leaves), squares(leaves);
-  for (std::size_t p = 0; p < shown.illuminance.size(); ++p) {
+  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p) {
+    if (!scene.patches.counts(p)) continue;
     const std::uint32_t s = scene.patches.surface[p];
     const double factor = quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0;
     const double weight = scene.patches.area[p], value = factor * shown.illuminance[p];

@@ -84,8 +84,12 @@ TEST_P(OfQuantity, StatisticsAreMadeWhenTheyAreAskedFor) {
   }
 }
 
+/// What covers some of its floor counts in no reading.
 TEST_P(OfQuantity, ReadingsAreThoseOfTheLightItself) {
-  const Scene room = operatorScene(12, 6);
+  Scene room = operatorScene(12, 6);
+  room.patches.covered.assign(room.patches.rows(), 0);
+  for (std::uint32_t p = 0; p < 24; ++p) room.patches.covered[p] = 1;
+  room.surfaces[0].area -= 24 * room.patches.area[0];
   const Result<Scene> scene = candidateScene(room, GetParam(), twoTypes(), kCandidates);
   ASSERT_TRUE(scene);
   PreparedScene prepared(*scene);
@@ -96,6 +100,11 @@ TEST_P(OfQuantity, ReadingsAreThoseOfTheLightItself) {
   const StatisticsCheck check = checkStatistics(*scene, intentions.quantity, shown);
   EXPECT_LT(check.largestDifference, 1e-6) << check.surface;
   EXPECT_GT(shown.surfaces.back().sigma, 0);
+  const std::vector<SurfaceStatistics>& leaves =
+      GetParam() == Quantity::kExitance ? scene->exitance : scene->illuminance;
+  const SurfaceStatistics floor = responseStatistics(scene->patches, scene->responses, GetParam(), 0);
+  for (std::size_t j = 0; j < floor.mean.size(); ++j)
+    EXPECT_NEAR(leaves[0].mean[j], floor.mean[j], 1e-5 * floor.mean[j]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, OfQuantity, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
