@@ -1,15 +1,6 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
 import type { Intentions, Layout } from '../document/types.ts';
-import {
-  axisCodes,
-  quantityCodes,
-  ruleCodes,
-  senseCodes,
-  statisticCodes,
-  type CoreIntentions,
-  type CoreLayout,
-  type CoreShown,
-} from './core.ts';
+import { codes, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
 import type { IntentionResult, Shown } from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
@@ -21,12 +12,12 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
   });
   const { luminaires } = asked;
   return {
-    quantity: quantityCodes[asked.quantity],
+    quantity: codes.quantity[asked.quantity],
     luminaires: {
       count: luminaires.count,
       countHigh: luminaires.most ?? 0,
-      rule: ruleCodes[luminaires.arrangement?.rule ?? 'free'],
-      axis: axisCodes[luminaires.arrangement?.axis ?? 'found'],
+      rule: codes.rule[luminaires.arrangement?.rule ?? 'free'],
+      axis: codes.axis[luminaires.arrangement?.axis ?? 'found'],
       flux: Float64Array.of(luminaires.flux),
       dimmingLow: luminaires.dimming[0],
       dimmingHigh: luminaires.dimming[1],
@@ -35,14 +26,14 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       minDistance: luminaires.minDistance,
     },
     goals: asked.goals.map((goal) => ({
-      statistic: statisticCodes[goal.statistic],
-      sense: senseCodes[goal.sense],
+      statistic: codes.statistic[goal.statistic],
+      sense: codes.sense[goal.sense],
       weight: goal.weight,
       target: goal.target ?? 0,
       ...surfaces(goal),
     })),
     constraints: asked.constraints.map((constraint) => ({
-      statistic: statisticCodes[constraint.statistic],
+      statistic: codes.statistic[constraint.statistic],
       lower: constraint.min ?? -Infinity,
       upper: constraint.max ?? Infinity,
       alpha: constraint.alpha ?? 1,

@@ -99,8 +99,7 @@ export interface BoundProgress {
   readonly gap: number | null; // the best possible is better than the incumbent by at most this share; null = unknown
 }
 
-/** The numbers of the core's enums; a module that counts otherwise is refused when it is loaded. */
-export const statisticCodes = {
+const statisticCodes = {
   mean: 0,
   sigma: 1,
   power: 2,
@@ -110,10 +109,19 @@ export const statisticCodes = {
   uniformity: 6,
   contrast: 7,
 } as const;
-export const senseCodes = { min: 0, max: 1, near: 2 } as const;
-export const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
-export const axisCodes = { found: 0, x: 1, z: 2, both: 3 } as const;
-export const quantityCodes = { illuminance: 0, exitance: 1 } as const;
+const senseCodes = { min: 0, max: 1, near: 2 } as const;
+const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
+const axisCodes = { found: 0, x: 1, z: 2, both: 3 } as const;
+const quantityCodes = { illuminance: 0, exitance: 1 } as const;
+
+/** The numbers of the core's enums; a module that counts otherwise is refused when it is loaded. */
+export const codes = {
+  statistic: statisticCodes,
+  sense: senseCodes,
+  quantity: quantityCodes,
+  rule: ruleCodes,
+  axis: axisCodes,
+} as const;
 
 /** Surfaces are sorted leaf indices, none for 'all'. */
 export interface CoreGoal {
@@ -250,13 +258,7 @@ export const sessionMethods = {
 } as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
 
 /** The words that the core's numbers stand for, in the order of the numbers. */
-export interface CoreCodes {
-  readonly statistic: readonly string[];
-  readonly sense: readonly string[];
-  readonly quantity: readonly string[];
-  readonly rule: readonly string[];
-  readonly axis: readonly string[];
-}
+export type CoreCodes = { readonly [Kind in keyof typeof codes]: readonly string[] };
 
 export interface CoreModule {
   codes(): CoreCodes;

@@ -1,15 +1,7 @@
 /**
  * Loads the Wasm module: from an address while it downloads (the worker), or from bytes (tests under Node).
  */
-import {
-  axisCodes,
-  quantityCodes,
-  ruleCodes,
-  senseCodes,
-  sessionMethods,
-  statisticCodes,
-  type CoreModule,
-} from './core.ts';
+import { codes, sessionMethods, type CoreCodes, type CoreModule } from './core.ts';
 import createCore from './core.mjs';
 
 const misfit = 'core.wasm does not fit this page: build both again with npm run build';
@@ -37,16 +29,14 @@ export function fitting(core: CoreModule): CoreModule {
 
 function countsAlike(core: CoreModule): boolean {
   if (typeof core.codes !== 'function') return false; // of an older build
-  const { statistic, sense, quantity, rule, axis } = core.codes();
-  const isSame = (names: readonly string[], codes: Readonly<Record<string, number>>) =>
-    names.length === Object.keys(codes).length && names.every((name, code) => codes[name] === code);
-  return (
-    isSame(statistic, statisticCodes) &&
-    isSame(sense, senseCodes) &&
-    isSame(quantity, quantityCodes) &&
-    isSame(rule, ruleCodes) &&
-    isSame(axis, axisCodes)
-  );
+  const counted: Partial<CoreCodes> = core.codes(); // an older build may lack some
+  return (Object.keys(codes) as (keyof CoreCodes)[]).every((kind) => {
+    const numbers: Readonly<Record<string, number>> = codes[kind];
+    const names = counted[kind] ?? [];
+    return (
+      names.length === Object.keys(numbers).length && names.every((name, code) => numbers[name] === code)
+    );
+  });
 }
 
 type InstantiateWasm = (

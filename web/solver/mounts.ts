@@ -5,7 +5,7 @@
 import { candidatesOf, type Candidate } from '../document/candidates.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
-import { quantityCodes, type Candidates, type CoreModule, type Session } from './core.ts';
+import { codes, type Candidates, type CoreModule, type Session } from './core.ts';
 import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 
 /** What is used of the module. */
@@ -149,7 +149,7 @@ export class Mounts {
 
   #adopted(scene: Candidates, candidates: readonly Candidate[], { asked }: Wanted): MountedSession {
     const session = new this.#core.Session();
-    session.adopt(scene, quantityCodes[asked.quantity]);
+    session.adopt(scene, codes.quantity[asked.quantity]);
     return new MountedSession(session, candidates);
   }
 

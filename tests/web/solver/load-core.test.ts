@@ -1,12 +1,8 @@
 /** A module of another build than the page: one line that says what it is and what to do. */
 import { afterEach, expect, test } from '@jest/globals';
 import {
-  axisCodes,
-  quantityCodes,
-  ruleCodes,
-  senseCodes,
+  codes as numbers,
   sessionMethods,
-  statisticCodes,
   type CoreCodes,
   type CoreModule,
 } from '../../../web/solver/core.ts';
@@ -17,11 +13,11 @@ const realFetch = globalThis.fetch;
 afterEach(() => void (globalThis.fetch = realFetch));
 
 const codes: CoreCodes = {
-  statistic: Object.keys(statisticCodes),
-  sense: Object.keys(senseCodes),
-  quantity: Object.keys(quantityCodes),
-  rule: Object.keys(ruleCodes),
-  axis: Object.keys(axisCodes),
+  statistic: Object.keys(numbers.statistic),
+  sense: Object.keys(numbers.sense),
+  quantity: Object.keys(numbers.quantity),
+  rule: Object.keys(numbers.rule),
+  axis: Object.keys(numbers.axis),
 };
 
 function moduleWith(names: readonly string[], counts: CoreCodes | null = codes): CoreModule {
