@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "precompute/validation/cie171_points.h"
 #include "precompute/validation/validation_scene.h"
 
 namespace fiatlux {
@@ -32,25 +33,19 @@ void pointSources(Validation& validation) {
       validation, "CIE 171 5.2",
       sceneOfRectangles({zUpRectangle("floor", {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, 0)}), 0.25);
   if (!scene) return;
-  const double places[10][2] = {{0, 0},  {.5, 0},   {1, 0}, {1.5, 0}, {.5, .5},
-                                {1, .5}, {1.5, .5}, {1, 1}, {1.5, 1}, {1.5, 1.5}};
-  const double lambertian[10] = {111.111, 105.186, 90.000, 71.111, 99.723,
-                                 85.663,  68.053,  74.380, 59.975, 49.383};
-  const double isotropic[10] = {111.111, 106.637, 94.868, 79.505, 102.456,
-                                91.419,  76.926,  82.230, 69.971, 60.481};
   std::vector<MeasuringPoint> points;
-  for (const auto& place : places) points.push_back({zUp(place[0], place[1], 0), zUp(0, 0, 1)});
+  for (const auto& place : kCie171Places) points.push_back({zUp(place[0], place[1], 0), zUp(0, 0, 1)});
   using Distribution = Luminaire::Distribution;
   const auto flat =
       scene.read(points, {pointSource(zUp(0, 0, 3), 1000 * std::numbers::pi, Distribution::kLambertian)}, {});
   const auto round =
       scene.read(points, {pointSource(zUp(0, 0, 3), 4000 * std::numbers::pi, Distribution::kIsotropic)}, {});
-  for (int i = 0; i < 10; ++i) {
-    const auto& [x, y] = places[i];
-    validation.relative("CIE 171 5.2", at("Lambertian point, lx at", x, y), lambertian[i], flat[i].total,
-                        kDirect);
-    validation.relative("CIE 171 5.2", at("isotropic point, lx at", x, y), isotropic[i], round[i].total,
-                        kDirect);
+  for (int i = 0; i < kCie171Points; ++i) {
+    const auto& [x, y] = kCie171Places[i];
+    validation.relative("CIE 171 5.2", at("Lambertian point, lx at", x, y), kCie171Lambertian[i],
+                        flat[i].total, kDirect);
+    validation.relative("CIE 171 5.2", at("isotropic point, lx at", x, y), kCie171Isotropic[i],
+                        round[i].total, kDirect);
   }
 }
 

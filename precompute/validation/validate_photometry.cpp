@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/validation/cie171_points.h"
 #include "precompute/validation/validation_scene.h"
 
 namespace fiatlux {
@@ -85,29 +86,23 @@ void pointTables(Validation& validation) {
   const auto flat = readTable(validation, lambertian, {}), round = readTable(validation, isotropic, {180}),
              wide = readTable(validation, oblong, {90, 90});
   if (!scene || !flat || !round || !wide) return;
-  constexpr double kPlaces[10][2] = {{0, 0},  {.5, 0},   {1, 0}, {1.5, 0}, {.5, .5},
-                                     {1, .5}, {1.5, .5}, {1, 1}, {1.5, 1}, {1.5, 1.5}};
-  constexpr double kFlat[10] = {111.111, 105.186, 90.000, 71.111, 99.723,
-                                85.663,  68.053,  74.380, 59.975, 49.383};
-  constexpr double kRound[10] = {111.111, 106.637, 94.868, 79.505, 102.456,
-                                 91.419,  76.926,  82.230, 69.971, 60.481};
   std::vector<MeasuringPoint> points;
-  for (const auto& [x, y] : kPlaces) points.push_back({zUp(x, y, 0), zUp(0, 0, 1)});
+  for (const auto& [x, y] : kCie171Places) points.push_back({zUp(x, y, 0), zUp(0, 0, 1)});
   const auto byFlat = scene.read(points, {hung(flat, 0, 0, 3)}, {}),
              byRound = scene.read(points, {hung(round, 0, 0, 3)}, {}),
              byWide = scene.read(points, {hung(wide, 0, 0, 3)}, {}),
              turned = scene.read(points, {hung(wide, 0, 0, 3, 90)}, {});
-  for (int i = 0; i < 10; ++i) {
-    const auto& [x, y] = kPlaces[i];
-    validation.relative("photometric files", placed("CIE 171 5.2, Lambertian .ies", x, y), kFlat[i],
-                        byFlat[i].total, kAtPoint);
-    validation.relative("photometric files", placed("CIE 171 5.2, isotropic .ies", x, y), kRound[i],
+  for (int i = 0; i < kCie171Points; ++i) {
+    const auto& [x, y] = kCie171Places[i];
+    validation.relative("photometric files", placed("CIE 171 5.2, Lambertian .ies", x, y),
+                        kCie171Lambertian[i], byFlat[i].total, kAtPoint);
+    validation.relative("photometric files", placed("CIE 171 5.2, isotropic .ies", x, y), kCie171Isotropic[i],
                         byRound[i].total, kAtPoint);
     const double share = unevenness(std::atan2(y, x), std::atan(std::hypot(x, y) / 3));
-    validation.relative("photometric files", placed("asymmetric .ies", x, y), kFlat[i] * (1 + share),
-                        byWide[i].total, kAtPoint);
+    validation.relative("photometric files", placed("asymmetric .ies", x, y),
+                        kCie171Lambertian[i] * (1 + share), byWide[i].total, kAtPoint);
     validation.relative("photometric files", placed("asymmetric .ies turned by 90 degrees", x, y),
-                        kFlat[i] * (1 - share), turned[i].total, kAtPoint);
+                        kCie171Lambertian[i] * (1 - share), turned[i].total, kAtPoint);
   }
 }
 

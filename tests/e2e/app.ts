@@ -106,6 +106,21 @@ export function tagPlaces(page: Page): Promise<string[]> {
     );
 }
 
+/** A drop as the browser makes it: a DataTransfer with files, on the page. */
+export async function drop(page: Page, files: Readonly<Record<string, Buffer | string>>): Promise<void> {
+  const named = Object.entries(files).map(([name, bytes]) => [name, Buffer.from(bytes).toString('base64')]);
+  const transfer = await page.evaluateHandle((all) => {
+    const data = new DataTransfer();
+    for (const [name, base64] of all) {
+      const bytes = Uint8Array.from(atob(base64!), (character) => character.charCodeAt(0));
+      data.items.add(new File([bytes], name!));
+    }
+    return data;
+  }, named);
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
+}
+
 export function canvas(page: Page) {
   return page.getByRole('application');
 }

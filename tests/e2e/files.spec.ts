@@ -5,7 +5,7 @@ import path from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { mapColor } from '../../web/viewer/light/color-maps.ts';
-import { difference, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
+import { difference, drop, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
 
 const scenes = path.join(import.meta.dirname, '../../public/scenes');
 const messages = (page: Page) => page.getByRole('region', { name: 'Messages' });
@@ -15,21 +15,6 @@ async function chooseFile(page: Page, name: string, buffer: Buffer): Promise<voi
   await page.getByRole('button', { name: 'File and export' }).click();
   await page.getByRole('menuitem', { name: /^Open a/ }).click();
   await (await chooser).setFiles({ name, mimeType: 'application/octet-stream', buffer });
-}
-
-/** A drop as the browser makes it: a DataTransfer with a file, on the page. */
-async function dropFile(page: Page, name: string, buffer: Buffer): Promise<void> {
-  const transfer = await page.evaluateHandle(
-    ([base64, fileName]) => {
-      const bytes = Uint8Array.from(atob(base64!), (character) => character.charCodeAt(0));
-      const data = new DataTransfer();
-      data.items.add(new File([bytes], fileName!));
-      return data;
-    },
-    [buffer.toString('base64'), name],
-  );
-  for (const type of ['dragenter', 'dragover', 'drop'])
-    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
 }
 
 test('files by button and by drop, good and damaged', async ({ page }) => {
@@ -53,7 +38,7 @@ test('files by button and by drop, good and damaged', async ({ page }) => {
   ];
   for (const [name, bytes, message] of damaged) {
     await test.step(name, async () => {
-      await dropFile(page, name, bytes);
+      await drop(page, { [name]: bytes });
       const alert = messages(page).getByRole('alert').filter({ hasText: message });
       await expect(alert).toHaveCount(1);
       await expect(alert).toContainText(/\w+ \w+/);
@@ -66,7 +51,7 @@ test('files by button and by drop, good and damaged', async ({ page }) => {
   await page.mouse.move(2, 2);
   await expect.poll(async () => difference(await picture(page), lit)).toBeLessThan(0.01);
 
-  await dropFile(page, 'my room.flux', box);
+  await drop(page, { 'my room.flux': box });
   await expect(messages(page).getByText(/stays on this computer/)).toBeVisible();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('my room');
   await settled(page);

@@ -1,19 +1,8 @@
 // Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files.
-import type { Page } from '@playwright/test';
-import { expect, look, picture, test } from './app.ts';
+import { drop, expect, look, picture, test } from './app.ts';
 
 test.setTimeout(180_000); // the picture is drawn anew for each
 test.use({ viewport: { width: 900, height: 600 } });
-
-async function drop(page: Page, files: Record<string, string>): Promise<void> {
-  const transfer = await page.evaluateHandle((all) => {
-    const data = new DataTransfer();
-    for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
-    return data;
-  }, files);
-  for (const type of ['dragenter', 'dragover', 'drop'])
-    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
-}
 
 /** A box of 4 x 3 x 5, seen from inside, in units of the file. */
 function boxObj(scale: number): string {

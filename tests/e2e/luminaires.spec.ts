@@ -1,30 +1,26 @@
 // Photometric files: dropped, opened, chosen from the generic ones; what cannot be read says why in one sentence.
 // Covers luminaire-types, photometric-container, tm33, type-card, luminaire-dialog.
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
 import { zipSync } from 'fflate';
-import { difference, expect, openApp, openRoom, picture, status, tab, test } from './app.ts';
+import {
+  difference,
+  drop,
+  expect,
+  openApp,
+  openRoom,
+  picture,
+  status,
+  tab,
+  test,
+  violations,
+} from './app.ts';
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const luminaires = path.join(import.meta.dirname, '../../public/luminaires');
 const generic = (name: string) => readFileSync(path.join(luminaires, name));
 const messages = (page: Page) => page.getByRole('region', { name: 'Messages' });
 const card = (page: Page, name: string) => page.getByRole('article', { name });
-
-/** A drop as the browser makes it: a DataTransfer with files, on the page. */
-async function drop(page: Page, files: Readonly<Record<string, Buffer>>): Promise<void> {
-  const list = Object.entries(files).map(([name, bytes]) => [name, bytes.toString('base64')] as const);
-  const transfer = await page.evaluateHandle((all) => {
-    const data = new DataTransfer();
-    for (const [name, base64] of all)
-      data.items.add(new File([Uint8Array.from(atob(base64), (character) => character.charCodeAt(0))], name));
-    return data;
-  }, list);
-  for (const type of ['dragenter', 'dragover', 'drop'])
-    await page.getByRole('main').dispatchEvent(type, { dataTransfer: transfer });
-}
 
 const xml = (data: string) => `<?xml version="1.0"?><IESTM33-22><Version>1.1</Version>
   <Header><Manufacturer>Maker &amp; Sons</Manufacturer><Description>Cube lamp</Description></Header>
@@ -99,13 +95,7 @@ test('generic luminaires are found and chosen; the page stays accessible', async
   await dialog.getByRole('searchbox').fill('spot 24');
   await dialog.getByRole('button', { name: /Spot 24 degrees/ }).click();
   await expect(card(page, 'Spot 24 degrees')).toContainText('24°');
-  await page.evaluate(`{ const module = undefined; ${axe} }`);
-  const faults = await page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: any[] }> } };
-    const found = (await axe.run()).violations.filter(({ impact }) => /serious|critical/.test(impact));
-    return found.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`);
-  });
-  expect(faults).toEqual([]);
+  expect(await violations(page)).toEqual([]);
 });
 
 test('a container of several files lets a person choose', async ({ page }) => {

@@ -3,31 +3,17 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import type { Page } from '@playwright/test';
-import { expect, expectLit, openRoom, places, settled, status, test } from './app.ts';
+import { drop, expect, expectLit, openRoom, places, settled, status, test } from './app.ts';
 
 const scenes = path.join(import.meta.dirname, '../../public/scenes');
 const patience = { timeout: 400_000 }; // for light to be computed; nothing measures time
-
-async function drop(page: Page, name: string, buffer: Buffer): Promise<void> {
-  const transfer = await page.evaluateHandle(
-    ([base64, fileName]) => {
-      const bytes = Uint8Array.from(atob(base64!), (character) => character.charCodeAt(0));
-      const data = new DataTransfer();
-      data.items.add(new File([bytes], fileName!));
-      return data;
-    },
-    [buffer.toString('base64'), name],
-  );
-  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
-  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
-}
 
 const working = (page: Page) => page.getByRole('region', { name: 'Light is being computed' });
 
 test('a dropped model is lit, solved and kept', async ({ page }) => {
   test.setTimeout(900_000); // two passes of light, beside a picture that software may draw
   await openRoom(page, 'E corridor');
-  await drop(page, 'my box.glb', readFileSync(path.join(scenes, 'box.glb')));
+  await drop(page, { 'my box.glb': readFileSync(path.join(scenes, 'box.glb')) });
   await expect(working(page).getByRole('heading')).toHaveText('Lighting “my box”');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('my box', patience);
   await expect(working(page).getByRole('heading')).toHaveText('Preview of “my box”');
@@ -57,7 +43,7 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
 test('a model that cannot be lit says why, and the room before it comes back', async ({ page }) => {
   await openRoom(page, 'Box');
   const empty = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [] }] };
-  await drop(page, 'nothing.gltf', Buffer.from(JSON.stringify(empty)));
+  await drop(page, { 'nothing.gltf': JSON.stringify(empty) });
   const refusal = page.getByRole('region', { name: 'Messages' }).getByRole('alert');
   await expect(refusal.getByText(/no geometry|no surfaces|no triangles/)).toBeVisible({ timeout: 60_000 });
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Box');

@@ -14,7 +14,7 @@
 #include "precompute/light/operator_errors.h"
 #include "precompute/light/transport.h"
 #include "precompute/pipeline/scene_build.h"
-#include "precompute/validation/rectangle_room.h"
+#include "tests/precompute/furnished_box.h"
 #include "tests/precompute/transport_of.h"
 
 namespace fiatlux {
@@ -22,19 +22,8 @@ namespace {
 
 /// 4 x 2.5 x 5 m with a free-standing wall that reaches neither side nor ceiling, and a measuring plane.
 Room dividedRoom() {
-  auto faces = boxSurfaces({0, 0, 0}, {4, 2.5, 5}, 0.5, 0.125);
-  faces[0].reflectance = 0.3;
-  faces[1].reflectance = 0.7;
-  const auto wall = blockSurfaces("wall", {1, 0, 2.4}, {2, 1.6, 0.1}, 0.6, 0.125);
-  faces.insert(faces.end(), wall.begin(), wall.end());
-  RectangleSurface plane = faces[0];
-  plane.name = "plane";
-  plane.corner.y = 0.75;
-  plane.measuring = true;
-  faces.push_back(plane);
-  Room room = rectangleRoom(faces);
-  room.sites = siteGrid(faces[1], 3, 4, 0.5);
-  return room;
+  return testing::furnishedBox({4, 2.5, 5}, blockSurfaces("wall", {1, 0, 2.4}, {2, 1.6, 0.1}, 0.6, 0.125),
+                               0.125);
 }
 
 TransportOptions quick(bool exchange) {

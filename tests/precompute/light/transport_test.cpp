@@ -12,6 +12,7 @@
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/forward_light.h"
 #include "precompute/validation/rectangle_room.h"
+#include "tests/precompute/furnished_box.h"
 #include "tests/precompute/transport_of.h"
 
 namespace fiatlux {
@@ -28,20 +29,9 @@ Room litBox(double reflectance, double patch = 0.25) {
 }
 
 /// The same with a block, a measuring plane at 0.75 m and surfaces of different reflectance.
-Room furnishedBox(double patch = 0.25) {
-  auto faces = boxSurfaces({0, 0, 0}, {3, 2.5, 4}, 0.5, patch);
-  faces[0].reflectance = 0.3;
-  faces[1].reflectance = 0.7;
-  const auto block = blockSurfaces("block", {1, 0.3, 1}, {1, 0.4, 1}, 0.6, patch);
-  faces.insert(faces.end(), block.begin(), block.end());
-  RectangleSurface plane = faces[0];
-  plane.name = "plane";
-  plane.corner.y = 0.75;
-  plane.measuring = true;
-  faces.push_back(plane);
-  Room room = rectangleRoom(faces);
-  room.sites = siteGrid(faces[1], 3, 4, 0.5);
-  return room;
+Room boxWithBlock(double patch = 0.25) {
+  return testing::furnishedBox({3, 2.5, 4}, blockSurfaces("block", {1, 0.3, 1}, {1, 0.4, 1}, 0.6, patch),
+                               patch);
 }
 
 double energy(const Room& room, const float* illuminance) {
@@ -75,7 +65,7 @@ TEST(Transport, ClosedBoxOfOneReflectanceHasItsKnownMean) {
 }
 
 TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   TransportOptions options;
   options.rays = 256;
   options.threads = 1;
@@ -97,7 +87,7 @@ TEST(Transport, SameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
 // note: except sigmas of the block's sides, lit so evenly (0.3 % of the mean) that a change of 0.05 % in
 // single patches is a tenth of sigma.
 TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   TransportOptions options;
   const auto one = transportOf(room, options);
   options.seed = 2;
@@ -123,7 +113,7 @@ TEST(Transport, AnotherSeedMovesMeansByHalfAPercentAndSigmasByOne) {
 }
 
 TEST(Transport, RefinementFallsAndTheForwardSolutionAgrees) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
   ASSERT_EQ(transport->residuals.size(), 3u);
@@ -178,7 +168,7 @@ TEST(FormFactors, ASmallBrightSpotIsSeenWithoutNoiseWhereverItIs) {
 }
 
 TEST(FormFactors, MoreRaysMeanLessNoiseOfWhatIsPartlyHidden) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   const auto tracer = RayTracer::build(room);
   ASSERT_TRUE(tracer);
   const auto noise = [&](std::uint32_t rays) {
@@ -194,7 +184,7 @@ TEST(FormFactors, MoreRaysMeanLessNoiseOfWhatIsPartlyHidden) {
 }
 
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
   const std::size_t plane = room.surfaces.size() - 1;
@@ -222,7 +212,7 @@ TEST(Transport, LightIsAFiniteNumberAndNeverNegativeHoweverFewTheRays) {
   TransportOptions options;
   options.rays = 8;
   options.refine = 1;
-  const auto transport = transportOf(furnishedBox(), options);
+  const auto transport = transportOf(boxWithBlock(), options);
   ASSERT_TRUE(transport);
   for (const float lux : transport->responses.illuminance) {
     ASSERT_TRUE(std::isfinite(lux));
@@ -249,7 +239,7 @@ std::vector<float> emissionUnder(const Room& room,
 }
 
 TEST(Transport, PaperModeGivesEquations8And10And11ToTheLetter) {
-  const Room room = furnishedBox();
+  const Room room = boxWithBlock();
   TransportOptions options;
   options.paper = true;
   options.rays = 256;

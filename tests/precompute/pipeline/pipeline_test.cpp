@@ -6,33 +6,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "precompute/files/scene_io.h"
-#include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/pipeline/box_model.h"
 
 namespace fiatlux {
 namespace {
 
+using testing::boxModel;
 using testing::boxRoom;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::plainHost;
+using testing::quickOptions;
 using testing::TestGltf;
-
-/// A closed box with a mount, and options that light it in a moment.
-ModelFile boxModel() { return {"rooms/box.glb", boxRoom({4, 3, 5}, 1).glb.bytes()}; }
-
-SceneOptions quickOptions() {
-  SceneOptions options;
-  options.room.patch = 0.5;
-  options.transport.rays = 32;
-  return options;
-}
-
-Host plainHost() {
-  Host host;
-  host.deflate = zlibDeflate;
-  return host;
-}
 
 /// Writes down what it is told; every stage takes two seconds. Stops at the stage that is named.
 struct Listener : Progress {

@@ -3,27 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "precompute/files/scene_io.h"
 #include "precompute/light/light_part.h"
-#include "tests/precompute/gltf/gltf_builder.h"
+#include "tests/precompute/pipeline/box_model.h"
 
 namespace fiatlux {
 namespace {
 
-ModelFile boxModel() { return {"box.glb", testing::boxRoom({4, 3, 5}, 1).glb.bytes()}; }
-
-SceneOptions quickOptions() {
-  SceneOptions options;
-  options.room.patch = 0.5;
-  options.transport.rays = 32;
-  return options;
-}
-
-Host plainHost() {
-  Host host;
-  host.deflate = zlibDeflate;
-  return host;
-}
+using testing::boxModel;
+using testing::plainHost;
+using testing::quickOptions;
 
 SceneParts openedBox() {
   auto parts = SceneParts::open(boxModel(), quickOptions(), plainHost());
