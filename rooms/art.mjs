@@ -23,7 +23,7 @@ function canvas(seed, aspect, colourAt) {
 const palette = (...hexes) => hexes.map(linearFromHex);
 
 /** Hazy blocks of colour floating over one another. */
-export function colourField(seed, aspect) {
+function colourField(seed, aspect) {
   const random = createRandom(seed);
   const [ground, ...blocks] = random.pick([
     palette('#7a1f1a', '#d2542c', '#e7a33b', '#a3271f'),
@@ -46,7 +46,7 @@ export function colourField(seed, aspect) {
 }
 
 /** Overlapping discs and half discs on a pale ground. */
-export function discs(seed, aspect) {
+function discs(seed, aspect) {
   const random = createRandom(seed);
   const colours = palette('#d8452e', '#24507a', '#e9b233', '#20242a', '#5f9a8c', '#d98f73');
   const ground = linearFromHex('#ece4d3');
@@ -71,7 +71,7 @@ export function discs(seed, aspect) {
 }
 
 /** Layers of hills towards a pale sky. */
-export function hills(seed, aspect) {
+function hills(seed, aspect) {
   const random = createRandom(seed);
   const [sky, far, near] = random.pick([
     palette('#f0d9b5', '#c98d6b', '#2d3a4a'),
@@ -127,7 +127,7 @@ export function grid(seed, aspect) {
 }
 
 /** Strokes and splashes over a washed ground. */
-export function strokes(seed, aspect) {
+function strokes(seed, aspect) {
   const random = createRandom(seed);
   const colours = palette('#1b1d20', '#1b1d20', '#b8392b', '#2f5d62', '#d9a441');
   const ground = linearFromHex('#e6e0d2');

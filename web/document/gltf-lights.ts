@@ -32,7 +32,7 @@ export function rotationFromMinusZ(direction: readonly number[]): Quaternion {
 }
 
 /** The unit quaternion that turns -z to gamma 0 and x to C0. */
-export function rotationTo({ down, along }: Frame): Quaternion {
+function rotationTo({ down, along }: Frame): Quaternion {
   const first = rotationFromMinusZ(down);
   const [x, y, z, w] = first;
   // Where x and y are after that; what is left is a turn about gamma 0.

@@ -47,7 +47,7 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
   });
 }
 
-export const cardSchema = cardOf(lux);
+const cardSchema = cardOf(lux);
 
 const metre = number(-1e5, 1e5);
 export const pointSchema = v.tuple([metre, metre, metre]);
@@ -82,7 +82,7 @@ const typesSchema = v.pipe(
   v.check((types) => new Set(types.map(({ id }) => id)).size === types.length, 'two types have one id'),
 );
 
-export const mountingSchema = v.object({
+const mountingSchema = v.object({
   type: idSchema,
   turn: degrees,
   aim: v.nullable(pointSchema),

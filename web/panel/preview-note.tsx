@@ -5,7 +5,7 @@ import { titleOf } from '../app/lighting/lighting.ts';
 import type { LightingState } from '../app/state/store.ts';
 
 /** A file name as one word of a shell. */
-export function shellWord(name: string): string {
+function shellWord(name: string): string {
   return /^[\w.+-]+$/.test(name) && !name.startsWith('-') ? name : `'${name.replace(/'/g, `'\\''`)}'`;
 }
 

@@ -2,6 +2,5 @@ import type { Item, Opening, Point, RoomPlan } from './room-plan.mjs';
 
 export function glbOf(plan: RoomPlan): Promise<Uint8Array<ArrayBuffer>>;
 export function builtOpenings(plan: RoomPlan, wall: number): Opening[];
-export function openingRectangle(opening: Opening): [u0: number, v0: number, u1: number, v1: number];
 export function clearColumns(plan: RoomPlan): { column: Item; base: Point[] }[];
 export function planeOutline(plan: RoomPlan): Point[] | null;

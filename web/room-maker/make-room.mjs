@@ -12,14 +12,14 @@ import { wallName } from './room-plan.mjs';
 import { Shape } from './shape.mjs';
 import { door, gridFrame, panelWithHoles } from './walls.mjs';
 
-export const columnClearance = 0.02; // m between a column and whatever else reaches the ceiling
+const columnClearance = 0.02; // m between a column and whatever else reaches the ceiling
 const doorFrame = 0.09; // m, of the architrave beside and above the leaf
 const openingMargin = 0.02; // m of wall that stays around an opening
 const paneWidth = 1.2; // m, a window's panes at most
 const radians = Math.PI / 180;
 
 /** Wall coordinates of one wall, as in walls.mjs: u along it, v up, d into the room. */
-export function wallFrame({ outline }, wall) {
+function wallFrame({ outline }, wall) {
   const [a, b] = [outline[wall], outline[(wall + 1) % outline.length]];
   const length = distance(a, b);
   const [tx, tz] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
@@ -27,7 +27,7 @@ export function wallFrame({ outline }, wall) {
 }
 
 /** What an opening takes of its wall: [u0, v0, u1, v1] m, with a door's frame. */
-export function openingRectangle({ kind, at, width, sill, height }) {
+function openingRectangle({ kind, at, width, sill, height }) {
   return kind === 'door'
     ? [at - doorFrame, 0, at + width + doorFrame, height + doorFrame]
     : [at, sill, at + width, sill + height];

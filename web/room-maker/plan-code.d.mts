@@ -2,7 +2,6 @@ import type { PackedPlan } from '../document/made-room.ts';
 import type { ReadPlan, RoomPlan } from './room-plan.mjs';
 
 export const planVersion: number;
-export const furnitureVersion: number;
 
 export function packedPlan(plan: RoomPlan): PackedPlan;
 export function unpackedPlan(packed: unknown): ReadPlan;

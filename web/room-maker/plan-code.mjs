@@ -4,7 +4,7 @@ import { itemKinds, mountKinds, openingKinds, readPlan } from './room-plan.mjs';
 
 /** Of the packed form; of what furniture looks like; both are part of a made room's identity. */
 export const planVersion = 1;
-export const furnitureVersion = 1;
+const furnitureVersion = 1;
 
 const mm = (value) => Math.round(value * 1000) || 0;
 const tenths = (value) => ((Math.round(value * 10) % 3600) + 3600) % 3600;

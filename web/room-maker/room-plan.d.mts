@@ -68,9 +68,7 @@ export type ReadPlan =
 export const itemKinds: readonly ItemKind[];
 export const mostItems: number;
 export const mostCorners: number;
-export const itemSizes: Readonly<Record<ItemKind, readonly [number, number, number]>>;
 export const sizesOf: Readonly<Record<ItemKind, string>>; // letters of 'wdh' that a person may choose
-export const usualFinishes: Readonly<Record<FinishName, Finish>>;
 
 export function readPlan(value: unknown): ReadPlan;
 export function planOf(outline: readonly Point[], height: number, name?: string): RoomPlan;

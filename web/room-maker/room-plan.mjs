@@ -110,7 +110,7 @@ export function readPlan(value) {
 }
 
 /** Usual sizes [width, depth, height] in metres. */
-export const itemSizes = {
+const itemSizes = {
   desk: [1.6, 0.8, 0.74],
   workplace: [1.6, 0.8, 0.74],
   table: [1.4, 0.8, 0.74],
@@ -144,7 +144,7 @@ export function usualOpening(kind, wall, at) {
     : { kind, wall, at, width: 1.6, sill: 0.9, height: 1.35 };
 }
 
-export const usualFinishes = {
+const usualFinishes = {
   ceiling: { reflectance: 0.7, colour: '#f7f6f2' },
   walls: { reflectance: 0.5, colour: '#e9e6df' },
   floor: { reflectance: 0.2, colour: '#8d8b88' },

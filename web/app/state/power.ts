@@ -27,7 +27,7 @@ export function leni(watts: number, floor: number): number {
 }
 
 /** Area of what is called floor; null in a room that names none. */
-export function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
+function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
   const area = surfaces
     .filter(({ name }) => /(^|\/)floor\b/i.test(name))
     .reduce((sum, surface) => sum + surface.area, 0);

@@ -5,7 +5,7 @@
 import type { Constraint } from '../../document/types.ts';
 import type { Shown } from '../../solver/protocol.ts';
 
-export const metWithin = 0.001; // of the bound
+const metWithin = 0.001; // of the bound
 
 const isOfPatches = ({ statistic }: Constraint) =>
   statistic === 'minimum' || statistic === 'maximum' || statistic === 'uniformity';

@@ -60,7 +60,7 @@ export function targetText({ target, unit }: Verdict): string {
   return target === null ? '–' : valueText(target, unit);
 }
 
-export const namesOf = (names: SurfaceNames): string =>
+const namesOf = (names: SurfaceNames): string =>
   names.map((name) => (name === 'all' ? 'whole room' : name)).join(', ');
 
 type Readings = Pick<SurfaceResult, 'mean' | 'sigma'>;

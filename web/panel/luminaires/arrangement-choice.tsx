@@ -110,7 +110,7 @@ function Axis({ rule, axis, choose }: AxisProps) {
 }
 
 /** Of x and z the one that the places reach further along, then the other. */
-export function axesByLength(position: ArrayLike<number>): readonly ['x' | 'z', 'x' | 'z'] {
+function axesByLength(position: ArrayLike<number>): readonly ['x' | 'z', 'x' | 'z'] {
   const reach = (axis: number) => {
     let [low, high] = [Infinity, -Infinity];
     for (let i = axis; i < position.length; i += 3) {

@@ -2,6 +2,7 @@
 import { Plus } from 'lucide-preact';
 import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { toMillimetres } from '../../room-maker/plan-edits.ts';
+import { Check } from '../controls/check.tsx';
 import { Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
 
@@ -27,14 +28,11 @@ export function PlaneSection() {
   };
   return (
     <Section title="Where light is measured">
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={plane !== null}
-          onChange={() => making.edit((plan) => ({ ...plan, plane: plan.plane ? null : usualPlane }))}
-        />
-        <span>A working plane</span>
-      </label>
+      <Check
+        label="A working plane"
+        checked={plane !== null}
+        set={(on) => making.edit((plan) => ({ ...plan, plane: on ? usualPlane : null }))}
+      />
       {plane && (
         <div class="maker-grid">
           <Field

@@ -52,11 +52,6 @@ export function steppedPosition(at: number, steps: number): number {
 const css = ([red, green, blue]: readonly [number, number, number]): string =>
   `rgb(${red}, ${green}, ${blue})`;
 
-/** CSS colour of a value, lx or lm/m2. */
-export function colorOf(scale: Scale, value: number): string {
-  return css(mapColor(scale.colorMap, steppedPosition(legendPosition(scale, value), scale.steps)));
-}
-
 /** Stops for a CSS or canvas gradient; on a stepped scale two a step, so that the edges are hard. */
 export function legendStops(scale: Pick<Scale, 'steps' | 'colorMap'>, count = 24): LegendStop[] {
   const stops: LegendStop[] = [];
@@ -73,7 +68,7 @@ export function legendStops(scale: Pick<Scale, 'steps' | 'colorMap'>, count = 24
 }
 
 /** A round step of 1, 2, 2.5 or 5 times a power of ten that cuts `span` into at most `count` parts. */
-export function roundStep(span: number, count: number): number {
+function roundStep(span: number, count: number): number {
   const raw = span / Math.max(1, count);
   const magnitude = Math.pow(10, Math.floor(Math.log10(raw)));
   const factor = [1, 2, 2.5, 5, 10].find((candidate) => candidate * magnitude >= raw * (1 - 1e-9)) ?? 10;

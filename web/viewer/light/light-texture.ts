@@ -1,7 +1,7 @@
 /** One float a patch on the graphics card (light in lx, or reflectance): R32F, 256 wide, fetched by whole texels. */
 import { DataTexture, FloatType, NearestFilter, RedFormat } from 'three';
 
-export const lightTextureWidth = 256; // a power of two: the shader splits an index by shift and mask
+const lightTextureWidth = 256; // a power of two: the shader splits an index by shift and mask
 
 export class LightTexture {
   texture: DataTexture;
