@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "core/base/short_number.h"
@@ -119,6 +120,7 @@ std::vector<Face> frontFaces(const WeldedMesh& mesh) {
 struct Inside {
   SurfaceTree tree;
   UniqueNames names;  // those that are taken
+  std::optional<FreeSpace> space;
   std::vector<Mount> mounts;
   Outside outside;
 };
@@ -153,7 +155,8 @@ Inside findInside(const SourceScene& source, const RoomOptions& options, const R
   } else {
     inside.names = std::move(firstNames);
   }
-  inside.mounts = findMounts(source, mesh, inside.tree, faces, outlook, options, warnings);
+  inside.space.emplace(mesh, tracer, faces);
+  inside.mounts = findMounts(source, mesh, inside.tree, faces, *inside.space, options, warnings);
   const Outlook::Unlit unlit =
       outlook.unlit(facesWithSites(mesh, inside.mounts), placesOf(options.luminaires));
   inside.outside = leaveOut(unlit.outside, inside.tree);
@@ -294,7 +297,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   addMeasuringPlanes(source, roles, options, inside.names, room);
   room.patches.covered = coveredRows(room, tracer);
   sumSurfaces(room);
-  addSites(mesh, inside.mounts, tracer, options, room);
+  addSites(mesh, inside.mounts, tracer, *inside.space, options, room);
   orThrow(checkMemory(countsOf(options, room), options.memory));
   return {std::move(room), std::move(tracer)};
 }

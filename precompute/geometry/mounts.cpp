@@ -9,8 +9,8 @@
 #include "core/scene/luminaire.h"
 #include "precompute/base/error.h"
 #include "precompute/base/names.h"
+#include "precompute/geometry/ceilings.h"
 #include "precompute/geometry/sites.h"
-#include "precompute/room/bounds.h"
 
 namespace fiatlux {
 namespace {
@@ -20,15 +20,14 @@ bool within(const std::string& path, const std::string& name) {
          (path.size() > name.size() && path.compare(0, name.size(), name) == 0 && path[name.size()] == '/');
 }
 
-// What is proposed as a mount: planes that look down and lie high, of some size beside the largest one and
-// about as high.
-constexpr double kCeilingLike = 0.9;                  // cos 26 degrees
-constexpr double kBeside = 0.1, kAsHigh = 0.3;        // of its area; m
-constexpr double kHidden = 0.5;                       // share of lost rays: it looks into the void
-constexpr double kNamedWeight = 16, kWordWeight = 4;  // of the author's "ceiling", of ours
+// What is proposed.
+constexpr double kLow = 1.8, kHigh = 9;  // m: heights of ceilings worth a word
+constexpr double kHeadroom = 1;          // m, free below a site
+constexpr double kSqueezed = 0.3;        // m, to both sides of it: within a wall
+constexpr std::size_t kMostStoreys = 4;  // that are told
 
 // The spacing of sites where none is said.
-constexpr double kUsualSites = 256, kManySites = 1000;          // in all, of a usual and of a huge room
+constexpr double kUsualSites = 256, kManySites = 400;           // in all, of a usual and of a huge room
 constexpr double kStep = 0.05, kFinest = 0.3, kCoarsest = 1.5;  // m
 
 std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Face>& faces) {
@@ -39,7 +38,8 @@ std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Fac
     if (!mesh.extras.mount) continue;
     const auto [found, fresh] = ofNode.emplace(mesh.nodeIndex, mounts.size());
     if (fresh)
-      mounts.push_back({mesh.node, {}, mesh.extras.siteSpacing.value_or(0), mesh.extras.drop.value_or(0)});
+      mounts.push_back(
+          {mesh.node, {}, mesh.extras.siteSpacing.value_or(0), mesh.extras.drop.value_or(0), false, false});
     mounts[found->second].faces.push_back(face);
   }
   return mounts;
@@ -71,58 +71,29 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
   }
 }
 
-/// The ceiling: the largest plane that faces down in the upper half, and others about as high.
+/// The ceilings of every storey, the largest first.
 std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
-                                  const Outlook& outlook, std::vector<std::string>& warnings) {
-  const Bounds bounds = boundsOf(mesh.positions);
-  const double low = bounds.low.y, middle = 0.5 * (low + bounds.high.y);
-  struct Candidate {
-    const SurfaceGroup* group;
-    const Region* region;
-    std::uint32_t leaf;
-  };
-  std::vector<Candidate> candidates;
-  const Candidate* best = nullptr;
-  const auto isHidden = [&](const SurfaceGroup& group, const Region& region) {
-    const Face& face = group.set.faces[region.faces[0]];
-    return outlook.lost(face.triangle, face.back) >= kHidden;
-  };
-
-  // What looks into the void only where there is nothing else.
-  for (const bool evenHidden : {false, true}) {
-    if (!candidates.empty()) break;
-    for (const SurfaceGroup& group : tree.groups)
-      for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (group.regions[r].normal.y < -kCeilingLike && group.regions[r].centroid.y > middle &&
-            (evenHidden || !isHidden(group, group.regions[r])))
-          candidates.push_back({&group, &group.regions[r], group.leafOfRegion[r]});
-  }
-  // What its author calls a ceiling counts more than what looks like one, and that more than a plain roof.
-  const auto weight = [&](const Candidate& c) {
-    const SourceMesh& from = source.meshes[c.group->set.faces[c.region->faces[0]].mesh];
-    const auto saysCeiling = [](const std::string& name) { return name.find("eiling") != std::string::npos; };
-    const bool named = saysCeiling(from.node) || saysCeiling(from.extras.surface) ||
-                       (from.material >= 0 && saysCeiling(source.materials[from.material].name));
-    return c.region->area * (named ? kNamedWeight : saysCeiling(tree.names[c.leaf]) ? kWordWeight : 1);
-  };
-  for (const Candidate& c : candidates)
-    if (!best || weight(c) > weight(*best)) best = &c;
+                                  const FreeSpace& space, std::vector<std::string>& warnings) {
+  const std::vector<Ceiling> ceilings = proposeCeilings(source, mesh, tree, space);
   std::vector<Mount> mounts;
-  if (!best) return mounts;
-
-  // The best one, and what lies about as high.
-  mounts.push_back({tree.names[best->leaf], {}, 0});
-  double area = 0;
-  for (const Candidate& c : candidates) {
-    if (c.region->area < kBeside * best->region->area ||
-        std::abs(c.region->centroid.y - best->region->centroid.y) > kAsHigh)
-      continue;
-    area += c.region->area;
-    for (const std::uint32_t f : c.region->faces) mounts[0].faces.push_back(c.group->set.faces[f]);
+  std::string told;
+  for (const Ceiling& ceiling : ceilings) {
+    mounts.push_back({ceiling.name, ceiling.faces, 0, 0, true, !ceiling.isOutdoors});
+    if (mounts.size() > kMostStoreys) continue;
+    told += (told.empty()         ? "'"
+             : mounts.size() == 2 ? ", of other storeys '"
+                                  : ", '") +
+            ceiling.name + "' (" + shortNumber(ceiling.area) + " m2" +
+            (ceiling.height > 0 ? ", " + shortNumber(ceiling.height) + " m above the floor)" : ")");
   }
-  warnings.push_back("no mount is marked: luminaires are proposed to hang on '" + mounts[0].name + "' (" +
-                     shortNumber(area) + " m2, " + shortNumber(best->region->centroid.y - low) +
-                     " m up); choose with --mount");
+  if (mounts.empty()) return mounts;
+  if (mounts.size() > kMostStoreys) told += " and " + std::to_string(mounts.size() - kMostStoreys) + " more";
+  warnings.push_back("no mount is marked: luminaires are proposed to hang on " + told +
+                     "; choose with --mount");
+  const double height = ceilings[0].height;
+  if (height > 0 && (height < kLow || height > kHigh))
+    warnings.push_back("the ceiling is " + shortNumber(height) + " m above the floor: is that so? --scale " +
+                       "says how many metres a unit of the file has");
   return mounts;
 }
 
@@ -143,15 +114,15 @@ void unknownName(const char* option, const std::string& name, const std::vector<
 }
 
 std::vector<Mount> findMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
-                              const std::vector<Face>& faces, const Outlook& outlook,
+                              const std::vector<Face>& faces, const FreeSpace& space,
                               const RoomOptions& options, std::vector<std::string>& warnings) {
   std::vector<Mount> mounts = markedMounts(source, faces);
   addNamedMounts(source, tree, faces, options.mounts, mounts);
   if (!mounts.empty() || !options.requireSites) return mounts;
-  mounts = proposedMounts(source, mesh, tree, outlook, warnings);
+  mounts = proposedMounts(source, mesh, tree, space, warnings);
   if (mounts.empty())
     throw CommandError(
-        "nowhere to hang luminaires: no node is marked as mount and nothing large and high faces down; "
+        "nowhere to hang luminaires: no node is marked as mount and nothing faces down over a floor; "
         "pass --mount with one of " +
         closestNames("ceiling", tree.names));
   return mounts;
@@ -188,14 +159,38 @@ void lower(const Mount& mount, double drop, const RayTracer& tracer, std::vector
                        shortNumber(drop) + " m below them; pass a smaller --drop");
 }
 
+/// Takes away the sites of a proposal that would shine on what is close, hang within a wall, or outdoors.
+void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& space, std::vector<Site>& sites) {
+  const auto isSqueezed = [&](const Vec3& from, const Vec3& side) {
+    RayPacket sides;
+    tracer.aim(sides, from, side, kSqueezed), tracer.aim(sides, from, -side, kSqueezed);
+    bool blocked[RayPacket::kSize];
+    tracer.occluded(sides, blocked);
+    return blocked[0] && blocked[1];
+  };
+  const auto isUseless = [&](const Site& site) {
+    const Vec3 below = site.position + kLuminaireClearance * site.normal;
+    const double height = space.floorBelow(below).value_or(0);
+    const Vec3 floor = below - Vec3{0, height - kLuminaireClearance, 0};
+    return height < kHeadroom || isSqueezed(below, site.axis) ||
+           isSqueezed(below, cross(site.normal, site.axis)) ||
+           (mount.isIndoors && space.skyAbove(floor) >= kOpenSky);
+  };
+  std::vector<Site> kept;
+  std::remove_copy_if(sites.begin(), sites.end(), std::back_inserter(kept), isUseless);
+  if (!kept.empty()) sites = std::move(kept);  // else a room that is small altogether
+}
+
 }  // namespace
 
 void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RayTracer& tracer,
-              const RoomOptions& options, Room& room) {
+              const FreeSpace& space, const RoomOptions& options, Room& room) {
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
   const double sensible = std::clamp(std::round(std::sqrt(area / kUsualSites) / kStep) * kStep, kFinest,
                                      std::max(kCoarsest, std::sqrt(area / kManySites)));
+  if (std::any_of(mounts.begin(), mounts.end(), [](const Mount& m) { return m.isProposed; }))
+    room.assumptions += " places=ceilings";
   for (const Mount& mount : mounts) {
     const double spacing = options.siteSpacing > 0 ? options.siteSpacing
                            : mount.spacing > 0     ? mount.spacing
@@ -209,6 +204,7 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ra
     if (sites.empty())
       room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +
                               shortNumber(size) + " m; pass a smaller --site-spacing");
+    if (mount.isProposed) keepFree(mount, tracer, space, sites);
     const double drop = options.drop > 0 ? options.drop : mount.drop;
     if (drop > 0 && !sites.empty()) lower(mount, drop, tracer, sites, room.warnings);
     room.sites.insert(room.sites.end(), sites.begin(), sites.end());

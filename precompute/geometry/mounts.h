@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "precompute/geometry/outlook.h"
+#include "precompute/geometry/free_space.h"
 #include "precompute/geometry/room_options.h"
 #include "precompute/geometry/surfaces.h"
 #include "precompute/rays/ray_tracer.h"
@@ -15,8 +15,10 @@ namespace fiatlux {
 struct Mount {
   std::string name;
   std::vector<Face> faces;
-  double spacing = 0;  // m, 0 = not said
-  double drop = 0;     // m, from the mount to its sites
+  double spacing = 0;       // m, 0 = not said
+  double drop = 0;          // m, from the mount to its sites
+  bool isProposed = false;  // nobody has looked: sites only where there is free space below
+  bool isIndoors = false;   // and no open sky above that
 };
 
 /// The names of the file that a person may ask for: nodes, and surfaces that extras name.
@@ -26,21 +28,20 @@ std::vector<std::string> askedNames(const SourceScene& source);
 [[noreturn]] void unknownName(const char* option, const std::string& name,
                               const std::vector<std::string>& names);
 
-/// Mounts marked in the file, then those of `options`; where sites are required and there is none, the
-/// ceiling is proposed, with a warning: the largest plane that faces down in the upper half, and others about
-/// as high; what looks into the void only where there is nothing else. Throws CommandError where a name is
-/// unknown or nothing can be proposed.
+/// Mounts marked in the file, then those of `options`; where sites are required and there is none, ceilings
+/// are proposed, a mount a storey, with a remark. Throws CommandError where a name is unknown or nothing can
+/// be proposed.
 std::vector<Mount> findMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
-                              const std::vector<Face>& faces, const Outlook& outlook,
+                              const std::vector<Face>& faces, const FreeSpace& space,
                               const RoomOptions& options, std::vector<std::string>& warnings);
 
 /// The faces of all mounts on which sites will hang.
 std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts);
 
 /// Hangs the sites of all mounts, as far below as they drop; those that something stands in the way of are
-/// left out, with a warning. `tracer`: of the mesh. Throws CommandError where there are too many, or none
-/// though required.
+/// left out, with a warning. `tracer`: of the mesh; `space`: within it. Throws CommandError where there are
+/// too many, or none though required.
 void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RayTracer& tracer,
-              const RoomOptions& options, Room& room);
+              const FreeSpace& space, const RoomOptions& options, Room& room);
 
 }  // namespace fiatlux

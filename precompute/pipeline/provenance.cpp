@@ -30,6 +30,7 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
   if (options.room.drop > 0) text << " drop=" << options.room.drop;
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
+  text << room.assumptions;
   return text.str();
 }
 

@@ -56,6 +56,7 @@ struct Room {
   double patchSize = 0;               // m, the nominal edge of a patch
   std::vector<std::string> leftOut;   // names of surfaces that face the void, wholly or in part
   std::vector<std::string> warnings;  // one readable line each
+  std::string assumptions;            // that decide about the light and that no option says: for the identity
   std::string sourceHash;             // 16 hex digits of the source's bytes (buffers and images included)
 
   /// The patch of a point on a triangle's front or back; kNone when the back is no surface.

@@ -1,0 +1,99 @@
+// A few rays from points spread over a plane; see free_space.h.
+#include "precompute/geometry/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "precompute/rays/area_sampler.h"
+#include "precompute/rays/hemisphere.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kLooks = 64;  // on a plane
+constexpr double kFarAway = 10;       // m: as far counts what a ray meets nothing in
+constexpr double kFloorLevel = 0.7;   // cos 45 degrees
+constexpr Vec3 kDownward{0, -1, 0}, kUpward{0, 1, 0};
+
+AreaSampler samplerOn(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Fragment> triangles;
+  for (const Face& face : faces)
+    triangles.push_back(
+        {{mesh.positions[face.vertex[0]], mesh.positions[face.vertex[1]], mesh.positions[face.vertex[2]]}});
+  return AreaSampler(triangles);
+}
+
+}  // namespace
+
+double FreeSpace::View::floorsWithin(double low, double high) const {
+  const auto within = std::count_if(floors.begin(), floors.end(),
+                                    [&](double floor) { return floor >= low && floor <= high; });
+  return static_cast<double>(within) / kLooks;
+}
+
+FreeSpace::FreeSpace(const WeldedMesh& mesh, const RayTracer& tracer, const std::vector<Face>& faces)
+    : mesh_(mesh), tracer_(tracer), sequence_(kLooks), isSurface_(mesh.triangles.size(), {false, false}) {
+  for (const Face& face : faces) isSurface_[face.triangle][face.back] = true;
+}
+
+FreeSpace::Met FreeSpace::meet(const Vec3& origin, const Vec3& direction) const {
+  RayPacket packet;
+  tracer_.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
+  HitPacket hits;
+  tracer_.intersect(packet, hits);
+  const std::uint32_t t = hits.triangle[0];
+  if (t == kNone) return {};
+  const bool back = dot(direction, areaVector(mesh_.positions, mesh_.triangles[t].vertex)) > 0;
+  return {t, hits.distance[0], isSurface_[t][back]};
+}
+
+std::optional<double> FreeSpace::floorAt(const Met& met) const {
+  if (!met.isSurface) return std::nullopt;
+  const Vec3 normal = normalized(areaVector(mesh_.positions, mesh_.triangles[met.triangle].vertex));
+  if (std::abs(normal.y) < kFloorLevel) return std::nullopt;
+  return met.distance;
+}
+
+FreeSpace::View FreeSpace::from(const std::vector<Face>& faces, std::uint64_t seed) const {
+  const AreaSampler sampler = samplerOn(mesh_, faces);
+  View view;
+  if (sampler.empty()) return view;
+  const auto scramble = RaySequence::scramble(mixBits(seed));
+  double lost = 0, skies = 0;
+  for (std::uint32_t i = 0; i < kLooks; ++i) {
+    const auto random = sequence_.point(i, scramble);
+    const auto [position, normal] = sampler.at(random[0], random[1]);
+    const Vec3 origin = position + tracer_.offset() * normal;
+    const Met met = meet(origin, cosineDirection(Frame(normal), random[2], random[3]));
+    view.path += (met.triangle == kNone ? kFarAway : met.distance) / kLooks;
+    lost += !met.isSurface;
+
+    // The floor, and what is above it.
+    const std::optional<double> floor = floorAt(meet(origin, kDownward));
+    if (!floor) continue;
+    view.floors.push_back(*floor);
+    const Vec3 below = origin + (*floor - tracer_.offset()) * kDownward;
+    skies += meet(below, cosineDirection(Frame(kUpward), random[2], random[3])).triangle == kNone;
+  }
+  view.lost = lost / kLooks;
+  if (!view.floors.empty()) view.sky = skies / static_cast<double>(view.floors.size());
+  std::sort(view.floors.begin(), view.floors.end());
+  return view;
+}
+
+std::optional<double> FreeSpace::floorBelow(const Vec3& point) const {
+  return floorAt(meet(point, kDownward));
+}
+
+double FreeSpace::skyAbove(const Vec3& point) const {
+  const auto scramble = RaySequence::scramble(0);
+  double skies = 0;
+  for (std::uint32_t i = 0; i < kLooks; ++i) {
+    const auto random = sequence_.point(i, scramble);
+    skies += meet(point, cosineDirection(Frame(kUpward), random[0], random[1])).triangle == kNone;
+  }
+  return skies / kLooks;
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,119 @@
+// Made rooms, one for each way in which real models mislead: what hangs luminaires in walls, slabs and
+// plenums, in the open, or nowhere. None of them marks a mount or is named for what it is.
+#pragma once
+
+#include "tests/precompute/gltf/gltf_builder.h"
+
+namespace fiatlux::testing {
+
+inline constexpr double kStorey = 2.8;              // m, from a floor to the ceiling above
+inline const Vec3 kPlan{6, 0, 5};                   // m, clear of the walls
+inline constexpr double kWall = 0.3, kSlab = 0.25;  // m, how thick
+
+/// A model under construction: solid or hollow boxes, sheets; all of one material.
+struct TrapRoom {
+  TestGltf gltf;
+  int paint;
+
+  explicit TrapRoom(bool doubleSided = false)
+      : paint(gltf.material("paint", 0.5, {{"doubleSided", doubleSided}})) {}
+
+  void add(const std::string& name, const TestMesh& mesh) { gltf.node(name, gltf.mesh(mesh, paint)); }
+  /// A closed box that looks outward.
+  void block(const std::string& name, const Vec3& low, const Vec3& size) {
+    TestMesh mesh;
+    mesh.box(low, size, false);
+    add(name, mesh);
+  }
+  /// The same without its lower side: of a double-sided material it has an inside.
+  void hood(const std::string& name, const Vec3& low, const Vec3& size) {
+    TestMesh mesh;
+    mesh.box(low, size, false);
+    mesh.indices.erase(mesh.indices.begin(), mesh.indices.begin() + 6);
+    add(name, mesh);
+  }
+  /// Four walls around the plan, from `y` to the ceiling; hollow where they are hoods.
+  void walls(double y, bool hollow) {
+    const auto wall = [&](const std::string& name, const Vec3& low, const Vec3& size) {
+      hollow ? hood(name, low, size) : block(name, low, size);
+    };
+    const double x = kPlan.x, z = kPlan.z;
+    wall("w1", {-kWall, y, -kWall}, {x + 2 * kWall, kStorey, kWall});
+    wall("w2", {-kWall, y, z}, {x + 2 * kWall, kStorey, kWall});
+    wall("w3", {-kWall, y, 0}, {kWall, kStorey, z});
+    wall("w4", {x, y, 0}, {kWall, kStorey, z});
+  }
+  /// A plate below, between or above storeys, whose upper side is at y; `over` the walls' outer edge, m.
+  void slab(const std::string& name, double y, double over = 0) {
+    const double edge = kWall + over;
+    block(name, {-edge, y - kSlab, -edge}, {kPlan.x + 2 * edge, kSlab, kPlan.z + 2 * edge});
+  }
+};
+
+/// Caps of double-sided hollow walls look down upon the plate they stand on.
+inline TrapRoom hollowWalls() {
+  TrapRoom room(true);
+  room.slab("s0", 0), room.walls(0, true), room.slab("s1", kStorey + kSlab);
+  return room;
+}
+
+/// Above a lowered ceiling of panels there is more than a metre of nothing.
+inline TrapRoom plenum() {
+  TrapRoom room(true);
+  room.slab("s0", 0), room.walls(0, false), room.walls(kStorey, false);
+  TestMesh panels;
+  panels.quad({0, kStorey, 0}, {kPlan.x, 0, 0}, {0, 0, kPlan.z}, 10, 8);
+  room.add("panels", panels), room.slab("s1", kStorey + 1.3 + kSlab);
+  return room;
+}
+
+/// The upper plate is hollow and open to a side.
+inline TrapRoom hollowSlab() {
+  TrapRoom room(true);
+  room.slab("s0", 0), room.walls(0, false);
+  TestMesh mesh;
+  mesh.box({-kWall, kStorey, -kWall}, {kPlan.x + 2 * kWall, 0.6, kPlan.z + 2 * kWall}, false);
+  mesh.indices.resize(mesh.indices.size() - 6);
+  room.add("s1", mesh);
+  return room;
+}
+
+/// Two rooms, one above the other.
+inline TrapRoom twoStoreys() {
+  TrapRoom room;
+  room.slab("s0", 0), room.walls(0, false);
+  room.slab("s1", kStorey + kSlab), room.walls(kStorey + kSlab, false);
+  room.slab("s2", 2 * (kStorey + kSlab));
+  return room;
+}
+
+/// A house on wide ground, with eaves, and a mast that lifts the middle of the model above its ceiling.
+inline TrapRoom terrain() {
+  TrapRoom room;
+  TestMesh ground;
+  ground.quad({-30, -kSlab, -30}, {0, 0, 60}, {60, 0, 0}, 4, 4);
+  room.add("ground", ground);
+  room.slab("s0", 0), room.walls(0, false), room.slab("s1", kStorey + kSlab, 0.6);
+  room.block("mast", {-12, -kSlab, -12}, {0.2, 14, 0.2});
+  return room;
+}
+
+/// Everything in one mesh, the ceiling in many pieces, a wardrobe that is open below.
+inline TrapRoom singleMesh() {
+  TrapRoom room(true);
+  TestMesh mesh;
+  mesh.box({}, {kPlan.x, kStorey, kPlan.z}, true, 6);
+  TestMesh wardrobe;
+  wardrobe.box({0.5, 0, 0.5}, {1.2, 2.4, 0.6}, false);
+  for (std::size_t i = 6; i < wardrobe.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) {
+      const auto& p = wardrobe.positions[wardrobe.indices[i + k]];
+      return Vec3{p[0], p[1], p[2]};
+    };
+    mesh.triangle(at(0), at(1), at(2));
+  }
+  room.add("mesh", mesh);
+  return room;
+}
+
+}  // namespace fiatlux::testing
