@@ -1,5 +1,6 @@
 // Two layouts in one picture: kept, wiped by the keyboard, told apart in a table, switched, and kept over a reload.
-// Covers compare-bar, divider, differences, wipe.
+// Covers compare-bar, divider, differences, wipe, film.
+import { readFileSync } from 'node:fs';
 import { difference, expect, openRoom, picture, settled, status, tab, test, violations } from './app.ts';
 
 test('a variant is kept as A, compared with what comes after it, and survives a reload', async ({ page }) => {
@@ -31,4 +32,24 @@ test('a variant is kept as A, compared with what comes after it, and survives a 
   await expect(divider).toHaveCount(0);
   await page.keyboard.press('b');
   await expect(divider).toBeVisible();
+});
+
+test('a loop is recorded as a WebM file, and Escape ends it without one', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 700 }); // what is small is encoded in time by software, too
+  await openRoom(page, 'Box');
+  const record = async () => {
+    await page.getByRole('button', { name: 'Compare', exact: true }).click();
+    await page.getByRole('menuitem', { name: /five-second loop/ }).click();
+    await expect(page.getByRole('region', { name: 'Five-second loop' })).toBeVisible();
+  };
+  await record();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('region', { name: 'Five-second loop' })).toHaveCount(0);
+  const download = page.waitForEvent('download', { timeout: 60_000 });
+  await record();
+  const file = await download;
+  expect(file.suggestedFilename()).toBe('box-loop.webm');
+  const bytes = readFileSync(await file.path());
+  expect(bytes.subarray(0, 4).toString('hex')).toBe('1a45dfa3'); // EBML, as every WebM begins
+  expect(bytes.length).toBeGreaterThan(1000);
 });

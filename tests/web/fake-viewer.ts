@@ -67,6 +67,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       view: () => {},
       fit: () => {},
       home: () => {},
+      video: () => null,
       png: async () => new Blob(),
       dispose: () => {},
     };

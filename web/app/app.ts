@@ -8,6 +8,7 @@ import type { Card, Display, NamedView, Quantity, Verb } from '../document/types
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { Comparing } from './comparing.ts';
+import { Film } from './film.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
@@ -39,6 +40,7 @@ export class App {
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
   readonly variants: Variants;
+  readonly film: Film;
 
   constructor(store: Store, { canvas, labels, createViewer, createWorker, createPool }: Parts) {
     this.store = store;
@@ -59,6 +61,7 @@ export class App {
       createPool,
     );
     this.variants = new Variants(store, this.solving, this.viewer);
+    this.film = new Film(store, this.solving, this.viewer, this.variants);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }

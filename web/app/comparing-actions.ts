@@ -1,6 +1,8 @@
 /** What can be compared, as actions. */
 import type { Action } from './actions.ts';
 import type { App } from './app.ts';
+import { download, fileStem } from './exports/save-as.ts';
+import { canFilm } from './film.ts';
 import type { Against } from './variants.ts';
 
 const hasLight = ({ store }: App) => store.shown.value !== null && store.preview.value === null;
@@ -43,4 +45,18 @@ export const comparingActions: readonly Action[] = [
   },
   against('opened', 'Compare with the room as it was opened', ['W']),
   against('scattered', 'Compare with luminaires scattered at random'),
+  ...(canFilm
+    ? [
+        {
+          id: 'film',
+          title: 'Save a five-second loop (WebM)',
+          group: 'Compare',
+          enabled: (app) => hasLight(app) && app.film.progress.value === null,
+          async run({ film, store }) {
+            const video = await film.record();
+            if (video) download(`${fileStem(store.roomTitle.peek())}-loop.webm`, video);
+          },
+        } satisfies Action,
+      ]
+    : []),
 ];

@@ -6,6 +6,7 @@ import { isFirstVisit, likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
 import { CompareBar } from './compare/compare-bar.tsx';
 import { Divider } from './compare/divider.tsx';
+import { FilmNote } from './compare/film-note.tsx';
 import { Legend } from './legend.tsx';
 import { PreviewNote } from './preview-note.tsx';
 import { RoomPicture } from './room-picture.tsx';
@@ -49,6 +50,7 @@ function Overlays() {
       <Looking />
       <SelectionBar />
       <PreviewNote />
+      <FilmNote />
     </>
   );
 }

@@ -34,6 +34,13 @@ export interface LuminaireBody {
   readonly candela: Float32Array; // as a description has it
 }
 
+/** A layout and its light, lx a patch; on its way to another one, its luminaires hang between their places in both. */
+export interface OtherLight {
+  readonly illuminance: Float32Array;
+  readonly layout: Layout;
+  readonly towards?: { readonly layout: Layout; readonly share: number };
+}
+
 export interface Viewer {
   /** Begins to read a room's display mesh, for an `open` of the same buffer. */
   prepare(glb: ArrayBuffer): void;
@@ -54,7 +61,7 @@ export interface Viewer {
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
   /** Another light of the same room, drawn left of a divider with the same eye, exposure and scale; null: none. */
-  compareWith(other: { readonly illuminance: Float32Array; readonly layout: Layout } | null): void;
+  compareWith(other: OtherLight | null): void;
   /** Where the divider stands, a share of the picture's width. */
   divide(share: number): void;
   /** Of the types that a layout's mountings name; luminaires of others are drawn as squares. */
@@ -86,6 +93,8 @@ export interface Viewer {
   home(): void;
   /** The present picture, drawn at once; one in false colours has its legend in a corner. */
   png(): Promise<Blob>;
+  /** What is drawn from now on, as video; null where the browser has no such thing. */
+  video(framesPerSecond: number): MediaStream | null;
   dispose(): void;
 }
 

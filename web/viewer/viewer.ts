@@ -21,7 +21,7 @@ import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from 
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
 import { SurfaceOutlines } from './room/surface-outline.ts';
-import type { CreateViewer, LuminaireBody, Viewer, ViewerEvents, ViewName } from './types.ts';
+import type { CreateViewer, LuminaireBody, OtherLight, Viewer, ViewerEvents, ViewName } from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
@@ -141,7 +141,7 @@ class RoomViewer implements Viewer {
     this.#emphasis.refresh();
   }
 
-  compareWith(other: Parameters<Viewer['compareWith']>[0]): void {
+  compareWith(other: OtherLight | null): void {
     this.#wipe.set(other);
   }
 
@@ -238,6 +238,10 @@ class RoomViewer implements Viewer {
     const picture = await this.#stage.png();
     const display = this.#display;
     return display?.mode === 'falseColor' ? withLegend(picture, display, this.#stage.ratio) : picture;
+  }
+
+  video(framesPerSecond: number): MediaStream | null {
+    return this.#stage.video(framesPerSecond);
   }
 
   dispose(): void {

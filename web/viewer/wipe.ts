@@ -7,11 +7,9 @@ import type { SceneInfo } from '../document/types.ts';
 import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
 import type { FrameLoop } from './stage/frame-loop.ts';
 import type { Stage } from './stage/stage.ts';
-import type { Viewer } from './types.ts';
+import type { OtherLight } from './types.ts';
 import type { SharedUniforms } from './light/light-material.ts';
 import { LightTexture } from './light/light-texture.ts';
-
-type Other = Parameters<Viewer['compareWith']>[0];
 
 export class Wipe {
   readonly luminaires: LuminaireObjects;
@@ -48,14 +46,16 @@ export class Wipe {
     this.luminaires.setSites(scene?.sites ?? null);
   }
 
-  set(other: Other): void {
+  set(other: OtherLight | null): void {
     if (!other || !this.#scene) {
       this.#texture?.dispose();
       this.#texture = null;
     } else {
       this.#texture ??= new LightTexture(this.#scene.patches + this.#scene.receivers);
       this.#texture.set(other.illuminance);
-      this.luminaires.setLayout(other.layout);
+      const { layout, towards } = other;
+      if (towards) this.luminaires.glide(layout, towards.layout, towards.share);
+      else this.luminaires.setLayout(layout);
     }
     this.#loop.invalidate();
   }

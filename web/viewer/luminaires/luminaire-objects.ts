@@ -127,6 +127,21 @@ export class LuminaireObjects {
     this.select(this.#selected);
   }
 
+  /** Hangs each luminaire between its places in two layouts of as many; `share`: of the way. */
+  glide(from: Layout, to: Layout, share: number): void {
+    if (this.objects.length !== from.sites.length) this.setLayout(from);
+    this.#walks = [];
+    this.objects.forEach((object, i) => {
+      const { position, quaternion } = object.group;
+      this.#place(object, from.sites[i]!, from.mountings?.[i]);
+      const [start, turned] = [position.clone(), quaternion.clone()];
+      this.#place(object, to.sites[i]!, to.mountings?.[i]);
+      position.lerpVectors(start, position.clone(), share);
+      quaternion.slerpQuaternions(turned, quaternion.clone(), share);
+    });
+    this.#loop.invalidate();
+  }
+
   /** Gives a luminaire a rim of this colour, or none. */
   mark(luminaire: number, color: Color | null, isHovered: boolean): void {
     const object = this.objects[luminaire];

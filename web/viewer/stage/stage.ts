@@ -90,6 +90,10 @@ export class Stage {
     });
   }
 
+  video(framesPerSecond: number): MediaStream | null {
+    return this.#canvas.captureStream?.(framesPerSecond) ?? null;
+  }
+
   dispose(): void {
     this.#observer.disconnect();
     this.#scheme.removeEventListener('change', this.#rescheme);

@@ -1,0 +1,185 @@
+/**
+ * Five seconds of video: luminaires glide from places at random to where they hang now, and the light follows. It is computed
+ * at steps of the way, each luminaire on the free site nearest to it, and blended between two of them.
+ */
+import { signal } from '@preact/signals';
+import { nearestSite, positionOf } from '../document/sites.ts';
+import type { Layout, SceneInfo } from '../document/types.ts';
+import type { Viewer } from '../viewer/types.ts';
+import type { Solving } from './solving.ts';
+import type { Store } from './state/store.ts';
+import { scatteredLayout, type Variants } from './variants.ts';
+import { sentence } from './words/format.ts';
+
+const length = 5000; // ms
+const [still, gliding] = [600, 3000]; // ms before the luminaires set out, and of their way
+const framesPerSecond = 30;
+const bitsPerSecond = 8e6;
+const slice = 250; // ms between two parts that the recorder hands over
+const leastBytes = 1000; // of a film that shows something
+const patience = 4000; // ms that a recorder may take to begin
+const steps = 24; // of the way
+const formats = ['video/webm;codecs=vp8', 'video/webm'];
+
+/** Whether this browser can make a film. */
+export const canFilm =
+  typeof MediaRecorder === 'function' &&
+  'captureStream' in HTMLCanvasElement.prototype &&
+  formats.some((format) => MediaRecorder.isTypeSupported(format));
+
+export interface FilmProgress {
+  readonly stage: 'lighting' | 'recording';
+  readonly share: number; // 0..1 of the stage
+}
+
+/** A film that a person has stopped, or that has lost its room. */
+class Cut extends Error {}
+
+export class Film {
+  readonly progress = signal<FilmProgress | null>(null);
+  readonly #store: Store;
+  readonly #solving: Solving;
+  readonly #viewer: Viewer;
+  readonly #variants: Variants;
+  #isCancelled = false;
+
+  constructor(store: Store, solving: Solving, viewer: Viewer, variants: Variants) {
+    this.#variants = variants;
+    this.#store = store;
+    this.#solving = solving;
+    this.#viewer = viewer;
+  }
+
+  cancel(): void {
+    this.#isCancelled = true;
+  }
+
+  /** The video; null where it was cancelled or could not be made, which is told. */
+  async record(): Promise<Blob | null> {
+    const scene = this.#store.scene.peek();
+    const to = this.#solving.layout();
+    if (!scene || !to || this.progress.peek()) return null;
+    this.#isCancelled = false;
+    this.#variants.close(); // the film takes its place in the picture
+    try {
+      const from = scatteredLayout(to, this.#store.document.peek(), scene);
+      const lights = await this.#lights(from, to, scene);
+      return await this.#shot(scene, (share) =>
+        this.#viewer.compareWith({
+          illuminance: blended(lights, share),
+          layout: from,
+          towards: { layout: to, share },
+        }),
+      );
+    } catch (error) {
+      if (error instanceof Cut) this.#store.announcement.value = 'The loop is not recorded.';
+      else
+        this.#store.say(
+          'error',
+          `The loop could not be recorded: ${sentence(String((error as Error).message))}`,
+        );
+      return null;
+    } finally {
+      this.progress.value = null;
+      this.#viewer.divide(this.#variants.divider.peek());
+      this.#viewer.compareWith(null);
+    }
+  }
+
+  /** The light at every step of the way, both ends included. */
+  async #lights(from: Layout, to: Layout, scene: SceneInfo): Promise<Float32Array[]> {
+    const lights: Float32Array[] = [];
+    for (let step = 0; step <= steps; step++) {
+      this.#tell('lighting', step / steps, scene);
+      const { illuminance } = await this.#solving.read(layoutBetween(from, to, step / steps, scene.sites));
+      lights.push(illuminance);
+    }
+    return lights;
+  }
+
+  /** Plays the film once and records what is drawn. */
+  async #shot(scene: SceneInfo, show: (share: number) => void): Promise<Blob> {
+    const video = this.#viewer.video(framesPerSecond);
+    if (!video) throw new Error('this browser gives no video of a picture');
+    const mimeType = formats.find((format) => MediaRecorder.isTypeSupported(format)) ?? 'video/webm';
+    const recorder = new MediaRecorder(video, { mimeType, videoBitsPerSecond: bitsPerSecond });
+    const parts: Blob[] = [];
+    const ended = new Promise<Blob>((resolve, reject) => {
+      recorder.ondataavailable = ({ data }) => void parts.push(data);
+      recorder.onstop = () => resolve(new Blob(parts, { type: 'video/webm' }));
+      recorder.onerror = () => reject(new Error('the browser could not encode it'));
+    });
+    this.#viewer.divide(1);
+    show(0);
+    try {
+      recorder.start(slice);
+      await this.#play(scene, show, () => sizeOf(parts) >= leastBytes);
+    } finally {
+      if (recorder.state !== 'inactive') recorder.stop();
+      for (const track of video.getTracks()) track.stop();
+    }
+    const film = await ended;
+    if (film.size < leastBytes)
+      throw new Error('not one picture of it was ready in time: make the window smaller and try again');
+    return film;
+  }
+
+  /** By the clock, whatever the frame rate, from when the recorder has something; resolves at its end. */
+  #play(scene: SceneInfo, show: (share: number) => void, isRecording: () => boolean): Promise<void> {
+    const asked = performance.now();
+    let begun: number | null = null;
+    return new Promise((resolve, reject) => {
+      const frame = () => {
+        const now = performance.now();
+        if (begun === null && (isRecording() || now - asked > patience)) begun = now;
+        const passed = begun === null ? 0 : now - begun;
+        try {
+          this.#tell('recording', Math.min(1, passed / length), scene);
+          show(eased((passed - still) / gliding));
+        } catch (error) {
+          return reject(error);
+        }
+        if (passed >= length) resolve();
+        else requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    });
+  }
+
+  #tell(stage: FilmProgress['stage'], share: number, scene: SceneInfo): void {
+    if (this.#isCancelled || this.#store.scene.peek() !== scene || this.#store.preview.peek() !== null)
+      throw new Cut();
+    this.progress.value = { stage, share };
+  }
+}
+
+const sizeOf = (parts: readonly Blob[]): number => parts.reduce((sum, { size }) => sum + size, 0);
+
+/** 0..1, at rest at both ends. */
+function eased(share: number): number {
+  const t = Math.min(1, Math.max(0, share));
+  return t * t * (3 - 2 * t);
+}
+
+/** The luminaires on their way from one layout to another, each on the free site nearest to where it is. */
+export function layoutBetween(from: Layout, to: Layout, share: number, sites: SceneInfo['sites']): Layout {
+  if (share <= 0) return from;
+  if (share >= 1) return to;
+  const taken = new Set<number>();
+  const between = to.sites.map((target, i) => {
+    const [start, end] = [positionOf(sites, from.sites[i] ?? target), positionOf(sites, target)];
+    const point = start.map((value, axis) => value + share * (end[axis]! - value));
+    const { site } = nearestSite(sites, point, taken);
+    taken.add(site);
+    return site;
+  });
+  return { ...to, sites: between };
+}
+
+/** The light at a share of the way, between the two steps around it. */
+export function blended(lights: readonly Float32Array[], share: number): Float32Array {
+  const at = Math.min(lights.length - 1, Math.max(0, share * (lights.length - 1)));
+  const [before, after] = [lights[Math.floor(at)]!, lights[Math.ceil(at)]!];
+  const part = at - Math.floor(at);
+  return before.map((value, row) => value + part * (after[row]! - value));
+}

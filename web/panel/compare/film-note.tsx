@@ -1,0 +1,35 @@
+/** How far a film is; Escape or its button ends it without one. */
+import { useEffect } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+
+export function FilmNote() {
+  const { film } = useApp();
+  const progress = film.progress.value;
+  const isRunning = progress !== null;
+  useEffect(() => {
+    if (!isRunning) return;
+    const escape = (event: KeyboardEvent) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      event.stopPropagation();
+      film.cancel();
+    };
+    document.addEventListener('keydown', escape, true);
+    return () => document.removeEventListener('keydown', escape, true);
+  }, [isRunning]);
+  if (!progress) return null;
+  const isRecording = progress.stage === 'recording';
+  return (
+    <section class="film-note" aria-label="Five-second loop">
+      <span role="status">{isRecording ? 'Recording five seconds' : 'Computing the light on the way'}</span>
+      <progress
+        max={1}
+        value={progress.share}
+        aria-label={isRecording ? 'Recorded so far' : 'Computed so far'}
+      />
+      <button class="button small" onClick={() => film.cancel()}>
+        Cancel (Esc)
+      </button>
+    </section>
+  );
+}
