@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/calculation_grid.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -44,12 +45,14 @@ void evaluate(const EvaluateOptions& options) {
       photometric ? lightResults(scene.patches, scene.surfaces, light) : lightResults(scene, layout);
   if (!options.patches.empty())
     orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
+  const std::vector<GridReading> grids = readGrids(scene, light);
   if (!options.json) {
-    std::fputs(surfacesTable(results).c_str(), stdout);
+    std::fputs((surfacesTable(results) + "\n" + gridLines(scene.surfaces, grids)).c_str(), stdout);
     return;
   }
   nlohmann::ordered_json json = {{"identity", scene.identity}, {"surfaces", surfacesJson(results)}};
   json["all"] = surfaceJson(results.all);
+  json["grids"] = gridsJson(scene.surfaces, grids);
   json["layout"] = layoutJson(layout, scene);
   double power = 0;
   for (double flux : layout.flux) power += layout.dimming * flux;

@@ -13,6 +13,7 @@
 #include "precompute/files/command_host.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/layout_json.h"
+#include "precompute/light/measuring_grid.h"
 
 namespace fiatlux {
 namespace {

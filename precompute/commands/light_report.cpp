@@ -49,21 +49,6 @@ Json pointsJson(const LightReport& report) {
   return json;
 }
 
-Json gridsJson(const LightReport& report) {
-  Json json = Json::array();
-  for (const GridReading& reading : *report.grids) {
-    const MeasuringGrid& grid = reading.grid;
-    json.push_back({{"surface", report.room.surfaces[grid.surface].name},
-                    {"points", grid.points.size()},
-                    {"spacing", grid.spacing},
-                    {"rim", grid.rim},
-                    {"mean", reading.mean},
-                    {"min", reading.least},
-                    {"uniformity", reading.uniformity()}});
-  }
-  return json;
-}
-
 void printEnergy(const LightReport& report) {
   const EnergyBalance& e = report.light.energy;
   std::printf(
@@ -75,16 +60,6 @@ void printEnergy(const LightReport& report) {
     if (report.light.lost[s] < kLittleLost) continue;
     std::printf("lost from %s: %.2f %% of its rays\n", printable(report.room.surfaces[s].name).c_str(),
                 100 * report.light.lost[s]);
-  }
-}
-
-void printGrids(const LightReport& report) {
-  for (const GridReading& reading : *report.grids) {
-    const MeasuringGrid& grid = reading.grid;
-    std::printf(
-        "grid on %s: %zu points, spacing at most %.2f m, rim %.1f m: E_m %.4g lx, E_min %.4g lx, U_o %.3f\n",
-        printable(report.room.surfaces[grid.surface].name).c_str(), grid.points.size(), grid.spacing,
-        grid.rim, reading.mean, reading.least, reading.uniformity());
   }
 }
 
@@ -103,7 +78,7 @@ Json lightReportJson(const LightReport& report) {
                {"seconds", report.seconds},
                {"directOnly", report.directOnly}};
   if (!report.points.empty()) json["points"] = pointsJson(report);
-  if (report.grids) json["grids"] = gridsJson(report);
+  if (report.grids) json["grids"] = gridsJson(report.room.surfaces, *report.grids);
   return json;
 }
 
@@ -114,7 +89,7 @@ void printLightReport(const LightReport& report) {
       "%u steps\n",
       report.room.patches.count, report.room.patchSize, report.light.residual, report.light.steps);
   printEnergy(report);
-  if (report.grids) printGrids(report);
+  if (report.grids) std::fputs(gridLines(report.room.surfaces, *report.grids).c_str(), stdout);
   if (!report.points.empty()) std::printf("\n%s", pointsCsv(report.points, report.readings).c_str());
 }
 

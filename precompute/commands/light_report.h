@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/scene/calculation_grid.h"
 #include "precompute/files/light_results.h"
 #include "precompute/light/forward_light.h"
-#include "precompute/light/measuring_grid.h"
 #include "precompute/light/point_light.h"
 #include "precompute/room/room.h"
 

@@ -73,6 +73,7 @@ Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& r
   Json json = {{"seed", run.seed}, {"layout", layoutJson(layout, prepared.scene())}};
   if (!layout.ties.empty()) json["arrangement"] = arrangementJson(intentions.luminaires.arrangement, layout);
   json["surfaces"] = surfacesJson(lightResults(prepared.scene(), layout));
+  json["grids"] = gridsJson(prepared.scene().surfaces, readGrids(prepared.scene(), shown.illuminance));
   json["goal"] = goalJson(shown);
   json["violations"] = violationsJson(prepared.scene(), intentions, shown);
   json["evaluations"] = run.evaluations;

@@ -106,6 +106,32 @@ LightResults lightResults(const Scene& scene, const Layout& layout) {
   return results;
 }
 
+nlohmann::ordered_json gridsJson(const std::vector<Surface>& surfaces,
+                                 const std::vector<GridReading>& grids) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const GridReading& grid : grids)
+    json.push_back({{"surface", surfaces[grid.surface].name},
+                    {"points", grid.points},
+                    {"spacing", grid.spacing},
+                    {"rim", grid.rim},
+                    {"mean", grid.mean},
+                    {"min", grid.least},
+                    {"uniformity", grid.uniformity()}});
+  return json;
+}
+
+std::string gridLines(const std::vector<Surface>& surfaces, const std::vector<GridReading>& grids) {
+  std::string lines;
+  for (const GridReading& grid : grids) {
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers,
+                  ": %u points, spacing at most %.2f m, rim %.2f m: E_m %.4g lx, E_min %.4g lx, U_o %.3f\n",
+                  grid.points, grid.spacing, grid.rim, grid.mean, grid.least, grid.uniformity());
+    lines += "grid on " + printable(surfaces[grid.surface].name) + numbers;
+  }
+  return lines;
+}
+
 nlohmann::ordered_json surfaceJson(const SurfaceResult& result) {
   nlohmann::ordered_json json = {{"name", result.name}, {"area", result.area}, {"patches", result.patches}};
   json.update(statisticsJson(result.illuminance));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/calculation_grid.h"
 #include "core/scene/patches.h"
 #include "core/scene/scene.h"
 
@@ -41,6 +42,12 @@ nlohmann::ordered_json surfaceJson(const SurfaceResult& result);
 
 /// Aligned text for a person, a line a surface and one for all.
 std::string surfacesTable(const LightResults& results);
+
+/// [{"surface", "points", "spacing", "rim", "mean", "min", "uniformity"}, ...]: a grid each, lx and m.
+nlohmann::ordered_json gridsJson(const std::vector<Surface>& surfaces, const std::vector<GridReading>& grids);
+
+/// A line a grid, for a person.
+std::string gridLines(const std::vector<Surface>& surfaces, const std::vector<GridReading>& grids);
 
 /// surface,x,y,z,nx,ny,nz,area,reflectance,illuminance,exitance; a row a patch, receivers too. `light`: lx,
 /// likewise.

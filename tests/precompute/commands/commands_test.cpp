@@ -124,6 +124,13 @@ TEST_F(Commands, LightSaysWhatEvaluateSays) {
   EXPECT_NEAR(lit["energy"]["absorbed"].get<double>(), 1500, 0.005 * 1500);
   ASSERT_EQ(lit["points"].size(), 1u);
   EXPECT_GT(lit["points"][0]["total"], lit["points"][0]["direct"]);
+  ASSERT_EQ(lit["grids"].size(), evaluated["grids"].size());
+  for (std::size_t g = 0; g < lit["grids"].size(); ++g) {
+    const json &rays = lit["grids"][g], &patches = evaluated["grids"][g];
+    for (const char* same : {"surface", "points", "spacing", "rim"}) EXPECT_EQ(rays[same], patches[same]);
+    EXPECT_NEAR(patches["mean"].get<double>(), rays["mean"], 0.01 * rays["mean"].get<double>());
+    EXPECT_NEAR(patches["min"].get<double>(), rays["min"], 0.05 * rays["min"].get<double>());
+  }
   EXPECT_EQ(lit["grids"][0]["surface"], "floor");
   const std::string csv = textOfFile(*folder_ / "lit.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1057);

@@ -90,6 +90,9 @@ TEST_F(SearchCommands, SolveListsSurfacesAsEvaluateDoes) {
   const Json evaluated =
       Json::parse(run({"evaluate", path("room.flux"), "--layout", path("l.json"), "--json"}));
   EXPECT_EQ(solved["runs"][0]["surfaces"], evaluated["surfaces"]);
+  EXPECT_EQ(solved["runs"][0]["grids"], evaluated["grids"]);
+  EXPECT_EQ(evaluated["grids"][0]["surface"], "floor");
+  EXPECT_EQ(evaluated["grids"][0]["points"], 42);
 }
 
 TEST_F(SearchCommands, SolveAimsAtATarget) {

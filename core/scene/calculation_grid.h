@@ -1,0 +1,67 @@
+// The calculation grid of EN 12464-1 on floors and level measuring planes: a rim is left out (0.5 m, or 15 %
+// of the shorter side where that is less), and points are at most p = 0.2 x 5^log10(d) m apart, at most 10 m,
+// d the longer side of what is left, or the shorter one where they differ by a factor of two or more. Read
+// off the patches of a scene; `fiatlux light` takes the same points to its rays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace fiatlux {
+
+/// What the rule makes of a rectangle.
+struct GridRule {
+  double rim = 0, spacing = 0;  // m; the spacing is the largest allowed
+  std::uint32_t columns = 0, rows = 0;
+};
+
+/// Of `length` x `width` metres, both above 0.
+GridRule gridRule(double length, double width);
+
+/// A plane piece of a surface, cut into cells of which each holds one patch or none.
+struct PatchLattice {
+  std::uint32_t surface = 0;
+  Vec3 origin, uAxis, vAxis;    // m, the corner of the first cell; unit, along columns and rows
+  double cellU = 0, cellV = 0;  // m
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<std::uint32_t> patchOfCell;  // rows x columns, row-major; kNone where there is none
+
+  /// The patch at (u, v) metres from the origin, or kNone.
+  std::uint32_t patchAt(double u, double v) const;
+};
+
+struct CalculationGrid {
+  GridRule rule;
+  std::vector<std::array<double, 2>> points;  // m from the lattice's origin, along u and v
+};
+
+/// The points of a lattice whose rim lies on it too and that nothing covers; none where `surface` is a floor
+/// and its piece narrower than half a metre (a threshold, the feet of chairs).
+CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches,
+                                  const Surface& surface);
+
+/// Is that a floor or a measuring plane: level, facing up, and measuring or hardly above the `lowest` height?
+bool wantsGrid(const Surface& surface, const Vec3& normal, double height, double lowest);
+
+/// The lattices of a scene's floors and level measuring planes, in the order of their patches.
+std::vector<PatchLattice> measuredLattices(const Scene& scene);
+
+/// What a layout does to a grid.
+struct GridReading {
+  std::uint32_t surface = 0, points = 0;
+  double spacing = 0, rim = 0;                                       // m
+  double mean = 0, least = 0;                                        // lx: E_m and E_min
+  double uniformity() const { return mean > 0 ? least / mean : 0; }  // U_o
+};
+
+/// Of values (lx) at the points of a grid, of which there is one at least.
+GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
+                        const std::vector<double>& values);
+
+/// Every grid of a scene, bilinear between its patches. `light`: lx, one a row.
+std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light);
+
+}  // namespace fiatlux

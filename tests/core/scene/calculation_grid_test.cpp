@@ -1,0 +1,104 @@
+// The calculation grid of EN 12464-1: its rule by its own examples, its points on patches, and what is read
+// off them.
+#include "core/scene/calculation_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/synthetic_scene.h"
+
+namespace fiatlux {
+namespace {
+
+/// A floor of `columns` x `rows` cells of 0.25 m whose left and upper neighbours are known.
+Scene floorScene(std::uint32_t columns, std::uint32_t rows) {
+  Scene scene;
+  addGrid(scene, "floor", {1, 0, 2}, {0, 0, 1}, {1, 0, 0}, columns, rows, 0.25, 0.3f, false);
+  return scene;
+}
+
+TEST(CalculationGrid, TheRuleIsThatOfTheStandard) {
+  const GridRule rule = gridRule(5, 4);
+  EXPECT_EQ(rule.rim, 0.5);
+  EXPECT_NEAR(rule.spacing, 0.527, 5e-4);
+  EXPECT_EQ(rule.columns, 8u);
+  EXPECT_EQ(rule.rows, 6u);
+  EXPECT_NEAR(gridRule(11, 11).spacing, 1, 1e-12);
+  EXPECT_EQ(gridRule(11, 11).columns, 10u);
+  EXPECT_NEAR(gridRule(7, 4).spacing, 0.2 * std::pow(5, std::log10(3)), 1e-12);  // twice as long as wide
+  EXPECT_NEAR(gridRule(1.6, 0.8).rim, 0.12, 1e-12);                              // 15 % of a desk
+  EXPECT_EQ(gridRule(1e5, 9e4).spacing, 10);
+}
+
+TEST(CalculationGrid, PointsLieInsideTheRimAndOnWhatIsThere) {
+  Scene scene = floorScene(16, 20);
+  const std::vector<PatchLattice> lattices = measuredLattices(scene);
+  ASSERT_EQ(lattices.size(), 1u);
+  const CalculationGrid whole = calculationGridOn(lattices[0], scene.patches, scene.surfaces[0]);
+  EXPECT_EQ(whole.points.size(), 48u);
+  const auto placeOf = [&](const std::array<double, 2>& point) {
+    return lattices[0].origin + point[0] * lattices[0].uAxis + point[1] * lattices[0].vAxis;
+  };
+  for (const auto& point : whole.points) {
+    EXPECT_GT(placeOf(point).x, 1.5);
+    EXPECT_LT(placeOf(point).x, 5.5);
+    EXPECT_GT(placeOf(point).z, 2.5);
+    EXPECT_LT(placeOf(point).z, 5.5);
+  }
+  // What something stands on has no points.
+  scene.patches.covered.assign(scene.patches.rows(), 0);
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    scene.patches.covered[p] = scene.patches.center[p].x > 3.5;
+  const CalculationGrid half = calculationGridOn(lattices[0], scene.patches, scene.surfaces[0]);
+  EXPECT_EQ(half.points.size(), 24u);
+  for (const auto& point : half.points) EXPECT_LT(placeOf(point).x, 3.5);
+}
+
+TEST(CalculationGrid, AThresholdIsNoFloor) {
+  const Scene scene = floorScene(1, 6);
+  EXPECT_TRUE(readGrids(scene, std::vector<float>(scene.patches.rows(), 100)).empty());
+}
+
+TEST(CalculationGrid, ASlopeIsReadExactly) {
+  const Scene scene = floorScene(16, 20);
+  std::vector<float> light;
+  for (const Vec3& center : scene.patches.center) light.push_back(static_cast<float>(100 * (center.x - 1)));
+  const std::vector<GridReading> readings = readGrids(scene, light);
+  ASSERT_EQ(readings.size(), 1u);
+  EXPECT_NEAR(readings[0].mean, 250, 1e-3);
+  EXPECT_NEAR(readings[0].least, 75, 1e-3);
+  EXPECT_NEAR(readings[0].uniformity(), 0.3, 1e-5);
+}
+
+TEST(CalculationGrid, ItsMeanIsThatOfThePatchesInsideTheRim) {
+  const Scene scene = syntheticScene(24, 6, 0);
+  const std::vector<float> light = illuminanceOf(scene, {{0, 2, 5}, {1000, 1000, 1000}, 1});
+  const std::vector<GridReading> readings = readGrids(scene, light);
+  ASSERT_EQ(readings.size(), 2u);  // floor and plane; the wall has none
+  EXPECT_TRUE(scene.surfaces[readings[1].surface].measuring);
+  for (const GridReading& reading : readings) {
+    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+    const auto each = [&](auto&& visit) {
+      for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+        if (scene.patches.surface[p] == reading.surface) visit(scene.patches.center[p], light[p]);
+    };
+    each([&](const Vec3& c, float) {
+      low[0] = std::min(low[0], c.x), high[0] = std::max(high[0], c.x);
+      low[1] = std::min(low[1], c.z), high[1] = std::max(high[1], c.z);
+    });
+    double sum = 0, count = 0;
+    const auto inside = [&](double middle, int axis) {  // share of a cell that the rim leaves
+      const double from = low[axis] - 0.125 + reading.rim, to = high[axis] + 0.125 - reading.rim;
+      return std::max(0.0, std::min(to, middle + 0.125) - std::max(from, middle - 0.125)) / 0.25;
+    };
+    each([&](const Vec3& c, float value) {
+      const double share = inside(c.x, 0) * inside(c.z, 1);
+      sum += share * value, count += share;
+    });
+    EXPECT_NEAR(reading.mean, sum / count, 0.01 * sum / count);
+  }
+}
+
+}  // namespace
+}  // namespace fiatlux
