@@ -250,8 +250,7 @@ std::string startFrom(Session& session, std::uint32_t seed, val sites, val flux,
   return errorOf(session.start(seed, &layout));
 }
 
-val advance(Session& session, std::uint32_t evaluations) {
-  const SearchProgress progress = session.advance(evaluations);
+val valueOf(const SearchProgress& progress) {
   val result = val::object();
   result.set("evaluations", static_cast<double>(progress.evaluations));
   result.set("foundAt", static_cast<double>(progress.foundAt));
@@ -260,6 +259,10 @@ val advance(Session& session, std::uint32_t evaluations) {
   result.set("proved", progress.proved);
   return result;
 }
+
+val advance(Session& session, std::uint32_t evaluations) { return valueOf(session.advance(evaluations)); }
+
+val settle(Session& session, std::uint32_t evaluations) { return valueOf(session.settle(evaluations)); }
 
 val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::uint32_t evaluations) {
   const Layout start{vectorOf<std::uint32_t>(sites), {}, 1};
@@ -466,6 +469,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("start", &start)
       .function("startFrom", &startFrom)
       .function("advance", &advance)
+      .function("settle", &settle)
       .function("tryAside", &tryAside)
       .function("incumbent", &incumbent)
       .function("show", &show)

@@ -39,6 +39,24 @@ struct Read {
   Extremes extremes;
 };
 
+/// A layout as it is dimmed and as it would be at full flux.
+struct LitEitherWay {
+  Lit full, dimmed;
+
+  LitEitherWay(PreparedScene& prepared, Quantity quantity, const Layout& layout)
+      : full{prepared, quantity, {layout.sites, layout.flux, 1}}, dimmed(full) {
+    for (double& flux : dimmed.layout.flux) flux *= layout.dimming;
+    isDark = layout.dimming == 0;
+  }
+  /// A ratio does not change with the dimming: where that leaves no light, it is what it was before.
+  const Lit& forA(Statistic statistic) const {
+    return isDark && traitsOf(statistic).scaleFree() ? full : dimmed;
+  }
+
+ private:
+  bool isDark = false;
+};
+
 Read readFor(const Lit& lit, const StatisticTraits& traits, const SurfaceSet& surfaces,
              const SurfaceSet& over) {
   Read read;
@@ -62,9 +80,18 @@ ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
   const double high = std::isfinite(c.upper) ? marginTo(c.upper, Side::kUpper, above) : kUnbounded;
   ConstraintReading reading;
   reading.value = traits.needsAlpha ? (low <= high ? below : above) : (below + above) / 2;
-  reading.violation = std::max(0.0, -low) + std::max(0.0, -high);
+  reading.below = std::max(0.0, -low);
+  reading.above = std::max(0.0, -high);
+  reading.violation = reading.below + reading.above;
   reading.margin = std::min(low, high);
   return reading;
+}
+
+std::vector<ConstraintReading> readConstraints(const LitEitherWay& lit, const Intentions& intentions) {
+  std::vector<ConstraintReading> readings;
+  for (const Constraint& constraint : intentions.constraints)
+    readings.push_back(readConstraint(lit.forA(constraint.statistic), constraint));
+  return readings;
 }
 
 double readGoal(const Lit& lit, const Goal& goal) {
@@ -145,21 +172,19 @@ void readSurfaces(const Lit& lit, Shown& shown) {
 
 Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout) {
   assert(checkLayout(prepared.scene(), layout) && checkIntentions(prepared.scene(), intentions));
-  const Lit full{prepared, intentions.quantity, {layout.sites, layout.flux, 1}};
-  Lit lit = full;
-  for (double& flux : lit.layout.flux) flux *= layout.dimming;
-  // A ratio does not change with the dimming: where that leaves no light, it is what it was before.
-  const auto litFor = [&](Statistic statistic) -> const Lit& {
-    return layout.dimming == 0 && traitsOf(statistic).scaleFree() ? full : lit;
-  };
+  const LitEitherWay lit(prepared, intentions.quantity, layout);
   Shown shown;
   shown.layout = layout;
   shown.illuminance = illuminanceOf(prepared.scene(), layout);
-  readSurfaces(lit, shown);
-  for (const Goal& goal : intentions.goals) shown.goals.push_back(readGoal(litFor(goal.statistic), goal));
-  for (const Constraint& constraint : intentions.constraints)
-    shown.constraints.push_back(readConstraint(litFor(constraint.statistic), constraint));
+  readSurfaces(lit.dimmed, shown);
+  for (const Goal& goal : intentions.goals) shown.goals.push_back(readGoal(lit.forA(goal.statistic), goal));
+  shown.constraints = readConstraints(lit, intentions);
   return shown;
+}
+
+std::vector<ConstraintReading> constraintReadings(PreparedScene& prepared, const Intentions& intentions,
+                                                  const Layout& layout) {
+  return readConstraints(LitEitherWay(prepared, intentions.quantity, layout), intentions);
 }
 
 Result<Done> checkLayout(const Scene& scene, const Layout& layout) {

@@ -22,8 +22,9 @@ struct SurfaceReading {
 /// for a contrast against darkness and NaN for one of darkness against darkness, which meets no bound.
 struct ConstraintReading {
   double value = 0;
-  double violation = 0;  // sum of excessOver
-  double margin = 0;     // least marginTo; negative where not met
+  double violation = 0;         // sum of excessOver
+  double margin = 0;            // least marginTo; negative where not met
+  double below = 0, above = 0;  // of the violation: misses of the lower and of the upper bound
 };
 
 struct Shown {
@@ -36,6 +37,10 @@ struct Shown {
 
 /// Precondition: checkLayout and checkIntentions passed.
 Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout);
+
+/// How each constraint stands, without what else is shown. Precondition as for shownOf.
+std::vector<ConstraintReading> constraintReadings(PreparedScene& prepared, const Intentions& intentions,
+                                                  const Layout& layout);
 
 /// Sites that exist, each once; one flux a luminaire, finite and not negative; the dimming likewise.
 Result<Done> checkLayout(const Scene& scene, const Layout& layout);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/search/eased.h"
 #include "core/search/identity.h"
 #include "core/search/start_layout.h"
 #include "core/search/validate_intentions.h"
@@ -60,6 +61,7 @@ Result<Done> Session::finishOperator() {
 
 void Session::adopt(Scene scene) {
   search_.reset();
+  eased_.reset();
   alpha_.reset();
   bound_.reset();
   before_.reset();
@@ -75,6 +77,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked;
   search_.reset();
+  eased_.reset();
   alpha_.reset();
   bound_.reset();
   intentions_ = intentions;
@@ -93,6 +96,7 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   if (!can) return can;
   bound_.reset();
   before_.reset();
+  eased_.reset();
   if (start) {
     pinAsIn(*start);
     const bool isOfRoom = std::all_of(start->sites.begin(), start->sites.end(),
@@ -110,8 +114,21 @@ void Session::pinAsIn(const Layout& layout) {
 
 SearchProgress Session::advance(std::uint32_t evaluations) {
   if (!search_) return {};
+  eased_.reset();
   search_->advance(evaluations);
   return {search_->evaluations(), search_->foundAt(), search_->evaluation(), search_->isProved()};
+}
+
+SearchProgress Session::settle(std::uint32_t evaluations) {
+  if (!search_) return {};
+  if (!eased_) {
+    constexpr std::uint64_t kSeed = 1;
+    const Layout best = search_->incumbent();
+    const Intentions eased = easedToReach(intentions_, constraintReadings(*prepared_, intentions_, best));
+    eased_ = std::make_unique<LayoutSearch>(*prepared_, eased, kSeed, &best);
+  }
+  eased_->advance(evaluations);
+  return {eased_->evaluations(), eased_->foundAt(), eased_->evaluation(), eased_->isProved()};
 }
 
 Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
@@ -130,7 +147,9 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
 
 Result<Shown> Session::incumbent() {
   if (!search_) return Error{"no search is running"};
-  const Layout best = search_->incumbent();
+  const bool isSettled =
+      eased_ && eased_->evaluation().violation == 0 && eased_->evaluation().goal < search_->evaluation().goal;
+  const Layout best = (isSettled ? eased_ : search_)->incumbent();
   return shownOf(*prepared_, intentions_,
                  before_ ? numberedAs(*scene_, intentions_.luminaires, best, *before_) : best);
 }

@@ -44,8 +44,8 @@ class Session {
   /// Precondition of the next eight: one of the two succeeded (an Error says so otherwise).
   const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
   bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
-  /// A section that the light of other photometries needs: provide() all of them before finish(), or between finish()
-  /// and finishOperator(), or none.
+  /// A section that the light of other photometries needs: provide() all of them before finish(), or between
+  /// finish() and finishOperator(), or none.
   bool ofOperator(std::uint32_t section) const { return reader_ && reader_->ofOperator(section); }
   bool early(std::uint32_t section) const { return reader_ && reader_->early(section); }
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
@@ -55,7 +55,8 @@ class Session {
   const OpeningLight* opening() const { return reader_ ? reader_->opening() : nullptr; }
   /// Decodes the sections into the scene; drops the old one, its intentions and searches.
   Result<Done> finish();
-  /// Completes the scene of finish() by what the light of other photometries needs; the file is then done with.
+  /// Completes the scene of finish() by what the light of other photometries needs; the file is then done
+  /// with.
   Result<Done> finishOperator();
   /// Takes a scene that did not come from a file.
   void adopt(Scene scene);
@@ -76,6 +77,10 @@ class Session {
   Result<Done> start(std::uint64_t seed, const Layout* start);
   /// Spends that many evaluations. Nothing happens before start().
   SearchProgress advance(std::uint32_t evaluations);
+  /// Where the incumbent misses a bound: spends that many evaluations on layouts that miss it by hardly more
+  /// and serve the goals better (eased.h), to be told by incumbent() until the search goes on. Nothing
+  /// happens before start().
+  SearchProgress settle(std::uint32_t evaluations);
   /// What so many evaluations find for other intentions, from `start` where given; of a regular field all are
   /// tried. What is asked and the searches that run stay as they are.
   Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
@@ -108,8 +113,8 @@ class Session {
   std::unique_ptr<PreparedScene> prepared_;
   bool asked_ = false;
   Intentions intentions_;
-  std::optional<Layout> before_;  // that the search started from
-  std::unique_ptr<LayoutSearch> search_;
+  std::optional<Layout> before_;                  // that the search started from
+  std::unique_ptr<LayoutSearch> search_, eased_;  // for what is asked; for that as far as it can be met
   std::unique_ptr<AlphaSearch> alpha_;
   std::unique_ptr<LayoutBound> bound_;
 };

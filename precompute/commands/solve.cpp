@@ -7,6 +7,7 @@
 #include "core/base/short_number.h"
 #include "core/bound/layout_bound.h"
 #include "core/scene/surface_names.h"
+#include "core/search/eased.h"
 #include "core/search/layout_search.h"
 #include "core/search/start_layout.h"
 #include "precompute/base/error.h"
@@ -46,20 +47,36 @@ struct Runs {
   std::unique_ptr<LayoutSearch> search;  // of the best
 };
 
+void advance(LayoutSearch& search, const Intentions& intentions, std::uint32_t evaluations) {
+  constexpr std::uint32_t kSlice = 1u << 20;
+  for (std::uint32_t left = evaluations; left > 0; left -= std::min(left, kSlice))
+    search.advance(std::min(left, kSlice));
+  const bool tryAll = intentions.luminaires.arrangement.rule == Rule::kField;
+  while (tryAll && !search.isProved()) search.advance(kSlice);
+}
+
+/// What a search has found; where that misses a bound, the best for the goals that misses it by hardly more.
+Layout settled(PreparedScene& prepared, const Intentions& intentions, const LayoutSearch& search,
+               const SolveOptions& options) {
+  const Layout found = search.incumbent();
+  if (search.evaluation().violation == 0 || intentions.goals.empty()) return found;
+  const Intentions eased = easedToReach(intentions, constraintReadings(prepared, intentions, found));
+  LayoutSearch further(prepared, eased, options.seed, &found);
+  advance(further, intentions, options.evaluations);
+  const Evaluation& reached = further.evaluation();
+  return reached.violation == 0 && reached.goal < search.evaluation().goal ? further.incumbent() : found;
+}
+
 /// All regular fields are tried, however many; every other search spends its evaluations.
 Runs search(PreparedScene& prepared, const Intentions& intentions, const SolveOptions& options) {
-  constexpr std::uint32_t kSlice = 1u << 20;
-  const bool tryAll = intentions.luminaires.arrangement.rule == Rule::kField;
   Runs runs;
   for (std::uint32_t r = 0; r < options.runs; ++r) {
     const auto begin = Clock::now();
     auto search = std::make_unique<LayoutSearch>(prepared, intentions, options.seed + r);
-    for (std::uint32_t left = options.evaluations; left > 0; left -= std::min(left, kSlice))
-      search->advance(std::min(left, kSlice));
-    while (tryAll && !search->isProved()) search->advance(kSlice);
+    advance(*search, intentions, options.evaluations);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    runs.all.push_back(
-        {search->incumbent(), search->evaluation(), options.seed + r, search->evaluations(), seconds});
+    runs.all.push_back({settled(prepared, intentions, *search, options), search->evaluation(),
+                        options.seed + r, search->evaluations(), seconds});
     if (r > 0 && !isBetter(search->evaluation(), runs.search->evaluation())) continue;
     runs.best = r;
     runs.search = std::move(search);

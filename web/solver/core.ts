@@ -190,6 +190,11 @@ export interface Session {
   startFrom(seed: number, sites: Uint32Array, flux: Float64Array, dimming: number): string;
   /** Spends that many evaluations (one = one trial layout). */
   advance(evaluations: number): Progress;
+  /**
+   * Where the best layout misses a bound: looks among those that miss it by hardly more for one that serves the goals
+   * better, which incumbent() then tells until advance(). Counts its own evaluations; violation is 0.
+   */
+  settle(evaluations: number): Progress;
   /** What a short search finds for other intentions, from a layout where it has sites; searches go on untouched. */
   tryAside(
     intentions: CoreIntentions,
@@ -245,6 +250,7 @@ export const sessionMethods = {
   start: 1,
   startFrom: 4,
   advance: 1,
+  settle: 1,
   tryAside: 4,
   incumbent: 0,
   show: 3,

@@ -20,6 +20,7 @@ export type Searching = Pick<
   | 'start'
   | 'startFrom'
   | 'advance'
+  | 'settle'
   | 'tryAside'
   | 'incumbent'
   | 'show'
@@ -100,6 +101,7 @@ export class MountedSession implements Searching {
   start = (seed: number) => this.#session.start(seed);
   startFrom = (seed: number, ...layout: LayoutArguments) => this.#session.startFrom(seed, ...layout);
   advance = (evaluations: number) => this.#session.advance(evaluations);
+  settle = (evaluations: number) => this.#session.settle(evaluations);
   /** `sites`: of the room. */
   tryAside(asked: CoreIntentions, seed: number, sites: Uint32Array, evaluations: number) {
     const [start] = this.take({ sites: [...sites], flux: [], dimming: 1 });

@@ -11,6 +11,8 @@ export const pace = {
   answerGap: 16, // ms between answers, but for the first so many, in which each slice may answer
   fruitlessEvaluations: 2_000_000, // without improvement: settled
   fruitlessMilliseconds: 2_000,
+  settlingEvaluations: 100_000, // for the goals, where the bounds cannot be met
+  settlingMilliseconds: 400,
 } as const;
 
 const least = 10; // units of work in a slice

@@ -2,6 +2,7 @@
  * One search in slices. The first answer comes after some milliseconds, then every better one of the same frame, then
  * one a frame at most; the search settles when it has tried long in vain.
  */
+import { metUpTo } from './core-intentions.ts';
 import type { Progress } from './core.ts';
 import type { Searching } from './mounted-session.ts';
 import { pace, Slicer, type Clock } from './pacing.ts';
@@ -13,14 +14,20 @@ export class SearchJob {
   readonly #clock: Clock;
   readonly #slicer: Slicer;
   readonly #begun: number;
+  readonly #hasGoals: boolean;
+  readonly #settling: Slicer;
   #answeredAt = -Infinity;
   #answeredFoundAt = -1; // foundAt of the layout that was answered last
   #improvedAt: number;
+  #isOver = false; // nothing better has been found for long
+  #settled = 0; // evaluations for the goals since
   #progress: Progress = { evaluations: 0, foundAt: 0, violation: 0, goal: 0, proved: false };
 
   /** The session's search has just been started. */
-  constructor(session: Searching, clock: Clock) {
+  constructor(session: Searching, clock: Clock, hasGoals: boolean) {
     this.#session = session;
+    this.#hasGoals = hasGoals;
+    this.#settling = new Slicer(clock, pace.probe);
     this.#clock = clock;
     this.#slicer = new Slicer(clock, pace.probe);
     this.#begun = this.#improvedAt = clock();
@@ -32,21 +39,37 @@ export class SearchJob {
 
   /** Time spent searching, ms. */
   get milliseconds(): number {
-    return this.#slicer.milliseconds;
+    return this.#slicer.milliseconds + this.#settling.milliseconds;
   }
 
   /** One slice; says what is to be told. The caller tells it at once: the next step takes it as told. */
   step(): Report {
     if (this.#answeredFoundAt < 0) return this.#first();
+    if (this.#isOver) return this.#settle();
     this.#advance();
     const now = this.#clock();
     const { evaluations, foundAt, proved } = this.#progress;
     const idle = proved || evaluations - foundAt >= pace.fruitlessEvaluations;
-    if (idle || now - this.#improvedAt >= pace.fruitlessMilliseconds) return 'settled';
+    this.#isOver = idle || now - this.#improvedAt >= pace.fruitlessMilliseconds;
+    if (this.#isOver) return this.#mayServeGoals ? 'nothing' : 'settled';
     const isEarly = now - this.#begun < pace.answerGap;
     const isTooSoon = !isEarly && now - this.#answeredAt < pace.answerGap;
     if (foundAt === this.#answeredFoundAt || isTooSoon) return 'nothing';
     return this.#answer(now);
+  }
+
+  get #mayServeGoals(): boolean {
+    return this.#hasGoals && this.#progress.violation > metUpTo;
+  }
+
+  /** What cannot be met has been searched for: now for the goals, as far as the bounds are hardly missed by more. */
+  #settle(): Report {
+    const spent = this.#settling.run((amount) => {
+      this.#settled += amount;
+      return this.#session.settle(amount);
+    });
+    const isDone = spent.proved || this.#settled >= pace.settlingEvaluations;
+    return isDone || this.#settling.milliseconds >= pace.settlingMilliseconds ? 'settled' : 'nothing';
   }
 
   #first(): Report {

@@ -26,7 +26,7 @@ export class SearchTask implements Task {
     this.#clock = clock;
     this.#request = request;
     this.#leaves = leaves;
-    this.#job = new SearchJob(session, clock);
+    this.#job = new SearchJob(session, clock, request.intentions.goals.length > 0);
   }
 
   get revision(): number {

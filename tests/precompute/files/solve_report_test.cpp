@@ -48,6 +48,18 @@ TEST(SolveReport, ConstraintsAsLines) {
             "chebyshev (alpha 2) of all 150 lx (at least 100, at most 200): met");
 }
 
+TEST(SolveReport, AThousandthIsMetWithItsMargin) {
+  const Scene scene = syntheticScene(8, 2);
+  const auto line = [&](Statistic statistic, double violation) {
+    Intentions intentions;
+    intentions.constraints = {{statistic, 300, kUnbounded, 1, {0}, {}}};
+    return constraintLine(scene, intentions, shownWith({{299.8, violation}}, {}), 0);
+  };
+  EXPECT_TRUE(line(Statistic::kMean, 0.0006).ends_with(": met but for 0.06 %"));
+  EXPECT_TRUE(line(Statistic::kMean, 0.0011).ends_with(": NOT met"));
+  EXPECT_TRUE(line(Statistic::kMinimum, 0.0006).ends_with(": NOT met")) << "what is true of each patch";
+}
+
 TEST(SolveReport, OneGoalIsANumberSeveralAreAList) {
   EXPECT_EQ(goalJson(shownWith({}, {})), Json(nullptr));
   EXPECT_EQ(goalJson(shownWith({}, {0.5})), Json(0.5));

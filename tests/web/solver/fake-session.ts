@@ -130,7 +130,13 @@ export class FakeSession implements Session {
     const found = this.improvesAt.filter((count) => count <= this.evaluations);
     const foundAt = found.at(-1) ?? 0;
     const proved = this.evaluations >= this.provedAt;
-    return { evaluations: this.evaluations, foundAt, violation: 0, goal: -found.length, proved };
+    return { evaluations: this.evaluations, foundAt, violation: this.violation, goal: -found.length, proved };
+  }
+  violation = 0; // of what is found
+  settle(evaluations: number) {
+    this.calls.push('settle');
+    this.clock.now += evaluations / this.evaluationsPerMillisecond;
+    return { evaluations, foundAt: 1, violation: 0, goal: 0, proved: false };
   }
   /** One luminaire on each of the first sites; more than three find no room. */
   tryAside(intentions: CoreIntentions, seed: number, start: Uint32Array) {

@@ -398,6 +398,19 @@ describe('the pace of a search', () => {
     expect(last.shown.goal).toBe(-5);
   });
 
+  test('what cannot be met serves the goals before it settles, where there are any', async () => {
+    await opened();
+    session.violation = 0.2;
+    await driver.receive(solve(2, { intentions: { ...asked, goals: [] } }));
+    settle();
+    expect(session.calls).not.toContain('settle');
+    const sigma = { statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] } as const;
+    await driver.receive(solve(3, { intentions: { ...asked, goals: [sigma] } }));
+    settle();
+    expect(session.calls).toContain('settle');
+    expect(kinds().at(-1)).toBe('settled 3');
+  });
+
   test('a slice never takes much longer than intended', async () => {
     await opened();
     await driver.receive(solve(2));
