@@ -4,7 +4,8 @@
  */
 import { effect, untracked } from '@preact/signals';
 import type { Arrangement, Intentions, Luminaires, Rule } from '../document/types.ts';
-import type { Outcome } from '../solver/protocol.ts';
+import type { Outcome, Shown } from '../solver/protocol.ts';
+import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
 import type { Comparison, Store } from './state/store.ts';
 
@@ -13,6 +14,7 @@ export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
 const pause = 250; // ms after the latest change
 const evaluationsEach = 3000; // of a number of luminaires
 const evaluationsOfRule = 40_000;
+const evaluationsOfRelief = 12_000;
 const mostCounts = 24;
 
 /** The numbers that are worth a look: the range that is asked for, or some around the one. */
@@ -52,6 +54,7 @@ export class Comparing {
   readonly #store: Store;
   readonly #solving: Solving;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #relieved: Intentions | null = null; // whose ways out have been asked for
   #asked: Intentions | null = null; // whose outcomes are on their way; until then the last ones stay, dimmed
 
   constructor(store: Store, solving: Solving) {
@@ -64,6 +67,15 @@ export class Comparing {
       clearTimeout(this.#timer);
       if (!isWanted || isKnown || !store.scene.value) return;
       this.#timer = setTimeout(() => untracked(() => this.#ask(intentions)), pause);
+    });
+    effect(() => {
+      const { intentions } = store.traced.value;
+      const shown = store.shown.value;
+      const { state } = store.progress.value;
+      if (state === 'improving' || !shown) return void (this.#relieved = null);
+      if (state === 'idle' || shown.constraints.every(({ met }) => met)) return;
+      const isKnown = this.#relieved === intentions || store.relief.peek()?.of === intentions;
+      if (!isKnown) untracked(() => void this.#relieve(intentions, shown));
     });
   }
 
@@ -87,6 +99,17 @@ export class Comparing {
         );
       },
     );
+  }
+
+  /** The bounds that conflict and what would do instead, once all that has been searched for. */
+  async #relieve(of: Intentions, { constraints }: Shown): Promise<void> {
+    this.#relieved = of;
+    const tryOne = (asked: Intentions) =>
+      new Promise<Outcome | null>((resolve) =>
+        this.#try([asked], evaluationsOfRelief, ([outcome]) => resolve(outcome ?? null)),
+      );
+    const relief = await findRelief(of, constraints, tryOne);
+    if (this.#store.traced.peek().intentions === of) this.#store.relief.value = relief;
   }
 
   /** Tells all outcomes once they are there. */

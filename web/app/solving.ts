@@ -23,6 +23,13 @@ export interface OpenedScene {
   readonly room: ArrayBuffer; // the display mesh, .glb
 }
 
+/** Wishes to be tried beside what is asked, and who is told. */
+interface Compared {
+  readonly variants: readonly Intentions[];
+  readonly evaluations: number;
+  readonly told: (answer: Answer<'compared'>) => void;
+}
+
 interface Waiting<T> {
   readonly resolve: (value: T) => void;
   readonly reject: (error: Error) => void;
@@ -50,7 +57,7 @@ export class Solving {
   #probing: Waiting<Shown> | null = null;
   #file: FileBytes | null = null;
   #first: OpeningLight | null = null; // of the scene that was opened, until something is asked of it
-  #compared: ((answer: Answer<'compared'>) => void) | null = null;
+  #comparing: Compared[] = []; // one after the other, the first of them at the solver
   #checking: Layout | null = null; // was asked to be checked
   #asked: { readonly of: Intentions; readonly factor: number; readonly asNew: Intentions } | null = null;
   #refusal: number | null = null; // the message about a wish that the solver refused
@@ -104,20 +111,33 @@ export class Solving {
     );
   }
 
-  /** Tries other intentions beside what is asked, until something newer is. */
+  /** Tries other intentions beside what is asked, after those that are being tried, until something newer is asked. */
   compare(
     variants: readonly Intentions[],
     evaluations: number,
     told: (answer: Answer<'compared'>) => void,
   ): void {
-    this.#compared = told;
+    this.#comparing.push({ variants, evaluations, told });
+    if (this.#comparing.length === 1) this.#tryNext();
+  }
+
+  #tryNext(): void {
+    const next = this.#comparing[0];
+    if (!next) return;
     const factor = this.#factor;
     this.#client.compare(
-      variants.map((each) => asNew(each, factor)),
+      next.variants.map((each) => asNew(each, factor)),
       this.#showing.layout,
       this.#store.document.peek().seed,
-      evaluations,
+      next.evaluations,
     );
+  }
+
+  #compared(answer: Answer<'compared'>): void {
+    const [current] = this.#comparing;
+    if (answer.done) this.#comparing.shift();
+    current?.told(answer);
+    if (answer.done && current) this.#tryNext();
   }
 
   /** Recomputes the layout shown from the patches; the answer is store.check. */
@@ -234,6 +254,7 @@ export class Solving {
   #begin(): Intentions {
     this.#probing?.reject(new Superseded());
     this.#probing = null;
+    this.#comparing = [];
     if (this.#store.bound.peek()) this.#store.bound.value = null;
     return this.#intentions();
   }
@@ -271,7 +292,7 @@ export class Solving {
         this.#store.bound.value = { gap: message.gap, done: message.done };
         return;
       case 'compared':
-        return this.#compared?.(message);
+        return this.#compared(message);
       case 'checked':
         return this.#checked(message);
       case 'readings': // the client keeps these for whoever asked

@@ -17,6 +17,13 @@ export type BoundField =
 /** A bound on a ratio has no unit. */
 export const isRatio = (field: BoundField): boolean => field === 'uniformity' || field === 'contrast';
 
+/** A bound that is missed by no more counts as met to a person: of the bound. */
+export const metWithin = 0.001;
+
+/** What is asked of every patch is met or not. */
+export const isOfPatches = ({ statistic }: Pick<Constraint, 'statistic'>): boolean =>
+  statistic === 'minimum' || statistic === 'maximum' || statistic === 'uniformity';
+
 /** Where a constraint comes from: one field of one card, so that constraint i answers origins[i]. */
 export interface Origin {
   readonly card: string;

@@ -2,7 +2,8 @@
  * Other wishes, each tried shortly beside what runs: one counted further, or arranged otherwise. A step tries one of
  * them, from the layout of the one before where their numbers of luminaires are near.
  */
-import type { SceneInfo } from '../document/types.ts';
+import { isOfPatches, metWithin } from '../document/intentions.ts';
+import type { Intentions, SceneInfo } from '../document/types.ts';
 import { coreIntentions, layoutOf, metUpTo } from './core-intentions.ts';
 import type { Searching } from './mounted-session.ts';
 import type { Outcome, ToWorker } from './protocol.ts';
@@ -37,7 +38,7 @@ export class CompareTask implements Task {
     const variant = this.#next++;
     const asked = this.#request.variants[variant];
     if (!asked) return [];
-    const outcome = this.#outcome(coreIntentions(asked, this.#leaves));
+    const outcome = this.#outcome(asked);
     return [noTransfer({ type: 'compared', revision: this.revision, variant, outcome, done: this.done })];
   }
 
@@ -46,13 +47,15 @@ export class CompareTask implements Task {
   }
 
   /** null where the rules leave no layout at all. */
-  #outcome(asked: ReturnType<typeof coreIntentions>): Outcome | null {
+  #outcome(asked: Intentions): Outcome | null {
     const { seed, evaluations } = this.#request;
-    const found = this.#session().tryAside(asked, seed, this.#from, evaluations);
+    const wish = coreIntentions(asked, this.#leaves);
+    const found = this.#session().tryAside(wish, seed, this.#from, evaluations);
     if (typeof found === 'string') return null;
     this.#from = found.layout.sites;
     const layout = layoutOf(found.layout);
     const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
-    return { layout, lumens, met: found.violation <= metUpTo, violation: found.violation };
+    const closely = asked.constraints.some(isOfPatches) ? metUpTo : metWithin;
+    return { layout, lumens, met: found.violation <= closely, violation: found.violation };
   }
 }

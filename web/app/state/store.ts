@@ -6,6 +6,7 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
 import { intentionsOf } from '../../document/intentions.ts';
+import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
 import type { Link } from '../../document/share-link.ts';
@@ -128,6 +129,7 @@ export class Store {
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
   readonly comparison = signal<Comparison | null>(null); // of other numbers and arrangements, maybe of an older wish
+  readonly relief = signal<Relief | null>(null); // of a wish that cannot be met, maybe an older one
   readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
   readonly alphaRun = signal<AlphaRun | null>(null);
   readonly surface = signal<number | null>(null); // selected leaf

@@ -1,65 +1,49 @@
-/**
- * When no layout meets the intentions: which bounds bind, and the change that would make each of them possible. The layout
- * shown is the one of least violation, so a bound eased to what it reaches there is met there.
- */
-import { boundOf, isRatio, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
+/** When no layout meets the intentions: the bounds that conflict (app/relief.ts), in the words of their cards. */
+import { boundOf, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
-import { alphaText, easedBound } from './format.ts';
+import type { EasedBound, Relief, Way } from '../relief.ts';
+import { alphaText } from './format.ts';
 
-export interface BindingBound {
+/** What a relief says of a bound, in the words of its card. */
+export interface Conflicting {
   readonly card: Card;
   readonly field: BoundField;
   readonly asked: number;
   readonly reached: number;
-  readonly eased: number; // what the bound would have to be
-  readonly violation: number; // relative
+  readonly met: boolean; // in the layout shown, at the cost of the others
+  readonly way: Way<EasedBound> | null; // with which all the others are met
 }
 
-/** The bounds that the shown layout breaks, the worst first. */
-export function bindingBounds(
+/** The bounds that cannot be met together, those first that are missed by the most. */
+export function conflicting(
   document: FiatLuxDocument,
   origins: readonly Origin[],
   results: readonly IntentionResult[],
-): BindingBound[] {
-  return origins
-    .flatMap((origin, index) => {
-      const result = results[index];
-      const card = document.cards.find((each) => each.id === origin.card);
-      const asked = card && boundOf(card, origin.field);
-      if (!result || result.met || !card || asked === undefined) return [];
-      const end = origin.field.endsWith('max') ? 'max' : 'min';
-      const eased = isRatio(origin.field)
-        ? Math.max(0, Math.floor(result.value * 100 - 0.1) / 100)
-        : easedBound(result.value, end);
-      return [
-        { card, field: origin.field, asked, reached: result.value, eased, violation: result.violation },
-      ];
-    })
-    .sort((a, b) => b.violation - a.violation);
+  { conflict, single }: Pick<Relief, 'conflict' | 'single'>,
+): Conflicting[] {
+  return conflict.flatMap((constraint) => {
+    const [origin, result] = [origins[constraint], results[constraint]];
+    const card = document.cards.find((each) => each.id === origin?.card);
+    const asked = card && origin && boundOf(card, origin.field);
+    if (!origin || !result || !card || asked === undefined) return [];
+    const way = single.find(({ change }) => change.constraint === constraint) ?? null;
+    return [{ card, field: origin.field, asked, reached: result.value, met: result.met, way }];
+  });
 }
 
-/** The cards with the given bounds eased; a bound that nothing would be left of goes. */
-export function easedCards(cards: readonly Card[], bounds: readonly BindingBound[]): Card[] {
+/** The cards with bounds eased; one that is null goes. */
+export function easedCards(
+  cards: readonly Card[],
+  origins: readonly Origin[],
+  eased: readonly EasedBound[],
+): Card[] {
   return cards.map((card) =>
-    bounds
-      .filter((bound) => bound.card.id === card.id)
-      .reduce((next, bound) => withBound(next, bound.field, bound.eased > 0 ? bound.eased : undefined), card),
+    eased.reduce((next, { constraint, bound }) => {
+      const origin = origins[constraint];
+      return origin?.card === card.id ? withBound(next, origin.field, bound ?? undefined) : next;
+    }, card),
   );
-}
-
-/**
- * The flux of each luminaire that would lift every broken lower bound on light, with the places as they are (light is
- * linear in flux); null where that is not what is missing.
- */
-export function fluxThatWouldDo(document: FiatLuxDocument, bounds: readonly BindingBound[]): number | null {
-  const liftable = bounds.every(
-    ({ field, reached }) => (field === 'mean.min' || field === 'guarantee.min') && reached > 0,
-  );
-  if (!liftable || bounds.length === 0) return null;
-  const factor = Math.max(...bounds.map(({ asked, reached }) => asked / reached));
-  const flux = Math.ceil((document.luminaires.flux * factor * 1.005) / 10) * 10;
-  return factor <= 20 ? flux : null;
 }
 
 export function fieldText(card: Card, field: BoundField): string {

@@ -2,13 +2,9 @@
  * When a bound counts as met on the screen: a miss of a thousandth is noise to a person, and no reason to ask for 501 lx
  * where 500 are wished for. The search knows nothing of it. What is true of each patch stays as strict as it is.
  */
+import { isOfPatches, metWithin } from '../../document/intentions.ts';
 import type { Constraint } from '../../document/types.ts';
 import type { Shown } from '../../solver/protocol.ts';
-
-const metWithin = 0.001; // of the bound
-
-const isOfPatches = ({ statistic }: Constraint) =>
-  statistic === 'minimum' || statistic === 'maximum' || statistic === 'uniformity';
 
 /** What is shown, with bounds that are missed by next to nothing as met; their margins stay. */
 export function withNearMisses(shown: Shown, constraints: readonly Constraint[]): Shown {

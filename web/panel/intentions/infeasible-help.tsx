@@ -1,15 +1,10 @@
-/** When no layout meets the intentions: which bound binds, the smallest change that was found to do, one click to apply it. */
+/** When no layout meets the intentions: which bounds conflict, and round numbers that were seen to do, one click each. */
 import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import {
-  bindingBounds,
-  easedCards,
-  fieldText,
-  fluxThatWouldDo,
-  type BindingBound,
-} from '../../app/words/explain.ts';
+import type { EasedBound, Relief, Way } from '../../app/relief.ts';
+import { conflicting, easedCards, fieldText, type Conflicting } from '../../app/words/explain.ts';
+import { compact, counted, grouped, unitOf } from '../../app/words/format.ts';
 import { isRatio } from '../../document/intentions.ts';
-import { compact, grouped, unitOf } from '../../app/words/format.ts';
 import { MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
 import { namesText } from './surface-picker.tsx';
 
@@ -19,73 +14,121 @@ function apart(reached: number, asked: number): string {
 }
 
 export function InfeasibleHelp() {
-  const app = useApp();
-  const { store } = app;
+  const { store } = useApp();
   const shown = store.shown.value;
   const { state } = store.progress.value;
   if (!shown || shown.violation === 0 || state === 'improving' || state === 'idle') return null;
-  const document = store.document.value;
-  const bounds = bindingBounds(document, store.traced.value.origins, shown.constraints);
-  if (bounds.length === 0) return null;
-  const flux = fluxThatWouldDo(document, bounds);
-  const unit = unitOf(document.quantity);
-
-  const ease = (some: readonly BindingBound[]) => {
-    const cards = easedCards(document.cards, some);
-    store.edit('Ease a bound', (draft) => void (draft.cards = structuredClone(cards) as never));
-  };
-  const byPatches = ({ card }: BindingBound) =>
-    app.changeCard(card.id, 'Guarantee by the patches', (each) =>
-      each.guarantee ? { ...each, guarantee: { ...each.guarantee, by: 'patches' } } : each,
-    );
-  const raise = () => {
-    if (flux !== null) store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux));
-  };
+  const missed = shown.constraints.filter(({ met }) => !met).length;
+  if (missed === 0) return null;
+  const relief = store.relief.value?.of === store.traced.value.intentions ? store.relief.value : null;
+  const bounds = relief
+    ? conflicting(store.document.value, store.traced.value.origins, shown.constraints, relief)
+    : [];
   return (
-    <section class="infeasible" aria-label="What cannot be met">
+    <section class="infeasible" aria-label="What cannot be met" aria-busy={!relief}>
       <h2>
         <TriangleAlert size={15} aria-hidden />
-        {bounds.length === 1 ? 'One bound cannot be met' : `${bounds.length} bounds cannot be met together`}
+        {titleOf(relief ? bounds.length : 0, missed)}
       </h2>
       <RulesFirst />
+      {relief ? <Ways relief={relief} bounds={bounds} /> : <p>Looking for what would do …</p>}
+    </section>
+  );
+}
+
+function titleOf(conflict: number, missed: number): string {
+  if (conflict === 0) return `${counted(missed, 'bound')} not met`;
+  return conflict === 1 ? 'One bound cannot be met' : `${conflict} bounds cannot be met together`;
+}
+
+function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting[] }) {
+  const app = useApp();
+  const { store } = app;
+  const { cards } = store.document.value;
+  const { origins } = store.traced.value;
+  const ease = (changes: readonly EasedBound[], { layout }: Way<unknown>) =>
+    store.edit(
+      'Ease a bound',
+      (draft) => void (draft.cards = structuredClone(easedCards(cards, origins, changes)) as never),
+      null,
+      { by: 'search', from: layout },
+    );
+  const { flux, together } = relief;
+  return (
+    <>
       <ul>
-        {bounds.slice(0, 4).map((bound) => {
-          const suffix = isRatio(bound.field) ? '' : ` ${unit}`;
-          return (
-            <li key={`${bound.card.id} ${bound.field}`}>
-              <span>
-                <strong>{namesText(bound.card.surfaces)}</strong>: {fieldText(bound.card, bound.field)}{' '}
-                {compact(bound.asked)}
-                {suffix}, the best found has {apart(bound.reached, bound.asked)}
-                {suffix}.
-              </span>
-              <span class="row">
-                <button class="button small" onClick={() => ease([bound])}>
-                  {bound.eased > 0 ? `Ask for ${compact(bound.eased)}${suffix}` : 'Drop it'}
-                </button>
-                {bound.card.guarantee?.by === 'chebyshev' && bound.field.startsWith('guarantee') && (
-                  <button class="button small" onClick={() => byPatches(bound)}>
-                    Every spot instead
-                  </button>
-                )}
-              </span>
-            </li>
-          );
-        })}
+        {bounds.slice(0, 4).map((bound) => (
+          <Bound key={`${bound.card.id} ${bound.field}`} {...{ bound, relief, ease }} />
+        ))}
       </ul>
       <div class="row">
-        {bounds.length > 1 && (
-          <button class="button small" onClick={() => ease(bounds)}>
-            Ease all {bounds.length}
+        {together && (
+          <button class="button small" onClick={() => ease(together.change, together)}>
+            Ease all {together.change.length} that are missed
           </button>
         )}
-        {flux !== null && (
-          <button class="button small" onClick={raise}>
-            Or {grouped(String(flux))} lm each
+        {flux && (
+          <button
+            class="button small"
+            onClick={() =>
+              store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux.change), null, {
+                by: 'search',
+                from: flux.layout,
+              })
+            }
+          >
+            Or {grouped(String(flux.change))} lm each
           </button>
         )}
         <MoreLuminaires />
       </div>
-    </section>
+    </>
+  );
+}
+
+interface BoundProps {
+  readonly bound: Conflicting;
+  readonly relief: Relief;
+  readonly ease: (changes: readonly EasedBound[], way: Way<unknown>) => void;
+}
+
+function Bound({ bound, relief, ease }: BoundProps) {
+  const { store } = useApp();
+  const { card, field, asked, reached, met, way } = bound;
+  const suffix = isRatio(field) ? '' : ` ${unitOf(store.document.value.quantity)}`;
+  const { origins } = store.traced.value;
+  const everySpot = relief.patches.find(
+    ({ change }) => origins[change]?.card === card.id && origins[change]?.field === field,
+  );
+  const takePatches = ({ layout }: Way<number>) =>
+    store.edit(
+      'Guarantee by the patches',
+      (draft) => {
+        const guarantee = draft.cards.find(({ id }) => id === card.id)?.guarantee;
+        if (guarantee) guarantee.by = 'patches';
+      },
+      null,
+      { by: 'search', from: layout },
+    );
+  return (
+    <li>
+      <span>
+        <strong>{namesText(card.surfaces)}</strong>: {fieldText(card, field)} {compact(asked)}
+        {suffix},{' '}
+        {met ? 'met at the cost of the others.' : `the best found has ${apart(reached, asked)}${suffix}.`}
+      </span>
+      <span class="row">
+        {way && (
+          <button class="button small" onClick={() => ease([way.change], way)}>
+            {way.change.bound === null ? 'Drop it' : `Ask for ${compact(way.change.bound)}${suffix}`}
+          </button>
+        )}
+        {everySpot && (
+          <button class="button small" onClick={() => takePatches(everySpot)}>
+            Every spot instead
+          </button>
+        )}
+      </span>
+    </li>
   );
 }

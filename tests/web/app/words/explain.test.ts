@@ -1,16 +1,11 @@
 /** What cannot be met, and goals that contradict each other. */
 import { expect, test } from '@jest/globals';
-import {
-  bindingBounds,
-  easedCards,
-  fluxThatWouldDo,
-  opposedCards,
-} from '../../../../web/app/words/explain.ts';
+import { conflicting, easedCards, opposedCards } from '../../../../web/app/words/explain.ts';
 import { documentFrom } from '../../../../web/app/rooms/opening-wish.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
 import type { Card, Verb } from '../../../../web/document/types.ts';
 
-test('what cannot be met is named with the bound that could', () => {
+test('what conflicts is told in the words of its card, with the number that would do', () => {
   const card: Card = { id: 'c', surfaces: ['floor'], verb: 'keep', weight: 1, mean: { min: 300, max: 400 } };
   const asked = { cards: [card], saving: false, quantity: 'illuminance', seed: 1 } as const;
   const luminaires = {
@@ -27,11 +22,14 @@ test('what cannot be met is named with the bound that could', () => {
     { value: 150, met: false, violation: 0.5, margin: -0.5 },
     { value: 150, met: true, violation: 0, margin: 0.6 },
   ];
-  const bounds = bindingBounds(document, origins, results);
-  expect(bounds).toMatchObject([{ field: 'mean.min', asked: 300, reached: 150, eased: 149 }]);
-  expect(easedCards(document.cards, bounds)[0]?.mean).toEqual({ min: 149, max: 400 });
-  expect(fluxThatWouldDo(document, bounds)).toBe(2010);
-  expect(fluxThatWouldDo(document, [])).toBeNull();
+  const layout = { sites: [], flux: [], dimming: 1 };
+  const single = [{ change: { constraint: 0, bound: 145 }, layout }];
+  expect(conflicting(document, origins, results, { conflict: [0], single })).toMatchObject([
+    { field: 'mean.min', asked: 300, reached: 150, met: false, way: { change: { bound: 145 } } },
+  ]);
+  const eased = (bound: number | null) => easedCards(document.cards, origins, [{ constraint: 0, bound }]);
+  expect(eased(145)[0]?.mean).toEqual({ min: 145, max: 400 });
+  expect(eased(null)[0]?.mean).toEqual({ max: 400 });
 });
 
 test('goals that pull the same surfaces in opposite directions are named', () => {

@@ -1,0 +1,176 @@
+/**
+ * Wishes that no layout meets: which of their bounds conflict, and what would do instead. Nothing is guessed: a bound is
+ * said to conflict when the others can be met without it, and every number that is offered was searched for and met.
+ */
+import type { Constraint, Intentions, Layout } from '../document/types.ts';
+import type { Outcome } from '../solver/protocol.ts';
+import { roundFlux, roundSteps } from './words/round-steps.ts';
+
+/** A change that was seen to meet everything, and the layout that does. */
+export interface Way<Change> {
+  readonly change: Change;
+  readonly layout: Layout;
+}
+
+/** A bound of constraint i as it would do; null: only without it. */
+export interface EasedBound {
+  readonly constraint: number;
+  readonly bound: number | null;
+}
+
+export interface Relief {
+  readonly of: Intentions; // that were asked for
+  readonly conflict: readonly number[]; // constraints that cannot be met together; without any of them the others can
+  readonly single: readonly Way<EasedBound>[]; // each alone does
+  readonly patches: readonly Way<number>[]; // constraints that do as true minima or maxima instead of by statistics
+  readonly flux: Way<number> | null; // lm of each luminaire
+  readonly together: Way<readonly EasedBound[]> | null; // where no single bound is in the way
+}
+
+/** What a short search reaches for other intentions; null where the rules leave no layout. */
+export type TryOne = (asked: Intentions) => Promise<Outcome | null>;
+
+/** `reached`: the value of each constraint in the layout shown, and whether it is met there. */
+export async function findRelief(
+  of: Intentions,
+  reached: readonly { readonly value: number; readonly met: boolean; readonly margin: number }[],
+  tryOne: TryOne,
+): Promise<Relief> {
+  const all = [...of.constraints.keys()];
+  const layoutFor = async (asked: Intentions) => {
+    const outcome = await tryOne(asked);
+    return outcome?.met ? outcome.layout : null;
+  };
+  const without = (some: readonly number[]) => withConstraints(of, (_, i) => !some.includes(i));
+
+  // What is met with most to spare is the least likely to stand in the way of the others.
+  const order = [...all].sort((a, b) => (reached[b]?.margin ?? 0) - (reached[a]?.margin ?? 0));
+  const conflict: number[] = [];
+  let dropped: number[] = [];
+  for (const constraint of order) {
+    if (await layoutFor(without([...dropped, constraint]))) conflict.push(constraint);
+    else dropped = [...dropped, constraint];
+  }
+  conflict.sort((a, b) => (reached[a]?.margin ?? 0) - (reached[b]?.margin ?? 0));
+
+  const single: Way<EasedBound>[] = [];
+  for (const constraint of conflict) {
+    const way = await easedAlone(of, constraint, reached[constraint]?.value ?? Number.NaN, layoutFor);
+    if (way) single.push(way);
+  }
+  const patches: Way<number>[] = [];
+  for (const constraint of conflict) {
+    const layout =
+      of.constraints[constraint]?.statistic === 'chebyshev' && (await layoutFor(byPatches(of, constraint)));
+    if (layout) patches.push({ change: constraint, layout });
+  }
+  const flux = await moreFlux(of, conflict, layoutFor);
+  const broken = all.filter((i) => !reached[i]?.met);
+  const together = single.length === 0 ? await easedTogether(of, broken, reached, layoutFor) : null;
+  return { of, conflict, single, patches, flux, together };
+}
+
+type LayoutFor = (asked: Intentions) => Promise<Layout | null>;
+
+function withConstraints(of: Intentions, keep: (constraint: Constraint, i: number) => boolean): Intentions {
+  return { ...of, constraints: of.constraints.filter(keep) };
+}
+
+/** The same with a guarantee that is asked of every patch. */
+function byPatches(of: Intentions, guarantee: number): Intentions {
+  const constraints = of.constraints.map((constraint, i): Constraint => {
+    if (i !== guarantee) return constraint;
+    const { alpha: _, ...rest } = constraint;
+    return { ...rest, statistic: rest.max === undefined ? 'minimum' : 'maximum' };
+  });
+  return { ...of, constraints };
+}
+
+/** The same with other bounds on some constraints. */
+function withBounds(of: Intentions, eased: readonly EasedBound[]): Intentions {
+  const constraints = of.constraints.flatMap((constraint, i): Constraint[] => {
+    const change = eased.find((each) => each.constraint === i);
+    if (!change) return [constraint];
+    if (change.bound === null) return [];
+    return [{ ...constraint, [endOf(constraint)]: change.bound }];
+  });
+  return { ...of, constraints };
+}
+
+/** A card's bound is one end of a constraint. */
+const endOf = ({ max }: Constraint): 'min' | 'max' => (max === undefined ? 'min' : 'max');
+
+const isRatio = ({ statistic }: Constraint) => statistic === 'uniformity' || statistic === 'contrast';
+
+const boundOf = (constraint: Constraint): number => constraint[endOf(constraint)] ?? 0;
+
+/** The round number nearest to what is asked with which everything is met. */
+async function easedAlone(
+  of: Intentions,
+  constraint: number,
+  reached: number,
+  layoutFor: LayoutFor,
+): Promise<Way<EasedBound> | null> {
+  const asked = of.constraints[constraint];
+  if (!asked) return null;
+  const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked), reached);
+  const changes = [...steps, null].map((bound): EasedBound => ({ constraint, bound }));
+  return firstThatDoes(changes, (change) => layoutFor(withBounds(of, [change])));
+}
+
+/** With more of everything every lower bound on light is lifted; light alone can be what is missing. */
+async function moreFlux(
+  of: Intentions,
+  conflict: readonly number[],
+  layoutFor: LayoutFor,
+): Promise<Way<number> | null> {
+  const isOfLight = (constraint: Constraint | undefined) =>
+    constraint?.min !== undefined && ['mean', 'chebyshev', 'minimum'].includes(constraint.statistic);
+  const { luminaires } = of;
+  const isOfTypes = luminaires.types?.some(({ isAllowed }) => isAllowed);
+  if (isOfTypes || conflict.length === 0 || !conflict.every((i) => isOfLight(of.constraints[i]))) return null;
+  return firstThatDoes(roundFlux(luminaires.flux), (flux) =>
+    layoutFor({ ...of, luminaires: { ...luminaires, flux } }),
+  );
+}
+
+/** All bounds that are missed, at round numbers just beyond what is reached. */
+async function easedTogether(
+  of: Intentions,
+  broken: readonly number[],
+  reached: readonly { readonly value: number }[],
+  layoutFor: LayoutFor,
+): Promise<Way<readonly EasedBound[]> | null> {
+  const changes = [0, 1, 2, 4].map((beyond) =>
+    broken.map((constraint): EasedBound => {
+      const asked = of.constraints[constraint]!;
+      const value = reached[constraint]?.value ?? Number.NaN;
+      const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked), value).filter((step) =>
+        endOf(asked) === 'min' ? step <= value : step >= value,
+      );
+      return { constraint, bound: steps[beyond] ?? null };
+    }),
+  );
+  return firstThatDoes(changes, (change) => layoutFor(withBounds(of, change)));
+}
+
+/** The first of changes that ask for less and less with which everything is met, by halving. */
+async function firstThatDoes<Change>(
+  changes: readonly Change[],
+  layoutOf: (change: Change) => Promise<Layout | null>,
+): Promise<Way<Change> | null> {
+  const at = async (index: number): Promise<Way<Change> | null> => {
+    const change = changes[index];
+    const layout = change === undefined ? null : await layoutOf(change);
+    return layout && change !== undefined ? { change, layout } : null;
+  };
+  let [low, high] = [-1, changes.length - 1]; // low does not do, high does
+  let best = await at(high);
+  while (best && high - low > 1) {
+    const middle = (low + high) >> 1;
+    const way = await at(middle);
+    if (way) [best, high] = [way, middle];
+    else low = middle;
+  }
+  return best;
+}
