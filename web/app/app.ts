@@ -7,6 +7,7 @@ import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
+import { Challenge } from './challenge.ts';
 import { Comparing } from './comparing.ts';
 import { Film } from './film.ts';
 import { Hand } from './hand.ts';
@@ -41,6 +42,7 @@ export class App {
   readonly types: LuminaireTypes;
   readonly variants: Variants;
   readonly film: Film;
+  readonly challenge: Challenge;
 
   constructor(store: Store, { canvas, labels, createViewer, createWorker, createPool }: Parts) {
     this.store = store;
@@ -61,6 +63,7 @@ export class App {
       createPool,
     );
     this.variants = new Variants(store, this.solving, this.viewer);
+    this.challenge = new Challenge(store, this.solving, this.variants);
     this.film = new Film(store, this.solving, this.viewer, this.variants);
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));

@@ -45,6 +45,13 @@ export const comparingActions: readonly Action[] = [
   },
   against('opened', 'Compare with the room as it was opened', ['W']),
   against('scattered', 'Compare with luminaires scattered at random'),
+  {
+    id: 'challenge',
+    title: 'Beat the solver: place six by hand',
+    group: 'Compare',
+    enabled: (app) => hasLight(app) && app.store.document.value.cards.length > 0,
+    run: ({ challenge }) => void challenge.start(),
+  },
   ...(canFilm
     ? [
         {

@@ -90,7 +90,9 @@ export class Keeping {
     if (!sites) throw new Error('No room is open yet.');
     const view = { camera: this.#viewer.camera(), display: display.peek() };
     const files = this.#types.files.peek();
-    const { hash, left } = fitLink(linkOf(document.peek(), this.layout(), sites, view, files, plan.peek()));
+    const link = linkOf(document.peek(), this.layout(), sites, view, files, plan.peek());
+    const score = this.#store.score.peek();
+    const { hash, left } = fitLink(score === null ? link : { ...link, score: Math.min(200, score) });
     return { address: pageOf(document.peek().room) + hash, left };
   }
 

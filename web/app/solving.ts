@@ -2,7 +2,7 @@
  * Between the store and the worker: each wish asks the solver at once, each answer goes to what is shown. The numbers of
  * the panel follow once a frame; the picture never waits for them.
  */
-import { effect, untracked } from '@preact/signals';
+import { effect, signal, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
@@ -154,6 +154,30 @@ export class Solving {
     return new Promise((resolve, reject) => {
       this.#probing = { resolve, reject };
       this.#client.solve(intentions, null, 1, performance.timeOrigin + performance.now());
+    });
+  }
+
+  /** What a search finds for other intentions, and how far from the best that can be, where that is proved in time (ms). */
+  async best(intentions: Intentions, patience: number): Promise<{ shown: Shown; gap: number | null }> {
+    const factor = this.#factor;
+    const asked = asNew(intentions, factor);
+    const found = await this.probe(asked);
+    const shown = withNearMisses(maintained(found, intentions, factor), intentions.constraints);
+    return { shown, gap: await this.#proved(asked, patience) };
+  }
+
+  #proved(asked: Intentions, patience: number): Promise<number | null> {
+    const { bound } = this.#store;
+    this.#client.bound(asked);
+    return new Promise((resolve) => {
+      const over = signal(false);
+      const timer = setTimeout(() => (over.value = true), patience);
+      const stop = effect(() => {
+        if (!over.value && !bound.value?.done) return;
+        clearTimeout(timer);
+        queueMicrotask(() => stop());
+        resolve(bound.peek()?.gap ?? null);
+      });
     });
   }
 

@@ -20,7 +20,7 @@ import type { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 
-export type Against = 'kept' | 'opened' | 'scattered';
+export type Against = 'kept' | 'opened' | 'scattered' | 'best';
 
 const pause = 150; // ms after the latest change of what is asked
 
@@ -43,6 +43,7 @@ export class Variants {
   readonly #against = signal<Against | null>(null);
   readonly #opened = signal<Layout | null>(null);
   readonly #scattered = signal<Layout | null>(null);
+  readonly best = signal<Layout | null>(null); // the solver's, while somebody plays against it
   readonly divider = signal(0.5); // share of the picture's width
   #turn = 0; // the latest question wins
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -80,6 +81,7 @@ export class Variants {
   /** What there is to be compared with. */
   isThere(against: Against): boolean {
     if (against === 'kept') return this.#store.document.value.kept !== undefined;
+    if (against === 'best') return this.best.value !== null;
     return against === 'scattered' || this.#opened.value !== null;
   }
 
@@ -134,7 +136,8 @@ export class Variants {
       const { kept } = this.#store.document.value;
       return kept ? { layout: kept.layout, types: kept.luminaires.types ?? [] } : null;
     }
-    const layout = against === 'opened' ? this.#opened.value : against && this.#scattered.value;
+    const layouts = { opened: this.#opened, scattered: this.#scattered, best: this.best };
+    const layout = against && layouts[against].value;
     return layout && { layout };
   });
 

@@ -43,6 +43,7 @@ export interface Link {
   readonly quantity: Quantity;
   readonly seed: number;
   readonly roomType?: string;
+  readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
   readonly layout: {
     readonly positions: readonly (readonly [number, number, number])[]; // m
     readonly flux: readonly number[]; // lm, before dimming
@@ -98,6 +99,7 @@ const payloadSchema = v.object({
   q: v.exactOptional(quantitySchema, 'illuminance'),
   s: seedSchema,
   e: v.exactOptional(roomTypeSchema),
+  g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
   y: v.exactOptional(
     v.object({
       p: v.pipe(v.array(pointSchema), v.maxLength(mostLuminaires)), // cm
@@ -177,6 +179,7 @@ function payloadOf(link: Link): Payload {
     ...(link.quantity === 'exitance' && { q: link.quantity }),
     s: link.seed,
     ...(link.roomType && { e: link.roomType }),
+    ...(link.score !== undefined && { g: link.score }),
     ...(layout && {
       y: {
         p: layout.positions.map((position) => rounded(position, 1, 100)),
@@ -261,7 +264,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, e, y, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, g, y, t, m, k, d } = parsed.output;
   if (y && y.f.length !== y.p.length && y.f.length !== 1) return 'luminaires and fluxes differ in number';
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
   const types = t ? typesFrom(t) : null;
@@ -279,6 +282,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     quantity: q,
     seed: s,
     ...(e !== undefined && { roomType: e }),
+    ...(g !== undefined && { score: g }),
     layout: y
       ? {
           positions: y.p.map((point) => point.map((value) => value / 100) as [number, number, number]),

@@ -4,6 +4,7 @@ import { useContext, useRef, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
 import { isFirstVisit, likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
+import { ChallengeCard } from './compare/challenge-card.tsx';
 import { CompareBar } from './compare/compare-bar.tsx';
 import { Divider } from './compare/divider.tsx';
 import { FilmNote } from './compare/film-note.tsx';
@@ -47,6 +48,7 @@ function Overlays() {
       <Divider />
       <ViewToolbar />
       <CompareBar />
+      <ChallengeCard />
       <Looking />
       <SelectionBar />
       <PreviewNote />

@@ -66,6 +66,13 @@ test('a link carries an arrangement and a range of counts', () => {
   expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
 });
 
+test('a link carries the score of a layout by hand, a whole number of points', () => {
+  const scored: Link = { ...link, score: 87 };
+  expect(decodeLink(encodeLink(scored))).toEqual({ ok: true, link: scored });
+  const forgery = forged(JSON.stringify({ ...plain, l: rules, g: 1e9 }));
+  expect(decodeLink(forgery)).toMatchObject({ ok: false });
+});
+
 describe('a link', () => {
   test('comes back as it went', () => {
     const hash = encodeLink(link);

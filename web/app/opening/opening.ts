@@ -275,6 +275,7 @@ export class Opening {
         }
         const document = documentOf(link, scene, same);
         if (typeof document === 'string') throw new Error(document);
+        this.#store.sentScore.value = link.score ?? null;
         return { document, view: link, files: link.files };
       }),
     );

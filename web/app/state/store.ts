@@ -127,6 +127,8 @@ export class Store {
   readonly shown = signal<Shown | null>(null); // at most once a frame
   readonly other = signal<Shown | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
+  readonly score = signal<number | null>(null); // of a layout placed by hand against the solver's; links take it along
+  readonly sentScore = signal<number | null>(null); // that came with a link, until it is told
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
   readonly comparison = signal<Comparison | null>(null); // of other numbers and arrangements, maybe of an older wish
   readonly relief = signal<Relief | null>(null); // of a wish that cannot be met, maybe an older one

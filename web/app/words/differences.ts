@@ -16,6 +16,7 @@ export const sides: Record<Against, readonly [string, string]> = {
   kept: ['A', 'B'],
   opened: ['Opened', 'Now'],
   scattered: ['Scattered', 'Now'],
+  best: ['Solver', 'You'],
 };
 
 /** One reading of one side. */

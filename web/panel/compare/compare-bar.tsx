@@ -7,6 +7,7 @@ const choices: readonly [Against, string][] = [
   ['kept', 'A, as kept'],
   ['opened', 'As it was opened'],
   ['scattered', 'Scattered at random'],
+  ['best', 'The solver’s layout'],
 ];
 
 /** A bracket as photographers take it: darker, as it is, brighter; EV. */
