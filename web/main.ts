@@ -14,6 +14,7 @@ import './styles/overlays.css';
 import './styles/compare.css';
 import './styles/dialogs.css';
 import './styles/embed.css';
+import './styles/narrow.css';
 import './viewer/viewer.css';
 import { expectScene, likelyRoom, sceneAddress } from './app/opening/first-scene.ts';
 import { expectCatalog } from './app/rooms/catalog-request.ts';

@@ -22,7 +22,7 @@ function SurfaceBar({ surface }: { surface: number }) {
   const name = store.scene.value?.surfaces[surface]?.name;
   if (name === undefined) return null;
   return (
-    <div class="selection-bar" role="toolbar" aria-label={`Intentions for ${name}`}>
+    <div class="selection-bar of-surface" role="toolbar" aria-label={`Intentions for ${name}`}>
       <span class="selection-name">
         <strong>{name}</strong>
         {row && (
