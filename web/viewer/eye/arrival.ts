@@ -8,8 +8,8 @@ import type { CameraRig } from './camera-rig.ts';
 const standing = 500; // ms before the eye rises
 const rising = 3500; // ms
 const fading = 1400; // ms from dusk to full light
-const dusk = 0.1; // of the picture's brightness
-const inputs = ['pointerdown', 'wheel', 'keydown', 'input'] as const;
+const dusk = 0.16; // of the picture's brightness
+const inputs = ['pointerdown', 'wheel', 'keydown', 'input', 'drop'] as const;
 
 type Stage = 'over' | 'expected' | 'within' | 'fading' | 'rising';
 
