@@ -7,6 +7,7 @@
 #include "core/candidates/candidate_scene.h"
 #include "core/photometry/photometric_description.h"
 #include "core/session/session.h"
+#include "core/transport/colored_light.h"
 
 namespace fiatlux {
 namespace {
@@ -346,6 +347,27 @@ void adopt(Session& session, Candidates& candidates, int quantity) {
   candidates.scene.reset();
 }
 
+// --- the colour that light takes, for the picture
+
+/// A ColoredLight that may not have begun yet, as Candidates.
+struct RoomColor {
+  std::optional<ColoredLight> light;
+};
+
+std::string beginColor(RoomColor& color, const Session& room, val colors) {
+  if (!room.scene() || !room.scene()->lightOperator) return "no room with a light operator is open";
+  const std::vector<float> linear = vectorOf<float>(colors);
+  if (linear.size() != std::size_t{3} * room.scene()->patches.count) return "the colours are of another room";
+  color.light.emplace(*room.scene(), linear);
+  return {};
+}
+
+bool isGrey(const RoomColor& color) { return !color.light || color.light->isGrey(); }
+
+val colorsOf(const RoomColor& color, val illuminance) {
+  return copied(color.light->of(vectorOf<float>(illuminance)));
+}
+
 // --- the alpha-search
 
 std::string startAlpha(Session& session, std::uint32_t seed, val held) {
@@ -454,6 +476,11 @@ EMSCRIPTEN_BINDINGS(core) {
       .constructor<>()
       .function("begin", &begin)
       .function("advance", &advanceCandidates);
+  emscripten::class_<RoomColor>("ColoredLight")
+      .constructor<>()
+      .function("begin", &beginColor)
+      .function("isGrey", &isGrey)
+      .function("of", &colorsOf);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)

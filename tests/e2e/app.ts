@@ -131,6 +131,16 @@ export async function picture(page: Page): Promise<PNG> {
   return PNG.sync.read(await canvas(page).screenshot({ caret: 'initial' }));
 }
 
+/** The picture once it has come to rest: light takes its colour some time after it is there. */
+export async function pictureAtRest(page: Page): Promise<PNG> {
+  for (let last = await picture(page); ;) {
+    await page.waitForTimeout(1500);
+    const now = await picture(page);
+    if (difference(now, last) < 0.001) return now;
+    last = now;
+  }
+}
+
 /** How many colours a picture has (5 bits a channel) and how bright it is on average (0 to 255). */
 export function look({ data }: PNG): { colors: number; mean: number } {
   const colors = new Set<number>();

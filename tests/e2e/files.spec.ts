@@ -5,7 +5,18 @@ import path from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { mapColor } from '../../web/viewer/light/color-maps.ts';
-import { difference, drop, expect, expectLit, openRoom, picture, places, settled, test } from './app.ts';
+import {
+  difference,
+  drop,
+  expect,
+  expectLit,
+  openRoom,
+  picture,
+  pictureAtRest,
+  places,
+  settled,
+  test,
+} from './app.ts';
 
 const scenes = path.join(import.meta.dirname, '../../public/scenes');
 const messages = (page: Page) => page.getByRole('region', { name: 'Messages' });
@@ -21,7 +32,7 @@ test('files by button and by drop, good and damaged', async ({ page }) => {
   const box = readFileSync(path.join(scenes, 'box.flux'));
   await openRoom(page, 'E corridor');
   const corridor = await places(page);
-  const lit = await picture(page);
+  const lit = await pictureAtRest(page);
 
   const flipped = Buffer.from(box);
   flipped[flipped.length >> 1]! ^= 0x10;

@@ -11,6 +11,7 @@ import {
   expectLit,
   openRoom,
   picture,
+  pictureAtRest,
   places,
   settled,
   status,
@@ -75,7 +76,7 @@ plain('works in a folder of a static host that sends a strict policy', async ({ 
 
 test('a lost WebGL context comes back with the same layout and light', async ({ page }) => {
   await openRoom(page, 'Box');
-  const [layout, lit] = [await places(page), await picture(page)];
+  const [layout, lit] = [await places(page), await pictureAtRest(page)];
   await page.getByRole('application').evaluate((element: HTMLCanvasElement) => {
     const extension = element.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
     element.addEventListener('webglcontextlost', () => setTimeout(() => extension.restoreContext()), {

@@ -45,6 +45,8 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       open: async () => void viewer.opened++,
       preview: async () => {},
       arrive: () => {},
+      colors: async () => null,
+      setLightColor: () => {},
       setLight: (light) => void (viewer.light = light),
       setLayout: (layout, pinned) => {
         viewer.layout = layout;

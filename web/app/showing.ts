@@ -11,6 +11,7 @@ export class Showing {
   readonly #viewer: Viewer;
   readonly #later = createFrameBatch();
   #live: Shown | null = null; // the newest answer
+  #colors: Float32Array | null = null; // of the light, as far as they are known
   #held: Layout | null = null; // of that answer, or newer: where a hand has just put the luminaires
 
   constructor(store: Store, viewer: Viewer) {
@@ -30,7 +31,7 @@ export class Showing {
 
   /** Another room: nothing is shown of it yet. */
   clear(): void {
-    this.#live = this.#held = null;
+    this.#live = this.#held = this.#colors = null;
   }
 
   /** Takes a layout as the present one before its light is there; null: the light to come is that of a search from nowhere. */
@@ -42,7 +43,7 @@ export class Showing {
   present(shown: Shown, progress: Progress, told: (shown: Shown) => void): void {
     this.#live = shown;
     this.#held = shown.layout;
-    this.relight();
+    this.#light(shown);
     this.#later(() => {
       const { display, legendLocked } = this.#store;
       this.#store.shown.value = shown;
@@ -52,6 +53,12 @@ export class Showing {
     });
   }
 
+  /** The colour of the light that is shown, a moment after the light itself. */
+  color(colors: Float32Array): void {
+    this.#colors = colors;
+    if (this.#store.preview.peek() === null) this.#viewer.setLightColor(colors);
+  }
+
   /** Shows light of which no more is known yet than how it looks. */
   foresee({ layout, illuminance }: OpeningLight): void {
     if (this.#store.preview.peek() !== null) return;
@@ -59,10 +66,16 @@ export class Showing {
     this.#viewer.setLayout(layout, this.#store.document.peek().luminaires.pinned);
   }
 
-  /** Hands the light that is there to the view (again). */
+  /** Hands the light that is there to the view again. */
   relight(): void {
     if (!this.#live || this.#store.preview.peek() !== null) return;
-    this.#viewer.setLight(this.#live.illuminance);
-    this.#viewer.setLayout(this.#live.layout, this.#store.document.peek().luminaires.pinned);
+    this.#light(this.#live);
+    if (this.#colors) this.#viewer.setLightColor(this.#colors);
+  }
+
+  #light({ illuminance, layout }: Shown): void {
+    if (this.#store.preview.peek() !== null) return;
+    this.#viewer.setLight(illuminance);
+    this.#viewer.setLayout(layout, this.#store.document.peek().luminaires.pinned);
   }
 }

@@ -140,6 +140,11 @@ export class Solving {
     if (answer.done && current) this.#tryNext();
   }
 
+  /** Linear RGB of the patches of the room that is open: its picture gets the colour that light takes there. */
+  paint(colors: Float32Array): void {
+    this.#client.paint(colors);
+  }
+
   /** Recomputes the layout shown from the patches; the answer is store.check. */
   check(): void {
     const layout = this.#store.shown.peek()?.layout;
@@ -308,6 +313,8 @@ export class Solving {
       case 'improved':
       case 'settled':
         return this.#answered(message);
+      case 'colored':
+        return this.#probing ? undefined : this.#showing.color(message.colors);
       case 'alphaStep':
         return this.#alphaStepped(message);
       case 'alphaDone':

@@ -235,6 +235,17 @@ export interface Candidates {
   delete(): void;
 }
 
+/** The colour that light takes from a room, for its picture. */
+export interface ColoredLight {
+  /** `colors`: 3n, linear RGB of the patches. The room's session must stay, with its operator; '' or one readable line. */
+  begin(room: Session, colors: Float32Array): string;
+  /** After begin(): whether all of the room is grey, and light keeps its colour. */
+  isGrey(): boolean;
+  /** 2 a row: red and blue of white light there at a luminance of 1 (green is what lacks); `illuminance` in lx. */
+  of(illuminance: Float32Array): Float32Array;
+  delete(): void;
+}
+
 /** The methods of `Session` with their numbers of arguments, for the test against the built module. */
 export const sessionMethods = {
   openTable: 1,
@@ -272,4 +283,5 @@ export interface CoreModule {
   describePhotometry(file: Uint8Array): OrError<PhotometricDescription>;
   readonly Session: new () => Session;
   readonly Candidates: new () => Candidates;
+  readonly ColoredLight: new () => ColoredLight;
 }

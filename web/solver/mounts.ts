@@ -9,7 +9,7 @@ import { codes, type Candidates, type CoreModule, type Session } from './core.ts
 import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 
 /** What is used of the module. */
-export type Core = Pick<CoreModule, 'describePhotometry' | 'Session' | 'Candidates'>;
+export type Core = Pick<CoreModule, 'describePhotometry' | 'Session' | 'Candidates' | 'ColoredLight'>;
 
 /** What a session is wanted for. */
 export interface Wanted {

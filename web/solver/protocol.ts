@@ -122,6 +122,8 @@ export type ToWorker =
   | { readonly type: 'describe'; readonly revision: number; readonly file: ArrayBuffer }
   /** Keeps a photometric file for intentions whose luminaire types name it; no answer. The buffer is transferred. */
   | { readonly type: 'bring'; readonly hash: string; readonly file: ArrayBuffer }
+  /** Linear RGB of the patches of the open room -> 'colored' after each light that is shown, where any has a colour. */
+  | { readonly type: 'paint'; readonly colors: Float32Array }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
@@ -157,6 +159,8 @@ export type FromWorker =
       readonly askedAt: number;
       readonly postedAt: number; // performance.timeOrigin + performance.now()
     }
+  /** For the picture alone, of the light of this revision that was told last: 2 a row, as ColoredLight.of has them. */
+  | { readonly type: 'colored'; readonly revision: number; readonly colors: Float32Array }
   | { readonly type: 'alphaStep'; readonly revision: number; readonly step: AlphaStep }
   | {
       readonly type: 'alphaDone';

@@ -9,6 +9,7 @@ import { BoundTask } from './bound-task.ts';
 import { CompareTask } from './compare-task.ts';
 import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
 import type { OrError, Session } from './core.ts';
+import { LightColor } from './light-color.ts';
 import { MountedSession, type LayoutArguments, type Searching } from './mounted-session.ts';
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
@@ -21,12 +22,13 @@ import type { Answer, Task } from './task.ts';
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
 /** What waits for its turn. */
-type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring'>>;
+type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint'>>;
 
 export class SessionDriver {
   readonly #core: Core;
   readonly #mounts: Mounts;
   readonly #session: Session;
+  readonly #color: LightColor;
   readonly #post: Post;
   readonly #clock: Clock;
   readonly #wake: () => void;
@@ -53,7 +55,13 @@ export class SessionDriver {
     this.#mounts = new Mounts(core, session);
     this.#asked = session;
     this.#session = session;
-    this.#post = post;
+    this.#color = new LightColor(core, session, clock);
+    this.#post = (message, transfer) => {
+      const isSeen =
+        message.type === 'improved' || message.type === 'settled' || message.type === 'alphaDone';
+      if (isSeen && message.shown) this.#color.take(message.revision, message.shown.illuminance);
+      post(message, transfer);
+    };
     this.#clock = clock;
     this.#wake = wake;
   }
@@ -61,7 +69,7 @@ export class SessionDriver {
   /** Whether `step` has something to do. */
   get busy(): boolean {
     const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
-    return this.#reads.length > 0 || running.some((each) => each !== null);
+    return this.#color.waits || this.#reads.length > 0 || running.some((each) => each !== null);
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -69,6 +77,7 @@ export class SessionDriver {
     if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
     if (message.type === 'describe') this.#describe(message);
     else if (message.type === 'bring') this.#mounts.bring(message.hash, new Uint8Array(message.file));
+    else if (message.type === 'paint') this.#color.paint(message.colors);
     else if (this.#mustWait(message)) this.#waiting.push(message);
     else this.#take(message);
   }
@@ -88,7 +97,9 @@ export class SessionDriver {
 
   /** One slice of what runs. */
   step(): void {
+    const isIdle = [this.#preparing, this.#task, this.#bound, this.#compare].every((each) => each === null);
     if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
+    else if (this.#color.isDue || (isIdle && this.#color.waits)) return this.#tellColor();
     else if (this.#preparing) this.#attempt(this.#preparing.revision, this.#prepare, this.#preparing);
     else if (this.#reads.length > 0) return this.#read(this.#reads.shift()!);
     else if (this.#compare && (!this.#task || this.#task instanceof BoundTask))
@@ -137,6 +148,7 @@ export class SessionDriver {
     this.#waiting = [];
     this.#reads = [];
     this.#mounts.setScene(null);
+    this.#color.clear();
     let isTold = false;
     try {
       const isOpen = await openScene(this.#session, file, isCurrent, {
@@ -156,6 +168,7 @@ export class SessionDriver {
         },
       });
       if (!isOpen) return;
+      if (this.#scene?.hasOperator) this.#color.ready();
     } catch (error) {
       if (!isCurrent()) return;
       this.#fail(revision, error);
@@ -234,6 +247,11 @@ export class SessionDriver {
   #advanceCompare(task: CompareTask): void {
     this.#tell(task.step());
     if (task.done && this.#compare === task) this.#compare = null;
+  }
+
+  #tellColor(): void {
+    const answer = this.#color.step();
+    if (answer) this.#post(answer, [answer.colors.buffer]);
   }
 
   #show({ revision, intentions, layout }: Request<'show'>): void {

@@ -39,9 +39,12 @@ const laneOf = {
   bound: 'bound',
   compare: 'compare',
   check: 'check',
-} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring'>, Lane>;
+} as const satisfies Record<
+  Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring' | 'paint'>,
+  Lane
+>;
 
-type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' }>;
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' | 'paint' }>;
 
 interface Reading<T> {
   readonly resolve: (value: T) => void;
@@ -62,6 +65,7 @@ export class SolverClient {
   #isGone = false; // no worker is left
   #opening: OpenFile | null = null; // asked for, not answered
   #opened: OpenFile | null = null; // what the page shows
+  #colors: Float32Array | null = null; // of its patches
   #wish: Wish | null = null; // what a new worker has to do again
   #searched: Extract<ToWorker, { readonly type: 'solve' }> | null = null; // the latest wish, where it is a search
 
@@ -75,7 +79,7 @@ export class SolverClient {
   /** Opens a .flux file. The bytes are copied: the client keeps them for a restart. */
   open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
-    this.#wish = this.#searched = null;
+    this.#wish = this.#searched = this.#colors = null;
     endAll(this.#lit, 'another room was opened');
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
@@ -143,6 +147,12 @@ export class SolverClient {
     if (this.#brought.has(hash)) return;
     this.#brought.set(hash, file);
     this.#hand(this.#worker, hash, file);
+  }
+
+  /** Linear RGB of the patches of the room that is open: light is answered with its colour from now on. */
+  paint(colors: Float32Array): void {
+    this.#colors = colors;
+    this.#worker.postMessage({ type: 'paint', colors }, []);
   }
 
   stop(): void {
@@ -228,6 +238,7 @@ export class SolverClient {
     }
     const copy = bytes.slice(0);
     this.#worker.postMessage({ type: 'open', revision, bytes: copy }, [copy]);
+    if (this.#colors) this.#worker.postMessage({ type: 'paint', colors: this.#colors }, []);
     if (wish) this.#worker.postMessage(wish, []);
   }
 

@@ -58,6 +58,10 @@ export interface Viewer {
    * frame shows it in full.
    */
   setLight(illuminance: Float32Array): void;
+  /** The colour of that light: red and blue of each patch at a luminance of 1. White until it is first told. */
+  setLightColor(colors: Float32Array): void;
+  /** Linear RGB of each patch, some time after the room was opened; null where it is not there any more. */
+  colors(): Promise<Float32Array | null>;
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;
   /** Another light of the same room, drawn left of a divider with the same eye, exposure and scale; null: none. */

@@ -17,6 +17,7 @@ import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { betterQuadrant, quadrantShares } from './room/facing.ts';
 import { planOf, roomFrame } from './room/floor-plan.ts';
+import { patchColors } from './room/patch-colors.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
@@ -25,6 +26,8 @@ import type { CreateViewer, LuminaireBody, OtherLight, Viewer, ViewerEvents, Vie
 import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
+
+const calm = 300; // ms after a room was opened: its first picture goes before
 
 class RoomViewer implements Viewer {
   #events: ViewerEvents;
@@ -132,6 +135,18 @@ class RoomViewer implements Viewer {
     this.#unlit = false;
     this.#light.set(illuminance);
     this.#arrival.light();
+  }
+
+  setLightColor(colors: Float32Array): void {
+    this.#light.setColors(colors);
+  }
+
+  async colors(): Promise<Float32Array | null> {
+    await new Promise((resolve) => setTimeout(resolve, calm));
+    const room = this.#room;
+    if (!room || !this.#info) return null;
+    const colors = await patchColors(room.lit, this.#info.patches);
+    return room === this.#room ? colors : null;
   }
 
   setLayout(layout: Layout, pinned: readonly number[]): void {

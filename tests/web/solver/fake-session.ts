@@ -2,6 +2,7 @@
 import type {
   AlphaProgress,
   Candidates,
+  ColoredLight,
   CoreIntentions,
   CoreShown,
   Session,
@@ -26,6 +27,23 @@ export class FakeCandidates implements Candidates {
   advance(count: number) {
     this.#left -= count;
     return this.#left <= 0;
+  }
+  delete() {}
+}
+
+/** Light is as red as it is bright, but in rooms of one grey. */
+export class FakeColoredLight implements ColoredLight {
+  #isGrey = true;
+
+  begin(_room: Session, colors: Float32Array) {
+    this.#isGrey = colors.every((value) => value === colors[0]);
+    return '';
+  }
+  isGrey() {
+    return this.#isGrey;
+  }
+  of(illuminance: Float32Array) {
+    return illuminance.map((lux) => lux);
   }
   delete() {}
 }

@@ -7,7 +7,7 @@ import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { pace } from '../../../web/solver/pacing.ts';
 import { ArrivingFile } from '../../../web/solver/scene-stream.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
-import { asked, FakeCandidates, FakeClock, FakeSession } from './fake-session.ts';
+import { asked, FakeCandidates, FakeClock, FakeColoredLight, FakeSession } from './fake-session.ts';
 import type { Intentions, LuminaireType } from '../../../web/document/types.ts';
 import { described } from '../described.ts';
 import { luminaireType } from '../document/luminaire-type.ts';
@@ -24,6 +24,7 @@ const reader = {
     }
   } as unknown as new () => FakeSession,
   Candidates: FakeCandidates,
+  ColoredLight: FakeColoredLight,
 };
 
 let mounted: FakeSession; // the latest session of candidates
@@ -344,6 +345,55 @@ describe('luminaires of types that', () => {
       type: 'failed',
       message: expect.stringMatching(/“Long one” fits on no/),
     });
+  });
+});
+
+describe('the colour of light', () => {
+  const paint = (...colors: number[]): ToWorker => ({ type: 'paint', colors: Float32Array.from(colors) });
+  const layout = { sites: [1], flux: [100], dimming: 1 };
+  const show = (revision: number): ToWorker => ({ type: 'show', revision, intentions: asked, layout });
+
+  test('follows the light that was shown, once operator and paint are there', async () => {
+    session.hasOperator = true;
+    await opened();
+    await driver.receive(show(2));
+    settle();
+    expect(kinds()).toEqual(['improved 2']);
+    const [first] = answers;
+    const lux = first?.type === 'improved' ? [...first.shown.illuminance] : [];
+    await driver.receive(paint(1, 0, 0));
+    settle();
+    expect(answers.at(-1)).toMatchObject({ type: 'colored', revision: 2, colors: Float32Array.from(lux) });
+    await driver.receive(show(3));
+    settle();
+    expect(kinds()).toEqual(['improved 2', 'colored 2', 'improved 3', 'colored 3']);
+  });
+
+  test('is not told of grey rooms, nor of those without an operator', async () => {
+    session.hasOperator = true;
+    await opened();
+    await driver.receive(paint(0.5, 0.5, 0.5));
+    await driver.receive(show(2));
+    settle();
+    session.hasOperator = false;
+    await driver.receive(open(3, 1, 7));
+    await driver.receive(paint(1, 0, 0));
+    await driver.receive(show(4));
+    settle();
+    expect(kinds().filter((kind) => kind.startsWith('colored'))).toEqual([]);
+  });
+
+  test('leaves a running search its time', async () => {
+    session.hasOperator = true;
+    session.improvesAt = [1000, 30_000, 60_000, 90_000, 120_000, 150_000];
+    await opened();
+    await driver.receive(paint(1, 0, 0));
+    await driver.receive(solve(2));
+    settle();
+    const told = kinds();
+    expect(told.at(-1)).toBe('colored 2'); // of what the search ended with
+    const count = (kind: string) => told.filter((each) => each.startsWith(kind)).length;
+    expect(count('colored')).toBeLessThan(count('improved') + count('settled'));
   });
 });
 

@@ -125,6 +125,7 @@ export class Placing {
     if (!isCurrent()) return;
     performance.mark('room displayed');
     this.#placed = { bytes, room, scene };
+    void this.#paint();
     this.#show(scene, title, placement, options.isReturn ?? false);
     tellRoom(placement.document.room);
   }
@@ -138,6 +139,13 @@ export class Placing {
     if (!isCurrent()) return false;
     this.#store.arrival.value = arrival;
     return true;
+  }
+
+  /** Tells the solver the colours of the room that is on the screen. */
+  async #paint(): Promise<void> {
+    const placed = this.#placed;
+    const colors = await this.#viewer.colors();
+    if (colors && placed === this.#placed) this.#solving.paint(colors);
   }
 
   /** Shows the room that was open before a preview, as it was; false where there was none. */
@@ -191,6 +199,7 @@ export class Placing {
   async #takeBack(layout: Layout | null): Promise<void> {
     if (!this.#placed) return;
     await this.#solving.open(this.#placed.bytes);
+    void this.#paint();
     if (layout) this.#solving.show(layout);
   }
 }

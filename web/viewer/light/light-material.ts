@@ -1,6 +1,6 @@
 /**
  * The room's shader. Light at a vertex = sum of weight x patch illuminance, fetched from the light texture; then
- *   realistic:    albedo x light x exposure, through the tone curve
+ *   realistic:    albedo x light x its colour x exposure, through the tone curve
  *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
  *                 colour table
  * A measuring plane, which nobody could see, is a faint veil in the realistic picture; in the other it is opaque, for
@@ -25,10 +25,13 @@ attribute vec4 _patches;
 attribute vec4 _weights;
 uniform highp sampler2D lightTexture;
 uniform highp sampler2D reflectanceTexture;
+uniform highp sampler2D colorTexture; // red and blue at a luminance of 1
+uniform float colored;    // how much of the light's colour, 0..1
 uniform bool exitance;
 uniform mat3 mapTransform;
 varying float vLight;
 varying float vQuantity;
+varying vec3 vLightColor;
 varying vec2 vMapUv;
 varying vec3 vPlace; // in the room, m
 #ifdef USE_COLOR
@@ -45,11 +48,22 @@ vec4 atPatches(highp sampler2D values) {
               texelFetch(values, texelOf(_patches.z), 0).r, texelFetch(values, texelOf(_patches.w), 0).r);
 }
 
+// Of light from the patches by their weights; luminance is 1.
+vec3 lightColor(vec4 shares) {
+  vec2 redBlue = shares.x * texelFetch(colorTexture, texelOf(_patches.x), 0).rg +
+                 shares.y * texelFetch(colorTexture, texelOf(_patches.y), 0).rg +
+                 shares.z * texelFetch(colorTexture, texelOf(_patches.z), 0).rg +
+                 shares.w * texelFetch(colorTexture, texelOf(_patches.w), 0).rg;
+  redBlue /= max(dot(shares, vec4(1.0)), 1e-12);
+  return vec3(redBlue.x, (1.0 - 0.2126 * redBlue.x - 0.0722 * redBlue.y) / 0.7152, redBlue.y);
+}
+
 void main() {
   vec4 weights = _weights / max(dot(_weights, vec4(1.0)), 1e-6);
   vec4 light = atPatches(lightTexture);
   vLight = dot(weights, light);
   vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
+  vLightColor = colored > 0.0 && vLight > 0.0 ? mix(vec3(1.0), lightColor(weights * light), colored) : vec3(1.0);
 #ifdef MAP_UV
   vMapUv = (mapTransform * vec3(MAP_UV, 1.0)).xy;
 #endif
@@ -80,10 +94,12 @@ uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
 uniform bool standing;    // furniture
 uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
+uniform float colored;
 uniform float usualLight; // lx, what an eye is adapted to
 const float veil = 0.16;  // how much a measuring plane hides of a realistic picture
 varying float vLight;
 varying float vQuantity;
+varying vec3 vLightColor;
 varying vec2 vMapUv;
 varying vec3 vPlace;
 #ifdef USE_COLOR
@@ -136,6 +152,7 @@ void main() {
     gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
     return;
   }
+  if (colored > 0.0) surface.rgb *= vLightColor;
   vec3 color = falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
                           : toneCurve(surface.rgb * drawnLight() * exposure);
@@ -157,6 +174,8 @@ export function sharedUniforms() {
   return {
     lightTexture: { value: null as Texture | null },
     reflectanceTexture: { value: null as Texture | null },
+    colorTexture: { value: null as Texture | null },
+    colored: { value: 0 },
     colorTable: { value: null as Texture | null },
     falseColor: { value: false },
     exposure: { value: 1 },

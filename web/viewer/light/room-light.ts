@@ -10,6 +10,7 @@ import { sharedUniforms } from './light-material.ts';
 import { LightTexture } from './light-texture.ts';
 
 const settling = 700; // ms in which the exposure makes 63 % of its way: slow enough to be seen
+const blending = 600; // ms in which light first takes its colour
 const longestHold = 3000; // ms after the last sign of a gesture
 
 export class RoomLight {
@@ -17,6 +18,8 @@ export class RoomLight {
   #loop: FrameLoop;
   #texture: LightTexture | null = null;
   #reflectances: LightTexture | null = null;
+  #colors: LightTexture | null = null; // once the light's colour is known
+  #blendBegan: number | null = null;
   #tables = new Map<ColorMap, DataTexture>();
   #scene: SceneInfo | null = null;
   #level = 0; // lx that the exposure is adapted to
@@ -45,6 +48,7 @@ export class RoomLight {
   setScene(scene: SceneInfo | null): void {
     this.#texture?.dispose();
     this.#reflectances?.dispose();
+    this.#forgetColors();
     this.#scene = scene;
     const made = () => (scene ? new LightTexture(scene.patches + scene.receivers) : null);
     [this.#texture, this.#reflectances] = [made(), made()];
@@ -65,6 +69,20 @@ export class RoomLight {
     this.#wanted = adaptationLevel(this.#texture.light, this.#scene.patchArea, this.#scene.patches);
     this.#follow();
     this.#expose();
+    this.#loop.invalidate();
+  }
+
+  /** The colour of the light last set (Viewer.setLightColor); white light takes it slowly when it is first known. */
+  setColors(colors: Float32Array): void {
+    if (!this.#scene) return;
+    if (!this.#colors) {
+      this.#colors = new LightTexture(this.#scene.patches + this.#scene.receivers, 2);
+      this.uniforms.colorTexture.value = this.#colors.texture;
+      this.#blendBegan = null;
+      if (reducedMotion()) this.uniforms.colored.value = 1;
+      else this.#loop.animate(this.#blend);
+    }
+    this.#colors.set(colors);
     this.#loop.invalidate();
   }
 
@@ -105,6 +123,7 @@ export class RoomLight {
   release(): void {
     this.#texture?.texture.dispose();
     this.#reflectances?.texture.dispose();
+    this.#colors?.texture.dispose();
     for (const table of this.#tables.values()) table.dispose();
   }
 
@@ -114,6 +133,18 @@ export class RoomLight {
     for (const table of this.#tables.values()) table.dispose();
     this.#tables.clear();
   }
+
+  #forgetColors(): void {
+    this.#loop.cancel(this.#blend);
+    this.#colors?.dispose();
+    this.#colors = this.uniforms.colorTexture.value = null;
+    this.uniforms.colored.value = 0;
+  }
+
+  #blend = (now: number): boolean => {
+    this.#blendBegan ??= now;
+    return (this.uniforms.colored.value = Math.min(1, (now - this.#blendBegan + 16) / blending)) < 1;
+  };
 
   #follow(): void {
     if (this.#level === 0) this.#level = this.#wanted;

@@ -1,0 +1,96 @@
+// The colour that light takes against its definition on the exchange of light, on a made-up operator.
+#include "core/transport/colored_light.h"
+
+#include <gtest/gtest.h>
+
+#include "core/transport/exchange.h"
+#include "tests/core/operator_scene.h"
+
+namespace fiatlux {
+namespace {
+
+class Colored : public ::testing::Test {
+ protected:
+  Scene scene = operatorScene(12, 3);
+  std::vector<float> light =
+      std::vector<float>(scene.responses.column(1), scene.responses.column(1) + scene.patches.rows());
+
+  /// One colour on a surface, white elsewhere.
+  std::vector<float> paint(std::uint32_t surface, const Vec3& color) const {
+    std::vector<float> colors(std::size_t{3} * scene.patches.count, 0.8f);
+    for (std::uint32_t p = 0; p < scene.patches.count; ++p) {
+      if (scene.patches.surface[p] != surface) continue;
+      colors[3 * p] = static_cast<float>(color.x);
+      colors[3 * p + 1] = static_cast<float>(color.y);
+      colors[3 * p + 2] = static_cast<float>(color.z);
+    }
+    return colors;
+  }
+};
+
+TEST_F(Colored, WhiteLightStaysWhiteOnGreyToTheBit) {
+  const ColoredLight grey(scene, paint(1, {0.2, 0.2, 0.2}));
+  EXPECT_TRUE(grey.isGrey());
+  EXPECT_EQ(grey.of(light), std::vector<float>(2 * light.size(), 1.0f));
+}
+
+TEST_F(Colored, ARedWallReddensTheFloorMostWhereItIsNear) {
+  const ColoredLight red(scene, paint(1, {0.7, 0.2, 0.2}));
+  EXPECT_FALSE(red.isGrey());
+  const std::vector<float> colors = red.of(light);
+  for (std::uint32_t p = 0; p < scene.patches.count; ++p) {
+    if (scene.patches.surface[p] != 0) continue;
+    const float r = colors[2 * p], b = colors[2 * p + 1];
+    EXPECT_GT(r, 1) << p;
+    EXPECT_LT(b, 1) << p;
+    EXPECT_NEAR((1 - 0.2126 * r - 0.0722 * b) / 0.7152, b, 1e-4) << p;  // green as blue, at luminance 1
+  }
+}
+
+TEST_F(Colored, IsItsDefinitionBetweenGroups) {
+  const std::vector<float> colors = paint(1, {0.9, 0.3, 0.1});
+  const Patches& patches = scene.patches;
+  const ExchangeGroups& groups = scene.lightOperator->groups;
+  const ExchangeOperator exchange(patches, groups, scene.lightOperator->exchange);
+  const double luminance = 0.2126 * 0.9 + 0.7152 * 0.3 + 0.0722 * 0.1;
+  const double channel[3] = {0.9 / luminance, 0.3 / luminance, 0.1 / luminance};
+  std::vector<double> area(groups.count);
+  std::vector<double> means[3];
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> lumens(groups.count), change(groups.count), before(groups.count), more(groups.count);
+    area.assign(groups.count, 0.0);
+    for (std::uint32_t p = 0; p < patches.count; ++p) {
+      const double added = patches.surface[p] == 1
+                               ? std::min(0.95, patches.reflectance[p] * channel[k]) - patches.reflectance[p]
+                               : 0;
+      change[groups.ofRow[p]] += patches.area[p] * added;
+      lumens[groups.ofRow[p]] += patches.area[p] * added * light[p];
+      before[groups.ofRow[p]] += patches.area[p] * light[p];
+      area[groups.ofRow[p]] += patches.area[p];
+    }
+    for (int bounce = 0; bounce < 60; ++bounce) {
+      std::vector<double> next(groups.count, 0.0);
+      for (std::uint32_t c = 0; c < groups.count; ++c)
+        for (std::uint32_t d = 0; d < groups.count; ++d)
+          next[c] += exchange.between(c, d) * (lumens[d] + change[d] * more[d]);
+      more = next;
+    }
+    for (std::uint32_t c = 0; c < groups.count; ++c) means[k].push_back(before[c] / area[c] + more[c]);
+  }
+  // The same as means over the groups of E times its colour.
+  const std::vector<float> made = ColoredLight(scene, colors).of(light);
+  std::vector<double> red(groups.count, 0.0);
+  for (std::uint32_t p = 0; p < patches.count; ++p)
+    red[groups.ofRow[p]] += patches.area[p] * light[p] * made[2 * p] / area[groups.ofRow[p]];
+  for (std::uint32_t c = 0; c < groups.count; ++c) {
+    const double all = 0.2126 * means[0][c] + 0.7152 * means[1][c] + 0.0722 * means[2][c];
+    const double expected = means[0][c] / all;
+    double lit = 0;
+    for (std::uint32_t p = 0; p < patches.count; ++p)
+      if (groups.ofRow[p] == c) lit += patches.area[p] * light[p] / area[c];
+    EXPECT_NEAR(red[c] / lit, expected, 0.02 * expected) << c;
+  }
+}
+
+}  // namespace
+}  // namespace fiatlux

@@ -1,0 +1,76 @@
+/**
+ * The colour that shown light has taken from the room: for the picture alone, told a little after the light itself, and
+ * while light follows light not for all of it.
+ */
+import type { ColoredLight, CoreModule, Session } from './core.ts';
+import type { Clock } from './pacing.ts';
+import type { FromWorker } from './protocol.ts';
+
+const apart = 40; // ms between two answers while something else runs
+type Answer = Extract<FromWorker, { readonly type: 'colored' }>;
+
+export class LightColor {
+  readonly #core: Pick<CoreModule, 'ColoredLight'>;
+  readonly #room: Session;
+  readonly #clock: Clock;
+  #colors: Float32Array | null = null; // of the patches
+  #hasOperator = false;
+  #made: ColoredLight | null = null; // for these colours
+  #latest: { readonly revision: number; readonly illuminance: Float32Array } | null = null; // shown, not coloured
+  #told = -Infinity; // when
+
+  constructor(core: Pick<CoreModule, 'ColoredLight'>, room: Session, clock: Clock) {
+    this.#core = core;
+    this.#room = room;
+    this.#clock = clock;
+  }
+
+  /** Another room is being opened. */
+  clear(): void {
+    this.#made?.delete();
+    this.#made = this.#colors = this.#latest = null;
+    this.#hasOperator = false;
+  }
+
+  /** The room's exchange of light is there. */
+  ready(): void {
+    this.#hasOperator = true;
+  }
+
+  /** Linear RGB of the patches. */
+  paint(colors: Float32Array): void {
+    this.#made?.delete();
+    this.#made = null;
+    this.#colors = colors;
+  }
+
+  /** Light that is about to be shown, of which a copy is kept. */
+  take(revision: number, illuminance: Float32Array): void {
+    this.#latest = { revision, illuminance: illuminance.slice() };
+  }
+
+  get waits(): boolean {
+    return this.#hasOperator && this.#colors !== null && this.#latest !== null;
+  }
+
+  /** Whether what else runs has had its time. */
+  get isDue(): boolean {
+    return this.waits && this.#clock() - this.#told >= apart;
+  }
+
+  /** Prepares, or colours what was shown last; null where there is nothing to tell. */
+  step(): Answer | null {
+    if (!this.waits || !this.#colors || !this.#latest) return null;
+    if (!this.#made) {
+      this.#made = new this.#core.ColoredLight();
+      // What does not fit the room is not coloured, and nor is what is grey.
+      if (this.#made.begin(this.#room, this.#colors) !== '' || this.#made.isGrey()) this.#colors = null;
+      return null;
+    }
+    const { revision, illuminance } = this.#latest;
+    this.#latest = null;
+    const colors = this.#made.of(illuminance);
+    this.#told = this.#clock();
+    return { type: 'colored', revision, colors };
+  }
+}
