@@ -23,6 +23,7 @@ export interface Visited {
 /** The address of a layout, and the names of photometric files that it could not take along. */
 export interface SharedLink {
   readonly address: string;
+  readonly holdsKept: boolean; // the variant that the layout is compared with, too
   readonly left: readonly string[];
 }
 
@@ -92,8 +93,10 @@ export class Keeping {
     const files = this.#types.files.peek();
     const link = linkOf(document.peek(), this.layout(), sites, view, files, plan.peek());
     const score = this.#store.score.peek();
-    const { hash, left } = fitLink(score === null ? link : { ...link, score: Math.min(200, score) });
-    return { address: pageOf(document.peek().room) + hash, left };
+    const { hash, holdsKept, left } = fitLink(
+      score === null ? link : { ...link, score: Math.min(200, score) },
+    );
+    return { address: pageOf(document.peek().room) + hash, holdsKept, left };
   }
 
   /**

@@ -33,6 +33,13 @@ export const longestLink = 1800; // characters that are made
 const longestRead = 8000; // characters that are looked at
 const largestPayload = 1 << 18; // bytes after inflating
 
+export interface LinkedLayout {
+  readonly positions: readonly (readonly [number, number, number])[]; // m
+  readonly flux: readonly number[]; // lm, before dimming
+  readonly dimming: number;
+  readonly mountings?: readonly Mounting[];
+}
+
 /** What a link says. Positions instead of sites; `pinned` are indices into `positions`. */
 export interface Link {
   readonly scene: string;
@@ -44,13 +51,8 @@ export interface Link {
   readonly seed: number;
   readonly roomType?: string;
   readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
-  readonly layout: {
-    readonly positions: readonly (readonly [number, number, number])[]; // m
-    readonly flux: readonly number[]; // lm, before dimming
-    readonly dimming: number;
-    readonly pinned: readonly number[];
-    readonly mountings?: readonly Mounting[];
-  } | null;
+  readonly layout: (LinkedLayout & { readonly pinned: readonly number[] }) | null;
+  readonly kept?: LinkedLayout; // the variant that the layout is compared with
   readonly files?: PhotometricFiles; // of its types, as far as it carries them
   readonly plan?: PackedPlan; // of a made room: the link holds the room itself
   readonly camera: Camera | null;
@@ -90,6 +92,17 @@ const linkedMounting = v.union([
   v.strictTuple([v.number(), v.number(), v.number(), v.number(), v.number()]),
 ]);
 
+const layoutEntries = {
+  p: v.pipe(v.array(pointSchema), v.maxLength(mostLuminaires)), // cm
+  f: v.pipe(
+    v.array(v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(1e7))),
+    v.maxLength(mostLuminaires),
+  ),
+  t: v.exactOptional(v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(1)), 1),
+  h: v.exactOptional(v.pipe(v.array(linkedMounting), v.maxLength(mostLuminaires))),
+};
+const layoutSchema = v.object(layoutEntries);
+
 const payloadSchema = v.object({
   i: identitySchema,
   r: roomSchema,
@@ -102,19 +115,14 @@ const payloadSchema = v.object({
   g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
   y: v.exactOptional(
     v.object({
-      p: v.pipe(v.array(pointSchema), v.maxLength(mostLuminaires)), // cm
-      f: v.pipe(
-        v.array(v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(1e7))),
-        v.maxLength(mostLuminaires),
-      ),
-      t: v.exactOptional(v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(1)), 1),
+      ...layoutEntries,
       n: v.exactOptional(
         v.pipe(v.array(v.pipe(v.number(), v.integer(), v.minValue(0))), v.maxLength(mostLuminaires)),
         [],
       ),
-      h: v.exactOptional(v.pipe(v.array(linkedMounting), v.maxLength(mostLuminaires))),
     }),
   ),
+  b: v.exactOptional(layoutSchema), // kept
   t: v.exactOptional(v.pipe(v.array(linkedType), v.maxLength(mostTypes))),
   m: v.exactOptional(packedPlanSchema),
   k: v.exactOptional(cameraSchema),
@@ -130,20 +138,23 @@ const rounded = (point: readonly number[], digits: number, scale = 1) =>
 /** A link's hash, with its '#', and the names of the files that did not fit: the receiver is asked for these. */
 export interface FittedLink {
   readonly hash: string;
+  readonly holdsKept: boolean; // the variant fitted, where there is one
   readonly left: readonly string[];
 }
 
 /**
- * The longest files are left out first. Throws one readable line when it would be longer than a link may be
+ * The variant is left out first, then the longest files. Throws one readable line when it would be longer than a link may be
  * nevertheless.
  */
 export function fitLink(link: Link): FittedLink {
   const types = link.luminaires.types ?? [];
   const carried = { ...link.files };
-  for (;;) {
-    const hash = encode({ ...link, files: carried });
-    if (hash.length <= longestLink)
-      return { hash, left: types.filter((type) => !(type.hash in carried)).map((type) => type.file) };
+  const { kept, ...alone } = link;
+  for (let holdsKept = kept !== undefined; ; holdsKept = false) {
+    const hash = encode({ ...(holdsKept ? link : alone), files: carried });
+    const left = types.filter((type) => !(type.hash in carried)).map((type) => type.file);
+    if (hash.length <= longestLink) return { hash, holdsKept, left };
+    if (holdsKept) continue;
     const longest = Object.keys(carried).sort((a, b) => carried[b]!.length - carried[a]!.length)[0];
     if (longest === undefined)
       throw new Error('This is more than a link can carry (1800 characters). Save a project file instead.');
@@ -163,7 +174,6 @@ function encode(link: Link): string {
 function payloadOf(link: Link): Payload {
   const { layout, camera, display } = link;
   const { types = [], maintenance, ...rules } = link.luminaires;
-  const uniform = layout && layout.flux.every((each) => each === layout.flux[0]);
   const numbers = new Map(types.map((type, number) => [type.id, number]));
   return {
     i: link.scene,
@@ -181,20 +191,28 @@ function payloadOf(link: Link): Payload {
     ...(link.roomType && { e: link.roomType }),
     ...(link.score !== undefined && { g: link.score }),
     ...(layout && {
-      y: {
-        p: layout.positions.map((position) => rounded(position, 1, 100)),
-        f: uniform ? layout.flux.slice(0, 1) : [...layout.flux],
-        t: round(layout.dimming, 6),
-        n: [...layout.pinned],
-        ...(layout.mountings && { h: layout.mountings.map((each) => mountingIn(each, numbers)) }),
-      },
+      y: { ...layoutIn(layout, numbers), n: [...layout.pinned] },
     }),
+    ...(link.kept && { b: layoutIn(link.kept, numbers) }),
     ...(types.length > 0 && { t: types.map((type) => typeIn(type, link.files?.[type.hash])) }),
     ...(link.plan && { m: link.plan }),
     ...(camera && {
       k: { ...camera, position: rounded(camera.position, 3), target: rounded(camera.target, 3) },
     }),
     ...(display && { d: { ...display, range: [...display.range], exposure: round(display.exposure, 3) } }),
+  };
+}
+
+function layoutIn(
+  { positions, flux, dimming, mountings }: LinkedLayout,
+  numbers: ReadonlyMap<string, number>,
+): v.InferInput<typeof layoutSchema> {
+  const isUniform = flux.every((each) => each === flux[0]);
+  return {
+    p: positions.map((position) => rounded(position, 1, 100)),
+    f: isUniform ? flux.slice(0, 1) : [...flux],
+    t: round(dimming, 6),
+    ...(mountings && { h: mountings.map((each) => mountingIn(each, numbers)) }),
   };
 }
 
@@ -264,14 +282,14 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, e, g, y, t, m, k, d } = parsed.output;
-  if (y && y.f.length !== y.p.length && y.f.length !== 1) return 'luminaires and fluxes differ in number';
+  const { i, r, c, w, l, q, s, e, g, y, b, t, m, k, d } = parsed.output;
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
-  const mountings = y?.h && mountingsFrom(y.h, types?.types ?? []);
-  if (typeof mountings === 'string') return mountings;
-  if (mountings && mountings.length !== y?.p.length) return 'luminaires and mountings differ in number';
+  const layout = y && layoutFrom(y, types?.types ?? []);
+  const kept = b && layoutFrom(b, types?.types ?? []);
+  if (typeof layout === 'string') return layout;
+  if (typeof kept === 'string') return kept;
   return {
     scene: i,
     room: r,
@@ -283,18 +301,28 @@ function readPayload(bytes: Uint8Array): Link | string {
     seed: s,
     ...(e !== undefined && { roomType: e }),
     ...(g !== undefined && { score: g }),
-    layout: y
-      ? {
-          positions: y.p.map((point) => point.map((value) => value / 100) as [number, number, number]),
-          flux: y.p.map((_, index) => y.f[index] ?? y.f[0] ?? 0),
-          dimming: y.t,
-          pinned: y.n,
-          ...(mountings && { mountings }),
-        }
-      : null,
+    layout: layout && y ? { ...layout, pinned: y.n } : null,
+    ...(kept && { kept }),
     ...(m && { plan: m }),
     camera: k ?? null,
     display: d ?? null,
+  };
+}
+
+/** A layout, or what is wrong with it. */
+function layoutFrom(
+  { p, f, t, h }: v.InferOutput<typeof layoutSchema>,
+  types: readonly LuminaireType[],
+): LinkedLayout | string {
+  if (f.length !== p.length && f.length !== 1) return 'luminaires and fluxes differ in number';
+  const mountings = h && mountingsFrom(h, types);
+  if (typeof mountings === 'string') return mountings;
+  if (mountings && mountings.length !== p.length) return 'luminaires and mountings differ in number';
+  return {
+    positions: p.map((point) => point.map((value) => value / 100) as [number, number, number]),
+    flux: p.map((_, index) => f[index] ?? f[0] ?? 0),
+    dimming: t,
+    ...(mountings && { mountings }),
   };
 }
 

@@ -1,8 +1,9 @@
 /** Between sites of a scene and positions in the room: links and exports speak in positions, the core in sites. */
 import type { PackedPlan } from './made-room.ts';
 import { filesOf, type PhotometricFiles } from './photometric-files.ts';
-import type { Link } from './share-link.ts';
-import type { FiatLuxDocument, Layout, Luminaires, SceneInfo } from './types.ts';
+import type { Link, LinkedLayout } from './share-link.ts';
+import type { FiatLuxDocument, Layout, Luminaires, SceneInfo, Variant } from './types.ts';
+import { variantOf } from './variants.ts';
 
 type Sites = SceneInfo['sites'];
 
@@ -45,6 +46,7 @@ export function linkOf(
 ): Link {
   const { pinned, ...rules } = document.luminaires;
   const { scene, room, cards, saving, quantity, seed, roomType } = document;
+  const kept = linkedVariant(document, sites);
   return {
     scene,
     room,
@@ -55,16 +57,56 @@ export function linkOf(
     ...(roomType !== undefined && { roomType }),
     luminaires: rules,
     layout: layout && {
-      positions: layout.sites.map((site) => positionOf(sites, site)),
-      flux: layout.flux,
-      dimming: layout.dimming,
+      ...placed(layout, sites),
       pinned: pinned.map((site) => layout.sites.indexOf(site)).filter((index) => index >= 0),
-      ...(layout.mountings && { mountings: layout.mountings }),
     },
+    ...(kept && { kept }),
     ...(plan && { plan }),
     ...(rules.types && { files: filesOf(files, document) }),
     ...view,
   };
+}
+
+/** Where the luminaires of a layout hang. */
+const placed = ({ sites: chosen, flux, dimming, mountings }: Layout, sites: Sites): LinkedLayout => ({
+  positions: chosen.map((site) => positionOf(sites, site)),
+  flux,
+  dimming,
+  ...(mountings && { mountings }),
+});
+
+/** The variant, where a link says of which types its luminaires are. */
+function linkedVariant({ kept, luminaires }: FiatLuxDocument, sites: Sites): LinkedLayout | null {
+  const known = new Set(luminaires.types?.map(({ id }) => id));
+  const isKnown = kept?.layout.mountings?.every(({ type }) => known.has(type)) ?? true;
+  return kept && isKnown ? placed(kept.layout, sites) : null;
+}
+
+/** A layout on the sites of a room, with the numbers that its luminaires had; or what does not fit. */
+function hungOn(
+  { positions, flux, dimming, mountings }: LinkedLayout,
+  sites: Sites,
+  exact: boolean,
+): { layout: Layout; numbers: readonly number[] } | string {
+  const chosen: number[] = [];
+  const numbers: number[] = []; // of the luminaires that have a place
+  for (const [index, position] of positions.entries()) {
+    const { site, distance: away } = nearestSite(sites, position);
+    const reach = exact ? 0.5 * (sites.size[site] ?? 0) : Infinity;
+    if (site < 0 || away > reach)
+      return `Luminaire L${index + 1} of this link hangs where this room has no place for it.`;
+    if (!chosen.includes(site)) {
+      chosen.push(site);
+      numbers.push(index);
+    } else if (exact) return `Two luminaires of this link hang at the same place (L${index + 1}).`;
+  }
+  const layout = {
+    sites: chosen,
+    flux: numbers.map((index) => flux[index]!),
+    dimming,
+    ...(mountings && { mountings: numbers.map((index) => mountings[index]!) }),
+  };
+  return { layout, numbers };
 }
 
 /**
@@ -74,30 +116,14 @@ export function linkOf(
 export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLuxDocument | string {
   const { sites } = scene;
   const m = siteCount(sites);
-  let layout: Layout | null = null;
-  let pinned: number[] = [];
-  if (link.layout) {
-    const chosen: number[] = [];
-    const kept: number[] = []; // luminaires that have a place, by their numbers in the link
-    for (const [index, position] of link.layout.positions.entries()) {
-      const { site, distance: away } = nearestSite(sites, position);
-      const reach = exact ? 0.5 * (sites.size[site] ?? 0) : Infinity;
-      if (site < 0 || away > reach)
-        return `Luminaire L${index + 1} of this link hangs where this room has no place for it.`;
-      if (!chosen.includes(site)) {
-        chosen.push(site);
-        kept.push(index);
-      } else if (exact) return `Two luminaires of this link hang at the same place (L${index + 1}).`;
-    }
-    const { flux, dimming, mountings } = link.layout;
-    layout = {
-      sites: chosen,
-      flux: kept.map((index) => flux[index]!),
-      dimming,
-      ...(mountings && { mountings: kept.map((index) => mountings[index]!) }),
-    };
-    pinned = link.layout.pinned.flatMap((index) => chosen[kept.indexOf(index)] ?? []);
-  }
+  const hung = link.layout && hungOn(link.layout, sites, exact);
+  const kept = link.kept && hungOn(link.kept, sites, exact);
+  if (typeof hung === 'string') return hung;
+  if (typeof kept === 'string') return kept;
+  const layout = hung && hung.layout;
+  const pinned = (link.layout?.pinned ?? []).flatMap(
+    (index) => hung?.layout.sites[hung.numbers.indexOf(index)] ?? [],
+  );
   if (link.luminaires.count > m)
     return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
@@ -112,5 +138,16 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     seed,
     ...(roomType !== undefined && { roomType }),
   };
-  return { scene: scene.identity, ...asked, layout };
+  return {
+    scene: scene.identity,
+    ...asked,
+    layout,
+    ...(kept && { kept: keptOf(asked, kept.layout) }),
+  };
+}
+
+/** The same wish for the luminaires of a variant of which only the layout is known. */
+function keptOf(asked: Omit<Variant, 'layout'>, layout: Layout): Variant {
+  const luminaires = { ...asked.luminaires, count: Math.max(1, layout.sites.length), pinned: [] };
+  return variantOf({ ...asked, luminaires }, layout);
 }

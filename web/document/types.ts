@@ -151,7 +151,7 @@ export interface FiatLuxDocument {
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
   readonly views?: readonly NamedView[]; // absent: none; links leave them out
-  readonly kept?: Variant; // absent: none; of it a link carries the layout alone
+  readonly kept?: Variant; // absent: none; a link carries its layout alone, where that fits
 }
 
 /** Kept beside the work to be compared with it: everything that was asked, and the layout that answered. */

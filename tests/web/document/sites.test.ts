@@ -1,6 +1,8 @@
 /** Between sites and positions. */
 import { describe, expect, test } from '@jest/globals';
 import { sampleDocument } from '../sample-rooms.ts';
+import { decodeLink, encodeLink } from '../../../web/document/share-link.ts';
+import { variantOf } from '../../../web/document/variants.ts';
 import { documentOf, linkOf, nearestSite } from '../../../web/document/sites.ts';
 import { fakeScene } from '../fake-solver.ts';
 
@@ -8,9 +10,25 @@ const scene = fakeScene();
 
 const layout = { sites: [0, 5], flux: [1200, 600], dimming: 0.5 };
 
+const asked = sampleDocument(scene.identity, 'box');
+const document = { ...asked, luminaires: { ...asked.luminaires, count: 2, pinned: [5], excluded: [7] } };
+
+test('the layout of a kept variant goes along, judged by what the link asks', () => {
+  const other = { sites: [3], flux: [900], dimming: 1 };
+  const kept = { ...document, kept: variantOf({ ...document, seed: 99 }, other) };
+  const both = linkOf(kept, layout, scene.sites, { camera: null, display: null });
+  expect(documentOf(both, scene, true)).toMatchObject({
+    layout,
+    kept: { layout: other, seed: document.seed, luminaires: { count: 1, pinned: [] } },
+  });
+  const decoded = decodeLink(encodeLink(both));
+  expect(decoded).toEqual({ ok: true, link: both });
+  const foreign = { ...other, mountings: [{ type: 'gone', turn: 0, aim: null }] };
+  const unknown = { ...document, kept: variantOf(document, foreign) };
+  expect(linkOf(unknown, layout, scene.sites, { camera: null, display: null }).kept).toBeUndefined();
+});
+
 describe('positions and sites', () => {
-  const asked = sampleDocument(scene.identity, 'box');
-  const document = { ...asked, luminaires: { ...asked.luminaires, count: 2, pinned: [5], excluded: [7] } };
   const link = linkOf(document, layout, scene.sites, { camera: null, display: null });
 
   test('a layout survives as positions', () => {

@@ -37,6 +37,7 @@ export function ShareDialog({ close }: { close: () => void }) {
           </CopyRow>
           <p class="fine-print">
             {shared.address.length} characters.{' '}
+            {shared.holdsKept && 'It takes A along, to be compared with. '}
             {isOwn && holdsRoom && 'It holds the room, too: whoever opens it has it made and computed there.'}
             {!holdsRoom &&
               `It names the room “${store.document.value.room}” but does not hold it: send the .flux file along.`}
