@@ -65,6 +65,7 @@ export class App {
     this.variants = new Variants(store, this.solving, this.viewer);
     this.challenge = new Challenge(store, this.solving, this.variants);
     this.film = new Film(store, this.solving, this.viewer, this.variants);
+    store.planSource.value = () => this.viewer.plan();
     this.#tellViewer();
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }
@@ -227,7 +228,8 @@ export class App {
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setBodies(this.types.bodies.value));
     effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
-    effect(() => viewer.setExcluded(store.document.value.luminaires.excluded));
+    effect(() => viewer.setAreas(store.document.value.luminaires.areas ?? null));
+    effect(() => viewer.setExcluded(store.barred.value));
   }
 }
 

@@ -53,8 +53,7 @@ export class Hand {
     const layout = this.#layout();
     const from = layout?.sites[luminaire];
     if (!scene || !layout || from === undefined) return;
-    const { excluded } = this.#store.document.peek().luminaires;
-    const taken = takenSites(layout, luminaire, excluded);
+    const taken = takenSites(layout, luminaire, this.#store.barred.peek());
     const site = nextFreeSite(scene.sites.position, taken, from, direction);
     if (site !== null) this.moveTo(luminaire, site, false);
     else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
@@ -65,8 +64,8 @@ export class Hand {
     const sites = this.#store.scene.peek()?.sites;
     const layout = this.#layout();
     if (!sites || !layout) return;
-    const { excluded } = this.#store.document.peek().luminaires;
-    const { site, distance: away } = nearestSite(sites, place, takenSites(layout, luminaire, excluded));
+    const taken = takenSites(layout, luminaire, this.#store.barred.peek());
+    const { site, distance: away } = nearestSite(sites, place, taken);
     if (site < 0) return;
     if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
     const apart = `${away.toFixed(2)} m from there`;

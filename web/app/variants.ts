@@ -120,8 +120,9 @@ export class Variants {
     if (against === 'scattered') {
       const scene = this.#store.scene.peek();
       const layout = this.#solving.layout();
-      const document = this.#store.document.peek();
-      this.#scattered.value = scene && layout && scatteredLayout(layout, document, scene);
+      const { seed } = this.#store.document.peek();
+      const { luminaires } = this.#store.traced.peek().intentions;
+      this.#scattered.value = scene && layout && scatteredLayout(layout, { luminaires, seed }, scene);
     }
     this.#against.value = against;
   }

@@ -118,6 +118,13 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   return { intentions: { luminaires, goals, constraints, quantity }, goalCards, origins };
 }
 
+/** The same for luminaires that may not hang on these sites. */
+export function withExcluded(traced: TracedIntentions, excluded: readonly number[]): TracedIntentions {
+  const { intentions } = traced;
+  if (intentions.luminaires.excluded === excluded) return traced;
+  return { ...traced, intentions: { ...intentions, luminaires: { ...intentions.luminaires, excluded } } };
+}
+
 /** Least power of luminaires that cannot be dimmed means fewer of them, where their number is not free anyway. */
 export function savesByCount({
   saving,

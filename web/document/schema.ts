@@ -8,6 +8,7 @@ import type { Camera, Display, FiatLuxDocument } from './types.ts';
 export const mostLuminaires = 500;
 export const mostCards = 60;
 export const mostViews = 20;
+export const mostAreas = 50;
 const mostSites = 100_000;
 
 export const number = (low: number, high: number) =>
@@ -100,6 +101,13 @@ const arrangement = v.object({
 
 const factor = number(0.05, 1);
 
+const area = v.pipe(
+  v.tuple([metre, metre, metre, metre]),
+  v.check(([x, z, farX, farZ]) => x < farX && z < farZ, 'an area has no extent'),
+);
+const areaList = v.pipe(v.array(area), v.maxLength(mostAreas));
+const areas = v.object({ keepOut: areaList, keepIn: areaList, fromWalls: number(0, 100) });
+
 export const luminairesSchema = v.object({
   types: v.exactOptional(typesSchema),
   count: whole(1, mostLuminaires),
@@ -109,6 +117,7 @@ export const luminairesSchema = v.object({
   dimming,
   pinned: v.pipe(sites, v.maxLength(mostLuminaires)),
   excluded: sites,
+  areas: v.exactOptional(areas),
   minDistance: number(0, 1000),
   maintenance: v.exactOptional(v.tuple([factor, factor, factor, factor])),
 });

@@ -173,7 +173,7 @@ function encode(link: Link): string {
 
 function payloadOf(link: Link): Payload {
   const { layout, camera, display } = link;
-  const { types = [], maintenance, ...rules } = link.luminaires;
+  const { types = [], maintenance, areas, ...rules } = link.luminaires;
   const numbers = new Map(types.map((type, number) => [type.id, number]));
   return {
     i: link.scene,
@@ -185,6 +185,7 @@ function payloadOf(link: Link): Payload {
       dimming: [...rules.dimming],
       excluded: [...rules.excluded],
       ...(maintenance && { maintenance: [...maintenance] }),
+      ...(areas && { areas: structuredClone(areas) as Payload['l']['areas'] & object }),
     },
     ...(link.quantity === 'exitance' && { q: link.quantity }),
     s: link.seed,

@@ -104,6 +104,16 @@ export interface Arrangement {
   readonly axis?: PlanAxis; // symmetric and rows; absent = found
 }
 
+/** A rectangle in plan, in the room's axes, m: the smaller x and z, then the larger ones. */
+export type PlanArea = readonly [x: number, z: number, farX: number, farZ: number];
+
+/** Where in plan luminaires may hang: outside all of `keepOut`, inside one of `keepIn` where there are any. */
+export interface Areas {
+  readonly keepOut: readonly PlanArea[];
+  readonly keepIn: readonly PlanArea[];
+  readonly fromWalls: number; // m, at least, from a luminaire's middle
+}
+
 export interface Luminaires {
   readonly types?: readonly LuminaireType[]; // absent or none: Lambertian squares of `flux`
   readonly count: number; // the least, where `most` is there
@@ -113,6 +123,7 @@ export interface Luminaires {
   readonly dimming: readonly [number, number]; // common factor t; equal = not dimmable
   readonly pinned: readonly number[]; // sites
   readonly excluded: readonly number[]; // sites
+  readonly areas?: Areas; // absent: anywhere
   readonly minDistance: number; // m
   /** LLMF, LSF, LMF, RMF (CIE 97), 0..1: all light is maintained light. Absent: that of the new installation. */
   readonly maintenance?: readonly [number, number, number, number];

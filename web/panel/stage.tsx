@@ -9,6 +9,7 @@ import { CompareBar } from './compare/compare-bar.tsx';
 import { Divider } from './compare/divider.tsx';
 import { FilmNote } from './compare/film-note.tsx';
 import { Legend } from './legend.tsx';
+import { PlanOverlay } from './plan-overlay.tsx';
 import { PreviewNote } from './preview-note.tsx';
 import { RoomPicture } from './room-picture.tsx';
 import { SelectionBar } from './selection-bar.tsx';
@@ -62,6 +63,7 @@ function Looking() {
   const { store } = useApp();
   return (
     <>
+      <PlanOverlay />
       <Probe />
       {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && <Legend />}
       <Loading />

@@ -1,6 +1,6 @@
 /** What the app asks of the view; implemented by `createViewer` (viewer/viewer.ts). The viewer draws only on change. */
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
-import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
+import type { Areas, Camera, Display, Layout, PlanArea, SceneInfo } from '../document/types.ts';
 
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
 
@@ -75,6 +75,10 @@ export interface Viewer {
   setAims(surfaces: readonly number[]): void;
   /** Flies to where these leaf surfaces are seen, unless they are. */
   reveal(surfaces: readonly number[]): void;
+  /** Areas in plan, drawn where the luminaires hang; `draft`: one that is being drawn. */
+  setAreas(areas: Areas | null, draft?: { readonly area: PlanArea; readonly isOut: boolean } | null): void;
+  /** The room's x and z, m, under a point of the page in a plan view; null elsewhere. */
+  planPoint(clientX: number, clientY: number): readonly [x: number, z: number] | null;
   setExcluded(sites: readonly number[]): void;
   /** From now on nothing in the picture can be picked or taken: pointers and keys only move the eye, and hover. */
   lookOnly(): void;

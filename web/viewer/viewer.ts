@@ -1,8 +1,9 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { DoubleSide, FrontSide, Mesh } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
-import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
+import type { Areas, Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 import { Arrival } from './eye/arrival.ts';
+import { AreaMarks, type DraftArea } from './luminaires/area-marks.ts';
 import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
 import { Emphasis } from './hand/emphasis.ts';
@@ -41,6 +42,9 @@ class RoomViewer implements Viewer {
   #luminaires = new LuminaireObjects(this.#loop);
   #wipe = new Wipe(this.#loop);
   #marks = new SiteMarks();
+  #areaMarks = new AreaMarks();
+  #areas: Areas | null = null;
+  #picking: Picking;
   #tags: LuminaireTags;
   #planeLabels: PlaneLabels;
   #otherPlaneLabels: PlaneLabels; // left of the divider
@@ -73,7 +77,7 @@ class RoomViewer implements Viewer {
       contextLost: (lost) => this.#contextLost(lost),
       schemeChanged: () => this.#loop.invalidate(),
     });
-    this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root);
+    this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root, this.#areaMarks.root);
     this.#stage.scene.add(this.#wipe.luminaires.root);
     this.#planeLabels = new PlaneLabels(labels);
     this.#otherPlaneLabels = new PlaneLabels(labels);
@@ -83,10 +87,11 @@ class RoomViewer implements Viewer {
       (event) => this.#input.forwardWheel(event),
     );
     this.#emphasis = new Emphasis(this.#loop, this.#outlines, this.#luminaires, this.#tags);
+    this.#picking = new Picking(canvas);
     const shared = {
       canvas,
       rig: this.#rig,
-      picking: new Picking(canvas),
+      picking: this.#picking,
       luminaires: this.#luminaires,
       events,
     };
@@ -186,6 +191,18 @@ class RoomViewer implements Viewer {
     if (better !== null) this.#rig.lookFrom(better);
   }
 
+  setAreas(areas: Areas | null, draft: DraftArea | null = null): void {
+    this.#areas = areas;
+    this.#areaMarks.show(areas, draft, this.#info?.sites ?? null);
+    this.#loop.invalidate();
+  }
+
+  planPoint(clientX: number, clientY: number): readonly [number, number] | null {
+    if (!this.#rig.plan || !this.#room) return null;
+    const { origin } = this.#picking.ray(clientX, clientY, this.#rig.active);
+    return [origin.x, origin.z];
+  }
+
   setExcluded(sites: readonly number[]): void {
     this.#hand.setExcluded(sites);
     this.#loop.invalidate();
@@ -274,6 +291,7 @@ class RoomViewer implements Viewer {
       this.#luminaires,
       this.#wipe,
       this.#marks,
+      this.#areaMarks,
       this.#light,
       this.#rig,
       this.#stage,
@@ -290,6 +308,7 @@ class RoomViewer implements Viewer {
     this.#wipe.setScene(info);
     for (const labels of [this.#planeLabels, this.#otherPlaneLabels]) labels.setScene(info);
     this.#hand.setSites(info?.sites ?? null);
+    this.setAreas(this.#areas);
     this.#emphasis.setRoom(room.lit);
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);

@@ -5,9 +5,11 @@
 import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
-import { intentionsOf } from '../../document/intentions.ts';
+import { barredSites } from '../../document/areas.ts';
+import { intentionsOf, withExcluded } from '../../document/intentions.ts';
 import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
+import type { RoomPlan } from '../../document/plan-frame.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
 import type { Link } from '../../document/share-link.ts';
 import type {
@@ -64,6 +66,9 @@ export interface LightingState {
   readonly fault: string | null; // why it has ended without light
 }
 
+/** What an area in plan is for. */
+export type AreaKind = 'keepOut' | 'keepIn';
+
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;
 export type Tab = 'intentions' | 'luminaires' | 'results';
 export type Saving =
@@ -119,10 +124,20 @@ export interface Arrival {
 }
 
 export class Store {
+  readonly scene = signal<SceneInfo | null>(null);
   readonly history = signal<History>(startHistory(blank));
   readonly document = computed(() => this.history.value.document);
-  readonly traced = computed(() => intentionsOf(this.document.value)); // anew with every change of the document
-  readonly scene = signal<SceneInfo | null>(null);
+  /** The room on the screen in plan; the view tells it. */
+  readonly planSource = signal<() => RoomPlan | null>(() => null);
+  readonly roomPlan = computed(() => (this.scene.value ? this.planSource.value() : null));
+  /** Sites where no luminaire may hang. */
+  readonly barred = computed(() => {
+    const { luminaires } = this.document.value;
+    const sites = luminaires.areas && this.scene.value?.sites;
+    return sites ? barredSites(luminaires, sites, this.roomPlan.value) : luminaires.excluded;
+  });
+  /** Anew with every change of the document. */
+  readonly traced = computed(() => withExcluded(intentionsOf(this.document.value), this.barred.value));
   readonly roomTitle = signal('');
   readonly shown = signal<Shown | null>(null); // at most once a frame
   readonly other = signal<Shown | null>(null); // the light that it is compared with
@@ -151,6 +166,7 @@ export class Store {
   readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
   readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
+  readonly drawing = signal<AreaKind | null>(null); // the next drag in the plan makes such an area
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
   readonly efficacy = signal(120); // lm/W

@@ -10,6 +10,7 @@ const pointer: readonly [string, string][] = [
   ['Click', 'select a surface or a luminaire'],
   ['Double click', 'stand there, on the floor; else turn around that point'],
   ['Drag a luminaire', 'pin it elsewhere; the others compensate'],
+  ['Luminaires, Keep out or Keep in', 'drag a rectangle in the plan where none, or all, may hang'],
   ['Arrows on a slider', 'one step; Shift × 10, Alt × 0.1'],
 ];
 

@@ -1,6 +1,7 @@
 /** What may be used to light the room: how many luminaires, how strong, where not; and the list of them, for the keyboard. */
 import { useApp } from '../../app/app.ts';
 import type { Luminaires } from '../../document/types.ts';
+import { AreaList } from './area-list.tsx';
 import { ArrangementChoice } from './arrangement-choice.tsx';
 import { CountStrip } from './count-strip.tsx';
 import { LuminaireList } from './luminaire-list.tsx';
@@ -22,6 +23,7 @@ export function LuminairesTab() {
       <Dimming luminaires={luminaires} />
       <Distance luminaires={luminaires} />
       <Places luminaires={luminaires} />
+      <AreaList />
       <MaintenanceFields />
       <LuminaireList />
     </>
@@ -86,10 +88,10 @@ function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEn
 function CountAndFlux() {
   const { store } = useApp();
   const { set, end } = useRules();
-  const { count, most: atMost, flux, pinned, excluded, types } = store.document.value.luminaires;
+  const { count, most: atMost, flux, pinned, types } = store.document.value.luminaires;
   const pushed = (next: number) => (atMost !== undefined && atMost < next ? { most: next } : {});
   const isOfTypes = store.scene.value?.hasOperator && types?.some(({ isAllowed }) => isAllowed);
-  const places = (store.scene.value?.sites.size.length ?? 1) - excluded.length;
+  const places = (store.scene.value?.sites.size.length ?? 1) - store.barred.value.length;
   const most = Math.max(1, Math.min(200, places));
   return (
     <>

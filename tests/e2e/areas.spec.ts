@@ -1,0 +1,32 @@
+// Areas in plan: drawn with the pointer, obeyed by the search, told in numbers. Covers plan-overlay, area-list, area-marks.
+import { expect, openRoom, settled, test } from './app.ts';
+
+test('an area that is drawn in the plan stays free of luminaires', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await page.getByRole('tab', { name: 'Luminaires' }).click();
+  const areas = page.getByRole('region', { name: 'Where luminaires may hang' });
+  await areas.getByRole('button', { name: 'Keep out' }).click();
+  await expect(page.getByText('Drag the area to keep free')).toBeVisible();
+  await expect(page.getByText(/room \d+\.\d\d × \d+\.\d\d m/)).toBeVisible();
+  const plan = (await page.locator('.plan-draw').boundingBox())!;
+  const middle = [plan.x + plan.width / 2, plan.y + plan.height / 2] as const;
+  await page.mouse.move(middle[0], middle[1] - 90);
+  await page.mouse.down();
+  await page.mouse.move(middle[0] + 180, middle[1] + 90);
+  await page.mouse.up();
+  const row = areas.getByRole('group', { name: 'Keep out 1' });
+  await expect(row).toBeVisible();
+  await settled(page);
+  const read = async (name: string) =>
+    Number(await row.getByRole('textbox', { name: `Keep out 1: ${name}` }).inputValue());
+  const [x, y, wide, deep] = [await read('x'), await read('y'), await read('wide'), await read('deep')];
+  expect(wide * deep).toBeGreaterThan(0.1);
+  const places = await page.locator('table.list tbody td:nth-child(2)').allTextContents();
+  expect(places).toHaveLength(4);
+  for (const place of places) {
+    const [left, up] = place.split(',').map(Number) as [number, number];
+    expect(left > x && left < x + wide && up > y && up < y + deep).toBe(false);
+  }
+  await row.getByRole('button', { name: 'Remove Keep out 1' }).click();
+  await expect(row).toHaveCount(0);
+});

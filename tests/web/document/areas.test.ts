@@ -1,0 +1,35 @@
+/** Which sites areas in plan and a distance to walls leave out. */
+import { expect, test } from '@jest/globals';
+import { areaBetween, barredSites, noAreas, wallDistance } from '../../../web/document/areas.ts';
+import type { Areas } from '../../../web/document/types.ts';
+import { fakePlan } from '../fake-viewer.ts';
+import { fakeScene } from '../fake-solver.ts';
+
+const { sites } = fakeScene(); // 4 x 4, a metre apart, number x + 4 z
+const barred = (areas: Partial<Areas>, excluded: number[] = [], pinned: number[] = []) =>
+  [...barredSites({ excluded, pinned, areas: { ...noAreas, ...areas } }, sites, fakePlan)].sort(
+    (a, b) => a - b,
+  );
+
+test('what an area keeps free is left out, what it keeps to is all there is', () => {
+  const corner = areaBetween([1.2, 1.1], [-0.5, -0.5]);
+  expect(corner).toEqual([-0.5, -0.5, 1.2, 1.1]);
+  expect(barred({ keepOut: [corner] })).toEqual([0, 1, 4, 5]);
+  expect(barred({ keepIn: [corner] })).toEqual([2, 3, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]);
+  expect(barred({ keepIn: [corner], keepOut: [[0.9, 0.9, 2, 2]] })).toContain(5);
+});
+
+test('places kept free by hand stay so, and a pinned luminaire stays where it is', () => {
+  expect(barred({ keepOut: [[-1, -1, 1, 0.5]] }, [9], [1])).toEqual([0, 9]);
+  const excluded = [3];
+  expect(barredSites({ excluded, pinned: [] }, sites, fakePlan)).toBe(excluded);
+});
+
+test('a distance to walls leaves the middle', () => {
+  expect(wallDistance([0.5, 2], fakePlan.outlines)).toBe(0.5);
+  expect(wallDistance([-3, -4], fakePlan.outlines)).toBe(5);
+  const middle = [5, 6, 9, 10];
+  const all = [...sites.size.keys()];
+  expect(barred({ fromWalls: 0.6 })).toEqual(all.filter((site) => !middle.includes(site)));
+  expect(barred({ fromWalls: 0.5 })).toEqual([]);
+});

@@ -1,0 +1,61 @@
+/**
+ * Where in plan luminaires may hang: which sites a document's areas and its distance to walls leave out. What is pinned by
+ * hand stays where it is.
+ */
+import { inPlan, type Point2, type RoomPlan } from './plan-frame.ts';
+import { positionOf, siteCount } from './sites.ts';
+import type { Areas, Luminaires, PlanArea, SceneInfo } from './types.ts';
+
+export const noAreas: Areas = { keepOut: [], keepIn: [], fromWalls: 0 };
+
+const edge = 1e-6; // m: on the line is inside
+
+const holds = ([x, z, farX, farZ]: PlanArea, px: number, pz: number): boolean =>
+  px >= x - edge && px <= farX + edge && pz >= z - edge && pz <= farZ + edge;
+
+/** The rectangle between two corners. */
+export function areaBetween(a: Point2, b: Point2): PlanArea {
+  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[0], b[0]), Math.max(a[1], b[1])];
+}
+
+/** From a point to the nearest wall of a plan, m; infinite where it has none. */
+export function wallDistance(point: Point2, outlines: RoomPlan['outlines']): number {
+  let least = Infinity;
+  for (const loop of outlines)
+    loop.forEach((from, i) => {
+      const to = loop[(i + 1) % loop.length]!;
+      const [x, y] = [to[0] - from[0], to[1] - from[1]];
+      const along = ((point[0] - from[0]) * x + (point[1] - from[1]) * y) / (x * x + y * y || 1);
+      const share = Math.min(1, Math.max(0, along));
+      least = Math.min(least, Math.hypot(from[0] + share * x - point[0], from[1] + share * y - point[1]));
+    });
+  return least;
+}
+
+/**
+ * Sites where no luminaire may hang: the excluded ones and those that the areas leave out, but for pinned ones. Without a
+ * plan nothing is known of walls.
+ */
+export function barredSites(
+  { excluded, areas, pinned }: Pick<Luminaires, 'excluded' | 'areas' | 'pinned'>,
+  sites: SceneInfo['sites'],
+  plan: RoomPlan | null,
+): readonly number[] {
+  if (!areas) return excluded;
+  const { keepOut, keepIn, fromWalls } = areas;
+  const isNearWall = (place: readonly [number, number, number]) => {
+    if (!plan || fromWalls <= 0) return false;
+    const [x, y] = inPlan(plan.frame, place);
+    return wallDistance([x, y], plan.outlines) < fromWalls - edge;
+  };
+  const kept = new Set(pinned);
+  const barred = new Set(excluded);
+  for (let site = 0; site < siteCount(sites); site++) {
+    const place = positionOf(sites, site);
+    const [x, , z] = place;
+    const isIn = keepIn.length === 0 || keepIn.some((area) => holds(area, x, z));
+    const isOut = keepOut.some((area) => holds(area, x, z));
+    if ((!isIn || isOut || isNearWall(place)) && !kept.has(site)) barred.add(site);
+  }
+  return [...barred];
+}
