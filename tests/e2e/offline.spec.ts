@@ -84,7 +84,7 @@ test('what was opened once is there without a connection, and an update is never
     server.close();
     server.closeAllConnections();
     await page.goto('about:blank');
-    await page.goto(site);
+    await page.goto(`${site}?room=box`);
     await expect(page).toHaveTitle('New Fiat Lux');
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('Box');
     await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
