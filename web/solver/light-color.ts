@@ -6,7 +6,8 @@ import type { ColoredLight, CoreModule, Session } from './core.ts';
 import type { Clock } from './pacing.ts';
 import type { FromWorker } from './protocol.ts';
 
-const apart = 40; // ms between two answers while something else runs
+const apart = 40; // ms at least between two answers while something else runs
+const share = 0.1; // of the time that they may take then
 type Answer = Extract<FromWorker, { readonly type: 'colored' }>;
 
 export class LightColor {
@@ -17,7 +18,7 @@ export class LightColor {
   #hasOperator = false;
   #made: ColoredLight | null = null; // for these colours
   #latest: { readonly revision: number; readonly illuminance: Float32Array } | null = null; // shown, not coloured
-  #told = -Infinity; // when
+  #nextAt = -Infinity; // while something else runs
 
   constructor(core: Pick<CoreModule, 'ColoredLight'>, room: Session, clock: Clock) {
     this.#core = core;
@@ -55,7 +56,7 @@ export class LightColor {
 
   /** Whether what else runs has had its time. */
   get isDue(): boolean {
-    return this.waits && this.#clock() - this.#told >= apart;
+    return this.waits && this.#clock() >= this.#nextAt;
   }
 
   /** Prepares, or colours what was shown last; null where there is nothing to tell. */
@@ -69,8 +70,10 @@ export class LightColor {
     }
     const { revision, illuminance } = this.#latest;
     this.#latest = null;
+    const begun = this.#clock();
     const colors = this.#made.of(illuminance);
-    this.#told = this.#clock();
+    const now = this.#clock();
+    this.#nextAt = now + Math.max(apart, (now - begun) / share);
     return { type: 'colored', revision, colors };
   }
 }
