@@ -39,6 +39,7 @@ SceneOptions optionsOf(const val& asked) {
   options.room.mounts = namesOf(asked["mounts"]);
   options.transport.rays = asked["rays"].as<std::uint32_t>();
   options.transport.seed = asked["seed"].as<std::uint32_t>();
+  options.transport.exchange = asked["exchange"].as<bool>();
   return options;
 }
 
@@ -77,6 +78,14 @@ class Page : public Progress {
   std::string stage_;
 };
 
+val answer(const Result<std::vector<std::uint8_t>>& part) {
+  return part ? copied(*part) : val(part.error().message);
+}
+
+val answer(const Result<Done>& done) { return val(done ? std::string() : done.error().message); }
+
+val answer(const Result<std::uint32_t>& count) { return count ? val(*count) : val(count.error().message); }
+
 constexpr const char* kNoMemory = "not enough memory in this browser; choose coarser patches";
 
 /// Nothing that is thrown leaves the module.
@@ -109,24 +118,33 @@ class Builder {
       result.set("sites", static_cast<std::uint32_t>(room.sites.size()));
       result.set("clusters", room.patches.clusterCount);
       result.set("patchSize", room.patchSize);
+      result.set("memory", parts_->bytes() / 1e9);
       result.set("warnings", warnings);
       return result;
     });
   }
 
   val cast(std::uint32_t first, std::uint32_t rows) {
-    return guarded([&] {
-      const Result<std::vector<std::uint8_t>> part = parts_->cast(first, rows);
-      return part ? copied(*part) : val(part.error().message);
-    });
+    return guarded([&] { return answer(parts_->cast(first, rows)); });
   }
 
   /// '' where all is well.
   val add(val part) {
-    return guarded([&] {
-      const Result<Done> added = parts_->add(bytesOf(part));
-      return val(added ? std::string() : added.error().message);
-    });
+    return guarded([&] { return answer(parts_->add(bytesOf(part))); });
+  }
+
+  /// How many blocks there are.
+  val prepare() {
+    return guarded([&] { return answer(parts_->prepare()); });
+  }
+
+  val solve(std::uint32_t block) {
+    return guarded([&] { return answer(parts_->solve(block)); });
+  }
+
+  /// '' where all is well.
+  val join(val part) {
+    return guarded([&] { return answer(parts_->join(bytesOf(part))); });
   }
 
   /// The scene file.
@@ -150,6 +168,9 @@ EMSCRIPTEN_BINDINGS(builder) {
       .function("open", &Builder::open)
       .function("cast", &Builder::cast)
       .function("add", &Builder::add)
+      .function("prepare", &Builder::prepare)
+      .function("solve", &Builder::solve)
+      .function("join", &Builder::join)
       .function("assemble", &Builder::assemble);
 }
 

@@ -229,6 +229,13 @@ class RowLight {
   std::vector<std::uint32_t> effort_;  // rows
 };
 
+/// Room for the steps of so many rows; nullptr where nobody wants them.
+std::uint8_t* stepsOf(SiteVisibility* visibility, std::uint32_t rows, std::size_t sites) {
+  if (!visibility) return nullptr;
+  *visibility = {rows, static_cast<std::uint32_t>(sites), std::vector<std::uint8_t>(rows * sites)};
+  return visibility->steps.data();
+}
+
 }  // namespace
 
 std::vector<float> directLight(const Room& room, const RayTracer& tracer,
@@ -236,15 +243,13 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
                                SiteVisibility* visibility) {
   const std::uint32_t rows = room.patches.rows();
   std::vector<float> light(std::size_t{rows} * luminaires.size());
-  if (visibility)
-    *visibility = {rows, static_cast<std::uint32_t>(luminaires.size()),
-                   std::vector<std::uint8_t>(light.size())};
+  std::uint8_t* const visible = stepsOf(visibility, rows, luminaires.size());
   const RowLight rowLight(room, tracer, luminaires, options);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
   const auto lightRows = [&](std::size_t portion) {
     const auto first = static_cast<std::uint32_t>(portion) * kRows;
     for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p)
-      rowLight.row(p, rows, light.data() + p, visibility ? visibility->steps.data() + p : nullptr);
+      rowLight.row(p, rows, light.data() + p, visible ? visible + p : nullptr);
   };
   parallelFor((rows + kRows - 1) / kRows, options.threads, lightRows, options.progress);
   return light;
@@ -253,10 +258,12 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
 std::vector<float> directLightOfRows(const Room& room, const RayTracer& tracer,
                                      const std::vector<Luminaire>& luminaires,
                                      const DirectLightOptions& options, std::uint32_t first,
-                                     std::uint32_t count) {
+                                     std::uint32_t count, SiteVisibility* visibility) {
   const RowLight rowLight(room, tracer, luminaires, options);
   std::vector<float> light(count * luminaires.size());
-  for (std::uint32_t i = 0; i < count; ++i) rowLight.row(first + i, count, light.data() + i, nullptr);
+  std::uint8_t* const visible = stepsOf(visibility, count, luminaires.size());
+  for (std::uint32_t i = 0; i < count; ++i)
+    rowLight.row(first + i, count, light.data() + i, visible ? visible + i : nullptr);
   return light;
 }
 

@@ -35,7 +35,7 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
 std::vector<float> directLightOfRows(const Room& room, const RayTracer& tracer,
                                      const std::vector<Luminaire>& luminaires,
                                      const DirectLightOptions& options, std::uint32_t first,
-                                     std::uint32_t count);
+                                     std::uint32_t count, SiteVisibility* visibility = nullptr);
 
 /// Illuminance (lx) at a point by one luminaire, `split` x `split` shadow rays on the source (one for a point
 /// source).

@@ -1,5 +1,6 @@
-// Numbers as they lie in memory: first row, rows; of each row its lost share, U, and near patches and slopes
-// after their numbers; then direct light.
+// Numbers as they lie in memory. Cast: first row, rows; of each row its lost share, U, and near patches and
+// slopes after their numbers; then direct light and visible shares. Solved: the block, and its lists after
+// their numbers.
 #include "precompute/light/light_part.h"
 
 #include <cstring>
@@ -21,6 +22,11 @@ class Writer {
   void putCount(std::size_t count) {
     const auto value = static_cast<std::uint32_t>(count);
     put(&value, 1);
+  }
+  template <class T>
+  void putList(const std::vector<T>& values) {
+    putCount(values.size());
+    put(values.data(), values.size());
   }
 
  private:
@@ -46,16 +52,22 @@ class Reader {
     rest_ = rest_.subspan(sizeof(T));
     return true;
   }
+  template <class T>
+  bool takeList(std::vector<T>& values) {
+    std::uint32_t count = 0;
+    return take(count) && take(values, count);
+  }
   bool isAtEnd() const { return rest_.empty(); }
 
  private:
   std::span<const std::uint8_t> rest_;
 };
 
+const Error kDamaged{"a part of the light is damaged"};
+
 bool takeRow(Reader& from, std::size_t clusters, FormFactorRow& row) {
-  std::uint32_t near = 0, slopes = 0;
-  return from.take(row.lost) && from.take(row.u, clusters) && from.take(near) && from.take(row.near, near) &&
-         from.take(slopes) && from.take(row.slopes, slopes);
+  return from.take(row.lost) && from.take(row.u, clusters) && from.takeList(row.near) &&
+         from.takeList(row.slopes);
 }
 
 }  // namespace
@@ -68,27 +80,48 @@ std::vector<std::uint8_t> encodeLightPart(const LightPart& part) {
   for (const FormFactorRow& row : part.rows) {
     to.put(&row.lost, 1);
     to.put(row.u.data(), row.u.size());
-    to.putCount(row.near.size());
-    to.put(row.near.data(), row.near.size());
-    to.putCount(row.slopes.size());
-    to.put(row.slopes.data(), row.slopes.size());
+    to.putList(row.near);
+    to.putList(row.slopes);
   }
   to.put(part.direct.data(), part.direct.size());
+  to.put(part.visible.data(), part.visible.size());
   return bytes;
 }
 
 Result<LightPart> decodeLightPart(std::span<const std::uint8_t> bytes, std::size_t clusters,
-                                  std::size_t sites) {
-  const Error damaged{"a part of the light is damaged"};
+                                  std::size_t sites, bool isVisible) {
   Reader from(bytes);
   LightPart part;
   std::uint32_t rows = 0;
-  if (!from.take(part.first) || !from.take(rows)) return damaged;
+  if (!from.take(part.first) || !from.take(rows)) return kDamaged;
   for (std::uint32_t i = 0; i < rows; ++i) {
     part.rows.emplace_back();
-    if (!takeRow(from, clusters, part.rows.back())) return damaged;
+    if (!takeRow(from, clusters, part.rows.back())) return kDamaged;
   }
-  if (!from.take(part.direct, rows * sites) || !from.isAtEnd()) return damaged;
+  if (!from.take(part.direct, rows * sites)) return kDamaged;
+  if (!from.take(part.visible, isVisible ? rows * sites : 0) || !from.isAtEnd()) return kDamaged;
+  return part;
+}
+
+std::vector<std::uint8_t> encodeSolvedPart(const SolvedPart& part) {
+  std::vector<std::uint8_t> bytes;
+  Writer to(bytes);
+  to.putCount(part.block);
+  to.putList(part.solved.illuminance);
+  to.putList(part.solved.squares);
+  to.putList(part.solved.exchange.means);
+  to.putList(part.solved.exchange.rest);
+  return bytes;
+}
+
+Result<SolvedPart> decodeSolvedPart(std::span<const std::uint8_t> bytes) {
+  Reader from(bytes);
+  SolvedPart part;
+  SolvedBlock& solved = part.solved;
+  const bool isWhole = from.take(part.block) && from.takeList(solved.illuminance) &&
+                       from.takeList(solved.squares) && from.takeList(solved.exchange.means) &&
+                       from.takeList(solved.exchange.rest) && from.isAtEnd();
+  if (!isWhole) return kDamaged;
   return part;
 }
 

@@ -1,15 +1,31 @@
 #include "precompute/pipeline/scene_parts.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <utility>
 
 #include "precompute/base/error.h"
 #include "precompute/light/cast_light.h"
+#include "precompute/light/interreflection.h"
 #include "precompute/light/light_part.h"
 #include "precompute/pipeline/steps.h"
 
 namespace fiatlux {
+namespace {
+
+constexpr const char* kMissing = "parts of the light are missing";
+constexpr const char* kElsewhere = "a part of the light is of another room";
+
+/// Column `column` of a part, `rows` long, to its place.
+template <class T>
+void putRows(const std::vector<T>& part, std::size_t column, std::size_t rows, std::vector<T>& all,
+             std::size_t at) {
+  const auto from = part.begin() + static_cast<std::ptrdiff_t>(column * rows);
+  std::copy(from, from + static_cast<std::ptrdiff_t>(rows), all.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+}  // namespace
 
 struct SceneParts::State {
   std::string name;  // of the model's file
@@ -19,6 +35,9 @@ struct SceneParts::State {
   std::optional<FormFactorCaster> caster;  // once it is needed
   CastLight light;                         // added so far
   std::optional<std::uint32_t> missing;    // rows, once there are some
+  std::unique_ptr<Interreflection> solver;  // of all rows
+  SolvedLight solved;                      // joined so far
+  std::uint32_t unsolved = 0;              // blocks
 };
 
 Result<SceneParts> SceneParts::open(ModelFile model, SceneOptions options, Host host) {
@@ -27,7 +46,7 @@ Result<SceneParts> SceneParts::open(ModelFile model, SceneOptions options, Host 
     SceneOptions same = consistent(std::move(options), host);
     OpenedRoom room = opened(model, same.room, host);
     return SceneParts(std::make_unique<State>(
-        State{model.name, std::move(same), std::move(host), std::move(room), {}, {}, {}}));
+        State{model.name, std::move(same), std::move(host), std::move(room), {}, {}, {}, {}, {}}));
   };
   return atDoor(open, kNoMemory);
 }
@@ -39,16 +58,20 @@ SceneParts::~SceneParts() = default;
 
 const Room& SceneParts::room() const { return state_->opened.room; }
 
+double SceneParts::bytes() const { return bytesNeeded(countsOf(state_->options.room, room())); }
+
 Result<std::vector<std::uint8_t>> SceneParts::cast(std::uint32_t first, std::uint32_t rows) {
   assert(first + rows <= room().patches.rows());
   const auto cast = [&] {
     const auto& [source, room, tracer] = state_->opened;
     const TransportOptions& options = state_->options.transport;
     if (!state_->caster) state_->caster.emplace(room, tracer, castOptionsOf(options));
-    LightPart part{first, {}, {}};
+    LightPart part{first, {}, {}, {}};
     for (std::uint32_t p = first; p < first + rows; ++p) part.rows.push_back(state_->caster->row(p));
-    part.direct =
-        directLightOfRows(room, tracer, siteLuminaires(room), directOptionsOf(options), first, rows);
+    SiteVisibility visibility;
+    part.direct = directLightOfRows(room, tracer, siteLuminaires(room), directOptionsOf(options), first, rows,
+                                    options.exchange ? &visibility : nullptr);
+    part.visible = std::move(visibility.steps);
     return encodeLightPart(part);
   };
   return atDoor(cast, kNoMemory);
@@ -57,21 +80,25 @@ Result<std::vector<std::uint8_t>> SceneParts::cast(std::uint32_t first, std::uin
 Result<Done> SceneParts::add(std::span<const std::uint8_t> bytes) {
   const auto add = [&] {
     const auto& [source, room, tracer] = state_->opened;
-    const LightPart part = orThrow(decodeLightPart(bytes, room.patches.clusterCount, room.sites.size()));
+    const bool isVisible = state_->options.transport.exchange;
+    const LightPart part =
+        orThrow(decodeLightPart(bytes, room.patches.clusterCount, room.sites.size(), isVisible));
     const std::uint32_t all = room.patches.rows();
-    if (part.first > all || part.rows.size() > all - part.first)
-      throw CommandError("a part of the light is of another room");
+    if (part.first > all || part.rows.size() > all - part.first) throw CommandError(kElsewhere);
     CastLight& light = state_->light;
     if (light.factors.rows == 0) {
       if (!state_->caster) state_->caster.emplace(room, tracer, castOptionsOf(state_->options.transport));
       light.factors = state_->caster->withoutRows();
       light.direct.resize(std::size_t{all} * room.sites.size());
+      if (isVisible)
+        light.visibility = {all, static_cast<std::uint32_t>(room.sites.size()),
+                            std::vector<std::uint8_t>(light.direct.size())};
       state_->missing = all;
     }
-    for (std::uint32_t i = 0; i < part.rows.size(); ++i) {
-      setRow(light.factors, part.first + i, part.rows[i]);
-      for (std::size_t j = 0; j < room.sites.size(); ++j)
-        light.direct[j * all + part.first + i] = part.direct[j * part.rows.size() + i];
+    for (std::uint32_t i = 0; i < part.rows.size(); ++i) setRow(light.factors, part.first + i, part.rows[i]);
+    for (std::size_t j = 0; j < room.sites.size(); ++j) {
+      putRows(part.direct, j, part.rows.size(), light.direct, j * all + part.first);
+      if (isVisible) putRows(part.visible, j, part.rows.size(), light.visibility.steps, j * all + part.first);
     }
     *state_->missing -= static_cast<std::uint32_t>(part.rows.size());
     return Done{};
@@ -79,13 +106,43 @@ Result<Done> SceneParts::add(std::span<const std::uint8_t> bytes) {
   return atDoor(add, kNoMemory);
 }
 
+Result<std::uint32_t> SceneParts::prepare() {
+  const auto prepare = [&] {
+    if (state_->missing != 0) throw CommandError(kMissing);
+    const auto& [source, room, tracer] = state_->opened;
+    state_->caster.reset();
+    state_->solver =
+        std::make_unique<Interreflection>(room, tracer, state_->light, state_->options.transport);
+    state_->solved = state_->solver->unsolved();
+    return state_->unsolved = state_->solver->blocks();
+  };
+  return atDoor(prepare, kNoMemory);
+}
+
+Result<std::vector<std::uint8_t>> SceneParts::solve(std::uint32_t block) {
+  assert(state_->solver && block < state_->solver->blocks());
+  return atDoor([&] { return encodeSolvedPart({block, state_->solver->solve(block)}); }, kNoMemory);
+}
+
+Result<Done> SceneParts::join(std::span<const std::uint8_t> bytes) {
+  assert(state_->solver);
+  const auto join = [&] {
+    SolvedPart part = orThrow(decodeSolvedPart(bytes));
+    if (!state_->solver->isOf(part.block, part.solved)) throw CommandError(kElsewhere);
+    state_->solver->put(part.block, std::move(part.solved), state_->solved);
+    --state_->unsolved;
+    return Done{};
+  };
+  return atDoor(join, kNoMemory);
+}
+
 Result<MadeScene> SceneParts::assemble() {
   const auto assemble = [&] {
+    if (!state_->solver || state_->unsolved != 0) throw CommandError(kMissing);
     const auto& [source, room, tracer] = state_->opened;
-    if (state_->missing != 0) throw CommandError("parts of the light are missing");
-    state_->caster.reset();
-    Transport transport =
-        orThrow(completeTransport(room, tracer, std::exchange(state_->light, {}), state_->options.transport));
+    state_->solver.reset();
+    Transport transport = completeTransport(room, std::exchange(state_->light, {}),
+                                            std::exchange(state_->solved, {}), state_->options.transport);
     return fileOf(state_->name, source, room, std::move(transport), state_->options, state_->host);
   };
   return atDoor(assemble, kNoMemory);

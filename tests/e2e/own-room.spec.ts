@@ -8,6 +8,9 @@ import { drop, expect, expectLit, openRoom, places, settled, status, test } from
 const scenes = path.join(import.meta.dirname, '../../public/scenes');
 const patience = { timeout: 400_000 }; // for light to be computed; nothing measures time
 
+const spot =
+  'IESNA:LM-63-2002\r\nTILT=NONE\r\n1 1000 1 3 1 1 2 0.1 0.1 0\r\n1 1 10\r\n0 40 90\r\n0\r\n900 300 0\r\n';
+
 const working = (page: Page) => page.getByRole('region', { name: 'Light is being computed' });
 
 test('a dropped model is lit, solved and kept', async ({ page }) => {
@@ -24,6 +27,11 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
   await expect(working(page)).toHaveCount(0, patience);
   await expect(status(page)).toHaveText(/^(Settled|As given)$/);
   expect((await places(page)).length).toBe(draft.length);
+
+  await drop(page, { 'spot.ies': spot });
+  const card = page.getByRole('article', { name: 'spot' });
+  await expect(card).toContainText(/\d used/, { timeout: 60_000 });
+  await expectLit(page);
 
   await page.getByRole('banner').getByRole('button').first().click();
   const gallery = page.getByRole('dialog', { name: 'Rooms' });

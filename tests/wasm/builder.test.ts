@@ -6,6 +6,11 @@ import path from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { describe, expect, test } from '@jest/globals';
 import { askedOfUnknown, documentFrom } from '../../web/app/rooms/opening-wish.ts';
+import { candidatesOf } from '../../web/document/candidates.ts';
+import type { LuminaireType, SceneInfo } from '../../web/document/types.ts';
+import { beginCandidates } from '../../web/solver/mounted-session.ts';
+import { openScene } from '../../web/solver/open-scene.ts';
+import { wholeFile } from '../../web/solver/scene-stream.ts';
 import { usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
 import { Stopped, type BuildProgress } from '../../web/builder/pool.ts';
 import { intentionsOf } from '../../web/document/intentions.ts';
@@ -16,14 +21,14 @@ import { loadBuiltCore, openFile, root } from './solver-module.ts';
 
 const box = new Uint8Array(readFileSync(path.join(root, 'public/scenes/box.glb')));
 const coarse: BuildOptions = { ...usualOptions, patch: 0.5, rays: 64, siteSpacing: 0.8 };
-const silent = { signal: new AbortController().signal, tell: () => undefined };
+const quiet = () => ({ signal: new AbortController().signal, tell: () => undefined });
 const modelOf = (bytes: Uint8Array<ArrayBuffer>, name = 'box.glb'): Model => ({
   name,
   bytes,
   siblings: new Map(),
 });
 const build = (workers: number, options = coarse, bytes = box) =>
-  poolOf(workers).build({ model: modelOf(bytes), options, ...silent });
+  poolOf(workers).build({ model: modelOf(bytes), options, ...quiet() });
 
 /** Means and sigmas of all surfaces under some layouts. */
 async function statisticsOf(file: Uint8Array): Promise<number[]> {
@@ -43,6 +48,49 @@ async function statisticsOf(file: Uint8Array): Promise<number[]> {
   return values;
 }
 
+const ies = new TextEncoder().encode(
+  'IESNA:LM-63-2002\r\nTILT=NONE\r\n1 1000 1 3 1 1 2 0.1 0.1 0\r\n1 1 10\r\n0 40 90\r\n0\r\n900 300 0\r\n',
+);
+const spot: LuminaireType = {
+  id: 't1',
+  name: 'spot',
+  maker: '',
+  file: 'spot.ies',
+  hash: '0',
+  flux: 1000,
+  watts: 10,
+  isAllowed: true,
+  count: [0, 9],
+  turns: [0],
+  tilt: 0,
+  aims: [],
+};
+
+/** lx of every row by a luminaire of a photometric file. */
+async function lightOfSpot(file: Uint8Array<ArrayBuffer>): Promise<Float32Array> {
+  const core = await loadBuiltCore();
+  const room = new core.Session();
+  let scene!: SceneInfo;
+  await openScene(room, wholeFile(file.slice().buffer), () => true, {
+    room: () => undefined,
+    scene: (opened) => void (scene = opened),
+    ready: () => undefined,
+  });
+  expect(scene.hasOperator).toBe(true);
+  const candidates = candidatesOf([spot], () => undefined, scene).filter(({ site }) => site === 7);
+  const making = new core.Candidates();
+  beginCandidates(making, room, candidates, () => ies);
+  while (!making.advance(1)) continue;
+  const session = new core.Session();
+  session.adopt(making, 0);
+  const { intentions } = intentionsOf(documentFrom(askedOfUnknown(scene.surfaces, 25), '', ''));
+  const one = { ...intentions, luminaires: { ...intentions.luminaires, count: 1 } };
+  expect(session.setIntentions(coreIntentions(one, scene.surfaces))).toBe('');
+  const shown = session.show(Uint32Array.of(0), Float64Array.of(1000), 1);
+  if (typeof shown === 'string') throw new Error(shown);
+  return shown.illuminance;
+}
+
 test('the module is as small as a page can bear', () => {
   const params = { [constants.BROTLI_PARAM_QUALITY]: 9 };
   expect(brotliCompressSync(moduleBytes(), { params }).length).toBeLessThan(450e3);
@@ -53,7 +101,7 @@ test('1, 2 and 4 workers make the same file, as the command makes it but for rou
   const one = await poolOf(1).build({
     model: modelOf(box),
     options: coarse,
-    signal: silent.signal,
+    signal: new AbortController().signal,
     tell: (progress) => told.push(progress),
   });
   for (const workers of [2, 4]) {
@@ -80,11 +128,16 @@ test('1, 2 and 4 workers make the same file, as the command makes it but for rou
     const tolerance = [0.001, 0.005, 0.02, 0.02][index % 4]!; // mean, sigma, least, most
     expect(Math.abs(ours[index]! - value)).toBeLessThanOrEqual(tolerance * Math.max(value, 1e-9));
   }
+  const spotted = await lightOfSpot(new Uint8Array(one.file));
+  const truth = await lightOfSpot(new Uint8Array(readFileSync(flux)));
+  const sum = (values: Float32Array) => values.reduce((total, value) => total + value, 0);
+  expect(sum(spotted)).toBeGreaterThan(0);
+  expect(Math.abs(sum(spotted) / sum(truth) - 1)).toBeLessThan(0.001);
 }, 60_000);
 
 test('a draft has longer patches and the same places', async () => {
   const options = { ...coarse, patch: 0 };
-  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: 6, ...silent });
+  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: 6, ...quiet() });
   expect(room.patchSize).toBeGreaterThan(0.3);
   expect(room.sites).toBe(25);
 }, 60_000);

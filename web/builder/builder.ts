@@ -12,6 +12,7 @@ export interface BuildOptions {
   readonly siteSize: number; // m
   readonly memory: number; // GB, refused above
   readonly seed: number;
+  readonly exchange: boolean; // the operator behind the light, too: what luminaires of photometric files need
 }
 
 /** As the command would do it, within what a browser gives a page. */
@@ -24,6 +25,7 @@ export const usualOptions: BuildOptions = {
   siteSize: 0,
   memory: 1.5,
   seed: 1,
+  exchange: true,
 };
 
 /** What an opened room consists of. */
@@ -32,6 +34,7 @@ export interface RoomCounts {
   readonly sites: number;
   readonly clusters: number;
   readonly patchSize: number; // m
+  readonly memory: number; // GB that a builder needs which does all of it
   readonly warnings: readonly string[];
 }
 
@@ -51,7 +54,13 @@ export interface Builder {
   cast(first: number, rows: number): Uint8Array<ArrayBuffer> | string;
   /** A part that was cast here or by another builder of the same room; '' where all is well. */
   add(part: Uint8Array): string;
-  /** The scene file, once every row was added. */
+  /** How many blocks there are to solve, once every row was added. */
+  prepare(): number | string;
+  /** Block 0, 1, ... of what follows from all rows, for `join`; prepared. */
+  solve(block: number): Uint8Array<ArrayBuffer> | string;
+  /** A block that was solved here or by another builder of the same room; '' where all is well. */
+  join(part: Uint8Array): string;
+  /** The scene file, once every block was joined. */
   assemble(): Uint8Array<ArrayBuffer> | string;
 }
 

@@ -47,6 +47,19 @@ export class BuilderDriver {
         if (fault) throw new Refusal(fault);
         return this.#post({ type: 'added' }, []);
       }
+      case 'prepare': {
+        const blocks = valid(builder.prepare());
+        return this.#post({ type: 'prepared', blocks }, []);
+      }
+      case 'solve': {
+        const part = valid(builder.solve(message.block));
+        return this.#post({ type: 'solved', part }, [part.buffer]);
+      }
+      case 'join': {
+        const fault = builder.join(message.part);
+        if (fault) throw new Refusal(fault);
+        return this.#post({ type: 'joined' }, []);
+      }
       case 'assemble': {
         const file = valid(builder.assemble());
         return this.#post({ type: 'assembled', file }, [file.buffer]);
@@ -75,7 +88,7 @@ export class BuilderDriver {
 class Refusal extends Error {}
 
 /** The value, where it is no line that says what is wrong. */
-function valid<T extends object>(value: T | string): T {
+function valid<T extends object | number>(value: T | string): T {
   if (typeof value === 'string') throw new Refusal(value);
   return value;
 }
@@ -85,7 +98,7 @@ function lineOf(error: unknown): string {
   if (error instanceof Refusal)
     return error.message
       .replace('--memory allows', 'a page may use')
-      .replace(/pass (a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
+      .replace(/pass (.*a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
   const what = error instanceof Error ? error.message : String(error);
   if (/memory|allocation|OOM/i.test(what) && !/out of bounds/i.test(what))
     return 'not enough memory in this browser: close other pages, or make the room smaller';

@@ -1,6 +1,7 @@
 /**
- * Makes a scene file with several workers that share no memory: each opens the room, takes ranges of rows as it becomes
- * free, and hands what it has cast to the first one, which makes the file of it. The file does not depend on their number.
+ * Makes a scene file with several workers that share no memory. Each opens the room and takes ranges of rows as it becomes
+ * free; what it has cast is handed to all that go on. These take blocks of what follows of it, and hand what they have
+ * solved to the first one, which makes the file. The file does not depend on their number.
  */
 import type { BuildOptions, Compiled, RoomCounts } from './builder.ts';
 import type { FromBuilder, Model, ToBuilder } from './protocol.ts';
@@ -39,19 +40,13 @@ export interface BuildWish {
 /** Where each stage begins and ends in the whole. */
 const spans: Record<Stage, readonly [number, number]> = {
   reading: [0, 0.03],
-  casting: [0.03, 0.75],
-  exchanging: [0.75, 0.93],
+  casting: [0.03, 0.7],
+  exchanging: [0.7, 0.93],
   writing: [0.93, 1],
 };
 
-/** Stages of the pipeline that the first worker goes through alone. */
-const assembling: Readonly<Record<string, Stage>> = {
-  'low-rank radiosity': 'exchanging',
-  interreflection: 'exchanging',
-  statistics: 'writing',
-  'display mesh': 'writing',
-  'scene file': 'writing',
-};
+/** Stages of the pipeline that the first worker goes through alone, and how far it is then with writing. */
+const writing: Readonly<Record<string, number>> = { 'display mesh': 0.3, 'scene file': 0.4 };
 
 const portions = 96; // that the rows are handed out in
 const leastRows = 16; // of one
@@ -97,34 +92,29 @@ export function usualWorkers(): number {
 
 class Run {
   readonly #wish: BuildWish;
-  readonly #members: readonly Member[];
   readonly #chief: Member;
+  readonly #others: readonly Member[];
   #options: BuildOptions;
-  #next = 0; // the first row that nobody has
-  #done = 0; // rows that were added
+  #solvers: readonly Member[]; // who goes on when all is cast, the chief first
 
   constructor(wish: BuildWish, members: readonly Member[]) {
-    const [chief] = members;
+    const [chief, ...others] = members;
     if (!chief) throw new Error('a pool needs a worker');
     this.#wish = wish;
     this.#options = wish.options;
-    this.#members = members;
+    this.#solvers = [chief];
     this.#chief = chief;
+    this.#others = others;
   }
 
   async build(): Promise<Built> {
     this.#tell('reading', 0);
     const room = await this.#openFirst();
-    this.#tell('casting', 0);
-    const others = this.#members.slice(1).map(async (member) => {
-      await this.#open(member);
-      await this.#work(member, room.rows);
-    });
-    await Promise.all([this.#work(this.#chief, room.rows), ...others]);
-    this.#chief.told = (stage, share) => {
-      const now = assembling[stage];
-      if (now) this.#tell(now, share);
-    };
+    this.#solvers = [this.#chief, ...this.#others.slice(0, mostSolvers(this.#options, room) - 1)];
+    await this.#cast(room.rows);
+    await this.#solve();
+    this.#tell('writing', 0);
+    this.#chief.told = (stage) => this.#tell('writing', writing[stage] ?? 0);
     const { file } = await this.#chief.ask({ type: 'assemble' }, 'assembled');
     return { file: file.buffer, room };
   }
@@ -143,31 +133,85 @@ class Run {
     return (await member.ask({ type: 'open', model, options: this.#options }, 'opened')).room;
   }
 
-  /** Takes rows as long as there are any. */
-  async #work(member: Member, all: number): Promise<void> {
+  /** All rows, in portions. */
+  async #cast(all: number): Promise<void> {
     const portion = Math.max(leastRows, Math.ceil(all / portions));
-    const adding: Promise<void>[] = [];
-    while (this.#next < all) {
-      const first = this.#next;
-      const rows = Math.min(portion, all - first);
-      this.#next += rows;
-      const { part } = await member.ask({ type: 'cast', first, rows }, 'cast');
-      const added = this.#add(part, rows, all);
-      added.catch(() => undefined); // told by the wait below
-      adding.push(added);
-    }
-    await Promise.all(adding);
+    const pieces = new Pieces(Math.ceil(all / portion), (share) => this.#tell('casting', share));
+    const work = (member: Member) =>
+      pieces.work(
+        async (index) => {
+          const first = index * portion;
+          const rows = Math.min(portion, all - first);
+          return (await member.ask({ type: 'cast', first, rows }, 'cast')).part;
+        },
+        (part) => this.#add(part),
+      );
+    const others = this.#others.map(async (member) => {
+      await this.#open(member);
+      await work(member);
+    });
+    await Promise.all([work(this.#chief), ...others]);
+    for (const member of this.#others) if (!this.#solvers.includes(member)) member.end();
   }
 
-  async #add(part: Uint8Array<ArrayBuffer>, rows: number, all: number): Promise<void> {
-    await this.#chief.ask({ type: 'add', part }, 'added', [part.buffer]);
-    this.#done += rows;
-    this.#tell('casting', this.#done / all);
+  /** Everyone who goes on needs all that was cast. */
+  async #add(part: Uint8Array<ArrayBuffer>): Promise<void> {
+    const copied = this.#solvers.slice(1).map((member) => member.ask({ type: 'add', part }, 'added'));
+    await Promise.all([...copied, this.#chief.ask({ type: 'add', part }, 'added', [part.buffer])]);
+  }
+
+  async #solve(): Promise<void> {
+    this.#tell('exchanging', 0);
+    const prepared = await Promise.all(
+      this.#solvers.map((member) => member.ask({ type: 'prepare' }, 'prepared')),
+    );
+    const pieces = new Pieces(prepared[0]!.blocks, (share) => this.#tell('exchanging', share));
+    const work = (member: Member) =>
+      pieces.work(
+        async (block) => (await member.ask({ type: 'solve', block }, 'solved')).part,
+        (part) => this.#chief.ask({ type: 'join', part }, 'joined', [part.buffer]),
+      );
+    await Promise.all(this.#solvers.map(work));
   }
 
   #tell(stage: Stage, share: number): void {
     const [begin, end] = spans[stage];
     this.#wish.tell({ stage, share: begin + share * (end - begin) });
+  }
+}
+
+/** Every holder holds about what the room needs. */
+function mostSolvers({ memory }: BuildOptions, room: RoomCounts): number {
+  return Math.max(1, Math.floor(memory / room.memory));
+}
+
+/** Numbered pieces of work, taken by whoever is free. */
+class Pieces {
+  readonly #count: number;
+  readonly #tell: (share: number) => void;
+  #next = 0; // the first piece that nobody has
+  #done = 0;
+
+  constructor(count: number, tell: (share: number) => void) {
+    this.#count = count;
+    this.#tell = tell;
+  }
+
+  /** Takes pieces as long as there are any; does not wait for one to be handed on before it takes the next. */
+  async work<T>(make: (index: number) => Promise<T>, hand: (made: T) => Promise<unknown>): Promise<void> {
+    const handing: Promise<void>[] = [];
+    while (this.#next < this.#count) {
+      const handed = this.#finish(hand(await make(this.#next++)));
+      handed.catch(() => undefined); // told by the wait below
+      handing.push(handed);
+    }
+    await Promise.all(handing);
+  }
+
+  async #finish(handed: Promise<unknown>): Promise<void> {
+    await handed;
+    this.#done += 1;
+    this.#tell(this.#done / this.#count);
   }
 }
 

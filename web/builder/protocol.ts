@@ -13,12 +13,18 @@ export type ToBuilder =
   | { readonly type: 'open'; readonly model: Model; readonly options: BuildOptions } // -> opened
   | { readonly type: 'cast'; readonly first: number; readonly rows: number } // -> cast
   | { readonly type: 'add'; readonly part: Uint8Array<ArrayBuffer> } // -> added
+  | { readonly type: 'prepare' } // -> prepared
+  | { readonly type: 'solve'; readonly block: number } // -> solved
+  | { readonly type: 'join'; readonly part: Uint8Array<ArrayBuffer> } // -> joined
   | { readonly type: 'assemble' }; // -> assembled
 
 export type FromBuilder =
   | { readonly type: 'opened'; readonly room: RoomCounts }
   | { readonly type: 'cast'; readonly part: Uint8Array<ArrayBuffer> }
   | { readonly type: 'added' }
+  | { readonly type: 'prepared'; readonly blocks: number }
+  | { readonly type: 'solved'; readonly part: Uint8Array<ArrayBuffer> }
+  | { readonly type: 'joined' }
   | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer> }
   | { readonly type: 'failed'; readonly message: string } // instead of an answer
   | { readonly type: 'told'; readonly stage: string; readonly share: number }; // at any time

@@ -1,4 +1,5 @@
-// The pipeline in parts makes the file that it makes as a whole, however the rows are split (light_part).
+// The pipeline in parts makes the file that it makes as a whole, however rows and blocks are split
+// (light_part, interreflection).
 #include "precompute/pipeline/scene_parts.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,12 @@ namespace {
 
 using testing::boxModel;
 using testing::plainHost;
-using testing::quickOptions;
+
+SceneOptions quickOptions() {
+  SceneOptions options = testing::quickOptions();
+  options.transport.exchange = true;
+  return options;
+}
 
 SceneParts openedBox() {
   auto parts = SceneParts::open(boxModel(), quickOptions(), plainHost());
@@ -29,6 +35,16 @@ TEST(SceneParts, AreTheWholeWhoeverCastsThem) {
     const auto part = (turn % 2 == 0 ? first : second).cast(at, count);
     ASSERT_TRUE(part) << part.error().message;
     ASSERT_TRUE(first.add(*part));
+    ASSERT_TRUE(second.add(*part));
+  }
+  const auto blocks = first.prepare();
+  ASSERT_TRUE(blocks) << blocks.error().message;
+  EXPECT_GT(*blocks, 2u);  // of sites and of groups
+  EXPECT_EQ(second.prepare().value(), *blocks);
+  for (std::uint32_t block = *blocks; block-- > 0;) {
+    const auto part = (block % 2 == 0 ? first : second).solve(block);
+    ASSERT_TRUE(part) << part.error().message;
+    ASSERT_TRUE(first.join(*part));
   }
   const auto made = first.assemble();
   ASSERT_TRUE(made) << made.error().message;
@@ -41,6 +57,7 @@ TEST(SceneParts, WantAllRowsOfOneRoom) {
   const auto part = parts.cast(0, 10);
   ASSERT_TRUE(part);
   ASSERT_TRUE(parts.add(*part));
+  EXPECT_EQ(parts.prepare().error().message, "parts of the light are missing");
   EXPECT_EQ(parts.assemble().error().message, "parts of the light are missing");
 
   std::vector<std::uint8_t> cut(part->begin(), part->end() - 1), elsewhere = *part;
@@ -49,9 +66,29 @@ TEST(SceneParts, WantAllRowsOfOneRoom) {
   EXPECT_EQ(parts.add(elsewhere).error().message, "a part of the light is of another room");
 }
 
+TEST(SceneParts, WantAllBlocksOfOneRoom) {
+  SceneParts parts = openedBox();
+  ASSERT_TRUE(parts.add(parts.cast(0, parts.room().patches.rows()).value()));
+  const std::uint32_t blocks = parts.prepare().value();
+  const std::vector<std::uint8_t> first = parts.solve(0).value();
+  ASSERT_TRUE(parts.join(first));
+  EXPECT_EQ(parts.assemble().error().message, "parts of the light are missing");
+
+  const std::vector<std::uint8_t> cut(first.begin(), first.end() - 1);
+  EXPECT_EQ(parts.join(cut).error().message, "a part of the light is damaged");
+  for (const std::uint32_t block : {blocks - 1, blocks}) {
+    std::vector<std::uint8_t> elsewhere = first;
+    elsewhere[0] = static_cast<std::uint8_t>(block);
+    EXPECT_EQ(parts.join(elsewhere).error().message, "a part of the light is of another room");
+  }
+}
+
 TEST(LightPart, ComesBackAsItWas) {
-  LightPart part{7, {{{0.25f, 0.5f}, {{3, 0.125f}}, {{1, 5, -6}}, 0.1f}, {{0, 1}, {}, {}, 0}}, {1, 2, 3, 4}};
-  const auto read = decodeLightPart(encodeLightPart(part), 2, 2);
+  LightPart part{7,
+                 {{{0.25f, 0.5f}, {{3, 0.125f}}, {{1, 5, -6}}, 0.1f}, {{0, 1}, {}, {}, 0}},
+                 {1, 2, 3, 4},
+                 {5, 6, 7, 8}};
+  const auto read = decodeLightPart(encodeLightPart(part), 2, 2, true);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->first, 7u);
   ASSERT_EQ(read->rows.size(), 2u);
@@ -60,8 +97,23 @@ TEST(LightPart, ComesBackAsItWas) {
   EXPECT_EQ(read->rows[0].slopes, part.rows[0].slopes);
   EXPECT_EQ(read->rows[0].lost, part.rows[0].lost);
   EXPECT_EQ(read->direct, part.direct);
-  EXPECT_FALSE(decodeLightPart(encodeLightPart(part), 3, 2));
-  EXPECT_FALSE(decodeLightPart({}, 2, 2));
+  EXPECT_EQ(read->visible, part.visible);
+  EXPECT_FALSE(decodeLightPart(encodeLightPart(part), 3, 2, true));
+  EXPECT_FALSE(decodeLightPart(encodeLightPart(part), 2, 2, false));
+  EXPECT_FALSE(decodeLightPart({}, 2, 2, true));
+}
+
+TEST(SolvedPart, ComesBackAsItWas) {
+  const SolvedPart part{3, {{1, 2}, {0.5}, {{4, 5, 6}, {{7, 8, 9}}}}};
+  const auto read = decodeSolvedPart(encodeSolvedPart(part));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->block, 3u);
+  EXPECT_EQ(read->solved.illuminance, part.solved.illuminance);
+  EXPECT_EQ(read->solved.squares, part.solved.squares);
+  EXPECT_EQ(read->solved.exchange.means, part.solved.exchange.means);
+  ASSERT_EQ(read->solved.exchange.rest.size(), 1u);
+  EXPECT_EQ(read->solved.exchange.rest[0].group, 8u);
+  EXPECT_FALSE(decodeSolvedPart({}));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ import { sentence } from '../words/format.ts';
 import { carriedOver } from './carried-over.ts';
 import { TimeLeft } from './time-left.ts';
 
-/** The draft: patches so many times as long, and so many rays from each. */
-const draft = { coarseness: 2.5, rays: 256 };
+/** The draft: patches so many times as long, and so many rays from each; light of squares only. */
+const draft = { coarseness: 2.5, rays: 256, exchange: false };
 
 export type CreatePool = () => Promise<BuilderPool>;
 
@@ -111,8 +111,9 @@ export class Lighting {
       lighting.value = { ...begun, stage, share: furthest, secondsLeft };
     };
     const wish = { model, signal, tell };
+    const { coarseness, rays, exchange } = draft;
     return pass === 'draft'
-      ? pool.build({ ...wish, options: { ...usualOptions, rays: draft.rays }, coarseness: draft.coarseness })
+      ? pool.build({ ...wish, options: { ...usualOptions, rays, exchange }, coarseness })
       : pool.build({ ...wish, options: usualOptions });
   }
 

@@ -137,7 +137,11 @@ function Notes({ type, description }: Described) {
       )}
       {!fits && <p class="type-note warn">It fits on no place of this room.</p>}
       {scene && !scene.hasOperator && (
-        <p class="type-note">This room’s file knows Lambertian squares only: compute it again.</p>
+        <p class="type-note">
+          {store.lighting.value && !store.lighting.value.fault
+            ? 'It shines as soon as the room is there in full quality.'
+            : 'This room’s file knows Lambertian squares only: compute it again.'}
+        </p>
       )}
       {warnings.map((text) => (
         <p key={text} class="type-note warn">
