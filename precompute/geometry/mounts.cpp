@@ -38,8 +38,13 @@ std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Fac
     if (!mesh.extras.mount) continue;
     const auto [found, fresh] = ofNode.emplace(mesh.nodeIndex, mounts.size());
     if (fresh)
-      mounts.push_back(
-          {mesh.node, {}, mesh.extras.siteSpacing.value_or(0), mesh.extras.drop.value_or(0), false, false});
+      mounts.push_back({mesh.node,
+                        {},
+                        mesh.extras.siteSpacing.value_or(0),
+                        mesh.extras.siteSize.value_or(0),
+                        mesh.extras.drop.value_or(0),
+                        false,
+                        false});
     mounts[found->second].faces.push_back(face);
   }
   return mounts;
@@ -65,6 +70,7 @@ void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const st
     for (const Face& face : mount.faces) {
       const NodeExtras& extras = source.meshes[face.mesh].extras;
       mount.spacing = extras.siteSpacing.value_or(mount.spacing);
+      mount.size = extras.siteSize.value_or(mount.size);
       mount.drop = extras.drop.value_or(mount.drop);
     }
     mounts.push_back(std::move(mount));
@@ -78,7 +84,7 @@ std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& m
   std::vector<Mount> mounts;
   std::string told;
   for (const Ceiling& ceiling : ceilings) {
-    mounts.push_back({ceiling.name, ceiling.faces, 0, 0, true, !ceiling.isOutdoors});
+    mounts.push_back({ceiling.name, ceiling.faces, 0, 0, 0, true, !ceiling.isOutdoors});
     if (mounts.size() > kMostStoreys) continue;
     told += (told.empty()         ? "'"
              : mounts.size() == 2 ? ", of other storeys '"
@@ -195,7 +201,7 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ra
     const double spacing = options.siteSpacing > 0 ? options.siteSpacing
                            : mount.spacing > 0     ? mount.spacing
                                                    : sensible;
-    const double size = options.siteSize > 0 ? options.siteSize : spacing;
+    const double size = options.siteSize > 0 ? options.siteSize : mount.size > 0 ? mount.size : spacing;
     const double expected = mountArea(mesh, mount.faces) / (spacing * spacing);
     RunCounts counts = countsOf(options, room);
     counts.sites += expected;

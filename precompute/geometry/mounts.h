@@ -16,6 +16,7 @@ struct Mount {
   std::string name;
   std::vector<Face> faces;
   double spacing = 0;       // m, 0 = not said
+  double size = 0;          // m, side of a site's square; 0 = not said
   double drop = 0;          // m, from the mount to its sites
   bool isProposed = false;  // nobody has looked: sites only where there is free space below
   bool isIndoors = false;   // and no open sky above that

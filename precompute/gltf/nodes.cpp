@@ -72,6 +72,7 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
   extras.mount = flag("mount");
   extras.measure = flag("measure");
   extras.siteSpacing = number("siteSpacing", kLeastSpacing, kMostSpacing, "write metres");
+  extras.siteSize = number("siteSize", kLeastSpacing, kMostSpacing, "write metres");
   extras.drop = number("drop", 0, kMostDrop, "write metres");
   const std::string most = shortNumber(kMostReflectance);
   extras.reflectance = number("reflectance", 0, 1, ("write a number from 0 to " + most).c_str());

@@ -37,6 +37,18 @@ void warnOfWhatIsIgnored(const nlohmann::json& json, std::vector<std::string>& w
         "lights and emissive materials of the file do not shine: only the luminaires that are placed do");
 }
 
+/// `extras.fiatlux.plan` of the default scene: carried along, not understood here. Too long ones are left.
+std::string planIn(const nlohmann::json& json) {
+  constexpr std::size_t kLongest = 1 << 16;  // bytes
+  const std::size_t index = json.value("scene", std::size_t{0});
+  if (!json.contains("scenes") || index >= json["scenes"].size()) return {};
+  const nlohmann::json& scene = json["scenes"][index];
+  const nlohmann::json::json_pointer at("/extras/fiatlux/plan");
+  if (!scene.contains(at) || !scene[at].is_array()) return {};
+  std::string text = scene[at].dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() > kLongest ? std::string() : text;
+}
+
 void refuseCompressed(const Model& model) {
   for (const auto& mesh : model.meshes)
     for (const auto& primitive : mesh.primitives) {
@@ -121,6 +133,7 @@ Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, cons
     SourceScene scene;
     scene.warnings = document.warnings;
     scene.hash = document.hash;
+    scene.plan = planIn(document.json);
     warnOfWhatIsIgnored(document.json, scene.warnings);
     const Model model = parseModel(document);
     refuseCompressed(model);

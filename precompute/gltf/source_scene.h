@@ -42,6 +42,7 @@ struct NodeExtras {
   std::optional<double> reflectance;  // 0..0.95
   bool mount = false, measure = false;
   std::optional<double> siteSpacing;  // m
+  std::optional<double> siteSize;     // m
   std::optional<double> drop;         // m, that luminaires hang below the mount
 };
 
@@ -65,6 +66,7 @@ struct SourceScene {
   std::vector<SourceImage> images;
   std::vector<std::string> warnings;
   std::string hash;  // 16 hex digits over the file, its buffers and its images
+  std::string plan;  // JSON of the room plan that the file was made of; empty where it says none
 };
 
 /// The bytes of a file beside a .gltf. Its name is plain and relative to the .gltf's folder: no "..", no

@@ -67,7 +67,8 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
   report.errors = encoded.errors;
   const std::vector<StageSeconds> seconds =
       host.progress ? host.progress->seconds() : std::vector<StageSeconds>{};
-  const std::string provenance = provenanceOf({name, options, room, report, encoded.ranks, seconds});
+  const std::string provenance =
+      provenanceOf({name, source.plan, options, room, report, encoded.ranks, seconds});
   std::vector<std::uint8_t> file = orThrow(closeSceneFile(std::move(encoded), provenance, host.deflate));
   return {std::move(file), room.warnings, std::move(report)};
 }

@@ -86,11 +86,12 @@ double lostShare(const Room& room, const Transport& transport) {
 }
 
 std::string provenanceOf(const Account& account) {
-  const auto& [source, options, room, report, ranks, seconds] = account;
+  const auto& [source, plan, options, room, report, ranks, seconds] = account;
   Json json;
   json["program"] = programVersion();
   json["method"] = kMethodVersion;
   json["source"] = {{"file", source.substr(source.rfind('/') + 1)}, {"hash", room.sourceHash}};
+  if (!plan.empty()) json["plan"] = Json::parse(plan);
   json["patchSize"] = room.patchSize;
   json["options"] = optionsJson(options);
   json["seconds"] = secondsJson(seconds);

@@ -20,6 +20,7 @@ double lostShare(const Room& room, const Transport& transport);
 
 struct Account {
   const std::string& source;  // name of the model's file
+  const std::string& plan;    // of the room, JSON; empty where there is none
   const SceneOptions& options;
   const Room& room;
   const SceneReport& report;

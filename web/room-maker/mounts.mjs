@@ -1,5 +1,5 @@
-// The ceiling of a made room and where its luminaires may hang: on all of it, in the tiles of its grid, or on rails below.
-// A place is as large as places are apart; on a rail as the rail is wide.
+// The ceiling of a made room and where its luminaires may hang: on all of it, in the tiles of its grid, on rails or in a
+// plane below, by cords that the pipeline knows as a drop.
 import { clipped, rotated, signedArea, stretchesAt, triangles } from './polygon.mjs';
 import { Shape } from './shape.mjs';
 
@@ -20,7 +20,8 @@ export function tileCount({ outline, mount }) {
 /** Hangs the ceiling into a room. holes: outlines of columns that stand clear of everything. */
 export function placeCeiling(room, plan, holes) {
   const { mount, outline, height } = plan;
-  const marks = { mount: true, siteSpacing: mount.kind === 'rails' ? mount.width : mount.spacing };
+  const marks = { mount: true, siteSpacing: mount.spacing, siteSize: mount.luminaire };
+  if (mount.kind === 'plane') marks.drop = mount.drop;
   if (mount.kind === 'tiles' && tileCount(plan) <= mostTiles) {
     const { whole, rest } = tiled(plan, holes);
     if (whole.triangles.length > 0)
@@ -30,7 +31,7 @@ export function placeCeiling(room, plan, holes) {
   }
   const shape = new Shape();
   for (const triangle of triangles(outline, holes)) shape.triangle('ceiling', facingDown(triangle, height));
-  room.place('ceiling', shape, mount.kind === 'ceiling' ? { fiatlux: marks } : {});
+  room.place('ceiling', shape, mount.kind === 'rails' ? {} : { fiatlux: marks });
   if (mount.kind !== 'rails') return;
   const rails = railsOf(plan, holes);
   if (rails.triangles.length > 0) room.place('rails', rails, { fiatlux: marks });
@@ -76,7 +77,7 @@ function tiled({ outline, height, mount }, holes) {
 
 /** Where rails run: pieces { from, to, at } in the frame turned by the mount's angle (m along it, m across). */
 export function railLines({ outline, mount }, holes) {
-  const { turn, rows, width } = mount;
+  const { turn, rows, luminaire: width } = mount;
   const inFrame = rotated(outline, -turn);
   const columns = holes.map((hole) => rotated(hole, -turn));
   const across = inFrame.map(([, z]) => z);
@@ -123,7 +124,7 @@ function railsOf(plan, holes) {
   const shape = new Shape();
   const top = height - Math.max(gap, mount.drop);
   for (const { from, to, at } of railLines(plan, holes)) {
-    const half = mount.width / 2;
+    const half = mount.luminaire / 2;
     const bar = new Shape().box('rail', [from, top - railHeight, at - half], [to, top, at + half]);
     shape.add(bar, ([x, y, z]) => {
       const [[px, pz]] = rotated([[x, z]], mount.turn);

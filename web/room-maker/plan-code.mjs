@@ -3,7 +3,7 @@
 import { itemKinds, mountKinds, openingKinds, readPlan } from './room-plan.mjs';
 
 /** Of the packed form; of what furniture looks like; both are part of a made room's identity. */
-export const planVersion = 1;
+export const planVersion = 2;
 const furnitureVersion = 1;
 
 const mm = (value) => Math.round(value * 1000) || 0;
@@ -31,7 +31,7 @@ export function packedPlan(plan) {
       itemKinds.indexOf(kind), mm(x), mm(z), tenths(turn), ...size.map(mm),
     ]),
     [
-      mountKinds.indexOf(mount.kind), mm(mount.spacing), mm(mount.width), mm(mount.drop), mm(mount.rows),
+      mountKinds.indexOf(mount.kind), mm(mount.spacing), mm(mount.luminaire), mm(mount.drop), mm(mount.rows),
       ...mount.origin.map(mm), tenths(mount.turn),
     ],
     plane ? [mm(plane.height), mm(plane.rim)] : [],
@@ -41,12 +41,20 @@ export function packedPlan(plan) {
   ]; // prettier-ignore
 }
 
+const sizes = ([, spacing, luminaire]) => ({ spacing, luminaire });
+
+/** Of version 1: places were as large as they were apart, on rails as wide as these. */
+function firstSizes([kind, spacing, width]) {
+  const edge = mountKinds[1000 * kind] === 'rails' ? width : spacing;
+  return { spacing: Math.max(0.05, edge), luminaire: edge };
+}
+
 /** The plan of a packed one, checked: { plan } or { fault }, one clause. Never throws. */
 export function unpackedPlan(packed) {
   if (!Array.isArray(packed) || packed.length < 10) return { fault: 'it is no room' };
   const [version, name, height, corners, colours, openings, items, mount, plane, tasks] = packed;
-  if (version !== planVersion)
-    return { fault: `it was made by another version (plan ${JSON.stringify(version)?.slice(0, 20)}; this app reads plan ${planVersion})` }; // prettier-ignore
+  if (version !== planVersion && version !== 1)
+    return { fault: `it was made by another version (plan ${JSON.stringify(version)?.slice(0, 20)}; this app reads plans up to ${planVersion})` }; // prettier-ignore
   const lists = [corners, colours, openings, items, mount, plane, tasks];
   const isFlat = (list) => Array.isArray(list) && list.length <= 4000 && list.every(Number.isSafeInteger);
   if (!lists.every(isFlat)) return { fault: 'it holds something that is no whole number, or too many' };
@@ -71,8 +79,8 @@ export function unpackedPlan(packed) {
       kind: itemKinds[kind], x: m(x), z: m(z), turn: turn / 10, size: size.map(m),
     })),
     mount: {
-      kind: mountKinds[mount[0]], spacing: m(mount[1]), width: m(mount[2]), drop: m(mount[3]), rows: m(mount[4]),
-      origin: [m(mount[5]), m(mount[6])], turn: mount[7] / 10,
+      kind: mountKinds[mount[0]], ...(version === 1 ? firstSizes : sizes)(mount.map(m)), drop: m(mount[3]),
+      rows: m(mount[4]), origin: [m(mount[5]), m(mount[6])], turn: mount[7] / 10,
     },
     plane: plane.length > 0 ? { height: m(plane[0]), rim: m(plane[1]) } : null,
     tasks: groups(tasks, 6).map(([x, z, width, depth, tall, turn]) => ({

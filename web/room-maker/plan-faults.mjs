@@ -41,7 +41,10 @@ function mountFaults(plan) {
   const { mount, height } = plan;
   if (mount.kind === 'tiles' && tileCount(plan) > mostTiles)
     return ['The ceiling would have too many tiles: make them larger.'];
-  if (mount.kind === 'rails' && mount.drop >= height - 0.1) return ['The rails would hang below the floor.'];
+  if (mount.luminaire > mount.spacing && mount.kind !== 'rails')
+    return ['Luminaires are larger than the distance between them: they may overlap.'];
+  const hangs = mount.kind === 'rails' || mount.kind === 'plane';
+  if (hangs && mount.drop >= height - 0.1) return ['Luminaires would hang below the floor.'];
   const holes = clearColumns(plan).map(({ base }) => base);
   if (mount.kind === 'rails' && railLines(plan, holes).length === 0) return ['No rail fits in this room.'];
   return [];

@@ -4,7 +4,7 @@ export type ItemKind =
   | 'desk' | 'workplace' | 'table' | 'round table' | 'chair' | 'office chair' | 'cupboard' | 'bookcase' | 'sofa'
   | 'bench' | 'partition' | 'plant' | 'column' | 'round column'; // prettier-ignore
 export type OpeningKind = 'door' | 'window';
-export type MountKind = 'ceiling' | 'tiles' | 'rails';
+export type MountKind = 'ceiling' | 'tiles' | 'rails' | 'plane';
 export type FinishName = 'ceiling' | 'walls' | 'floor';
 
 export interface Finish {
@@ -33,8 +33,8 @@ export interface Item {
 export interface Mount {
   readonly kind: MountKind;
   readonly spacing: number; // m between places; the edge of a tile
-  readonly width: number; // m, of a rail
-  readonly drop: number; // m below the ceiling: rails
+  readonly luminaire: number; // m, its edge; the width of a rail
+  readonly drop: number; // m below the ceiling: rails and suspended planes
   readonly rows: number; // m between rails
   readonly origin: Point; // a corner of a tile
   readonly turn: number; // degrees, of tiles and rails

@@ -14,7 +14,7 @@ export const itemKinds = [
   'partition', 'plant', 'column', 'round column',
 ]; // prettier-ignore
 export const openingKinds = ['door', 'window'];
-export const mountKinds = ['ceiling', 'tiles', 'rails'];
+export const mountKinds = ['ceiling', 'tiles', 'rails', 'plane'];
 
 export const mostItems = 500;
 export const mostCorners = 64;
@@ -46,8 +46,8 @@ const item = v.object({
 const mount = v.object({
   kind: v.picklist(mountKinds),
   spacing: number(0.05, 20), // m between places; the tile's edge where the ceiling has tiles
-  width: number(0.02, 2), // m, of a rail
-  drop: number(0, 40), // m below the ceiling: rails
+  luminaire: number(0.02, 20), // m, its edge; the width of a rail
+  drop: number(0, 40), // m below the ceiling: rails and suspended planes
   rows: number(0.1, 50), // m between rails
   origin: v.tuple([coordinate, coordinate]), // a corner of a tile
   turn: degrees, // of tiles and rails
@@ -159,7 +159,7 @@ export function planOf(outline, height, name = '') {
     finishes: structuredClone(usualFinishes),
     openings: [],
     items: [],
-    mount: { kind: 'ceiling', spacing: 0.6, width: 0.08, drop: 0.5, rows: 1.8, origin: [0, 0], turn: 0 },
+    mount: { kind: 'ceiling', spacing: 0.6, luminaire: 0.6, drop: 0.5, rows: 1.8, origin: [0, 0], turn: 0 },
     plane: { height: 0.75, rim: 0.5 },
     tasks: [],
   };

@@ -320,6 +320,19 @@ TEST(BuildRoom, MountsByNameAndWhatHappensWithoutRoom) {
   EXPECT_TRUE(gltf.build(options));
 }
 
+TEST(BuildRoom, AMountMaySayHowLargeItsLuminairesAre) {
+  TestGltf gltf = boxRoom({4, 3, 5}, 1);
+  for (auto& node : gltf.glb.json["nodes"])
+    if (node.contains("extras")) node["extras"]["fiatlux"]["siteSize"] = 0.25;
+  const auto room = gltf.build();
+  ASSERT_TRUE(room) << room.error().message;
+  ASSERT_EQ(room->sites.size(), 4u * 5);
+  for (const Site& site : room->sites) EXPECT_EQ(site.size, 0.25);
+  RoomOptions options;
+  options.siteSize = 0.5;
+  EXPECT_EQ(gltf.build(options)->sites[0].size, 0.5);
+}
+
 TEST(BuildRoom, PendantsHangBelowTheirMount) {
   RoomOptions options;
   options.mounts = {"north"};

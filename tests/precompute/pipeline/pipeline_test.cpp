@@ -71,6 +71,23 @@ TEST(Pipeline, TheSameOnAnyNumberOfThreadsAndWithoutAListener) {
   EXPECT_EQ(alone->report.identity, watched->report.identity);
 }
 
+TEST(Pipeline, ThePlanOfAMadeRoomIsCarriedAlong) {
+  const nlohmann::json plan = {2, "Studio", 2800, {0, 0, 4000, 0}};
+  TestGltf gltf = testing::boxRoom({4, 3, 5}, 1);
+  const auto planOf = [&] {
+    const auto made = makeScene({"box.glb", gltf.glb.bytes()}, quickOptions(), plainHost());
+    EXPECT_TRUE(made) << made.error().message;
+    return provenanceOf(made->file).value("plan", nlohmann::json());
+  };
+  nlohmann::ordered_json& scene = gltf.glb.json["scenes"][0];
+  scene["extras"]["fiatlux"]["plan"] = plan;
+  EXPECT_EQ(planOf(), plan);
+  scene["extras"]["fiatlux"]["plan"] = "text";
+  EXPECT_EQ(planOf(), nlohmann::json());
+  scene["extras"]["fiatlux"]["plan"] = std::vector<int>(40000, 7);
+  EXPECT_EQ(planOf(), nlohmann::json());
+}
+
 TEST(Pipeline, ItsAccountTellsTheSourceTheOptionsAndTheSecondsOfTheHost) {
   Host host = plainHost();
   Listener listener;

@@ -13,6 +13,7 @@ import {
   planeOutline,
 } from '../../../web/room-maker/make-room.mjs';
 import { railLines } from '../../../web/room-maker/mounts.mjs';
+import { planFaults } from '../../../web/room-maker/plan-faults.mjs';
 import { contains, distance, inset, signedArea } from '../../../web/room-maker/polygon.mjs';
 import { itemKinds, planOf, usualItem, usualOpening } from '../../../web/room-maker/room-plan.mjs';
 import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
@@ -118,8 +119,22 @@ describe('where luminaires may hang', () => {
   test('all of the ceiling', async () => {
     const [mount, ...others] = marked(await read(rectangle()));
     expect(others).toEqual([]);
-    expect(mount).toMatchObject({ name: 'ceiling', fiatlux: { siteSpacing: 0.6 } });
+    expect(mount).toMatchObject({ name: 'ceiling', fiatlux: { siteSpacing: 0.6, siteSize: 0.6 } });
+    expect(mount.fiatlux.drop).toBeUndefined();
     expect(mount.triangles.every(({ points }) => normalOf(points)[1] < -0.999)).toBe(true);
+  });
+
+  test('a plane below it, for small luminaires far apart', async () => {
+    const plan = rectangle();
+    plan.mount = { ...plan.mount, kind: 'plane', spacing: 1.2, luminaire: 0.3, drop: 0.8 };
+    const [mount, ...others] = marked(await read(plan));
+    expect(others).toEqual([]);
+    expect(mount.fiatlux).toMatchObject({ siteSpacing: 1.2, siteSize: 0.3, drop: 0.8 });
+    expect(planFaults(plan)).toEqual([]);
+    plan.mount.drop = 2.75;
+    expect(planFaults(plan)).toEqual(['Luminaires would hang below the floor.']);
+    plan.mount = { ...plan.mount, drop: 0.8, luminaire: 1.5 };
+    expect(planFaults(plan)).toEqual([expect.stringMatching(/larger than the distance/)]);
   });
 
   test.each([0, 30])('whole tiles of a grid at %s degrees; the ceiling stays whole', async (turn) => {
@@ -144,7 +159,7 @@ describe('where luminaires may hang', () => {
   test('rails stay within the room and clear of columns', async () => {
     const plan = planOf(outlines.L(8, 6, 4, 3), 3);
     plan.items = [usualItem('column', [2, 1], 3)];
-    plan.mount = { ...plan.mount, kind: 'rails', width: 0.06, drop: 0.4, rows: 1 };
+    plan.mount = { ...plan.mount, kind: 'rails', spacing: 0.3, luminaire: 0.06, drop: 0.4, rows: 1 };
     const lines = railLines(plan, [footprint(plan.items[0])]);
     expect(lines).toHaveLength(6);
     for (const { from, to, at } of lines) {
@@ -153,7 +168,7 @@ describe('where luminaires may hang', () => {
     }
     plan.items = [];
     const [rails] = marked(await read(plan));
-    expect(rails).toMatchObject({ name: 'rails', fiatlux: { siteSpacing: 0.06 } });
+    expect(rails).toMatchObject({ name: 'rails', fiatlux: { siteSpacing: 0.3, siteSize: 0.06 } });
     const heights = rails.triangles.flatMap(({ points }) => points.map(([, y]) => y));
     expect(Math.max(...heights)).toBeCloseTo(2.6, 5);
     expect(openEdgeLength(rails.triangles.map(({ points }) => points))).toBeLessThan(1e-6);

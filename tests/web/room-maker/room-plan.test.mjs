@@ -28,6 +28,15 @@ test('a plan survives packing', () => {
   expect(unpackedPlan(JSON.parse(JSON.stringify(packedPlan(plan))))).toEqual({ plan });
 });
 
+test('plans of the first version hold the places that they held', () => {
+  const first = (kind) => {
+    const packed = packedPlan(planOf(outlines.rectangle(6, 4), 2.8));
+    return unpackedPlan(packed.with(0, 1).with(7, [kind, 600, 80, 400, 1800, 0, 0, 0])).plan.mount;
+  };
+  expect(first(0)).toMatchObject({ kind: 'ceiling', spacing: 0.6, luminaire: 0.6 });
+  expect(first(2)).toMatchObject({ kind: 'rails', spacing: 0.08, luminaire: 0.08, drop: 0.4 });
+});
+
 test('less than a millimetre or a twentieth of a degree changes nothing', () => {
   const [plan, other] = [furnished(), furnished()];
   other.outline[2][0] += 0.0004;
@@ -49,6 +58,7 @@ test('whatever changes the light changes the identity', () => {
     (plan) => (plan.openings[1].at += 0.001),
     (plan) => (plan.items[0].turn += 0.1),
     (plan) => (plan.mount.kind = 'ceiling'),
+    (plan) => (plan.mount.luminaire = 0.3),
     (plan) => (plan.plane = null),
     (plan) => plan.tasks.pop(),
   ];

@@ -1,4 +1,4 @@
-/** Where luminaires may hang: on all of the ceiling, in its tiles, or on rails below it. */
+/** Where luminaires may hang: on all of the ceiling, in its tiles, on rails, or in a plane below it. */
 import type { Mount, MountKind } from '../../room-maker/room-plan.mjs';
 import { Choice, Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
@@ -7,12 +7,14 @@ const kinds: readonly (readonly [MountKind, string])[] = [
   ['ceiling', 'Ceiling'],
   ['tiles', 'Tiles'],
   ['rails', 'Rails'],
+  ['plane', 'Suspended'],
 ];
 
 const usual: Record<MountKind, Partial<Mount>> = {
-  ceiling: { spacing: 0.6 },
-  tiles: { spacing: 0.6 },
-  rails: { drop: 0.4 },
+  ceiling: { spacing: 0.6, luminaire: 0.6 },
+  tiles: { spacing: 0.6, luminaire: 0.6 },
+  rails: { spacing: 0.3, luminaire: 0.08, drop: 0.4 },
+  plane: { spacing: 0.6, luminaire: 0.3, drop: 0.5 },
 };
 
 export function CeilingSection() {
@@ -20,7 +22,7 @@ export function CeilingSection() {
   const { mount, height } = making.plan.value;
   const change = (part: Partial<Mount>, gesture: string | null = null) =>
     making.edit((plan) => ({ ...plan, mount: { ...plan.mount, ...part } }), gesture);
-  const field = (label: string, key: 'spacing' | 'width' | 'drop' | 'rows', min: number, max: number, step = 0.05) => (
+  const field = (label: string, key: 'spacing' | 'luminaire' | 'drop' | 'rows', min: number, max: number, step = 0.05) => (
     <Field
       label={label}
       value={mount[key]}
@@ -53,12 +55,17 @@ export function CeilingSection() {
         {mount.kind === 'tiles' ? (
           <>
             {field('Tile', 'spacing', 0.1, 3)}
+            {field('Luminaire', 'luminaire', 0.02, 3)}
             {turn('Angle')}
             <Origin axis={0} />
             <Origin axis={1} />
             <div class="maker-tiles">
               {[0.6, 0.625].map((tile) => (
-                <button key={tile} class="button small" onClick={() => change({ spacing: tile })}>
+                <button
+                  key={tile}
+                  class="button small"
+                  onClick={() => change({ spacing: tile, luminaire: tile })}
+                >
                   {tile}
                 </button>
               ))}
@@ -66,15 +73,11 @@ export function CeilingSection() {
           </>
         ) : (
           <>
-            {mount.kind === 'ceiling' && field('Place every', 'spacing', 0.05, 20)}
-            {mount.kind === 'rails' && (
-              <>
-                {field('Rail width', 'width', 0.02, 2, 0.01)}
-                {field('Below ceiling', 'drop', 0, Math.max(0.1, height - 0.2))}
-                {field('Between rails', 'rows', 0.1, 50, 0.1)}
-                {turn('Angle')}
-              </>
-            )}
+            {field('Place every', 'spacing', 0.05, 20)}
+            {field(mount.kind === 'rails' ? 'Rail width' : 'Luminaire', 'luminaire', 0.02, 5)}
+            {mount.kind !== 'ceiling' && field('Below ceiling', 'drop', 0, Math.max(0.1, height - 0.2))}
+            {mount.kind === 'rails' && field('Between rails', 'rows', 0.1, 50, 0.1)}
+            {mount.kind === 'rails' && turn('Angle')}
           </>
         )}
       </div>
