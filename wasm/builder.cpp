@@ -118,6 +118,7 @@ class Builder {
       result.set("sites", static_cast<std::uint32_t>(room.sites.size()));
       result.set("clusters", room.patches.clusterCount);
       result.set("patchSize", room.patchSize);
+      result.set("source", room.sourceHash);
       result.set("memory", parts_->bytes() / 1e9);
       result.set("warnings", warnings);
       return result;

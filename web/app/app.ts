@@ -15,6 +15,7 @@ import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
 import { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { Opening } from './opening/opening.ts';
+import { takeOwnPictures } from './rooms/own-pictures.ts';
 import { OwnRooms } from './rooms/own-rooms.ts';
 import { Rooms } from './rooms/rooms.ts';
 import { Solving } from './solving.ts';
@@ -67,6 +68,7 @@ export class App {
     this.film = new Film(store, this.solving, this.viewer, this.variants);
     store.planSource.value = () => this.viewer.plan();
     this.#tellViewer();
+    takeOwnPictures(store, this.viewer, this.own);
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }
 

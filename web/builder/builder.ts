@@ -35,6 +35,7 @@ export interface RoomCounts {
   readonly clusters: number;
   readonly patchSize: number; // m
   readonly memory: number; // GB that a builder needs which does all of it
+  readonly source: string; // hash of the model
   readonly warnings: readonly string[];
 }
 

@@ -9,6 +9,8 @@ export interface OwnRoom {
   readonly title: string;
   readonly bytes: number; // of its file
   readonly at: number; // when it was made, ms since 1970
+  readonly source?: string; // hash of the model that it was made of
+  readonly picture?: ArrayBuffer; // JPEG, once there was light to see
 }
 
 /** What the browser grants the page, and what of it is taken, in bytes; null where it does not say. */
@@ -40,12 +42,15 @@ export async function listRooms(): Promise<readonly OwnRoom[]> {
 }
 
 /** A room of the same name is replaced. */
-export async function keepRoom(room: string, title: string, file: ArrayBuffer): Promise<void> {
+export async function keepRoom(entry: Omit<OwnRoom, 'bytes' | 'at'>, file: ArrayBuffer): Promise<void> {
+  await putRoom({ ...entry, bytes: file.byteLength, at: Date.now() }, file);
+}
+
+export async function putRoom(entry: OwnRoom, file: ArrayBuffer): Promise<void> {
   const transaction = (await open()).transaction(['list', 'files'], 'readwrite');
-  const entry: OwnRoom = { room, title, bytes: file.byteLength, at: Date.now() };
   await Promise.all([
     transaction.objectStore('list').put(entry),
-    transaction.objectStore('files').put(file, room),
+    transaction.objectStore('files').put(file, entry.room),
     transaction.done,
   ]);
 }
@@ -56,11 +61,14 @@ export async function readRoom(room: string): Promise<ArrayBuffer | null> {
   return file instanceof ArrayBuffer ? file : null;
 }
 
-/** Its title alone changes: links and work go on to know it by its name. */
-export async function renameRoom(room: string, title: string): Promise<void> {
+/** Its name stays: links and work go on to know it by that. Nothing where there is none. */
+export async function changeRoom(
+  room: string,
+  change: Partial<Pick<OwnRoom, 'title' | 'picture'>>,
+): Promise<void> {
   const transaction = (await open()).transaction('list', 'readwrite');
   const entry = (await transaction.store.get(room)) as OwnRoom | undefined;
-  if (entry) await transaction.store.put({ ...entry, title });
+  if (entry) await transaction.store.put({ ...entry, ...change });
   await transaction.done;
 }
 

@@ -8,6 +8,7 @@ import type { Model } from '../../builder/protocol.ts';
 import { documentOf } from '../../document/sites.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
+import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
@@ -23,8 +24,8 @@ export type CreatePool = () => Promise<BuilderPool>;
 /** The page's own pool, fetched when it is first needed. */
 const usualPool: CreatePool = async () => (await import('../../builder/start-pool.ts')).createPool();
 
-/** Where a finished room goes. */
-export type KeepRoom = (room: string, title: string, file: ArrayBuffer) => Promise<void>;
+/** Where a finished room goes, and how it is called. */
+export type Shelf = Pick<OwnRooms, 'nameFor' | 'keep' | 'titleOf'>;
 
 /** What is computed now, and how to end it. */
 interface Running {
@@ -37,7 +38,7 @@ export class Lighting {
   readonly #solving: Solving;
   readonly #placing: Placing;
   readonly #createPool: CreatePool;
-  readonly #keep: KeepRoom;
+  readonly #shelf: Shelf;
   #running: Running | null = null;
   #model: Model | null = null;
 
@@ -45,13 +46,13 @@ export class Lighting {
     store: Store,
     solving: Solving,
     placing: Placing,
-    keep: KeepRoom,
+    shelf: Shelf,
     createPool: CreatePool = usualPool,
   ) {
     this.#store = store;
     this.#solving = solving;
     this.#placing = placing;
-    this.#keep = keep;
+    this.#shelf = shelf;
     this.#createPool = createPool;
   }
 
@@ -63,10 +64,11 @@ export class Lighting {
     try {
       const pool = await this.#createPool();
       const first = await this.#build(pool, model, 'draft', running);
-      const shown = await this.#showDraft(model.name, first, running);
+      const room = await this.#shelf.nameFor(model.name, first.room.source);
+      const shown = await this.#showDraft(model.name, room, first, running);
       const full = await this.#build(pool, model, 'full', running);
-      const isKept = await this.#kept(model.name, full.file);
-      await this.#showFull(model.name, full, shown, isKept, running);
+      const isKept = await this.#kept(room, full);
+      await this.#showFull(room, full, shown, isKept, running);
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
         return;
@@ -118,7 +120,8 @@ export class Lighting {
   }
 
   /** The identity of the draft; '' where something else was opened meanwhile, which stays. */
-  async #showDraft(name: string, { file, room }: Built, running: Running): Promise<string> {
+  async #showDraft(name: string, room: string, built: Built, running: Running): Promise<string> {
+    const title = this.#shelf.titleOf(room);
     const { signal } = running.controller;
     let identity = '';
     const plan = this.#store.plan.peek();
@@ -126,18 +129,18 @@ export class Lighting {
     await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
       const make = (scene: SceneInfo): Placement => {
         identity = scene.identity;
-        return this.#placementOf(name, scene);
+        return this.#placementOf(name, room, scene);
       };
-      await this.#placing.place(file, titleOf(name), () => isCurrent() && !signal.aborted, make);
+      await this.#placing.place(built.file, title, () => isCurrent() && !signal.aborted, make);
       if (isCurrent()) this.#store.plan.value ??= plan;
     });
-    if (!signal.aborted) for (const warning of room.warnings) this.#warn(name, warning);
+    if (!signal.aborted) for (const warning of built.room.warnings) this.#warn(title, warning);
     return identity;
   }
 
   /** Puts the full room in the draft's place; where another room is open by now, only says that it is there. */
   async #showFull(
-    name: string,
+    room: string,
     { file }: Built,
     shown: string,
     isKept: boolean,
@@ -145,16 +148,17 @@ export class Lighting {
   ): Promise<void> {
     const { scene, history, display, camera, progress } = this.#store;
     if (running.controller.signal.aborted) return;
+    const title = this.#shelf.titleOf(room);
     const from = scene.peek();
     if (!from || from.identity !== shown) {
       this.#store.lighting.value = null;
-      if (isKept) this.#store.say('info', `“${titleOf(name)}” is lit: it is among your rooms.`);
+      if (isKept) this.#store.say('info', `“${title}” is lit: it is among your rooms.`);
       return;
     }
     const plan = this.#store.plan.peek();
     const isSearched = progress.peek().state === 'improving' || progress.peek().state === 'settled';
     const layout = this.#solving.layout();
-    const replaced = await this.#placing.replace(file, titleOf(name), (to) => {
+    const replaced = await this.#placing.replace(file, title, (to) => {
       const view = { camera: camera.peek(), display: display.peek() };
       return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view };
     });
@@ -162,25 +166,25 @@ export class Lighting {
     if (!replaced) return;
     this.#store.plan.value ??= plan;
     if (isSearched) this.#solving.solve();
-    this.#store.announcement.value = `${titleOf(name)} is lit in full quality.`;
+    this.#store.announcement.value = `${title} is lit in full quality.`;
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */
-  #placementOf(name: string, scene: SceneInfo): Placement {
+  #placementOf(name: string, room: string, scene: SceneInfo): Placement {
     const link = this.#store.pendingLink.peek();
     const document = link?.room === roomOf(name) ? documentOf(link, scene, false) : null;
     if (link && document && typeof document !== 'string') {
       this.#store.pendingLink.value = null;
-      return { document, view: link };
+      return { document: { ...document, room }, view: link, files: link.files };
     }
     const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
-    return { document: documentFrom(asked, scene.identity, roomOf(name)) };
+    return { document: documentFrom(asked, scene.identity, room) };
   }
 
   /** Whether the browser keeps the room; where not, that is told. */
-  async #kept(name: string, file: ArrayBuffer): Promise<boolean> {
+  async #kept(name: string, { file, room }: Built): Promise<boolean> {
     try {
-      await this.#keep(roomOf(name), titleOf(name), file);
+      await this.#shelf.keep(name, room.source, file);
       return true;
     } catch (error) {
       this.#store.say('warning', error instanceof Error ? error.message : String(error));
@@ -188,11 +192,11 @@ export class Lighting {
     }
   }
 
-  #warn(name: string, warning: string): void {
-    this.#store.say('warning', `“${titleOf(name)}”: ${sentence(warning)}`);
+  #warn(title: string, warning: string): void {
+    this.#store.say('warning', `“${title}”: ${sentence(warning)}`);
   }
 }
 
-/** What a document calls a room that was made of this file. */
-export const roomOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '.flux');
+/** What a link calls a room that was made of this file. */
+const roomOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '.flux');
 export const titleOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '');

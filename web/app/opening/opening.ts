@@ -58,8 +58,7 @@ export class Opening {
     this.#viewer = viewer;
     this.#own = own;
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
-    const keep = (room: string, title: string, file: ArrayBuffer) => own.keep(room, title, file);
-    this.lighting = new Lighting(store, solving, this.#placing, keep, createPool);
+    this.lighting = new Lighting(store, solving, this.#placing, own, createPool);
     const openProject = (project: Project) => this.#openProject(project);
     this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, openProject);
   }

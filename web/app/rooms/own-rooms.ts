@@ -13,7 +13,7 @@ export class OwnRooms {
   }
 
   titleOf(room: string): string {
-    return this.list.value.find((each) => each.room === room)?.title ?? room;
+    return this.list.value.find((each) => each.room === room)?.title ?? stemOf(room);
   }
 
   /** Leaves the list empty where the browser stores nothing. */
@@ -27,17 +27,30 @@ export class OwnRooms {
     }
   }
 
-  /** Rejects with one readable line where the browser refuses. */
-  async keep(room: string, title: string, file: ArrayBuffer): Promise<void> {
+  /** A name that no other room has: that of its file, or numbered. The same model is the same room. */
+  async nameFor(file: string, source: string): Promise<string> {
+    await this.load();
+    return unusedName(stemOf(file), source, this.list.value);
+  }
+
+  /** `source`: hash of the model. Rejects with one readable line where the browser refuses. */
+  async keep(room: string, source: string, file: ArrayBuffer): Promise<void> {
+    const title = this.titleOf(room);
     try {
       const { keepRoom } = await storage();
-      await keepRoom(room, title, file);
+      await keepRoom({ room, title, source }, file);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === 'QuotaExceededError';
       const why = isFull ? 'its storage is full' : 'it refuses to store files';
       throw new Error(`“${title}” is not kept in this browser: ${why}. Save the room as .flux to keep it.`);
     }
     await this.load();
+  }
+
+  /** Whether there is such a room, and nobody has seen it yet. */
+  wantsPicture(room: string): boolean {
+    const entry = this.list.value.find((each) => each.room === room);
+    return entry !== undefined && !entry.picture;
   }
 
   async read(room: string): Promise<ArrayBuffer> {
@@ -47,15 +60,33 @@ export class OwnRooms {
     return file;
   }
 
-  async rename(room: string, title: string): Promise<void> {
-    const { renameRoom } = await storage();
-    await renameRoom(room, title);
+  async change(room: string, change: Partial<Pick<OwnRoom, 'title' | 'picture'>>): Promise<void> {
+    const { changeRoom } = await storage();
+    await changeRoom(room, change);
     await this.load();
   }
 
-  async delete(room: string): Promise<void> {
-    const { deleteRoom } = await storage();
+  /** Returns how to bring it back. */
+  async delete(room: string): Promise<() => Promise<void>> {
+    const { deleteRoom, putRoom } = await storage();
+    const entry = this.list.value.find((each) => each.room === room);
+    const file = await this.read(room);
     await deleteRoom(room);
     await this.load();
+    return async () => {
+      if (entry && !this.has(room)) await putRoom(entry, file);
+      await this.load();
+    };
+  }
+}
+
+const stemOf = (name: string) => name.replace(/\.(gl(b|tf)|flux)$/i, '');
+
+/** "x.flux", or "x 2.flux" where another model has that, and so on. */
+export function unusedName(stem: string, source: string, taken: readonly OwnRoom[]): string {
+  for (let number = 1; ; number++) {
+    const room = number === 1 ? `${stem}.flux` : `${stem} ${number}.flux`;
+    const there = taken.find((each) => each.room === room);
+    if (!there || there.source === source) return room;
   }
 }

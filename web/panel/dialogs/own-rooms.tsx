@@ -41,9 +41,13 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
   const save = async () => {
     download(room.room, new Blob([await own.read(room.room)]));
   };
+  const remove = async () => {
+    const bringBack = await own.delete(room.room);
+    store.say('info', `“${room.title}” is deleted.`, { label: 'Bring it back', run: () => told(bringBack()) }); // prettier-ignore
+  };
   return (
     <div class="row own-room">
-      <Lightbulb size={16} aria-hidden />
+      <Picture bytes={room.picture} />
       <button
         class="grow"
         onClick={() => {
@@ -66,14 +70,26 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
       >
         <Download size={14} aria-hidden />
       </button>
-      <button
-        class="icon-button small"
-        aria-label={`Delete ${room.title}`}
-        onClick={() => told(own.delete(room.room))}
-      >
+      <button class="icon-button small" aria-label={`Delete ${room.title}`} onClick={() => told(remove())}>
         <Trash2 size={14} aria-hidden />
       </button>
     </div>
+  );
+}
+
+/** A quiet sign where there is none. */
+function Picture({ bytes }: { readonly bytes: ArrayBuffer | undefined }) {
+  const [address, setAddress] = useState<string | null>(null);
+  useEffect(() => {
+    if (!bytes) return;
+    const url = URL.createObjectURL(new Blob([bytes], { type: 'image/jpeg' }));
+    setAddress(url);
+    return () => URL.revokeObjectURL(url);
+  }, [bytes]);
+  return (
+    <span class="own-room-picture">
+      {address ? <img src={address} alt="" /> : <Lightbulb size={16} aria-hidden />}
+    </span>
   );
 }
 
@@ -82,7 +98,7 @@ function Naming({ room, done }: { readonly room: OwnRoom; readonly done: () => v
   const [title, setTitle] = useState(room.title);
   const rename = async () => {
     const clean = title.trim().slice(0, 80);
-    if (clean) await own.rename(room.room, clean);
+    if (clean) await own.change(room.room, { title: clean });
     done();
   };
   return (
