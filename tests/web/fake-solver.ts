@@ -111,7 +111,7 @@ export class FakeSolver implements WorkerLike {
         return;
       case 'read': {
         const { revision, layout, intentions } = message;
-        const shown = fakeShown(this.scene, layout, intentions);
+        const shown = { ...fakeShown(this.scene, layout, intentions), colors: null };
         this.#queue.push({ type: 'readings', revision, shown });
         return;
       }

@@ -5,6 +5,7 @@
 import { signal } from '@preact/signals';
 import { nearestSite, positionOf } from '../document/sites.ts';
 import type { Layout, SceneInfo } from '../document/types.ts';
+import type { Seen } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
@@ -63,10 +64,13 @@ export class Film {
     this.#variants.close(); // the film takes its place in the picture
     try {
       const from = scatteredLayout(to, this.#store.document.peek(), scene);
-      const lights = await this.#lights(from, to, scene);
+      const seen = await this.#seen(from, to, scene);
+      const lights = seen.map(({ illuminance }) => illuminance);
+      const colors = seen.flatMap((each) => each.colors ?? []);
       return await this.#shot(scene, (share) =>
         this.#viewer.compareWith({
           illuminance: blended(lights, share),
+          colors: colors.length === lights.length ? blended(colors, share) : null,
           layout: from,
           towards: { layout: to, share },
         }),
@@ -87,14 +91,13 @@ export class Film {
   }
 
   /** The light at every step of the way, both ends included. */
-  async #lights(from: Layout, to: Layout, scene: SceneInfo): Promise<Float32Array[]> {
-    const lights: Float32Array[] = [];
+  async #seen(from: Layout, to: Layout, scene: SceneInfo): Promise<Seen[]> {
+    const seen: Seen[] = [];
     for (let step = 0; step <= steps; step++) {
       this.#tell('lighting', step / steps, scene);
-      const { illuminance } = await this.#solving.read(layoutBetween(from, to, step / steps, scene.sites));
-      lights.push(illuminance);
+      seen.push(await this.#solving.read(layoutBetween(from, to, step / steps, scene.sites)));
     }
-    return lights;
+    return seen;
   }
 
   /** Plays the film once and records what is drawn. */

@@ -7,7 +7,7 @@ import type { Draft } from 'immer';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type { FiatLuxDocument, Intentions, Layout, LuminaireType, SceneInfo } from '../document/types.ts';
-import type { FromWorker, OpeningLight, Shown } from '../solver/protocol.ts';
+import type { FromWorker, OpeningLight, Seen, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { Showing } from './showing.ts';
@@ -190,10 +190,11 @@ export class Solving {
    * The light of another layout, of luminaires of the document's types or of others, judged by what is asked now. What runs
    * goes on. Rejects with one readable line.
    */
-  async read(layout: Layout, types?: readonly LuminaireType[]): Promise<Shown> {
+  async read(layout: Layout, types?: readonly LuminaireType[]): Promise<Seen> {
     const asked = this.#intentions();
     const luminaires = { ...asked.luminaires, types: types ?? asked.luminaires.types ?? [] };
-    return this.#read(await this.#client.read({ ...asked, luminaires }, layout));
+    const seen = await this.#client.read({ ...asked, luminaires }, layout);
+    return { ...this.#read(seen), colors: seen.colors };
   }
 
   /** What a photometric file says. Rejects with one readable line. */

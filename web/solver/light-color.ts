@@ -59,13 +59,25 @@ export class LightColor {
     return this.waits && this.#clock() >= this.#nextAt;
   }
 
+  /** Of light beside what is shown; null where it has none, or none is known yet. */
+  of(illuminance: Float32Array): Float32Array | null {
+    if (!this.#hasOperator || !this.#colors) return null;
+    this.#prepare(this.#colors);
+    return this.#colors && this.#made ? this.#made.of(illuminance) : null;
+  }
+
+  /** What does not fit the room is not coloured, and nor is what is grey. */
+  #prepare(colors: Float32Array): void {
+    if (this.#made) return;
+    this.#made = new this.#core.ColoredLight();
+    if (this.#made.begin(this.#room, colors) !== '' || this.#made.isGrey()) this.#colors = null;
+  }
+
   /** Prepares, or colours what was shown last; null where there is nothing to tell. */
   step(): Answer | null {
     if (!this.waits || !this.#colors || !this.#latest) return null;
     if (!this.#made) {
-      this.#made = new this.#core.ColoredLight();
-      // What does not fit the room is not coloured, and nor is what is grey.
-      if (this.#made.begin(this.#room, this.#colors) !== '' || this.#made.isGrey()) this.#colors = null;
+      this.#prepare(this.#colors);
       return null;
     }
     const { revision, illuminance } = this.#latest;

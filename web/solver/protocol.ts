@@ -34,6 +34,11 @@ export interface Shown {
   readonly violation: number; // 0 = every constraint is met
 }
 
+/** A layout beside the one that is shown, and the colour of its light: red and blue of each patch at a luminance of 1. */
+export interface Seen extends Shown {
+  readonly colors: Float32Array | null; // white, or not known yet
+}
+
 /** What a short search finds for other intentions. */
 export interface Outcome {
   readonly layout: Layout;
@@ -194,7 +199,7 @@ export type FromWorker =
   | {
       readonly type: 'readings';
       readonly revision: number;
-      readonly shown: Shown | string; // one readable line where the layout cannot hang here
+      readonly shown: Seen | string; // one readable line where the layout cannot hang here
     }
   | {
       readonly type: 'described';

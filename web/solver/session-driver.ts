@@ -14,7 +14,7 @@ import { MountedSession, type LayoutArguments, type Searching } from './mounted-
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
-import type { FromWorker, Shown, ToWorker } from './protocol.ts';
+import type { FromWorker, Seen, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
@@ -280,18 +280,19 @@ export class SessionDriver {
 
   /** The light of a layout beside what runs, by the intentions that were asked last: the search goes on. */
   #read({ revision, intentions, layout }: Request<'read'>): void {
-    const answer = (shown: Shown | string) =>
-      this.#post(
-        { type: 'readings', revision, shown },
-        typeof shown === 'string' ? [] : [shown.illuminance.buffer],
-      );
+    const answer = (shown: Seen | string) => {
+      const buffers = typeof shown === 'string' ? [] : [shown.illuminance.buffer];
+      const colors = typeof shown !== 'string' && shown.colors ? [shown.colors.buffer] : [];
+      this.#post({ type: 'readings', revision, shown }, [...buffers, ...colors]);
+    };
     try {
       const mounted = this.#mounts.session({ asked: intentions, layout, extent: 'layout' });
       const session = mounted ?? this.#session;
       if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, this.#leaves())));
       if (!this.#mounts.has(this.#asked)) this.#asked = session; // its candidates made room for these
       const held = mounted ? mounted.take(layout) : coreLayout(layout);
-      answer(shownOf(valid(session.show(...held)), 0, this.#leaves()));
+      const shown = shownOf(valid(session.show(...held)), 0, this.#leaves());
+      answer({ ...shown, colors: this.#color.of(shown.illuminance) });
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       answer(error instanceof Error ? error.message : String(error));

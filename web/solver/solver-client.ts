@@ -4,7 +4,7 @@
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
-import type { FromWorker, Shown, ToWorker } from './protocol.ts';
+import type { FromWorker, Seen, ToWorker } from './protocol.ts';
 
 /** A scene file, which may still be arriving. */
 export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
@@ -57,7 +57,7 @@ export class SolverClient {
   readonly #receive: (message: FromWorker) => void;
   readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, compare: 0, check: 0 };
   readonly #readings = new Map<number, Reading<PhotometricDescription>>(); // photometric files that are being read, by revision
-  readonly #lit = new Map<number, Reading<Shown>>(); // layouts whose light is being read, by revision
+  readonly #lit = new Map<number, Reading<Seen>>(); // layouts whose light is being read, by revision
   readonly #brought = new Map<string, Uint8Array>(); // photometric files, by hash: a new worker gets them again
   #worker: WorkerLike;
   #revision = 0;
@@ -124,7 +124,7 @@ export class SolverClient {
   }
 
   /** The light of another layout, by the intentions asked last. Rejects with one readable line. */
-  read(intentions: Intentions, layout: Layout): Promise<Shown> {
+  read(intentions: Intentions, layout: Layout): Promise<Seen> {
     const revision = ++this.#revision;
     return new Promise((resolve, reject) => {
       this.#lit.set(revision, { resolve, reject });

@@ -38,6 +38,7 @@ export interface LuminaireBody {
 export interface OtherLight {
   readonly illuminance: Float32Array;
   readonly layout: Layout;
+  readonly colors?: Float32Array | null; // of the light, as of setLightColor
   readonly towards?: { readonly layout: Layout; readonly share: number };
 }
 

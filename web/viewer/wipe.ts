@@ -16,6 +16,7 @@ export class Wipe {
   #loop: FrameLoop;
   #scene: SceneInfo | null = null;
   #texture: LightTexture | null = null; // null while nothing is compared
+  #colors: LightTexture | null = null; // once the light's colour is known
   #divider = 0.5;
 
   constructor(loop: FrameLoop) {
@@ -48,12 +49,15 @@ export class Wipe {
 
   set(other: OtherLight | null): void {
     if (!other || !this.#scene) {
-      this.#texture?.dispose();
-      this.#texture = null;
+      for (const texture of [this.#texture, this.#colors]) texture?.dispose();
+      this.#texture = this.#colors = null;
     } else {
-      this.#texture ??= new LightTexture(this.#scene.patches + this.#scene.receivers);
-      this.#texture.set(other.illuminance);
-      const { layout, towards } = other;
+      const rows = this.#scene.patches + this.#scene.receivers;
+      const { colors, illuminance, layout, towards } = other;
+      this.#texture ??= new LightTexture(rows);
+      this.#texture.set(illuminance);
+      if (colors) this.#colors ??= new LightTexture(rows, 2);
+      if (colors) this.#colors?.set(colors);
       if (towards) this.luminaires.glide(layout, towards.layout, towards.share);
       else this.luminaires.setLayout(layout);
     }
@@ -66,15 +70,17 @@ export class Wipe {
   }
 
   /** Draws the picture, both parts of it; `live`: the luminaires of the other part. */
-  draw(stage: Stage, camera: Camera, { lightTexture }: SharedUniforms, live: Object3D): void {
+  draw(stage: Stage, camera: Camera, { lightTexture, colorTexture }: SharedUniforms, live: Object3D): void {
     const other = this.#texture;
     if (!other) return stage.draw(camera);
-    const [light, isVisible] = [lightTexture.value, live.visible];
+    const [light, colors, isVisible] = [lightTexture.value, colorTexture.value, live.visible];
     lightTexture.value = other.texture;
+    colorTexture.value = this.#colors?.texture ?? colors;
     live.visible = false;
     this.luminaires.root.visible = isVisible;
     stage.draw(camera, 0, this.#divider);
     lightTexture.value = light;
+    colorTexture.value = colors;
     live.visible = isVisible;
     this.luminaires.root.visible = false;
     stage.draw(camera, this.#divider, 1);
@@ -82,7 +88,7 @@ export class Wipe {
 
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
   release(): void {
-    this.#texture?.texture.dispose();
+    for (const each of [this.#texture, this.#colors]) each?.texture.dispose();
   }
 
   dispose(): void {

@@ -369,6 +369,21 @@ describe('the colour of light', () => {
     expect(kinds()).toEqual(['improved 2', 'colored 2', 'improved 3', 'colored 3']);
   });
 
+  test('comes with the light of another layout', async () => {
+    session.hasOperator = true;
+    await opened();
+    await driver.receive(show(2));
+    await driver.receive({ type: 'read', revision: 3, intentions: asked, layout });
+    settle();
+    await driver.receive(paint(1, 0, 0));
+    await driver.receive({ type: 'read', revision: 4, intentions: asked, layout });
+    settle();
+    const seen = answers.flatMap((each) =>
+      each.type === 'readings' && typeof each.shown !== 'string' ? [each.shown] : [],
+    );
+    expect(seen.map(({ colors }) => colors)).toEqual([null, seen[1]?.illuminance]);
+  });
+
   test('is not told of grey rooms, nor of those without an operator', async () => {
     session.hasOperator = true;
     await opened();

@@ -1,7 +1,7 @@
 /** Latest wins on the page's side, and a new worker where the old one dies. */
 import type { SceneInfo } from '../../../web/document/types.ts';
 import { beforeEach, describe, expect, test } from '@jest/globals';
-import type { FromWorker, Shown, ToWorker } from '../../../web/solver/protocol.ts';
+import type { FromWorker, Seen, ToWorker } from '../../../web/solver/protocol.ts';
 import { SolverClient, type WorkerLike } from '../../../web/solver/solver-client.ts';
 import type { PhotometricDescription } from '../../../web/document/photometry.ts';
 import { described as sample } from '../described.ts';
@@ -242,7 +242,7 @@ describe('a photometric file', () => {
 });
 
 describe('the light of another layout', () => {
-  const readings = (revision: number, shown: Shown | string): FromWorker => ({
+  const readings = (revision: number, shown: Seen | string): FromWorker => ({
     type: 'readings',
     revision,
     shown,
@@ -255,7 +255,7 @@ describe('the light of another layout', () => {
     );
     client.solve(asked, null, 1, 0);
     worker().answer(readings(second!, 'there is no site 9'));
-    worker().answer(readings(first!, { goal: 7 } as Shown));
+    worker().answer(readings(first!, { goal: 7 } as Seen));
     await expect(one).resolves.toEqual({ goal: 7 });
     await expect(other).rejects.toThrow('there is no site 9');
     expect(received).toEqual([]);

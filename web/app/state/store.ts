@@ -21,7 +21,7 @@ import type {
   Rule,
   SceneInfo,
 } from '../../document/types.ts';
-import type { AlphaStep, Outcome, Shown } from '../../solver/protocol.ts';
+import type { AlphaStep, Outcome, Seen, Shown } from '../../solver/protocol.ts';
 import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
@@ -140,7 +140,7 @@ export class Store {
   readonly traced = computed(() => withExcluded(intentionsOf(this.document.value), this.barred.value));
   readonly roomTitle = signal('');
   readonly shown = signal<Shown | null>(null); // at most once a frame
-  readonly other = signal<Shown | null>(null); // the light that it is compared with
+  readonly other = signal<Seen | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly score = signal<number | null>(null); // of a layout placed by hand against the solver's; links take it along
   readonly sentScore = signal<number | null>(null); // that came with a link, until it is told
