@@ -66,6 +66,15 @@ test('a link carries an arrangement and a range of counts', () => {
   expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
 });
 
+test('a link carries the areas in plan; one without extent is refused', () => {
+  const areas = { keepOut: [[0, 0, 2, 1.5]], keepIn: [], fromWalls: 0.4 } as const;
+  const drawn: Link = { ...link, luminaires: { ...link.luminaires, areas } };
+  expect(decodeLink(encodeLink(drawn))).toEqual({ ok: true, link: drawn });
+  const flat = { ...areas, keepOut: [[2, 0, 2, 1]] };
+  const broken = forged(JSON.stringify({ ...plain, l: { ...rules, areas: flat } }));
+  expect(decodeLink(broken)).toMatchObject({ ok: false });
+});
+
 test('a link carries the score of a layout by hand, a whole number of points', () => {
   const scored: Link = { ...link, score: 87 };
   expect(decodeLink(encodeLink(scored))).toEqual({ ok: true, link: scored });
