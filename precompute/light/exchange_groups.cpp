@@ -132,14 +132,28 @@ std::vector<std::uint8_t> barriersOf(const Room& room, const RayTracer& tracer) 
   return barriers;
 }
 
-/// Splits groups into what hangs together without crossing a barrier; returns the number of groups that begin
-/// below `patches` rows and the whole number.
-void splitAtBarriers(const Patches& patches, ExchangeGroups& groups) {
+/// Whether rows of several charts make up each group.
+std::vector<char> joinedOf(const Room& room, const ExchangeGroups& groups) {
+  std::vector<std::uint32_t> chart(groups.total, kNone);
+  std::vector<char> joined(groups.total, 0);
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
+    std::uint32_t& first = chart[groups.ofRow[p]];
+    if (first == kNone) first = room.chartOfPatch[p];
+    if (first != room.chartOfPatch[p]) joined[groups.ofRow[p]] = 1;
+  }
+  return joined;
+}
+
+/// Splits groups into what hangs together without crossing a barrier, but for joined crumbs, which hang
+/// together by being near: one barrier among a hundred leaves would make a hundred groups.
+void splitAtBarriers(const Room& room, ExchangeGroups& groups) {
+  const Patches& patches = room.patches;
   DisjointSets sets(patches.rows());
+  const std::vector<char> joined = joinedOf(room, groups);
   std::vector<char> cut(groups.total, 0);
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     const auto side = [&](std::uint32_t q, std::uint8_t barrier) {
-      if (q == kNone || groups.ofRow[p] != groups.ofRow[q]) return;
+      if (q == kNone || groups.ofRow[p] != groups.ofRow[q] || joined[groups.ofRow[p]]) return;
       if (groups.barriers[p] & barrier)
         cut[groups.ofRow[p]] = 1;
       else
@@ -190,7 +204,7 @@ ExchangeGroups exchangeGroups(const Room& room, const RayTracer& tracer) {
     Grouping grouping(room, edge, groups.ofRow);
     groups.count = grouping.assign(false, 0);
     groups.total = grouping.assign(true, groups.count);
-    splitAtBarriers(room.patches, groups);
+    splitAtBarriers(room, groups);
     if (groups.total <= kMostGroups || edge >= 64) return groups;
   }
 }

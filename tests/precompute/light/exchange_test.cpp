@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "core/transport/colored_light.h"
 #include "core/transport/exchange.h"
@@ -141,6 +142,45 @@ TEST_F(DividedRoom, OtherPhotometriesComeOutAsTheWholeSolution) {
     EXPECT_LT(error.meanWorst, 0.02) << error.photometry;
     EXPECT_LT(error.sigmaMedian, 0.02) << error.photometry;
   }
+}
+
+TEST(ExchangeGroups, SmallThingsStayTogetherWhereOneOfThemIsCrossed) {
+  // Twelve leaves of 2 x 2 patches, one of them cut in two by a fin: near each other, and of one surface.
+  auto faces = boxSurfaces({0, 0, 0}, {2, 2, 2}, 0.5, 0.25);
+  const auto firstLeaf = static_cast<std::uint32_t>(faces.size());
+  constexpr std::uint32_t kLeaves = 12;
+  for (std::uint32_t i = 0; i < kLeaves; ++i)
+    faces.push_back({"leaf " + std::to_string(i),
+                     {0.8 + 0.05 * (i % 4), 0.4 + 0.05 * (i / 4), 0.9},
+                     {0, 0, 0.1},
+                     {0.1, 0, 0},
+                     0.4,
+                     2,
+                     2});
+  const auto fin = blockSurfaces("fin", {0.845, 0.35, 0.85}, {0.01, 0.3, 0.2}, 0.5, 0.2);
+  faces.insert(faces.end(), fin.begin(), fin.end());
+  Room room = rectangleRoom(faces);
+  const auto isLeaf = [&](std::uint32_t p) {
+    const std::uint32_t surface = room.patches.surface[p];
+    return surface >= firstLeaf && surface < firstLeaf + kLeaves;
+  };
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p)
+    if (isLeaf(p)) leaves.push_back(p);
+  for (const std::uint32_t p : leaves) room.patches.surface[p] = firstLeaf;
+
+  const Result<RayTracer> tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  const ExchangeGroups groups = exchangeGroups(room, *tracer);
+  std::set<std::uint32_t> used;
+  std::uint32_t barriers = 0;
+  for (const std::uint32_t p : leaves) {
+    used.insert(groups.ofRow[p]);
+    barriers += groups.barriers[p] != 0;
+  }
+  EXPECT_GT(barriers, 0u);
+  EXPECT_EQ(leaves.size(), 4 * kLeaves);
+  EXPECT_LE(used.size(), 2u);
 }
 
 TEST(Pendants, LightThatGoesUpReachesTheCeiling) {
