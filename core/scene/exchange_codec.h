@@ -1,5 +1,6 @@
 // The exchange of light in a file. H counts square roots, since couplings differ by orders of magnitude, each
-// predicted from its neighbours left, above and at the corner; the rest is sparse: gaps and small numbers.
+// predicted from its neighbours left, above and at the corner, and range coded; the rest is sparse: gaps and
+// small numbers.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@
 namespace fiatlux {
 
 /// sqrt(H_cd sqrt(A_c A_d)) is stored in steps of this.
-inline constexpr double kExchangeMeanStep = 1e-3;
+inline constexpr double kExchangeMeanStep = 1.5e-3;
 /// Of the rest between row p and group d, times sqrt(A_p A_d).
-inline constexpr double kExchangeRestStep = 1e-3;
+inline constexpr double kExchangeRestStep = 1.5e-3;
 
 /// H by rows of its lower triangle, then the receivers' rows.
 std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const ExchangeGroups& groups,
@@ -30,14 +31,6 @@ std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const Excha
 /// The inverse, into exchange.offset, group and rest. "" or what does not fit.
 std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patches& patches,
                                const ExchangeGroups& groups, Exchange& exchange);
-
-/// Visible shares of the sites [first, last): runs of rows that are as visible as the cell beside them, and
-/// what is between.
-std::vector<std::uint8_t> encodeVisibility(const Patches& patches, const SiteVisibility& visibility,
-                                           std::uint32_t first, std::uint32_t last);
-/// The inverse, into visibility.steps, which has its size. "" or what does not fit.
-std::string decodeVisibility(std::span<const std::uint8_t> bytes, const Patches& patches, std::uint32_t first,
-                             std::uint32_t last, SiteVisibility& visibility);
 
 /// Areas of the groups, m2.
 std::vector<double> areasOf(const Patches& patches, const ExchangeGroups& groups);

@@ -7,6 +7,7 @@
 #include "core/scene/exchange_codec.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
+#include "core/scene/visibility_codec.h"
 
 namespace fiatlux {
 namespace {
