@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   fiatlux::addAlphaCommand(app);
   fiatlux::addExperimentsCommand(app);
   fiatlux::addPrecomputeCommand(app);
+  fiatlux::addSurfacesCommand(app);
   fiatlux::addInfoCommand(app);
   fiatlux::addEvaluateCommand(app);
   fiatlux::addLightCommand(app);

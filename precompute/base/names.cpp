@@ -87,6 +87,25 @@ std::string UniqueNames::take(const std::string& wanted) {
   return name;
 }
 
+bool matchesPattern(const std::string& pattern, const std::string& name) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  // The last '*' takes more and more of the name until the rest fits.
+  std::size_t p = 0, n = 0, star = std::string::npos, taken = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++, taken = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || lower(pattern[p]) == lower(name[n]))) {
+      ++p, ++n;
+    } else if (star != std::string::npos) {
+      p = star + 1, n = ++taken;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
 std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote,
                          std::size_t most) {
   const std::string asked = cleanText(wanted);

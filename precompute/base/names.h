@@ -25,6 +25,9 @@ class UniqueNames {
   std::set<std::string> taken_;
 };
 
+/// Whether a name is what a pattern says, case apart: '*' stands for any text, '?' for one byte.
+bool matchesPattern(const std::string& pattern, const std::string& name);
+
 /// Up to `most` of `names` that look most like `wanted`, each in quotes: "'a', 'b', 'c'"; for error messages.
 std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote = '\'',
                          std::size_t most = 3);

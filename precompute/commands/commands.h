@@ -10,6 +10,7 @@ namespace fiatlux {
 
 // Each registers a callback that throws CommandError on failure; main prints it and exits with status 2.
 void addPrecomputeCommand(CLI::App& app);
+void addSurfacesCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
 void addLightCommand(CLI::App& app);

@@ -24,7 +24,7 @@ struct LightOptions {
   std::string source, layout, points, patches;
   RoomOptions room;
   ForwardOptions forward;
-  bool json = false, grid = false;
+  bool json = false, grid = false, verbose = false;
 };
 
 std::vector<MeasuringPoint> pointsOf(const LightOptions& options) {
@@ -64,7 +64,7 @@ void light(LightOptions options) {
   if (!options.patches.empty()) orThrow(checkReplaceable(options.patches));
 
   TerminalProgress progress;
-  const Host host = commandHost(options.source, options.forward.threads, progress);
+  const Host host = commandHost(options.source, options.forward.threads, progress, options.verbose);
   options.forward.progress = &progress;
   const ModelFile model = orThrow(options.source, modelAt(options.source));
   const auto [source, room, tracer] =
@@ -98,7 +98,8 @@ void addLightCommand(CLI::App& app) {
   auto o = std::make_shared<LightOptions>();
   CLI::App* command =
       app.add_subcommand("light", "What luminaires anywhere do to a room, refined until converged");
-  addRoomOptions(*command, o->source, o->room, {o->forward.rays, o->forward.seed, o->forward.threads});
+  addRoomOptions(*command, o->source, o->room, {o->forward.rays, o->forward.seed, o->forward.threads},
+                 o->verbose);
   command->add_option("--layout", o->layout, "Luminaires, free or on the room's sites (layout.json)")
       ->required();
   command->add_option("--points", o->points, "Read the light at the points x,y,z,nx,ny,nz of this .csv");

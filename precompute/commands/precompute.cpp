@@ -19,6 +19,7 @@ namespace {
 
 struct PrecomputeOptions {
   std::string source, output, opening;
+  bool verbose = false;
   SceneOptions scene;
 };
 
@@ -66,7 +67,7 @@ void precompute(PrecomputeOptions options) {
     options.scene.opening = [&](const Scene& scene) { return openingLayout(opening, scene); };
   }
   TerminalProgress progress;
-  const Host host = commandHost(options.source, options.scene.transport.threads, progress);
+  const Host host = commandHost(options.source, options.scene.transport.threads, progress, options.verbose);
   const ModelFile model = orThrow(options.source, modelAt(options.source));
   const MadeScene scene = orThrow(options.source, makeScene(model, options.scene, host));
   orThrow(replaceFile(output, scene.file));
@@ -81,7 +82,7 @@ void addPrecomputeCommand(CLI::App& app) {
   RoomOptions& room = o->scene.room;
   TransportOptions& transport = o->scene.transport;
   CLI::App* command = app.add_subcommand("precompute", "glTF in, scene file out");
-  addRoomOptions(*command, o->source, room, {transport.rays, transport.seed, transport.threads});
+  addRoomOptions(*command, o->source, room, {transport.rays, transport.seed, transport.threads}, o->verbose);
   command->add_option("-o,--output", o->output, "The scene file (.flux; default: the room's name)");
   command->add_option("--cluster", room.cluster, "Patches on a cluster's edge")
       ->check(wholeFrom(1, 64))

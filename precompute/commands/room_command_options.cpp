@@ -10,23 +10,37 @@ constexpr double kMost = 1e6;  // m, GB: beyond any room, far from what a number
 
 }  // namespace
 
-void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays) {
+void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, bool& verbose) {
   command.add_option("room", source, "The room (.glb, or .gltf with its files)")->required();
+  command
+      .add_option("--mount", room.mounts,
+                  "Node, surface or pattern ('Ceiling*') where luminaires may hang (repeatable)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--ceiling", room.ceiling,
+                  "Luminaires hang in a plane so many metres above the largest floor")
+      ->check(numberFrom(0.1, kMost));
+  command.add_option("--measure", room.measures, "Node that is a measuring plane (repeatable)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--scale", room.scale,
+                  "Metres of one unit of the file (default: 1, or a guess where that is absurd)")
+      ->check(numberFrom(1e-6, kMost));
+  command.add_flag("--double-sided", room.doubleSided, "Faces of every material have two sides");
+  command.add_flag("--verbose", verbose, "Tell all remarks on the model, not the first five alone");
+}
+
+void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays,
+                    bool& verbose) {
+  addModelOptions(command, source, room, verbose);
   command.add_option("--patch", room.patch, "Edge of a patch, m (default: about 25 000 patches)")
       ->check(numberFrom(1e-4, kMost));
-  command.add_option("--mount", room.mounts, "Node or surface where luminaires may hang (repeatable)")
-      ->allow_extra_args(false);
   command.add_option("--site-spacing", room.siteSpacing, "Distance between sites, m")
       ->check(numberFrom(1e-3, kMost));
   command.add_option("--site-size", room.siteSize, "Side of a luminaire's square, m (default: the spacing)")
       ->check(numberFrom(1e-3, kMost));
   command.add_option("--drop", room.drop, "How far below their mounts luminaires hang (pendants), m")
       ->check(numberFrom(0, kMost));
-  command.add_option("--measure", room.measures, "Node that is a measuring plane (repeatable)")
-      ->allow_extra_args(false);
-  command.add_option("--scale", room.scale, "Metres of one unit of the file")
-      ->check(numberFrom(1e-6, kMost))
-      ->capture_default_str();
   command.add_option("--memory", room.memory, "GB that may be used")
       ->check(numberFrom(0.01, kMost))
       ->capture_default_str();

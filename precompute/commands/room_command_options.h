@@ -19,9 +19,13 @@ struct RayOptions {
   unsigned& threads;
 };
 
-/// Adds the room's file and all that says how it becomes patches, sites and rays. What is referred to must
-/// outlive `command`.
-void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays);
+/// Adds the room's file and what says how it is understood: unit, mounts, measuring planes. What is referred
+/// to must outlive `command`.
+void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, bool& verbose);
+
+/// And all that says how it becomes patches, sites and rays.
+void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays,
+                    bool& verbose);
 
 /// --rays, --seed and --threads alone.
 void addRayOptions(CLI::App& command, RayOptions rays);

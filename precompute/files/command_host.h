@@ -9,7 +9,11 @@
 namespace fiatlux {
 
 /// For the model at `path`; `threads` 0: as many as the machine has cores. `progress` must outlive it.
-Host commandHost(const std::string& path, unsigned threads, TerminalProgress& progress);
+/// `verbose`: all warnings are printed, else the first five.
+Host commandHost(const std::string& path, unsigned threads, TerminalProgress& progress, bool verbose);
+
+/// Prints warnings of the model at `path`: the first five, unless `verbose`.
+void printWarnings(const std::string& path, const std::vector<std::string>& warnings, bool verbose);
 
 /// The model at `path` in memory.
 Result<ModelFile> modelAt(const std::string& path);

@@ -31,7 +31,7 @@ struct Sheets {
   const Sheet& of(std::uint32_t t) { return ofRoot[sets.find(t)]; }
 };
 
-Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
+Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh, bool all) {
   const std::size_t n = mesh.triangles.size();
   Sheets sheets{DisjointSets(n), std::vector<Sheet>(n), std::vector<bool>(n)};
 
@@ -43,7 +43,7 @@ Sheets findSheets(const SourceScene& source, const WeldedMesh& mesh) {
   std::vector<Edge> edges;
   for (std::uint32_t t = 0; t < n; ++t) {
     const int material = source.meshes[mesh.triangles[t].mesh].material;
-    sheets.isMember[t] = material >= 0 && source.materials[material].doubleSided;
+    sheets.isMember[t] = all || (material >= 0 && source.materials[material].doubleSided);
     if (!sheets.isMember[t]) continue;
     const auto& v = mesh.triangles[t].vertex;
     for (int i = 0; i < 3; ++i) {
@@ -117,8 +117,8 @@ bool isRoomFromOutside(const WeldedMesh& mesh, Sheets& sheets, std::uint32_t roo
 
 }  // namespace
 
-std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh) {
-  Sheets sheets = findSheets(source, mesh);
+std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh, bool all) {
+  Sheets sheets = findSheets(source, mesh, all);
   std::vector<Face> faces;
   std::vector<char> roomFromOutside(mesh.triangles.size(), -1);  // by root; -1: not asked yet
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
+#include <limits>
 
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
@@ -13,23 +12,15 @@
 #include "precompute/geometry/clusters.h"
 #include "precompute/geometry/covered.h"
 #include "precompute/geometry/cut_patches.h"
-#include "precompute/geometry/mounts.h"
-#include "precompute/geometry/outside.h"
-#include "precompute/geometry/surfaces.h"
+#include "precompute/geometry/inside.h"
+#include "precompute/geometry/plain_reflectance.h"
 #include "precompute/gltf/reflectance.h"
-#include "precompute/room/bounds.h"
 #include "precompute/room/memory.h"
 
 namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kMostClusters = 3000;
-constexpr std::size_t kMostTransparent = 8;              // of transparent materials, in warnings
-constexpr double kTooWide = 100, kInMillimetres = 2000;  // m: what no room is, and what no building is
-constexpr double kTooNarrow = 0.5;                       // m
-constexpr double kRegionShare = 0.01;                    // of the area: such a plane is a surface of its own
-constexpr double kPieces = 40;                           // on the diagonal: how fine a first look round is
-constexpr double kNearCorner = 0.4;               // of a side, from the centre: where its light is tried
 constexpr double kFloorLike = 0.7;                // cos 45 degrees: a measuring plane that lies
 constexpr double kMostRoomOption = 1e6;           // m
 constexpr std::uint32_t kMostClusterEdge = 4096;  // patches
@@ -40,130 +31,6 @@ constexpr double kFinestPatch = 0.05, kCoarsestPatch = 0.5;     // m
 constexpr double kFewMore = 1.15;                               // times as many are fine
 constexpr double kSnaps = 0.25;  // e to this: how much a patch may change to divide the sites' spacing
 constexpr int kCoarsenings = 3;
-
-/// The source's meshes by what they are to the light.
-struct Roles {
-  std::vector<std::uint32_t> reflectors, measures;
-};
-
-Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::vector<std::string>& warnings) {
-  for (const std::string& name : options.measures) {
-    const std::vector<std::string> names = askedNames(source);
-    if (std::find(names.begin(), names.end(), name) == names.end()) unknownName("--measure", name, names);
-  }
-  Roles roles;
-  std::set<std::string> transparent;
-  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    const SourceMesh& mesh = source.meshes[m];
-    const auto named = [&](const std::string& name) {
-      return name == mesh.node || name == mesh.extras.surface;
-    };
-    if (mesh.extras.measure || std::any_of(options.measures.begin(), options.measures.end(), named)) {
-      roles.measures.push_back(m);
-    } else if (mesh.material >= 0 && source.materials[mesh.material].alpha == SourceMaterial::Alpha::kBlend) {
-      transparent.insert(source.materials[mesh.material].name);
-    } else {
-      roles.reflectors.push_back(m);
-    }
-  }
-  for (const std::string& name : transparent)
-    if (transparent.size() <= kMostTransparent || name == *transparent.begin())
-      warnings.push_back("material '" + name +
-                         "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
-                         (transparent.size() <= kMostTransparent
-                              ? ""
-                              : "; so are " + std::to_string(transparent.size() - 1) + " more"));
-  return roles;
-}
-
-void warnOfScale(const WeldedMesh& mesh, std::vector<std::string>& warnings) {
-  const double width = boundsOf(mesh.positions).longestEdge();
-  if (width > kTooWide)
-    warnings.push_back("the room is " + shortNumber(width) + " m wide: the file is probably in " +
-                       (width > kInMillimetres ? "millimetres: pass --scale 0.001"
-                                               : "centimetres or millimetres: pass --scale 0.01 or 0.001"));
-  if (width < kTooNarrow)
-    warnings.push_back("the room is only " + shortNumber(width) +
-                       " m wide: pass --scale with the metres of one unit of the file");
-}
-
-/// The reflectors on common vertices; refuses what is no room, and warns of what was dropped.
-WeldedMesh weldReflectors(const SourceScene& source, const Roles& roles, std::vector<std::string>& warnings) {
-  WeldedMesh mesh = weld(source, roles.reflectors);
-  if (mesh.triangles.empty())
-    throw CommandError(
-        roles.reflectors.empty()
-            ? "no surfaces: everything is transparent or a measuring plane; give the walls an opaque material"
-            : "no surfaces: every triangle has zero area; check the scale of the nodes");
-  if (mesh.withoutArea > 0)
-    warnings.push_back("triangles without area are left out: " + std::to_string(mesh.withoutArea));
-  if (mesh.duplicates > 0)
-    warnings.push_back("triangles that repeat others are left out: " + std::to_string(mesh.duplicates));
-  warnOfScale(mesh, warnings);
-  return mesh;
-}
-
-RayTracer tracerOf(const WeldedMesh& mesh) {
-  std::vector<RayTracer::Triangle> triangles;
-  for (const WeldedTriangle& t : mesh.triangles) triangles.push_back(t.vertex);
-  return orThrow(RayTracer::build(mesh.positions, triangles));
-}
-
-std::vector<Face> frontFaces(const WeldedMesh& mesh) {
-  std::vector<Face> faces;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    faces.push_back({mesh.triangles[t].vertex, t, mesh.triangles[t].mesh, mesh.triangles[t].source, false});
-  return faces;
-}
-
-/// The room's surfaces without its outside, and where luminaires may hang.
-struct Inside {
-  SurfaceTree tree;
-  UniqueNames names;  // those that are taken
-  std::optional<FreeSpace> space;
-  std::vector<Mount> mounts;
-  Outside outside;
-};
-
-/// Where light starts that a person has placed already.
-std::vector<LightPlace> placesOf(const std::vector<Luminaire>& luminaires) {
-  std::vector<LightPlace> places;
-  for (const Luminaire& l : luminaires) {
-    const bool isotropic = l.distribution == Luminaire::Distribution::kIsotropic;
-    const bool toAllSides = isotropic || l.distribution == Luminaire::Distribution::kPhotometric;
-    const Vec3 clear = isotropic ? Vec3{} : kLuminaireClearance * l.normal;
-    const Vec3 u = kNearCorner * l.width * l.axis, v = kNearCorner * l.height * cross(l.normal, l.axis);
-    for (const Vec3& from : {Vec3{}, u + v, u - v, v - u, -u - v})
-      places.push_back({l.position + from + clear, toAllSides ? Vec3{} : l.normal});
-  }
-  return places;
-}
-
-/// Finds surfaces and mounts; turns sheets that look outward; leaves out what no light can reach.
-Inside findInside(const SourceScene& source, const RoomOptions& options, const RayTracer& tracer,
-                  WeldedMesh& mesh, std::vector<std::string>& warnings) {
-  std::vector<Face> faces = frontFaces(mesh);
-  const std::vector<Face> backs = backFaces(source, mesh);
-  faces.insert(faces.end(), backs.begin(), backs.end());
-  UniqueNames firstNames;
-  Inside inside;
-  inside.tree = findSurfaces(source, mesh, faces, kRegionShare, firstNames);
-  Outlook outlook(mesh, tracer, makeCharts(mesh, inside.tree, mesh.diagonal / kPieces, 0));
-  if (turnOutwardSheets(mesh, faces, outlook)) {
-    // What is turned over has other planes and other names: found anew, which is rare.
-    inside.tree = findSurfaces(source, mesh, faces, kRegionShare, inside.names);
-  } else {
-    inside.names = std::move(firstNames);
-  }
-  inside.space.emplace(mesh, tracer, faces);
-  inside.mounts = findMounts(source, mesh, inside.tree, faces, *inside.space, options, warnings);
-  const Outlook::Unlit unlit =
-      outlook.unlit(facesWithSites(mesh, inside.mounts), placesOf(options.luminaires));
-  inside.outside = leaveOut(unlit.outside, inside.tree);
-  for (const std::string& note : {inside.outside.note, noteOfShutOff(unlit.shutOff, inside.tree)})
-    if (!note.empty()) warnings.push_back(note);
-  return inside;
-}
 
 /// A patch size and the charts for it.
 struct Cut {
@@ -203,6 +70,24 @@ void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
     room.surfaces.push_back(surface);
   }
   room.warnings.insert(room.warnings.end(), tree.warnings.begin(), tree.warnings.end());
+}
+
+/// The surface that most rays straight down from the sites meet with its upper side; kNone where none does.
+std::uint32_t floorBelow(const Room& room, const RayTracer& tracer) {
+  std::vector<std::uint32_t> met(room.surfaces.size(), 0);
+  constexpr Vec3 kStraightDown{0, -1, 0};
+  for (const Site& site : room.sites) {
+    RayPacket packet;
+    const Vec3 from = site.position + tracer.offset() * site.normal;
+    tracer.aim(packet, from, kStraightDown, std::numeric_limits<float>::infinity());
+    HitPacket hits;
+    tracer.intersect(packet, hits);
+    const std::uint32_t p = room.patchMet(from, kStraightDown, hits.triangle[0], hits.distance[0]);
+    if (p != kNone && room.patches.normal[p].y > kFloorLike) ++met[room.patches.surface[p]];
+  }
+  const auto most = std::max_element(met.begin(), met.end());
+  if (most == met.end() || *most == 0) return kNone;
+  return static_cast<std::uint32_t>(most - met.begin());
 }
 
 /// Areas, reflectances and counts of the surfaces, from their patches; areas and reflectances of what is not
@@ -264,6 +149,7 @@ void checkOptions(const RoomOptions& options) {
     throw CommandError("--cluster must be between 1 and " + std::to_string(kMostClusterEdge));
   if (!(options.siteSpacing >= 0 && options.siteSpacing < kMostRoomOption)) refuse("--site-spacing");
   if (!(options.siteSize >= 0 && options.siteSize < kMostRoomOption)) refuse("--site-size");
+  if (!(options.ceiling >= 0 && options.ceiling < kMostRoomOption)) refuse("--ceiling");
   if (!(options.drop >= 0 && options.drop < kMostRoomOption)) refuse("--drop");
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
@@ -272,13 +158,15 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   checkOptions(options);
   Room room;
   room.sourceHash = source.hash;
-  room.warnings = source.warnings;
-  const Roles roles = assignRoles(source, options, room.warnings);
-  WeldedMesh mesh = weldReflectors(source, roles, room.warnings);
+  std::vector<std::string> details = source.warnings;
+  const Roles roles = assignRoles(source, options, details);
+  WeldedMesh mesh = weldReflectors(source, roles, details);
 
   // note: built before sheets are turned over, for a ray does not mind which side it meets
   RayTracer tracer = tracerOf(mesh);
   Inside inside = findInside(source, options, tracer, mesh, room.warnings);
+  room.leading = room.warnings.size();
+  room.warnings.insert(room.warnings.end(), details.begin(), details.end());
   auto [patch, charts] = options.patch > 0
                              ? Cut{options.patch, makeCharts(mesh, inside.tree, options.patch, 0)}
                              : fittingCut(source, mesh, inside.tree);
@@ -286,7 +174,9 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   checkGrids(charts, options, patch, kMostClusters);
 
   addSurfaces(inside.tree, false, room);
-  const ReflectanceMap reflectance(source);
+  const AssumedReflectance assumed = assumeReflectance(source, inside.tree);
+  if (!assumed.note.empty()) room.warnings.push_back(assumed.note), room.assumptions += " materials=roles";
+  const ReflectanceMap reflectance(source, &assumed.ofTriangle);
   appendPatches(mesh, charts, patch, &reflectance, room);
   room.patches.count = room.patches.rows();
   addTriangles(mesh, charts, inside.outside, room);
@@ -298,6 +188,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   room.patches.covered = coveredRows(room, tracer);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, tracer, *inside.space, options, room);
+  room.floor = floorBelow(room, tracer);
   orThrow(checkMemory(countsOf(options, room), options.memory));
   return {std::move(room), std::move(tracer)};
 }

@@ -45,7 +45,7 @@ inline Vec3 areaVector(const std::vector<Vec3>& positions, const std::array<std:
 
 /// The back faces that double-sided sheets have (back_faces.cpp): those of double-sided materials whose
 /// connected piece is open, is a thing turned inside out, or is a room drawn from outside. Other closed
-/// pieces need none: nothing can be seen from behind them.
-std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh);
+/// pieces need none: nothing can be seen from behind them. `all`: as if every material were double-sided.
+std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh, bool all = false);
 
 }  // namespace fiatlux

@@ -45,7 +45,7 @@ FreeSpace::Met FreeSpace::meet(const Vec3& origin, const Vec3& direction) const 
   const std::uint32_t t = hits.triangle[0];
   if (t == kNone) return {};
   const bool back = dot(direction, areaVector(mesh_.positions, mesh_.triangles[t].vertex)) > 0;
-  return {t, hits.distance[0], isSurface_[t][back]};
+  return {t, hits.distance[0], back, isSurface_[t][back]};
 }
 
 std::optional<double> FreeSpace::floorAt(const Met& met) const {
@@ -70,11 +70,13 @@ FreeSpace::View FreeSpace::from(const std::vector<Face>& faces, std::uint64_t se
     lost += !met.isSurface;
 
     // The floor, and what is above it.
-    const std::optional<double> floor = floorAt(meet(origin, kDownward));
+    const Met below = meet(origin, kDownward);
+    const std::optional<double> floor = floorAt(below);
     if (!floor) continue;
     view.floors.push_back(*floor);
-    const Vec3 below = origin + (*floor - tracer_.offset()) * kDownward;
-    skies += meet(below, cosineDirection(Frame(kUpward), random[2], random[3])).triangle == kNone;
+    view.floorSides.emplace_back(below.triangle, below.back);
+    const Vec3 onFloor = origin + (*floor - tracer_.offset()) * kDownward;
+    skies += meet(onFloor, cosineDirection(Frame(kUpward), random[2], random[3])).triangle == kNone;
   }
   view.lost = lost / kLooks;
   if (!view.floors.empty()) view.sky = skies / static_cast<double>(view.floors.size());

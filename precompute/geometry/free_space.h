@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "precompute/geometry/faces.h"
@@ -21,9 +22,10 @@ class FreeSpace {
 
   struct View {
     std::vector<double> floors;  // m, straight down to a surface that faces up; ascending; a ray each
-    double path = 0;             // m, mean way of rays by the cosine; those that meet nothing count as 10 m
-    double lost = 0;             // share of them that meet nothing, or a back that is no surface
-    double sky = 0;              // share of the rays up from the floors, by the cosine, that meet nothing
+    std::vector<std::pair<std::uint32_t, bool>> floorSides;  // of those: triangle, and whether its back
+    double path = 0;  // m, mean way of rays by the cosine; those that meet nothing count as 10 m
+    double lost = 0;  // share of them that meet nothing, or a back that is no surface
+    double sky = 0;   // share of the rays up from the floors, by the cosine, that meet nothing
 
     /// Share of the rays straight down that meet a floor between `low` and `high` metres beneath.
     double floorsWithin(double low, double high) const;
@@ -43,7 +45,7 @@ class FreeSpace {
   struct Met {
     std::uint32_t triangle = kNone;
     double distance = 0;  // m
-    bool isSurface = false;
+    bool back = false, isSurface = false;
   };
   Met meet(const Vec3& origin, const Vec3& direction) const;
   std::optional<double> floorAt(const Met& met) const;

@@ -10,6 +10,7 @@
 #include "precompute/base/error.h"
 #include "precompute/base/names.h"
 #include "precompute/geometry/ceilings.h"
+#include "precompute/geometry/open_floor.h"
 #include "precompute/geometry/sites.h"
 
 namespace fiatlux {
@@ -24,6 +25,7 @@ bool within(const std::string& path, const std::string& name) {
 constexpr double kLow = 1.8, kHigh = 9;  // m: heights of ceilings worth a word
 constexpr double kHeadroom = 1;          // m, free below a site
 constexpr double kSqueezed = 0.3;        // m, to both sides of it: within a wall
+constexpr int kExact = 17;               // digits of a number in an identity
 constexpr std::size_t kMostStoreys = 4;  // that are told
 
 // The spacing of sites where none is said.
@@ -50,23 +52,45 @@ std::vector<Mount> markedMounts(const SourceScene& source, const std::vector<Fac
   return mounts;
 }
 
-void addNamedMounts(const SourceScene& source, const SurfaceTree& tree, const std::vector<Face>& faces,
+/// Adds the faces of all surfaces below `name`, of the nodes of that name, or of what a pattern matches.
+void addFaces(const SourceScene& source, const SurfaceTree& tree, const std::vector<Face>& faces,
+              const std::string& name, Mount& mount) {
+  const bool isPattern = name.find_first_of("*?") != std::string::npos;
+  const auto isAsked = [&](const std::string& path) {
+    return isPattern ? matchesPattern(name, path) : within(path, name) || within(path, name + " (back)");
+  };
+  for (const SurfaceGroup& group : tree.groups)
+    for (std::size_t r = 0; r < group.regions.size(); ++r)
+      if (isAsked(tree.names[group.leafOfRegion[r]]))
+        for (const std::uint32_t f : group.regions[r].faces) mount.faces.push_back(group.set.faces[f]);
+  if (!mount.faces.empty()) return;
+  for (const Face& face : faces) {
+    const std::string& node = source.meshes[face.mesh].node;
+    if (isPattern ? matchesPattern(name, node) : node == name) mount.faces.push_back(face);
+  }
+}
+
+/// Says what might have been meant: by meaning where a ceiling was asked for, else by spelling.
+[[noreturn]] void unknownMount(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+                               const FreeSpace& space, const std::string& name) {
+  std::vector<std::string> names = askedNames(source), ceilings;
+  names.insert(names.end(), tree.names.begin(), tree.names.end());
+  if (saysCeiling(name)) {
+    std::copy_if(names.begin(), names.end(), std::back_inserter(ceilings), saysCeiling);
+    if (ceilings.empty())
+      for (const Ceiling& ceiling : proposeCeilings(source, mesh, tree, space))
+        ceilings.push_back(ceiling.name);
+  }
+  unknownName("--mount", name, ceilings.empty() ? names : ceilings);
+}
+
+void addNamedMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
+                    const std::vector<Face>& faces, const FreeSpace& space,
                     const std::vector<std::string>& wanted, std::vector<Mount>& mounts) {
   for (const std::string& name : wanted) {
-    Mount mount{name, {}, 0};
-    for (const SurfaceGroup& group : tree.groups)
-      for (std::size_t r = 0; r < group.regions.size(); ++r)
-        if (within(tree.names[group.leafOfRegion[r]], name) ||
-            within(tree.names[group.leafOfRegion[r]], name + " (back)"))
-          for (const std::uint32_t f : group.regions[r].faces) mount.faces.push_back(group.set.faces[f]);
-    if (mount.faces.empty())
-      for (const Face& face : faces)
-        if (source.meshes[face.mesh].node == name) mount.faces.push_back(face);
-    if (mount.faces.empty()) {
-      std::vector<std::string> names = askedNames(source);
-      names.insert(names.end(), tree.names.begin(), tree.names.end());
-      unknownName("--mount", name, names);
-    }
+    Mount mount{name, {}};
+    addFaces(source, tree, faces, name, mount);
+    if (mount.faces.empty()) unknownMount(source, mesh, tree, space, name);
     for (const Face& face : mount.faces) {
       const NodeExtras& extras = source.meshes[face.mesh].extras;
       mount.spacing = extras.siteSpacing.value_or(mount.spacing);
@@ -122,21 +146,34 @@ void unknownName(const char* option, const std::string& name, const std::vector<
 std::vector<Mount> findMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
                               const std::vector<Face>& faces, const FreeSpace& space,
                               const RoomOptions& options, std::vector<std::string>& warnings) {
-  std::vector<Mount> mounts = markedMounts(source, faces);
-  addNamedMounts(source, tree, faces, options.mounts, mounts);
-  if (!mounts.empty() || !options.requireSites) return mounts;
-  mounts = proposedMounts(source, mesh, tree, space, warnings);
-  if (mounts.empty())
+  std::vector<Mount> mounts;
+  if (options.ceiling == 0) mounts = markedMounts(source, faces);
+  addNamedMounts(source, mesh, tree, faces, space, options.mounts, mounts);
+  if (!mounts.empty() || !options.requireSites || options.ceiling > 0) return mounts;
+  return proposedMounts(source, mesh, tree, space, warnings);
+}
+
+Mount planeMount(const WeldedMesh& mesh, const SurfaceTree& tree, const FreeSpace& space,
+                 const RoomOptions& options, std::vector<std::string>& warnings) {
+  const std::optional<OpenFloor> floor = largestFloor(mesh, tree, space);
+  if (!floor)
     throw CommandError(
-        "nowhere to hang luminaires: no node is marked as mount and nothing faces down over a floor; "
-        "pass --mount with one of " +
+        "nowhere to hang luminaires: no node is marked as mount, nothing faces down over a floor, and there "
+        "is "
+        "no floor with free space above; pass --mount with one of " +
         closestNames("ceiling", tree.names));
-  return mounts;
+  const double height = options.ceiling > 0 ? options.ceiling : proposedHeight(*floor);
+  if (options.ceiling == 0)
+    warnings.push_back("nothing is a ceiling: luminaires are proposed to hang in a plane " +
+                       shortNumber(height) + " m above '" + floor->name + "' (" + shortNumber(floor->area) +
+                       " m2); --ceiling says another height, --mount another place");
+  return {floor->name, floor->faces, 0, 0, true, false, height};
 }
 
 std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts) {
   std::vector<Face> all;
   for (const Mount& mount : mounts) {
+    if (mount.lift > 0) continue;
     const std::vector<Face> faces = facesForSites(mesh, mount.faces);
     all.insert(all.end(), faces.begin(), faces.end());
   }
@@ -165,6 +202,25 @@ void lower(const Mount& mount, double drop, const RayTracer& tracer, std::vector
                        shortNumber(drop) + " m below them; pass a smaller --drop");
 }
 
+/// Sites on a plane that is lifted off the mount's faces and looks down upon them.
+std::vector<Site> liftedSites(const WeldedMesh& mesh, const Mount& mount, double spacing, double size) {
+  WeldedMesh plane = mesh;
+  for (Vec3& p : plane.positions) p.y += mount.lift;
+  std::vector<Face> faces = mount.faces;
+  for (Face& face : faces) std::swap(face.vertex[1], face.vertex[2]);
+  return sitesOn(plane, faces, spacing, size);
+}
+
+/// Whether anything crosses a site's square.
+bool isCrossed(const RayTracer& tracer, const Site& site) {
+  RayPacket ways;
+  const Vec3 u = 0.5 * site.size * site.axis, v = 0.5 * site.size * cross(site.normal, site.axis);
+  for (const Vec3& way : {u, -u, v, -v, u + v, u - v, v - u, -u - v}) tracer.aim(ways, site.position, way, 1);
+  bool blocked[RayPacket::kSize];
+  tracer.occluded(ways, blocked);
+  return std::any_of(blocked, blocked + ways.count, [](bool b) { return b; });
+}
+
 /// Takes away the sites of a proposal that would shine on what is close, hang within a wall, or outdoors.
 void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& space, std::vector<Site>& sites) {
   const auto isSqueezed = [&](const Vec3& from, const Vec3& side) {
@@ -179,7 +235,7 @@ void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& spac
     const double height = space.floorBelow(below).value_or(0);
     const Vec3 floor = below - Vec3{0, height - kLuminaireClearance, 0};
     return height < kHeadroom || isSqueezed(below, site.axis) ||
-           isSqueezed(below, cross(site.normal, site.axis)) ||
+           isSqueezed(below, cross(site.normal, site.axis)) || (mount.lift > 0 && isCrossed(tracer, site)) ||
            (mount.isIndoors && space.skyAbove(floor) >= kOpenSky);
   };
   std::vector<Site> kept;
@@ -189,14 +245,30 @@ void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& spac
 
 }  // namespace
 
+std::vector<LightPlace> placesInTheOpen(const WeldedMesh& mesh, const std::vector<Mount>& mounts,
+                                        const FreeSpace& space) {
+  constexpr double kSpacing = 0.5;  // m
+  std::vector<LightPlace> places;
+  for (const Mount& mount : mounts) {
+    if (mount.lift == 0) continue;
+    const double area = mountArea(mesh, mount.faces);
+    const double spacing = std::max(kSpacing, std::sqrt(area / kUsualSites));
+    for (const Site& site : liftedSites(mesh, mount, spacing, spacing))
+      if (space.floorBelow(site.position).value_or(0) >= kHeadroom)
+        places.push_back({site.position, site.normal});
+  }
+  return places;
+}
+
 void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const RayTracer& tracer,
               const FreeSpace& space, const RoomOptions& options, Room& room) {
   double area = 0;
   for (const Mount& mount : mounts) area += mountArea(mesh, mount.faces);
   const double sensible = std::clamp(std::round(std::sqrt(area / kUsualSites) / kStep) * kStep, kFinest,
                                      std::max(kCoarsest, std::sqrt(area / kManySites)));
-  if (std::any_of(mounts.begin(), mounts.end(), [](const Mount& m) { return m.isProposed; }))
-    room.assumptions += " places=ceilings";
+  for (const Mount& mount : mounts)
+    if (mount.isProposed)
+      room.assumptions += mount.lift > 0 ? " plane=" + shortNumber(mount.lift, kExact) : " place=free";
   for (const Mount& mount : mounts) {
     const double spacing = options.siteSpacing > 0 ? options.siteSpacing
                            : mount.spacing > 0     ? mount.spacing
@@ -206,7 +278,8 @@ void addSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts, const Ra
     RunCounts counts = countsOf(options, room);
     counts.sites += expected;
     orThrow(checkMemory(counts, options.memory));
-    std::vector<Site> sites = sitesOn(mesh, mount.faces, spacing, size);
+    std::vector<Site> sites =
+        mount.lift > 0 ? liftedSites(mesh, mount, spacing, size) : sitesOn(mesh, mount.faces, spacing, size);
     if (sites.empty())
       room.warnings.push_back("mount '" + mount.name + "' has no room for a whole square of " +
                               shortNumber(size) + " m; pass a smaller --site-spacing");

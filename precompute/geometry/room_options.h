@@ -14,14 +14,17 @@
 namespace fiatlux {
 
 struct RoomOptions {
-  double patch = 0;                   // m, edge of a patch; 0: so that n is about 25 000
-  std::uint32_t cluster = 4;          // patches on a cluster's edge
-  std::vector<std::string> mounts;    // nodes or surfaces where luminaires may hang (besides extras.mount)
-  double siteSpacing = 0;             // m; 0: what the extras say, else a sensible default
-  double siteSize = 0;                // m, side of a site's square; 0: the spacing
-  double drop = 0;                    // m, that sites hang below their mounts; 0: what the extras say
+  double patch = 0;           // m, edge of a patch; 0: so that n is about 25 000
+  std::uint32_t cluster = 4;  // patches on a cluster's edge
+  std::vector<std::string>
+      mounts;              // nodes, surfaces, patterns where luminaires may hang (besides extras.mount)
+  double siteSpacing = 0;  // m; 0: what the extras say, else a sensible default
+  double siteSize = 0;     // m, side of a site's square; 0: the spacing
+  double drop = 0;         // m, that sites hang below their mounts; 0: what the extras say
+  double ceiling = 0;      // m, of a plane of sites over the largest floor; 0: where there is no ceiling
   std::vector<std::string> measures;  // names of measuring planes (besides extras.measure)
-  double scale = 1;                   // metres per unit of the file
+  double scale = 0;                   // metres per unit of the file; 0: 1, or a guess where that is absurd
+  bool doubleSided = false;           // every material is: fronts may look either way
   double memory = 4;                  // GB, refused above
   std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory
   unsigned threads = 1;               // that will share the work: only to foresee the memory

@@ -23,7 +23,8 @@ double luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g 
 
 }  // namespace
 
-ReflectanceMap::ReflectanceMap(const SourceScene& source) : source_(source) {
+ReflectanceMap::ReflectanceMap(const SourceScene& source, const Assumed* assumed)
+    : source_(source), assumed_(assumed) {
   for (int i = 0; i < 256; ++i) {
     const double s = i / 255.0;
     linear_[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
@@ -33,6 +34,7 @@ ReflectanceMap::ReflectanceMap(const SourceScene& source) : source_(source) {
 bool ReflectanceMap::isConstant(std::uint32_t m) const {
   const SourceMesh& mesh = source_.meshes[m];
   if (mesh.extras.reflectance) return true;
+  if (isAssumed(m)) return false;
   const bool textured = mesh.material >= 0 && source_.materials[mesh.material].image >= 0 && !mesh.uv.empty();
   return !textured && mesh.colors.empty();
 }
@@ -41,6 +43,7 @@ double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle,
                           const std::array<double, 3>& weights) const {
   const SourceMesh& mesh = source_.meshes[m];
   if (mesh.extras.reflectance) return *mesh.extras.reflectance;
+  if (isAssumed(m)) return (*assumed_)[m][triangle];
   std::array<double, 3> color{1, 1, 1};
   const auto& v = mesh.triangles[triangle];
   if (mesh.material >= 0) {

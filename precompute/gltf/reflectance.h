@@ -14,7 +14,10 @@ inline constexpr double kMostReflectance = 0.95;  // a closed room of 1 has no f
 /// Reads colours of a scene, which must outlive it.
 class ReflectanceMap {
  public:
-  explicit ReflectanceMap(const SourceScene& source);
+  /// By mesh and triangle: what is assumed instead of colours; empty for a mesh whose own colours count.
+  using Assumed = std::vector<std::vector<float>>;
+
+  explicit ReflectanceMap(const SourceScene& source, const Assumed* assumed = nullptr);
 
   const SourceScene& source() const { return source_; }
 
@@ -29,7 +32,10 @@ class ReflectanceMap {
   std::string materialName(std::uint32_t mesh) const;
 
  private:
+  bool isAssumed(std::uint32_t mesh) const { return assumed_ && !(*assumed_)[mesh].empty(); }
+
   const SourceScene& source_;
+  const Assumed* assumed_;
   std::array<float, 256> linear_;  // sRGB byte -> linear
 };
 

@@ -2,10 +2,12 @@
 #include "precompute/pipeline/pipeline.h"
 
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "precompute/base/error.h"
 #include "precompute/geometry/build_room.h"
+#include "precompute/geometry/scale_guess.h"
 #include "precompute/light/lost_rays.h"
 #include "precompute/picture/display_mesh.h"
 #include "precompute/pipeline/provenance.h"
@@ -22,14 +24,40 @@ SceneOptions consistent(SceneOptions options, const Host& host) {
   return options;
 }
 
+namespace {
+
+/// A model in metres.
+struct Measured {
+  SourceScene source;
+  double scale = 1;  // metres per unit of the file
+  std::string note;  // one line where that was guessed
+};
+
+Measured measured(const ModelFile& model, const RoomOptions& options, const Host& host) {
+  const double asked = options.scale > 0 ? options.scale : 1;
+  SourceScene source = orThrow(readSourceScene(model.bytes, model.name, asked, host.resolve));
+  const double guess = options.scale > 0 ? 1 : guessedScale(source);
+  if (guess == 1) return {std::move(source), asked, ""};
+  scaleBy(guess, source);
+  std::string note = noteOfScale(guess, source);
+  return {std::move(source), guess, std::move(note)};
+}
+
+}  // namespace
+
 OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host& host) {
   beginStage(host.progress, "reading");
-  SourceScene source = orThrow(readSourceScene(model.bytes, model.name, options.scale, host.resolve));
+  auto [source, scale, note] = measured(model, options, host);
   beginStage(host.progress, "patches");
   auto [room, tracer] = orThrow(buildTracedRoom(source, options));
-  for (std::string& warning : warningsOfLostRays(room, tracer)) room.warnings.push_back(std::move(warning));
-  if (host.warn)
-    for (const std::string& warning : room.warnings) host.warn(warning);
+  room.scale = scale;
+
+  // What is lost is told after where luminaires hang, and before what is found in the file.
+  std::vector<std::string> lost = warningsOfLostRays(room, tracer);
+  room.warnings.insert(room.warnings.begin() + static_cast<std::ptrdiff_t>(room.leading),
+                       std::make_move_iterator(lost.begin()), std::make_move_iterator(lost.end()));
+  if (!note.empty()) room.warnings.insert(room.warnings.begin(), note);
+  if (host.warn) host.warn(room.warnings);
   return {std::move(source), std::move(room), std::move(tracer)};
 }
 
@@ -90,6 +118,16 @@ Result<MadeScene> makeScene(const ModelFile& model, const SceneOptions& options,
 
 Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, const Host& host) {
   return atDoor([&] { return opened(model, options, host); }, kNoMemory);
+}
+
+Result<Survey> surveyModel(const ModelFile& model, const RoomOptions& options, const Host& host) {
+  const auto survey = [&] {
+    const auto [source, scale, note] = measured(model, options, host);
+    Survey survey = orThrow(surveyRoom(source, options));
+    if (!note.empty()) survey.warnings.insert(survey.warnings.begin(), note);
+    return survey;
+  };
+  return atDoor(survey, kNoMemory);
 }
 
 }  // namespace fiatlux

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "precompute/base/progress.h"
 #include "precompute/geometry/room_options.h"
+#include "precompute/geometry/survey.h"
 #include "precompute/gltf/source_scene.h"
 #include "precompute/light/operator_errors.h"
 #include "precompute/light/transport.h"
@@ -42,7 +43,8 @@ struct Host {
   Resolve resolve;               // the model's siblings; empty: a model that names others is refused
   unsigned threads = 1;          // never more are started
   Progress* progress = nullptr;  // stages as they begin, the wish to stop, and the seconds for the provenance
-  std::function<void(const std::string&)> warn;  // each warning as soon as it is known; may be empty
+  std::function<void(const std::vector<std::string>&)>
+      warn;  // all warnings once they are known; may be empty
 };
 
 /// What was made, in numbers.
@@ -72,5 +74,8 @@ struct OpenedRoom {
   RayTracer tracer;  // of the room's triangles
 };
 Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, const Host& host);
+
+/// What surfaces a model has, and what they are good for; nothing is cut or cast.
+Result<Survey> surveyModel(const ModelFile& model, const RoomOptions& options, const Host& host);
 
 }  // namespace fiatlux

@@ -26,15 +26,16 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
        << " rays=" << options.transport.rays << " refine=" << options.transport.refine
        << " paper=" << options.transport.paper << " seed=" << options.transport.seed
        << " spacing=" << options.room.siteSpacing << " size=" << options.room.siteSize
-       << " scale=" << options.room.scale;
+       << " scale=" << room.scale;
   if (options.room.drop > 0) text << " drop=" << options.room.drop;
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
+  if (options.room.doubleSided) text << " double-sided";
   text << room.assumptions;
   return text.str();
 }
 
-Json optionsJson(const SceneOptions& options) {
+Json optionsJson(const SceneOptions& options, const Room& room) {
   return {{"patch", options.room.patch},
           {"cluster", options.room.cluster},
           {"rays", options.transport.rays},
@@ -45,7 +46,9 @@ Json optionsJson(const SceneOptions& options) {
           {"siteSize", options.room.siteSize},
           {"drop", options.room.drop},
           {"measure", options.room.measures},
-          {"scale", options.room.scale},
+          {"ceiling", options.room.ceiling},
+          {"doubleSided", options.room.doubleSided},
+          {"scale", room.scale},
           {"seed", options.transport.seed}};
 }
 
@@ -93,7 +96,7 @@ std::string provenanceOf(const Account& account) {
   json["source"] = {{"file", source.substr(source.rfind('/') + 1)}, {"hash", room.sourceHash}};
   if (!plan.empty()) json["plan"] = Json::parse(plan);
   json["patchSize"] = room.patchSize;
-  json["options"] = optionsJson(options);
+  json["options"] = optionsJson(options, room);
   json["seconds"] = secondsJson(seconds);
   json["lost"] = report.lost;
   json["residuals"] = report.residuals;

@@ -54,8 +54,11 @@ struct Room {
   std::vector<Surface> surfaces;
   std::vector<Site> sites;
   double patchSize = 0;               // m, the nominal edge of a patch
+  double scale = 1;                   // metres per unit of the file that it was made from
+  std::uint32_t floor = kNone;        // the surface that lies below most sites
   std::vector<std::string> leftOut;   // names of surfaces that face the void, wholly or in part
-  std::vector<std::string> warnings;  // one readable line each
+  std::vector<std::string> warnings;  // one readable line each, what matters most first
+  std::size_t leading = 0;            // of them: where luminaires hang, in which scale, what is left out
   std::string assumptions;            // that decide about the light and that no option says: for the identity
   std::string sourceHash;             // 16 hex digits of the source's bytes (buffers and images included)
 

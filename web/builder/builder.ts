@@ -6,7 +6,7 @@
 export interface BuildOptions {
   readonly patch: number; // m, edge of a patch
   readonly rays: number; // from every patch
-  readonly scale: number; // metres per unit of the file
+  readonly scale: number; // metres per unit of the file; 0: 1, or a guess where that is absurd
   readonly mounts: readonly string[]; // nodes or surfaces where luminaires may hang
   readonly siteSpacing: number; // m
   readonly siteSize: number; // m
@@ -19,7 +19,7 @@ export interface BuildOptions {
 export const usualOptions: BuildOptions = {
   patch: 0,
   rays: 1024,
-  scale: 1,
+  scale: 0,
   mounts: [],
   siteSpacing: 0,
   siteSize: 0,

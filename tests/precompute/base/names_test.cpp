@@ -34,5 +34,12 @@ TEST(Names, TheClosestComeFirst) {
             "'ceiling', 'Ceiling 2', 'floor'");
 }
 
+TEST(Names, PatternsTakeAnyTextForAStar) {
+  for (const char* pattern : {"Ceiling*", "*ling 0?", "ceiling 01", "*", "c*g*1"})
+    EXPECT_TRUE(matchesPattern(pattern, "Ceiling 01")) << pattern;
+  for (const char* pattern : {"Ceiling", "?eiling", "*02", "", "Ceiling 01?"})
+    EXPECT_FALSE(matchesPattern(pattern, "Ceiling 01")) << pattern;
+}
+
 }  // namespace
 }  // namespace fiatlux

@@ -19,6 +19,7 @@ using ::testing::HasSubstr;
 using testing::kPlan;
 using testing::kSlab;
 using testing::kStorey;
+using ::testing::Not;
 using testing::TestMesh;
 using testing::TrapRoom;
 
@@ -94,6 +95,57 @@ TEST(Ceilings, AreKnownByTheirNameInFiveLanguages) {
     ASSERT_TRUE(room) << room.error().message;
     EXPECT_EQ(heights(*room).count(280), isNamed ? 0u : 1u);
   }
+}
+
+TEST(Ceilings, AreReplacedByAPlaneWhereThereIsNone) {
+  const auto room = coarse(testing::noCeiling());
+  ASSERT_TRUE(room) << room.error().message;
+  expectUseful(*room);
+  EXPECT_THAT(heights(*room), ElementsAre(270));  // just below the top of the walls
+  EXPECT_THAT(allWarnings(room->warnings),
+              HasSubstr("nothing is a ceiling: luminaires are proposed to hang in "
+                        "a plane 2.7 m above 's0"));
+  for (const Site& site : room->sites)  // nor within the cupboard
+    EXPECT_FALSE(site.position.x > 1 && site.position.x < 1.8 && site.position.z > 1 &&
+                 site.position.z < 1.8);
+
+  // The height that is asked for, there and where there is a ceiling.
+  RoomOptions options;
+  options.patch = 1;
+  options.ceiling = 2.2;
+  for (TrapRoom made : {testing::noCeiling(), testing::hollowWalls()}) {
+    const auto asked = made.gltf.build(options);
+    ASSERT_TRUE(asked) << asked.error().message;
+    EXPECT_THAT(heights(*asked), ElementsAre(220));
+    EXPECT_THAT(allWarnings(asked->warnings), Not(HasSubstr("proposed")));
+    expectUseful(*asked);
+  }
+}
+
+TEST(Ceilings, OfARoomThatIsInsideOutAreTurned) {
+  const auto room = coarse(testing::insideOut());
+  ASSERT_TRUE(room) << room.error().message;
+  expectUseful(*room);
+  EXPECT_THAT(heights(*room), ElementsAre(280));
+  EXPECT_EQ(room->surfaces.size(), 6u);
+  EXPECT_THAT(allWarnings(room->warnings), HasSubstr("taken as double-sided"));
+}
+
+TEST(Ceilings, AreAskedForByPatternsAndMissedByMeaning) {
+  TestMesh low, high;
+  low.quad({0.5, 2.3, 1}, {2, 0, 0}, {0, 0, 2}), high.quad({3, 2.5, 1}, {2, 0, 0}, {0, 0, 2});
+  TrapRoom made = testing::singleMesh();
+  made.add("Decke 01", low), made.add("decke 02", high);
+  RoomOptions options;
+  options.patch = 1;
+  options.mounts = {"Decke*"};
+  const auto room = made.gltf.build(options);
+  ASSERT_TRUE(room) << room.error().message;
+  EXPECT_THAT(heights(*room), ElementsAre(230, 250));
+  options.mounts = {"ceiling"};
+  const auto missed = made.gltf.build(options);
+  ASSERT_FALSE(missed);
+  EXPECT_THAT(missed.error().message, HasSubstr("'Decke 01'"));
 }
 
 TEST(Ceilings, WideOnesHaveNoMorePlacesThanOthers) {

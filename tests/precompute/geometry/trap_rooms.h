@@ -116,4 +116,40 @@ inline TrapRoom singleMesh() {
   return room;
 }
 
+/// Floor and walls, as models are drawn to be looked into; a cupboard as high as the walls stands within.
+inline TrapRoom noCeiling() {
+  TrapRoom room;
+  room.slab("s0", 0), room.walls(0, false);
+  room.block("cupboard", {1, 0, 1}, {0.8, kStorey, 0.8});
+  return room;
+}
+
+/// One mesh of one-sided faces that all look out of the room.
+inline TrapRoom insideOut() {
+  TrapRoom room;
+  TestMesh mesh;
+  mesh.box({}, {kPlan.x, kStorey, kPlan.z}, false);
+  room.add("shell", mesh);
+  return room;
+}
+
+/// A room drawn in another unit than metres.
+inline TrapRoom inUnits(double perMetre) {
+  TrapRoom room;
+  TestMesh mesh;
+  mesh.box({}, perMetre * Vec3{kPlan.x, kStorey, kPlan.z}, true);
+  room.add("room", mesh);
+  return room;
+}
+
+/// No material at all, and a table.
+inline TrapRoom noMaterials() {
+  TrapRoom room;
+  TestMesh mesh, table;
+  mesh.box({}, {kPlan.x, kStorey, kPlan.z}, true);
+  table.box({1, 0, 1}, {0.8, 0.72, 0.6}, false);
+  room.gltf.node("room", room.gltf.mesh(mesh)), room.gltf.node("table", room.gltf.mesh(table));
+  return room;
+}
+
 }  // namespace fiatlux::testing

@@ -115,8 +115,8 @@ TEST(Pipeline, WarningsAreToldAsSoonAsTheRoomIsKnown) {
   Listener listener;
   host.progress = &listener;
   std::vector<std::string> told;
-  host.warn = [&](const std::string& warning) {
-    told.push_back(warning);
+  host.warn = [&](const std::vector<std::string>& warnings) {
+    told = warnings;
     EXPECT_EQ(listener.stages.back(), "patches");
   };
   const auto made = makeScene({"open.glb", gltf.glb.bytes()}, quickOptions(), host);

@@ -1,0 +1,55 @@
+#include "precompute/geometry/plain_reflectance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/short_number.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr float kOfCeilings = 0.7f, kOfWalls = 0.5f, kOfFloors = 0.2f, kOfThings = 0.4f;
+constexpr double kSlanted = 0.7;                            // cos 45 degrees
+constexpr double kLargePlane = 3, kLargePlaneShare = 0.04;  // m2, or of the room's area: part of the building
+
+bool isPlain(const SourceMesh& mesh) {
+  return mesh.material < 0 && mesh.colors.empty() && !mesh.extras.reflectance;
+}
+
+float reflectanceOf(const Region& region, double area) {
+  if (region.area < std::min(kLargePlane, kLargePlaneShare * area)) return kOfThings;
+  if (region.normal.y < -kSlanted) return kOfCeilings;
+  return region.normal.y > kSlanted ? kOfFloors : kOfWalls;
+}
+
+}  // namespace
+
+AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTree& tree) {
+  AssumedReflectance assumed;
+  assumed.ofTriangle.resize(source.meshes.size());
+  std::size_t count = 0;
+  for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+    if (!isPlain(source.meshes[m])) continue;
+    assumed.ofTriangle[m].assign(source.meshes[m].triangles.size(), kOfThings);
+    ++count;
+  }
+  if (count == 0) return assumed;
+
+  // note: the two sides of a sheet are one triangle; its front, which comes last, decides
+  const double area = areaOf(tree);
+  for (const bool back : {true, false})
+    for (const SurfaceGroup& group : tree.groups)
+      for (const Region& region : group.regions)
+        for (const std::uint32_t f : region.faces) {
+          const Face& face = group.set.faces[f];
+          std::vector<float>& values = assumed.ofTriangle[face.mesh];
+          if (face.back == back && !values.empty()) values[face.source] = reflectanceOf(region, area);
+        }
+  assumed.note = std::to_string(count) + (count == 1 ? " mesh has" : " meshes have") +
+                 " no material: ceilings are taken to reflect " + shortNumber(kOfCeilings) + ", walls " +
+                 shortNumber(kOfWalls) + ", floors " + shortNumber(kOfFloors) + ", other things " +
+                 shortNumber(kOfThings);
+  return assumed;
+}
+
+}  // namespace fiatlux

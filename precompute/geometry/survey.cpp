@@ -1,0 +1,125 @@
+#include "precompute/geometry/survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "precompute/base/error.h"
+#include "precompute/geometry/inside.h"
+#include "precompute/room/bounds.h"
+
+namespace fiatlux {
+namespace {
+
+using Use = SurveyedSurface::Use;
+using Facing = SurveyedSurface::Facing;
+
+constexpr double kOneWay = 0.7;                    // |mean normal| from which a surface faces one way
+constexpr double kMeanLevel = 0.7;                 // cos 45 degrees
+constexpr double kDeskLow = 0.6, kDeskHigh = 1.1;  // m over the floor: where people work
+constexpr double kLeastDesk = 0.2;                 // m2
+
+/// One surface of the tree, its normals summed up.
+struct Sum {
+  double area = 0;
+  Vec3 normal;  // m2
+  Bounds bounds;
+};
+
+std::vector<Sum> sumsOf(const WeldedMesh& mesh, const SurfaceTree& tree) {
+  std::vector<Sum> sums(tree.names.size());
+  for (const SurfaceGroup& group : tree.groups)
+    for (std::size_t r = 0; r < group.regions.size(); ++r) {
+      Sum& sum = sums[group.leafOfRegion[r]];
+      sum.area += group.regions[r].area;
+      for (const std::uint32_t f : group.regions[r].faces) {
+        sum.normal += areaVector(mesh.positions, group.set.faces[f].vertex);
+        for (const std::uint32_t v : group.set.faces[f].vertex) sum.bounds.include(mesh.positions[v]);
+      }
+    }
+  return sums;
+}
+
+SurveyedSurface surveyed(const std::string& name, const Sum& sum, double ground) {
+  SurveyedSurface surface{name, sum.area, sum.bounds.low.y - ground, sum.bounds.high.y - ground};
+  const Vec3 normal = normalized(sum.normal);
+  surface.tilt = std::acos(std::clamp(std::abs(normal.y), 0.0, 1.0)) * 180 / std::numbers::pi;
+  if (length(sum.normal) >= kOneWay * sum.area)
+    surface.facing = normal.y > kMeanLevel    ? Facing::kUp
+                     : normal.y < -kMeanLevel ? Facing::kDown
+                                              : Facing::kSideways;
+  return surface;
+}
+
+/// The surfaces on which luminaires would hang, and those that lie below them.
+void suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surfaces) {
+  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> leafOfSide;
+  for (const SurfaceGroup& group : inside.tree.groups)
+    for (std::size_t r = 0; r < group.regions.size(); ++r)
+      for (const std::uint32_t f : group.regions[r].faces)
+        leafOfSide[{group.set.faces[f].triangle, group.set.faces[f].back}] = group.leafOfRegion[r];
+  for (const Mount& mount : inside.mounts) {
+    std::vector<std::size_t> below(surfaces.size(), 0);
+    for (const Face& face : mount.faces)
+      if (const auto leaf = leafOfSide.find({face.triangle, face.back}); leaf != leafOfSide.end())
+        surfaces[leaf->second].use = mount.lift > 0 ? Use::kFloor : Use::kMount;
+    if (mount.lift > 0) continue;
+    for (const auto& side : inside.space->from(mount.faces, 0).floorSides)
+      if (const auto leaf = leafOfSide.find(side); leaf != leafOfSide.end()) ++below[leaf->second];
+    const auto most = std::max_element(below.begin(), below.end());
+    if (most != below.end() && *most > 0)
+      surfaces[static_cast<std::size_t>(most - below.begin())].use = Use::kFloor;
+  }
+}
+
+/// What lies about as high over a floor as a desk does.
+void suggestPlanes(std::vector<SurveyedSurface>& surfaces) {
+  for (const SurveyedSurface& floor : surfaces) {
+    if (floor.use != Use::kFloor) continue;
+    for (SurveyedSurface& surface : surfaces) {
+      const double over = surface.high - floor.high;
+      if (surface.use == Use::kNone && surface.facing == Facing::kUp && over > kDeskLow && over < kDeskHigh &&
+          surface.area > kLeastDesk)
+        surface.use = Use::kMeasuringPlane;
+    }
+  }
+}
+
+Survey survey(const SourceScene& source, const RoomOptions& options) {
+  Survey result;
+  std::vector<std::string> details = source.warnings;
+  const Roles roles = assignRoles(source, options, details);
+  WeldedMesh mesh = weldReflectors(source, roles, details);
+  const RayTracer tracer = tracerOf(mesh);
+  Inside inside = findInside(source, options, tracer, mesh, result.warnings);
+  result.warnings.insert(result.warnings.end(), details.begin(), details.end());
+
+  const double ground = boundsOf(mesh.positions).low.y;
+  const std::vector<Sum> sums = sumsOf(mesh, inside.tree);
+  for (std::size_t s = 0; s < sums.size(); ++s)
+    result.surfaces.push_back(surveyed(inside.tree.names[s], sums[s], ground));
+  suggestMounts(inside, result.surfaces);
+  suggestPlanes(result.surfaces);
+
+  if (!roles.measures.empty()) {
+    const WeldedMesh planes = weld(source, roles.measures);
+    const SurfaceTree tree = findSurfaces(source, planes, frontFaces(planes), 0, inside.names);
+    const std::vector<Sum> own = sumsOf(planes, tree);
+    for (std::size_t s = 0; s < own.size(); ++s) {
+      result.surfaces.push_back(surveyed(tree.names[s], own[s], ground));
+      result.surfaces.back().use = Use::kMeasuringPlane;
+    }
+  }
+  std::stable_sort(result.surfaces.begin(), result.surfaces.end(),
+                   [](const SurveyedSurface& a, const SurveyedSurface& b) { return a.area > b.area; });
+  return result;
+}
+
+}  // namespace
+
+Result<Survey> surveyRoom(const SourceScene& source, const RoomOptions& options) {
+  return atDoor([&] { return survey(source, options); }, "not enough memory for this model; make it smaller");
+}
+
+}  // namespace fiatlux

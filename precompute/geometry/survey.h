@@ -1,0 +1,29 @@
+// What surfaces a model has and what they would be good for, before anything is computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "precompute/geometry/room_options.h"
+#include "precompute/gltf/source_scene.h"
+
+namespace fiatlux {
+
+struct SurveyedSurface {
+  std::string name;
+  double area = 0;           // m2
+  double low = 0, high = 0;  // m, over the lowest point of the model
+  double tilt = 0;           // degrees from level, 0 to 90, of its mean normal
+  enum class Facing { kUp, kDown, kSideways, kAllWays } facing = Facing::kAllWays;
+  enum class Use { kNone, kMount, kFloor, kMeasuringPlane } use = Use::kNone;  // suggested, or marked so
+};
+
+struct Survey {
+  std::vector<SurveyedSurface> surfaces;  // of the room and its measuring planes, largest first
+  std::vector<std::string> warnings;      // where luminaires would hang comes first
+};
+
+/// Errors as of buildRoom.
+Result<Survey> surveyRoom(const SourceScene& source, const RoomOptions& options);
+
+}  // namespace fiatlux

@@ -1,0 +1,71 @@
+// What is said of surfaces before anything is computed, and what those without a material reflect (survey,
+// plain_reflectance).
+#include "precompute/geometry/survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/precompute/geometry/trap_rooms.h"
+
+namespace fiatlux {
+namespace {
+
+using testing::allWarnings;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::surfaceIndex;
+using testing::TestGltf;
+using testing::TestMesh;
+using Use = SurveyedSurface::Use;
+using Facing = SurveyedSurface::Facing;
+
+TEST(Survey, SaysWhatSurfacesAreGoodFor) {
+  testing::TrapRoom made = testing::noMaterials();
+  TestMesh plane;
+  plane.quad({2, 0.8, 2}, {0, 0, 2}, {2, 0, 0});
+  made.gltf.node("task", made.gltf.mesh(plane), TestGltf::extras({{"measure", true}}));
+  const auto source = made.gltf.read();
+  const auto survey = surveyRoom(*source, {});
+  ASSERT_TRUE(survey) << survey.error().message;
+  const auto surface = [&](const std::string& name) {
+    const auto found = std::find_if(survey->surfaces.begin(), survey->surfaces.end(),
+                                    [&](const SurveyedSurface& s) { return s.name == name; });
+    EXPECT_NE(found, survey->surfaces.end()) << name;
+    return found == survey->surfaces.end() ? SurveyedSurface{} : *found;
+  };
+  EXPECT_EQ(survey->surfaces[0].area, 30);
+  const SurveyedSurface ceiling = surface("room/ceiling"), floor = surface("room/floor"),
+                        wall = surface("room/wall 1");
+  EXPECT_EQ(ceiling.use, Use::kMount);
+  EXPECT_EQ(ceiling.facing, Facing::kDown);
+  EXPECT_NEAR(ceiling.low, 2.8, 1e-5);
+  EXPECT_EQ(floor.use, Use::kFloor);
+  EXPECT_EQ(floor.facing, Facing::kUp);
+  EXPECT_EQ(floor.tilt, 0);
+  EXPECT_EQ(wall.use, Use::kNone);
+  EXPECT_EQ(wall.facing, Facing::kSideways);
+  EXPECT_NEAR(wall.tilt, 90, 1e-6);
+  EXPECT_EQ(surface("table").facing, Facing::kAllWays);
+  EXPECT_EQ(surface("task").use, Use::kMeasuringPlane);
+  EXPECT_THAT(survey->warnings[0], HasSubstr("proposed to hang on 'room/ceiling'"));
+}
+
+TEST(PlainReflectance, GoesByWhatASurfaceIs) {
+  RoomOptions options;
+  options.patch = 0.5;
+  testing::TrapRoom made = testing::noMaterials();
+  const auto room = made.gltf.build(options);
+  ASSERT_TRUE(room) << room.error().message;
+  for (const auto& [name, reflectance] : {std::pair("room/ceiling", 0.7), std::pair("room/wall 1", 0.5),
+                                          std::pair("room/floor", 0.2), std::pair("table", 0.4)})
+    EXPECT_NEAR(room->surfaces[surfaceIndex(*room, name)].reflectance, reflectance, 1e-6) << name;
+  EXPECT_THAT(allWarnings(room->warnings), HasSubstr("2 meshes have no material"));
+  EXPECT_THAT(allWarnings(room->warnings), Not(HasSubstr("reflects 1.00")));
+  EXPECT_THAT(room->assumptions, HasSubstr(" materials=roles"));
+  EXPECT_EQ(room->surfaces[room->floor].name, "room/floor");
+}
+
+}  // namespace
+}  // namespace fiatlux
