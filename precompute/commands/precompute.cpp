@@ -17,6 +17,8 @@
 namespace fiatlux {
 namespace {
 
+constexpr int kUselessStatus = 3;  // a file is written, and nobody should rely on it
+
 struct PrecomputeOptions {
   std::string source, output, opening;
   bool verbose = false;
@@ -42,8 +44,8 @@ void printReport(const std::string& output, const MadeScene& scene, double secon
               static_cast<double>(scene.file.size()) / 1e6, r.identity.c_str(), seconds);
   std::printf(
       "light lost %.3f %%, residual %.2g, statistics within %.2g, patch light within %.2f %% RMS (median)\n",
-      100 * r.lost, r.residuals.empty() ? 0.0 : r.residuals.back(), std::max(r.errors.mean, r.errors.sigma),
-      100 * r.errors.patchRmsMedian);
+      100 * std::max(0.0, 1 - r.balance.absorbed), r.residuals.empty() ? 0.0 : r.residuals.back(),
+      std::max(r.errors.mean, r.errors.sigma), 100 * r.errors.patchRmsMedian);
 }
 
 /// What a short search finds for the intentions of --opening, which are there as text or in a file.
@@ -73,6 +75,9 @@ void precompute(PrecomputeOptions options) {
   orThrow(replaceFile(output, scene.file));
   progress.clear();
   printReport(output, scene, progress.total());
+  if (scene.report.useless.empty()) return;
+  printNote(output + ": this is of little use: " + scene.report.useless);
+  throw CLI::RuntimeError(kUselessStatus);
 }
 
 }  // namespace

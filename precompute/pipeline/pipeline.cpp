@@ -71,6 +71,8 @@ SceneReport reportOf(const SceneOptions& options, const Room& room, const Transp
   report.sites = static_cast<std::uint32_t>(room.sites.size());
   report.surfaces = static_cast<std::uint32_t>(room.surfaces.size());
   report.lost = lostShare(room, transport);
+  report.balance = balanceOf(room, transport.responses);
+  report.ask = openingOf(room, transport);
   report.residuals = transport.residuals;
   return report;
 }
@@ -93,6 +95,9 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
   if (options.opening) opening = orThrow(options.opening(scene));
   EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate));
   report.errors = encoded.errors;
+  if (!options.transport.paper)
+    report.useless = uselessness({report.balance, report.residuals.empty() ? 0 : report.residuals.back(),
+                                  std::max(report.errors.mean, report.errors.sigma)});
   const std::vector<StageSeconds> seconds =
       host.progress ? host.progress->seconds() : std::vector<StageSeconds>{};
   const std::string provenance =

@@ -16,6 +16,7 @@
 #include "precompute/light/operator_errors.h"
 #include "precompute/light/transport.h"
 #include "precompute/pipeline/scene_build.h"
+#include "precompute/pipeline/verdict.h"
 #include "precompute/rays/ray_tracer.h"
 
 namespace fiatlux {
@@ -52,6 +53,9 @@ struct SceneReport {
   std::string identity;  // 16 hex digits: source, options that change the light, version of the method
   std::uint32_t patches = 0, clusters = 0, sites = 0, surfaces = 0;
   double lost = 0;                // share of the rays of all surfaces, by area
+  LightBalance balance;           // where the luminaires' light goes
+  OpeningAsk ask;                 // what a room that nobody has described is asked for at first
+  std::string useless;            // why the result is of no use, and the likely cause; "": it is
   std::vector<double> residuals;  // Transport::residuals
   FileErrors errors;
   std::vector<OperatorError> operatorErrors;  // of light that is exchanged; empty without a light operator

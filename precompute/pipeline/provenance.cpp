@@ -1,5 +1,6 @@
 #include "precompute/pipeline/provenance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -99,6 +100,10 @@ std::string provenanceOf(const Account& account) {
   json["options"] = optionsJson(options, room);
   json["seconds"] = secondsJson(seconds);
   json["lost"] = report.lost;
+  json["lostLight"] = std::max(0.0, 1 - report.balance.absorbed);
+  if (!report.useless.empty()) json["useless"] = report.useless;
+  if (!report.ask.surface.empty())
+    json["ask"] = {{"surface", report.ask.surface}, {"mean", report.ask.mean}, {"count", report.ask.count}};
   json["residuals"] = report.residuals;
   json["peakMiB"] = std::round(bytesNeeded(countsOf(options.room, room)) / kMiB);
   json["fewPatches"] = fewPatches(room);

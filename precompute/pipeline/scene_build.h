@@ -28,8 +28,9 @@ std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sectio
 /// What a scene says, before any rounding; the large arrays are moved out of `transport`.
 Scene sceneOf(const Room& room, Transport&& transport, const std::string& identity);
 
-/// How far a file's statistics are from the unrounded ones, relative, the worst over 1000 random layouts of
-/// six luminaires and all surfaces; and the RMS error of patch light as a share of the surface's mean.
+/// How far a file's statistics are from the unrounded ones, relative to the larger of the surface's mean and
+/// a thousandth of the room's (of sigma: of the surface's sigma and that), the worst over 1000 random layouts
+/// of six luminaires and all surfaces; and the RMS error of patch light as a share of the surface's mean.
 struct FileErrors {
   double mean = 0, sigma = 0;
   double patchRmsMedian = 0, patchRmsWorst = 0;  // over surfaces and sites

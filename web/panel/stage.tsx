@@ -13,6 +13,7 @@ import { PlanOverlay } from './plan-overlay.tsx';
 import { PreviewNote } from './preview-note.tsx';
 import { RoomPicture } from './room-picture.tsx';
 import { SelectionBar } from './selection-bar.tsx';
+import { UselessNote } from './useless-note.tsx';
 import { ViewToolbar } from './view-toolbar.tsx';
 
 interface Props {
@@ -53,6 +54,7 @@ function Overlays() {
       <Looking />
       <SelectionBar />
       <PreviewNote />
+      <UselessNote />
       <FilmNote />
     </>
   );

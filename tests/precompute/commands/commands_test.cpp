@@ -396,5 +396,30 @@ TEST_F(Commands, AnIgnoredHangUpStaysIgnored) {
   EXPECT_TRUE(std::filesystem::exists(*folder_ / "kept.flux"));
 }
 
+TEST_F(Commands, SurfacesAreListedBeforeAnythingIsComputed) {
+  writeBoxRoom(*folder_, "plain", false);
+  const CommandRun run = runFiatlux(*folder_, "surfaces plain.gltf --json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json list = json::parse(run.out);
+  ASSERT_EQ(list["surfaces"].size(), 6u);
+  for (const json& surface : list["surfaces"]) {
+    const std::string name = surface["name"];
+    EXPECT_EQ(surface["use"], name == "ceiling" ? "mount" : name == "floor" ? "floor" : "") << name;
+  }
+  EXPECT_THAT(list["warnings"][0].get<std::string>(), HasSubstr("proposed to hang on 'ceiling'"));
+  EXPECT_THAT(runFiatlux(*folder_, "surfaces plain.gltf").out, HasSubstr("mount"));
+  std::filesystem::remove(*folder_ / "plain.gltf"), std::filesystem::remove(*folder_ / "plain.bin");
+}
+
+TEST_F(Commands, AResultOfNoUseHasAStatusOfItsOwn) {
+  writeBoxRoom(*folder_, "plain", false);
+  // Luminaires above the roof.
+  const CommandRun run = runFiatlux(
+      *folder_, "precompute plain.gltf -o plain.flux --ceiling 3.5 --patch 1 --rays 16 --no-exchange");
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("of little use: nearly all light is lost"));
+  for (const char* name : {"plain.gltf", "plain.bin", "plain.flux"}) std::filesystem::remove(*folder_ / name);
+}
+
 }  // namespace
 }  // namespace fiatlux

@@ -19,6 +19,8 @@ import { TimeLeft } from './time-left.ts';
 /** The draft: patches so many times as long, and so many rays from each; light of squares only. */
 const draft = { coarseness: 2.5, rays: 256, exchange: false };
 
+const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
+
 export type CreatePool = () => Promise<BuilderPool>;
 
 /** The page's own pool, fetched when it is first needed. */
@@ -134,7 +136,8 @@ export class Lighting {
       await this.#placing.place(built.file, title, () => isCurrent() && !signal.aborted, make);
       if (isCurrent()) this.#store.plan.value ??= plan;
     });
-    if (!signal.aborted) for (const warning of built.room.warnings) this.#warn(title, warning);
+    if (!signal.aborted)
+      for (const warning of built.room.warnings.slice(0, mostWarnings)) this.#warn(title, warning);
     return identity;
   }
 
@@ -177,7 +180,7 @@ export class Lighting {
       this.#store.pendingLink.value = null;
       return { document: { ...document, room }, view: link, files: link.files };
     }
-    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
     return { document: documentFrom(asked, scene.identity, room) };
   }
 

@@ -114,7 +114,7 @@ export class FileOpening {
       this.#store.pendingLink.value = null;
       return { document, view: link, files: link.files };
     }
-    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
     return { document: documentFrom(asked, scene.identity, name) };
   }
 

@@ -98,7 +98,7 @@ export class Opening {
       await this.#placing.place(bytes, title, isCurrent, async (scene) => {
         const kept = await this.#keeping.kept(room, scene.identity);
         if (kept) return placementOf(kept);
-        const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length);
+        const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
         return { document: documentFrom(asked, scene.identity, room) };
       });
       if (isCurrent()) forgetLink();
@@ -121,7 +121,9 @@ export class Opening {
     const { room } = this.#store.document.peek();
     if (!scene) return;
     const entry = this.#rooms.roomOf(room);
-    const asked = entry ? askedOf(entry, scene) : askedOfUnknown(scene.surfaces, scene.sites.size.length);
+    const asked = entry
+      ? askedOf(entry, scene)
+      : askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
     const document = documentFrom(asked, scene.identity, room);
     this.#store.edit('Start afresh', (draft) => void Object.assign(draft, document), null, {
       by: 'search',
@@ -347,8 +349,8 @@ export class Opening {
 }
 
 /** What an entry asks at first, as far as that is known before anything is searched. */
-function askedOf({ opening }: GalleryEntry, { surfaces, sites }: SceneInfo): Asked {
-  return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length);
+function askedOf({ opening }: GalleryEntry, { surfaces, sites, provenance }: SceneInfo): Asked {
+  return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length, provenance);
 }
 
 const placementOf = ({ project, past, future }: Work): Placement => ({

@@ -2,6 +2,7 @@
  * What is asked of a room when it is opened. Bounds of an opening may be shares of the best that can be had in the very
  * room: they are found out by searches for a verb alone, and until then nothing is asked of them.
  */
+import { readProvenance } from '../words/provenance.ts';
 import type { Card, FiatLuxDocument, Luminaires, SurfaceNames, Verb } from '../../document/types.ts';
 
 export type Asked = Pick<FiatLuxDocument, 'cards' | 'saving' | 'luminaires' | 'quantity' | 'seed'>;
@@ -97,21 +98,37 @@ export const usualLuminaires: Luminaires = {
   minDistance: 0,
 };
 
-/** What is asked at first of a room that nobody has described: even light on a measuring plane, or everywhere. */
+/**
+ * What is asked at first of a room that nobody has described: light on what its file names for it, the floor below the
+ * places or a measuring plane; of a file that names nothing, light on the first of these that it has.
+ */
 export function askedOfUnknown(
   surfaces: readonly { name: string; measuring: boolean }[],
   sites: number,
+  provenance?: unknown,
 ): Asked {
-  const plane = surfaces.find((surface) => surface.measuring)?.name ?? 'all';
-  const count = Math.max(1, Math.min(usualLuminaires.count, sites));
+  const { ask } = readProvenance(provenance);
+  const told = ask && surfaces.some(({ name }) => name === ask.surface) ? ask : null;
+  const likely =
+    surfaces.find(({ measuring }) => measuring) ?? surfaces.find(({ name }) => isFloor.test(name));
+  const count = Math.max(1, Math.min(told?.count ?? usualLuminaires.count, sites));
+  const card: Card = {
+    id: 'c-first',
+    surfaces: [told?.surface ?? likely?.name ?? 'all'],
+    verb: 'illuminate',
+    weight: 1,
+    ...(told && { mean: { min: told.mean } }),
+  };
   return {
-    cards: [{ id: 'c-first', surfaces: [plane], verb: 'homogenize', weight: 1 }],
+    cards: [card],
     luminaires: { ...usualLuminaires, count },
     saving: false,
     quantity: 'illuminance',
     seed: 1,
   };
 }
+
+const isFloor = /(^|\/)floor( \d+)?$/i;
 
 export function documentFrom(asked: Asked, scene: string, room: string): FiatLuxDocument {
   const { cards, saving, luminaires, quantity, seed } = asked;

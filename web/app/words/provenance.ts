@@ -13,7 +13,16 @@ const provenanceSchema = v.object({
   source: known(v.object({ file: v.string() })),
   patchSize: known(share), // m
   options: known(v.object({ rays: v.number(), refine: v.number() })),
-  lost: known(share),
+  lost: known(share), // of rays
+  lostLight: known(share), // of the luminaires' flux
+  ask: known(
+    v.object({
+      surface: v.string(),
+      mean: v.pipe(share, v.maxValue(1e6)), // lx, at least
+      count: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(1000)), // luminaires of 3000 lm
+    }),
+  ),
+  useless: known(v.pipe(v.string(), v.maxLength(500))), // why, in one line
   residuals: known(v.array(share)), // before refinement, then after each step
   errors: known(v.object({ mean: share, sigma: share, patchRmsWorst: share })),
   warnings: known(v.array(v.string())),
@@ -52,7 +61,9 @@ export function roomWarnings(scene: SceneInfo): string[] {
 
 /** Sizes, rays and errors as pairs of a name and a value. */
 export function roomFacts(scene: SceneInfo): [string, string][] {
-  const { source, options, lost, residuals, errors, fewPatches } = readProvenance(scene.provenance);
+  const { source, options, lost, lostLight, residuals, errors, fewPatches } = readProvenance(
+    scene.provenance,
+  );
   const residual = residuals?.at(-1);
   const facts: [string, string | null | undefined][] = [
     ['Made from', source?.file],
@@ -62,7 +73,7 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
     ['Places for luminaires', grouped(String(scene.sites.size.length))],
     ['Rays from each patch', options && `${grouped(String(options.rays))}, refined ${options.refine} times`],
     ['Bounced light not settled', residual === undefined ? null : fine(residual)],
-    ['Light lost', lost === undefined ? null : fine(lost)],
+    ['Light lost', (lostLight ?? lost) === undefined ? null : fine(lostLight ?? lost ?? 0)],
     ['Error of storing, mean', errors && fine(errors.mean)],
     ['… spread', errors && fine(errors.sigma)],
     ['… a patch, at worst', errors && fine(errors.patchRmsWorst)],

@@ -4,6 +4,8 @@ import { useApp } from '../../app/app.ts';
 import { patchSize, roomFacts, roomWarnings } from '../../app/words/provenance.ts';
 import type { Saving } from '../../app/state/store.ts';
 
+const mostRemarks = 5; // that are seen without asking for more
+
 export function AboutRoom() {
   const { store } = useApp();
   const scene = store.scene.value;
@@ -25,12 +27,12 @@ export function AboutRoom() {
             </span>
           )}
         </summary>
-        {warnings.length > 0 && (
-          <ul>
-            {warnings.map((warning) => (
-              <li key={warning}>{warning}</li>
-            ))}
-          </ul>
+        <Remarks lines={warnings.slice(0, mostRemarks)} />
+        {warnings.length > mostRemarks && (
+          <details>
+            <summary>{warnings.length - mostRemarks} more</summary>
+            <Remarks lines={warnings.slice(mostRemarks)} />
+          </details>
         )}
         <dl>
           {roomFacts(scene).map(([name, value]) => (
@@ -50,6 +52,17 @@ export function AboutRoom() {
         </p>
       </details>
     </>
+  );
+}
+
+function Remarks({ lines }: { readonly lines: readonly string[] }) {
+  if (lines.length === 0) return null;
+  return (
+    <ul>
+      {lines.map((line) => (
+        <li key={line}>{line}</li>
+      ))}
+    </ul>
   );
 }
 

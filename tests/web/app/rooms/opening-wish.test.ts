@@ -53,14 +53,22 @@ test('are sums of shares, to three digits; each best is asked for once', async (
   expect(asked).toEqual(['illuminate wall', 'homogenize wall', 'vary wall']);
 });
 
-test('a room that nobody has described is lit evenly on its measuring plane, within its places', () => {
+test('a room that nobody has described is lit where its file says, else on its measuring plane or floor', () => {
   const surfaces = [
-    { name: 'floor', measuring: false },
+    { name: 'house/floor', measuring: false },
     { name: 'desk plane', measuring: true },
   ];
-  expect(askedOfUnknown(surfaces, 4)).toMatchObject({
-    cards: [{ surfaces: ['desk plane'], verb: 'homogenize' }],
-    luminaires: { count: 4 },
+  const ask = { surface: 'house/floor', mean: 240, count: 24 };
+  expect(askedOfUnknown(surfaces, 100, { ask })).toMatchObject({
+    cards: [{ surfaces: ['house/floor'], verb: 'illuminate', mean: { min: 240 } }],
+    luminaires: { count: 24 },
   });
-  expect(askedOfUnknown(surfaces.slice(0, 1), 400).cards[0]?.surfaces).toEqual(['all']);
+  expect(askedOfUnknown(surfaces, 4, { ask }).luminaires.count).toBe(4);
+  for (const odd of [undefined, { ask: { ...ask, surface: 'roof' } }, { ask: { ...ask, count: -1 } }])
+    expect(askedOfUnknown(surfaces, 4, odd)).toMatchObject({
+      cards: [{ surfaces: ['desk plane'], verb: 'illuminate' }],
+      luminaires: { count: 4 },
+    });
+  expect(askedOfUnknown(surfaces.slice(0, 1), 400).cards[0]?.surfaces).toEqual(['house/floor']);
+  expect(askedOfUnknown([{ name: 'x', measuring: false }], 1).cards[0]?.surfaces).toEqual(['all']);
 });

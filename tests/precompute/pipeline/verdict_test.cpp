@@ -1,0 +1,72 @@
+// Results that are of no use are called so, and a room is asked for what it can have.
+#include "precompute/pipeline/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fiatlux {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two patches of 2 m2, on surfaces of their own, for two sites; `light`: lx per lm, patch by patch of each.
+Room twoPatches() {
+  Room room;
+  room.patches.count = 2;
+  room.patches.area = {2, 2};
+  room.patches.reflectance = {0.5f, 0.25f};
+  room.patches.surface = {0, 1};
+  room.surfaces.resize(2);
+  room.surfaces[0].name = "floor", room.surfaces[1].name = "wall";
+  room.sites.resize(2);
+  return room;
+}
+
+TEST(Verdict, TheBalanceIsWhatSurfacesTakeUp) {
+  Responses responses{2, 2, {0.4f, 0.2f, 0.1f, 0.3f}};
+  const LightBalance balance = balanceOf(twoPatches(), responses);
+  EXPECT_NEAR(balance.absorbed, 0.5 * (0.5 * 0.8 + 0.75 * 0.4) + 0.5 * (0.5 * 0.2 + 0.75 * 0.6), 1e-6);
+  EXPECT_NEAR(balance.mostLit, 0.8, 1e-6);
+}
+
+TEST(Verdict, NamesWhatIsOfNoUse) {
+  const Quality good{{0.8, 0.4}, 1e-3, 1e-3};
+  EXPECT_EQ(uselessness(good), "");
+  const auto with = [&](auto change) {
+    Quality quality = good;
+    change(quality);
+    return uselessness(quality);
+  };
+  EXPECT_THAT(with([](Quality& q) { q.balance.absorbed = 0.01; }), HasSubstr("nearly all light is lost"));
+  EXPECT_THAT(with([](Quality& q) { q.balance.mostLit = 0.03; }), HasSubstr("no surface gets more than 3 %"));
+  EXPECT_THAT(with([](Quality& q) { q.balance.absorbed = 1.2; }), HasSubstr("does not close"));
+  EXPECT_THAT(with([](Quality& q) { q.residual = 0.07; }), HasSubstr("pass --refine"));
+  EXPECT_THAT(with([](Quality& q) { q.error = 0.1; }), HasSubstr("off by up to 10 %"));
+}
+
+TEST(Verdict, AsksForThreeHundredLuxOrWhatCanBeHad) {
+  Room room = twoPatches();
+  room.sites.resize(40);
+  Transport transport;
+  transport.illuminance.resize(2);
+  const auto askedAt = [&](double lxPerLumen) {
+    for (auto& statistics : transport.illuminance) statistics.mean.assign(40, lxPerLumen);
+    return openingOf(room, transport);
+  };
+  EXPECT_EQ(askedAt(0.02).surface, "");  // nothing lies below the sites
+  room.floor = 0;
+  OpeningAsk ask = askedAt(0.02);
+  EXPECT_EQ(ask.surface, "floor");
+  EXPECT_EQ(ask.mean, 300);
+  EXPECT_EQ(ask.count, 5u);
+  ask = askedAt(0.001);
+  EXPECT_EQ(ask.count, 24u);
+  EXPECT_EQ(ask.mean, std::floor(0.9 * 24 * 3));
+  room.surfaces[1].measuring = true;
+  EXPECT_EQ(askedAt(0.02).surface, "wall");
+}
+
+}  // namespace
+}  // namespace fiatlux
