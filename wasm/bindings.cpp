@@ -42,7 +42,24 @@ val valueOf(const Layout& layout) {
   return result;
 }
 
-val valueOf(const Shown& shown) {
+/// Nine numbers an observer: eye, direction, UGR (-infinity where nothing glares), background and
+/// cylindrical illuminance.
+val valueOf(const std::vector<ObserverRows>& observers, const std::vector<ObserverReading>& readings) {
+  std::vector<double> numbers;
+  val names = val::array();
+  for (std::size_t o = 0; o < readings.size(); ++o) {
+    const auto& [name, p, d] = observers[o].observer;
+    numbers.insert(numbers.end(), {p.x, p.y, p.z, d.x, d.y, d.z, ugrOf(glareRatio(readings[o])),
+                                   readings[o].background, readings[o].cylindrical});
+    names.set(o, name);
+  }
+  val result = val::object();
+  result.set("names", names);
+  result.set("numbers", copied(numbers));
+  return result;
+}
+
+val valueOf(const Session& session, const Shown& shown) {
   std::vector<double> surfaces, constraints;
   for (const SurfaceReading& s : shown.surfaces)
     surfaces.insert(surfaces.end(), {s.mean, s.sigma, s.minimum, s.maximum});
@@ -54,11 +71,12 @@ val valueOf(const Shown& shown) {
   result.set("surfaces", copied(surfaces));
   result.set("goals", copied(shown.goals));
   result.set("constraints", copied(constraints));
+  result.set("observers", valueOf(session.scene()->observers, shown.observers));
   return result;
 }
 
-val valueOf(const Result<Shown>& shown) {
-  if (shown) return valueOf(*shown);
+val valueOf(const Session& session, const Result<Shown>& shown) {
+  if (shown) return valueOf(session, *shown);
   return val(shown.error().message);
 }
 
@@ -209,7 +227,22 @@ Constraint constraintOf(const val& v) {
           v["upper"].as<double>(),
           v["alpha"].as<double>(),
           vectorOf<std::uint32_t>(v["surfaces"]),
-          vectorOf<std::uint32_t>(v["over"])};
+          vectorOf<std::uint32_t>(v["over"]),
+          kNone};
+}
+
+/// Who looks: nobody where `asked` is null; those of the room, or six numbers each: eye and direction.
+std::vector<Observer> observersOf(const val& asked, const Patches& patches) {
+  if (asked.isNull()) return {};
+  if (asked["inRoom"].as<bool>()) return observersInRoom(patches);
+  const std::vector<double> numbers = vectorOf<double>(asked["observers"]);
+  std::vector<Observer> observers;
+  for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
+    const double* n = &numbers[i];
+    observers.push_back(
+        {asked["names"][i / 6].as<std::string>(), {n[0], n[1], n[2]}, normalized({n[3], n[4], n[5]})});
+  }
+  return observers;
 }
 
 LuminaireRules rulesOf(const val& v) {
@@ -226,7 +259,7 @@ LuminaireRules rulesOf(const val& v) {
   return rules;
 }
 
-Intentions intentionsOf(const val& asked) {
+Intentions intentionsOf(const val& asked, const Scene* scene) {
   Intentions intentions;
   intentions.quantity = enumOf<Quantity>(asked, "quantity");
   intentions.luminaires = rulesOf(asked["luminaires"]);
@@ -235,11 +268,12 @@ Intentions intentionsOf(const val& asked) {
     intentions.goals.push_back(goalOf(goals[i]));
   for (unsigned i = 0, count = constraints["length"].as<unsigned>(); i < count; ++i)
     intentions.constraints.push_back(constraintOf(constraints[i]));
+  if (scene) intentions.observers = observersOf(asked["glare"], scene->patches);
   return intentions;
 }
 
 std::string setIntentions(Session& session, val asked) {
-  return errorOf(session.setIntentions(intentionsOf(asked)));
+  return errorOf(session.setIntentions(intentionsOf(asked, session.scene())));
 }
 
 // --- search
@@ -267,8 +301,8 @@ val settle(Session& session, std::uint32_t evaluations) { return valueOf(session
 
 val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::uint32_t evaluations) {
   const Layout start{vectorOf<std::uint32_t>(sites), {}, 1};
-  const Result<Found> found =
-      session.tryAside(intentionsOf(asked), seed, start.sites.empty() ? nullptr : &start, evaluations);
+  const Result<Found> found = session.tryAside(intentionsOf(asked, session.scene()), seed,
+                                               start.sites.empty() ? nullptr : &start, evaluations);
   if (!found) return val(found.error().message);
   val result = val::object();
   result.set("layout", valueOf(found->layout));
@@ -277,10 +311,10 @@ val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::ui
   return result;
 }
 
-val incumbent(Session& session) { return valueOf(session.incumbent()); }
+val incumbent(Session& session) { return valueOf(session, session.incumbent()); }
 
 val show(Session& session, val sites, val flux, double dimming) {
-  return valueOf(session.show(layoutOf(sites, flux, dimming)));
+  return valueOf(session, session.show(layoutOf(sites, flux, dimming)));
 }
 
 val check(Session& session, val sites, val flux, double dimming) {
@@ -341,9 +375,13 @@ bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
   return candidates.scene && candidates.scene->advance(count);
 }
 
-/// Its scene becomes the session's; there is nothing left of it.
-void adopt(Session& session, Candidates& candidates, int quantity) {
-  session.adopt(candidates.scene->finish(static_cast<Quantity>(quantity)));
+/// Its scene becomes the session's, with what the observers of `glare` see; there is nothing left of it.
+void adopt(Session& session, Candidates& candidates, int quantity, val glare) {
+  const std::vector<Observer> observers = observersOf(glare, candidates.scene->room().patches);
+  std::vector<ObserverRows> rows = candidates.scene->seenBy(observers);
+  Scene scene = candidates.scene->finish(static_cast<Quantity>(quantity));
+  scene.observers = std::move(rows);
+  session.adopt(std::move(scene));
   candidates.scene.reset();
 }
 

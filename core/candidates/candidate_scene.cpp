@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/transport/room_view.h"
+
 namespace fiatlux {
 namespace {
 
@@ -64,22 +66,32 @@ Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<Cand
   return CandidateScene(room, std::move(types), std::move(candidates));
 }
 
+Luminaire CandidateScene::luminaireOf(const Candidate& candidate) const {
+  const CandidateType& type = types_[candidate.type];
+  Mounting mounting;
+  mounting.turn = candidate.turn;
+  mounting.aim = candidate.aim;
+  return mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mounting);
+}
+
 bool CandidateScene::advance(std::uint32_t count) {
   std::vector<PhotometricCandidate> some;
   for (; some.size() < count && done_ < candidates_.size(); ++done_) {
     const Candidate& candidate = candidates_[done_];
-    const CandidateType& type = types_[candidate.type];
-    Mounting mounting;
-    mounting.turn = candidate.turn;
-    mounting.aim = candidate.aim;
-    some.push_back({candidate.site,
-                    mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mounting)});
+    some.push_back({candidate.site, luminaireOf(candidate)});
   }
   if (!some.empty()) {
     const std::vector<float> columns = light_->total(some, light_->direct(some));
     responses_.illuminance.insert(responses_.illuminance.end(), columns.begin(), columns.end());
   }
   return done_ == candidates_.size();
+}
+
+std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
+  if (observers.empty()) return {};
+  std::vector<Luminaire> luminaires;
+  for (const Candidate& candidate : candidates_) luminaires.push_back(luminaireOf(candidate));
+  return RoomView(*room_).rows(observers, luminaires, responses_);
 }
 
 Scene CandidateScene::finish(Quantity quantity) {

@@ -41,6 +41,11 @@ class CandidateScene {
   /// together.
   bool advance(std::uint32_t count);
 
+  const Scene& room() const { return *room_; }
+  /// What observers see of each candidate, for the scene's `observers`. Precondition: as for finish(), before
+  /// it.
+  std::vector<ObserverRows> seenBy(const std::vector<Observer>& observers) const;
+
   /// Column j and entry j of the mean rows are candidate j's at its type's flux (lx, lm/m2). Statistics of
   /// `quantity` alone, and no covariances: unionStatistics makes them of the responses where they are asked
   /// for. Candidates of one site lie at one place: a least distance above 0 keeps them apart. Precondition:
@@ -49,6 +54,7 @@ class CandidateScene {
 
  private:
   CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates);
+  Luminaire luminaireOf(const Candidate& candidate) const;
 
   const Scene* room_;
   std::unique_ptr<PhotometricLight> light_;

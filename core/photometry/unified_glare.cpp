@@ -45,15 +45,14 @@ double glareSum(const Photometry& photometry, int turn) {
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
       const double beside = (column + 0.5) * kStep - kAcross / 2, ahead = (row + 0.5) * kStep;
-      if (kHeight > kMostAbove * ahead || std::abs(beside) > kMostBeside * ahead) continue;
+      const double weight = positionWeight(kHeight, std::abs(beside), ahead);
+      if (weight == 0) continue;
       const Vec3 toEye = inLuminaire({-beside, -ahead, kHeight}, turn);
       const double d = length(toEye);
       const double area = projectedArea(photometry.luminous, photometry.longAxis, normalized(toEye));
       if (!(area > 0)) continue;
-      const double p =
-          positionIndex(std::atan2(std::abs(beside), kHeight) / kDegree, std::acos(ahead / d) / kDegree);
       const double candela = intensity(photometry, toEye);
-      sum += candela * candela / (area * d * d * p * p);
+      sum += candela * candela / (area * d * d) * weight;
     }
   }
   return sum;
@@ -116,6 +115,13 @@ double wallIndirect(double onFloor, double onWalls, double onCeiling) {
 double positionIndex(double alpha, double beta) {
   return std::exp((35.2 - 0.31889 * alpha - 1.22 * std::exp(-2 * alpha / 9)) * 1e-3 * beta +
                   (21 + 0.26667 * alpha - 0.002963 * alpha * alpha) * 1e-5 * beta * beta);
+}
+
+double positionWeight(double above, double beside, double ahead) {
+  if (!(ahead > 0) || above > kMostAbove * ahead || beside > kMostBeside * ahead) return 0;
+  const double off = std::hypot(above, beside);
+  const double p = positionIndex(std::atan2(beside, above) / kDegree, std::atan2(off, ahead) / kDegree);
+  return 1 / (p * p);
 }
 
 std::optional<double> ugr4h8h(const Photometry& photometry) {

@@ -14,6 +14,10 @@ namespace fiatlux {
 /// straight ahead, -7 to +11 % far to the side.
 double positionIndex(double alpha, double beta);
 
+/// 1 / p^2 of a source `above` (or below) the line of sight, `beside` it and `ahead` along it, in any unit;
+/// both are at least 0. 0 outside CIE's table: more than 1.9 R above or 3 R beside, R the distance along it.
+double positionWeight(double above, double beside, double ahead);
+
 /// The room 4H x 8H at reflectances 70 / 50 / 20 of ceiling, walls and floor, at the table's own flux; the
 /// larger of the luminaire crosswise and endwise. None for a luminaire without luminous area, or that sends
 /// no light towards the eye.

@@ -28,6 +28,8 @@ struct Luminaire {
   // Photometric: every part of the rectangle has the whole's distribution.
   Intensity intensity;  // cd, at `flux`
   double beam = 2;      // rad, full angle within which the intensity changes little: quadrature is finer
+  // m2 as seen from a unit direction in its axes, for glare; nothing: that of the rectangle.
+  std::function<double(const Vec3&)> luminousArea;
 };
 
 /// Light starts this far in front of a luminaire, and shadow rays end there, m: what it hangs on (within

@@ -9,6 +9,7 @@
 
 #include "core/scene/layout.h"
 #include "core/scene/light_operator.h"
+#include "core/scene/observer.h"
 #include "core/scene/patches.h"
 
 namespace fiatlux {
@@ -38,10 +39,13 @@ struct Scene {
   std::vector<SurfaceStatistics> illuminance;  // per leaf surface
   std::vector<SurfaceStatistics> exitance;     // per leaf surface; empty for measuring planes
   std::optional<LightOperator> lightOperator;  // what other photometries need; older files have none
+  std::vector<ObserverRows>
+      observers;  // of no file: of those whose glare is asked for (core/transport/room_view.h)
 };
 
 /// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,
-/// C = sum w_i (C_i + a_i a_i^T) - a a^T, or of responses. `surfaces` empty: all that are no measuring planes.
+/// C = sum w_i (C_i + a_i a_i^T) - a a^T, or of responses. `surfaces` empty: all that are no measuring
+/// planes.
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces);
 
 /// Mean and sigma of the light on a surface set, in the unit of its statistics.

@@ -27,7 +27,10 @@ Intentions easedToReach(const Intentions& intentions, const std::vector<Constrai
     Constraint& constraint = eased.constraints[c];
     const auto [below, above] = std::pair(readings[c].below, readings[c].above);
     if (below > 0) constraint.lower = easedBound(constraint.lower, below, Side::kLower);
-    if (above > 0) constraint.upper = easedBound(constraint.upper, above, Side::kUpper);
+    if (above > 0 && constraint.statistic == Statistic::kUgr)
+      constraint.upper = ugrOf(easedBound(ratioOf(constraint.upper), above, Side::kUpper));
+    else if (above > 0)
+      constraint.upper = easedBound(constraint.upper, above, Side::kUpper);
   }
   return eased;
 }

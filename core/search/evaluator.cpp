@@ -37,6 +37,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
       siteCount_(prepared.stride()),
       flux_(fluxesOf(intentions.luminaires, slotsFor(prepared, intentions.luminaires))),
       objective_(prepared, intentions, referenceLayout(prepared, intentions, reference)) {
+  for (const double flux : flux_) squares_.push_back(flux * flux);
   const std::size_t count = objective_.sets().size();
   moments_.resize(count);
   rows_.resize(count);
@@ -88,7 +89,7 @@ void Evaluator::readMoments(const std::vector<std::uint32_t>& sites) {
   const auto count = static_cast<std::uint32_t>(sites.size());
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), flux_.data(), count, set.needsVariance);
+    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), countedFlux(set), count, set.needsVariance);
   }
 }
 
@@ -128,7 +129,7 @@ void Evaluator::refresh() {
   const auto count = static_cast<std::uint32_t>(sites_.size());
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    moments_[s].mean = meanOf(set.statistics->mean.data(), sites_.data(), flux_.data(), count);
+    moments_[s].mean = meanOf(set.statistics->mean.data(), sites_.data(), countedFlux(set), count);
     if (set.needsVariance)
       moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
     if (!set.needsExtremes) continue;
@@ -171,7 +172,8 @@ void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::
     for (std::size_t s = 0; s < sets; ++s) {
       const ObjectiveSet& set = objective_.sets()[s];
       const KernelStatistics& c = *set.statistics;
-      movedMeans(c.mean.data(), moments_[s].mean, from, flux, block, n, means_.data() + s * kBlock);
+      movedMeans(c.mean.data(), moments_[s].mean, from, set.counted(flux), block, n,
+                 means_.data() + s * kBlock);
       if (set.needsVariance)
         movedVariances(c.covariance.data(), c.diagonal.data(), siteCount_, rows_[s].data(),
                        moments_[s].variance, from, flux, block, n, variances_.data() + s * kBlock);
@@ -205,9 +207,10 @@ std::uint32_t Evaluator::changesOf(const Trial& trial, FluxChange* changes) cons
 
 void Evaluator::momentsAfter(const FluxChange* changes, std::uint32_t count) {
   for (std::size_t s = 0; s < moments_.size(); ++s) {
-    const KernelStatistics& c = *objective_.sets()[s].statistics;
+    const ObjectiveSet& set = objective_.sets()[s];
+    const KernelStatistics& c = *set.statistics;
     double mean = moments_[s].mean;
-    for (std::uint32_t k = 0; k < count; ++k) mean += changes[k].flux * c.mean[changes[k].site];
+    for (std::uint32_t k = 0; k < count; ++k) mean += set.counted(changes[k].flux) * c.mean[changes[k].site];
     trialMoments_[s].mean = mean;
     if (objective_.sets()[s].needsVariance)
       trialMoments_[s].variance = changedVariance(c.covariance.data(), siteCount_, rows_[s].data(),

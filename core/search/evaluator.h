@@ -78,6 +78,9 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  const double* countedFlux(const ObjectiveSet& set) const {
+    return (set.row == RowOf::kGlare ? squares_ : flux_).data();
+  }
   void readMoments(const std::vector<std::uint32_t>& sites);
   void light(PatchExtremes& patches, const std::vector<std::uint32_t>& sites);
   void addChange(std::uint32_t candidate, double flux);
@@ -87,7 +90,7 @@ class Evaluator {
   const PreparedScene& prepared_;
   std::uint32_t siteCount_ = 0;  // entries of a row of the statistics
   double penalty_ = 0;
-  std::vector<double> flux_;
+  std::vector<double> flux_, squares_;  // squares: of the fluxes
   Objective objective_;
   std::vector<std::uint32_t> sites_;
   Evaluation current_;

@@ -31,6 +31,7 @@ struct Constraint {
          upper = kUnbounded;  // in the unit of the quantity; a ratio for uniformity, contrast
   double alpha = 1;           // where the statistic needs it
   SurfaceSet surfaces, over;
+  std::uint32_t observer = kNone;  // of a ugr: which one; kNone: whoever is worst off
 };
 
 /// How the luminaires hang together (arrangements.h).
@@ -89,6 +90,7 @@ struct Intentions {
   std::vector<Goal> goals;
   std::vector<Constraint> constraints;
   Quantity quantity = Quantity::kIlluminance;
+  std::vector<Observer> observers;  // those of the scene that is searched (Scene::observers)
 };
 
 }  // namespace fiatlux

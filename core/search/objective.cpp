@@ -35,7 +35,7 @@ Objective::Objective(PreparedScene& prepared, const Intentions& intentions, cons
 
 std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces) {
   for (std::uint32_t s = 0; s < sets_.size(); ++s)
-    if (s != powerSet_ && sets_[s].surfaces == surfaces) return s;
+    if (sets_[s].row == RowOf::kSurfaces && sets_[s].surfaces == surfaces) return s;
   sets_.push_back({surfaces, prepared.statistics(quantity, surfaces), false, false});
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
@@ -45,7 +45,7 @@ std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, cons
   if (!traits.needsSurfaces) {
     if (countVaries_ && powerSet_ == kNone) {
       powerSet_ = static_cast<std::uint32_t>(sets_.size());
-      sets_.push_back({{}, prepared.weights(), false, false});
+      sets_.push_back({{}, prepared.weights(), false, false, RowOf::kWeights});
     }
     return 0;
   }
@@ -56,7 +56,36 @@ std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, cons
   return s;
 }
 
+/// Where the glare and background of `count` observers from `first` on stand, by turns.
+std::uint32_t Objective::observerSets(PreparedScene& prepared, std::uint32_t first, std::uint32_t count) {
+  const auto isThere = [&](std::size_t at) {
+    for (std::uint32_t k = 0; k < count; ++k, at += 2)
+      if (at >= sets_.size() || sets_[at].row != RowOf::kGlare || sets_[at].observer != first + k)
+        return false;
+    return true;
+  };
+  for (std::uint32_t s = 0; s < sets_.size(); ++s)
+    if (isThere(s)) return s;
+  const auto begin = static_cast<std::uint32_t>(sets_.size());
+  for (std::uint32_t o = first; o < first + count; ++o) {
+    sets_.push_back({{}, prepared.seenBy(o, true), false, false, RowOf::kGlare, o});
+    sets_.push_back({{}, prepared.seenBy(o, false), false, false, RowOf::kBackground, o});
+  }
+  return begin;
+}
+
+/// As a bound on the glare ratio, which the dimming scales (core/scene/observer.h).
+void Objective::addGlare(PreparedScene& prepared, const Constraint& c) {
+  const auto all = static_cast<std::uint32_t>(prepared.scene().observers.size());
+  const bool worst = c.observer == kNone;
+  const std::uint32_t first = worst ? 0 : c.observer, count = worst ? all : 1;
+  assert(first + count <= all);
+  sides_.push_back({Statistic::kUgr, observerSets(prepared, first, count), 0, 0, ratioOf(c.upper),
+                    Side::kUpper, false, count});
+}
+
 void Objective::addConstraint(PreparedScene& prepared, const Constraint& c, Quantity quantity) {
+  if (c.statistic == Statistic::kUgr) return addGlare(prepared, c);
   const StatisticTraits& traits = traitsOf(c.statistic);
   Bound bound{c.statistic,       setFor(prepared, quantity, traits, c.surfaces), 0, c.alpha, 0, Side::kLower,
               traits.scaleFree()};
@@ -89,9 +118,14 @@ void Objective::scaleGoals(PreparedScene& prepared, const Intentions& intentions
   PreparedScene& sites = prepared.sites();
   std::vector<Moments> moments;
   for (std::uint32_t s = 0; s < sets_.size(); ++s) {
+    const bool ofSurfaces = sets_[s].row == RowOf::kSurfaces;
+    if (!ofSurfaces && s != powerSet_) {  // note: no goal reads what observers see
+      moments.emplace_back();
+      continue;
+    }
     const auto statistics =
-        s == powerSet_ ? sites.weights() : sites.statistics(intentions.quantity, sets_[s].surfaces);
-    moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, s != powerSet_));
+        ofSurfaces ? sites.statistics(intentions.quantity, sets_[s].surfaces) : sites.weights();
+    moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, ofSurfaces));
   }
   const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {
@@ -108,7 +142,16 @@ double Objective::termValue(const Term& term, const Moments* moments, const Extr
                  0);
 }
 
+/// The largest glare ratio of its observers.
+double Objective::glareOf(const Bound& bound, const Moments* moments) const {
+  double largest = 0;
+  for (const Moments *seen = moments + bound.set, *end = seen + 2 * bound.observers; seen != end; seen += 2)
+    largest = std::max(largest, glareRatio({seen[0].mean, seen[1].mean}));
+  return largest;
+}
+
 double Objective::boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const {
+  if (bound.observers > 0) return glareOf(bound, moments);
   return valueOf(bound.statistic,
                  {moments + bound.set, moments + bound.over, extremes + bound.set, powerOf(moments)},
                  bound.side, bound.alpha);

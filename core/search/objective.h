@@ -2,6 +2,7 @@
 // patch extremes, where true ones are asked for) to violation, goal and dimming.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -13,12 +14,25 @@
 
 namespace fiatlux {
 
-/// A surface set that the intentions mention; `needsVariance` and `needsExtremes` say what must be computed
-/// of it.
+/// What a row of means is of; all but that of surfaces has nothing else.
+enum class RowOf : std::uint8_t {
+  kSurfaces,
+  kWeights,     // of the candidates, in luminaires
+  kGlare,       // ObserverRows::glare: of the squares of the fluxes
+  kBackground,  // ObserverRows::background
+};
+
+/// A surface set that the intentions mention, or another row that they need; `needsVariance` and
+/// `needsExtremes` say what must be computed of it.
 struct ObjectiveSet {
   SurfaceSet surfaces;
   std::shared_ptr<const KernelStatistics> statistics;
   bool needsVariance = false, needsExtremes = false;
+  RowOf row = RowOf::kSurfaces;
+  std::uint32_t observer = kNone;
+
+  /// The flux that a luminaire of `flux` lm counts with, negative where it is taken away.
+  double counted(double flux) const { return row == RowOf::kGlare ? flux * std::fabs(flux) : flux; }
 };
 
 class Objective {
@@ -54,6 +68,7 @@ class Objective {
     double alpha, value;
     Side side;
     bool scaleFree;
+    std::uint32_t observers = 0;  // of a ugr: their glare and background by turns, from `set` on
   };
   struct Term {  // one goal
     Statistic statistic;
@@ -67,10 +82,13 @@ class Objective {
   std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
   std::uint32_t setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
                        const SurfaceSet& surfaces);
+  std::uint32_t observerSets(PreparedScene& prepared, std::uint32_t first, std::uint32_t count);
+  void addGlare(PreparedScene& prepared, const Constraint& constraint);
   void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
+  double glareOf(const Bound& bound, const Moments* moments) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   /// Of the luminaires at full flux, lm.

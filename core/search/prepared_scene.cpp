@@ -154,6 +154,20 @@ std::shared_ptr<const KernelStatistics> PreparedScene::weights() const {
   return result;
 }
 
+std::shared_ptr<const KernelStatistics> PreparedScene::seenBy(std::uint32_t observer, bool glare) const {
+  const ObserverRows& rows = scene_.observers[observer];
+  const std::vector<double>& ofSites = glare ? rows.glare : rows.background;
+  auto result = std::make_shared<KernelStatistics>();
+  result->mean.assign(stride(), 0.0);
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t c = 0; c < candidateCount_; ++c) {
+    members.clear();
+    appendSites(c, members);
+    for (const std::uint32_t site : members) result->mean[c] += ofSites[site];
+  }
+  return result;
+}
+
 double PreparedScene::distance(std::uint32_t a, std::uint32_t b) const {
   if (isTied()) return gaps_[std::size_t{a} * candidateCount_ + b];
   return length(scene_.sites[a].position - scene_.sites[b].position);

@@ -67,6 +67,9 @@ class PreparedScene {
   /// Weights as a row of means, to count a layout's luminaires by the kernels: `mean` has stride() entries.
   std::shared_ptr<const KernelStatistics> weights() const;
 
+  /// A row of means that an observer of the scene sees each candidate by: ObserverRows::glare or background.
+  std::shared_ptr<const KernelStatistics> seenBy(std::uint32_t observer, bool glare) const;
+
   /// The `nearCount()` candidates nearest to one, itself left out, nearest first, ties by index.
   const std::uint32_t* nearSites(std::uint32_t site) const {
     return near_.data() + std::size_t{site} * nearCount_;

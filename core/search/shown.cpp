@@ -26,6 +26,14 @@ struct Lit {
   Extremes extremes(const SurfaceSet& surfaces) const {
     return extremesUnder(prepared.scene(), quantity, surfaces, layout);
   }
+  /// Of one observer, or of whoever is worst off.
+  double glare(std::uint32_t observer) const {
+    const std::vector<ObserverReading> seen = readObservers(prepared.scene().observers, layout);
+    if (observer != kNone) return glareRatio(seen[observer]);
+    double largest = 0;
+    for (const ObserverReading& reading : seen) largest = std::max(largest, glareRatio(reading));
+    return largest;
+  }
   double power() const {
     double sum = 0;
     for (double f : layout.flux) sum += f;
@@ -73,6 +81,11 @@ double valueOf(const Lit& lit, Statistic statistic, const Read& read, Side side,
 
 ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
   const StatisticTraits& traits = traitsOf(c.statistic);
+  if (c.statistic == Statistic::kUgr) {  // held against its bound as the search does: by the ratio
+    const double ratio = lit.glare(c.observer), margin = marginTo(ratioOf(c.upper), Side::kUpper, ratio);
+    const double above = std::max(0.0, -margin);
+    return {ugrOf(ratio), above, margin, 0, above};
+  }
   const Read read = readFor(lit, traits, c.surfaces, c.over);
   const double below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha),
                above = valueOf(lit, c.statistic, read, Side::kUpper, c.alpha);
@@ -179,6 +192,7 @@ Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layou
   readSurfaces(lit.dimmed, shown);
   for (const Goal& goal : intentions.goals) shown.goals.push_back(readGoal(lit.forA(goal.statistic), goal));
   shown.constraints = readConstraints(lit, intentions);
+  shown.observers = readObservers(prepared.scene().observers, layout);
   return shown;
 }
 

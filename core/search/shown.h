@@ -19,7 +19,8 @@ struct SurfaceReading {
 
 /// One constraint as it stands, judged at the less favourable end of what is not known exactly. `value` lies
 /// between the ends; of two sides that read differently (chebyshev) it is the tighter one's. It is infinite
-/// for a contrast against darkness and NaN for one of darkness against darkness, which meets no bound.
+/// for a contrast against darkness and NaN for one of darkness against darkness, which meets no bound. A
+/// bound on a ugr is one on its glareRatio, -infinity where nothing glares.
 struct ConstraintReading {
   double value = 0;
   double violation = 0;         // sum of excessOver
@@ -33,6 +34,7 @@ struct Shown {
   std::vector<SurfaceReading> surfaces;  // one a leaf, then "all"
   std::vector<double> goals;             // value of each, in its unit; of an aim the distance
   std::vector<ConstraintReading> constraints;
+  std::vector<ObserverReading> observers;  // of the scene's
 };
 
 /// Precondition: checkLayout and checkIntentions passed.

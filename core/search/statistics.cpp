@@ -10,6 +10,7 @@ const char* unitName(Statistic statistic, Quantity quantity) {
     case Unit::kFlux:
       return "lm";
     case Unit::kRatio:
+    case Unit::kGlare:
       return "";
   }
   return "";
@@ -50,6 +51,8 @@ std::optional<RelaxedForm> relaxedSide(Statistic statistic, Side side, double bo
       form.over = -sign * bound;
       form.constant = 0;
       return form;
+    case Statistic::kUgr:
+      return std::nullopt;
   }
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/scene/layout.h"
+#include "core/scene/observer.h"
 
 namespace fiatlux {
 
@@ -26,12 +27,14 @@ enum class Statistic : std::uint8_t {
   kMaximum,     // over the patches
   kUniformity,  // U_o = minimum / mean
   kContrast,    // mean of `surfaces` / mean of `over`
+  kUgr,         // unified glare rating of an observer, or of the worst (core/scene/observer.h)
 };
 
 enum class Unit : std::uint8_t {
   kLight,  // of the quantity asked for: lx, or lm/m2
   kFlux,   // lm
   kRatio,  // none: the common dimming does not change it
+  kGlare,  // none: the dimming changes its glareRatio as it does the light
 };
 
 struct StatisticTraits {
@@ -59,6 +62,7 @@ inline constexpr StatisticTraits kStatistics[] = {
     {Statistic::kMaximum, "maximum", Unit::kLight, false, false, true, false, false, true, true},
     {Statistic::kUniformity, "uniformity", Unit::kRatio, false, false, true, false, false, true, true},
     {Statistic::kContrast, "contrast", Unit::kRatio, true, false, true, true, false, false, false},
+    {Statistic::kUgr, "ugr", Unit::kGlare, false, false, false, false, false, false, false},
 };
 
 constexpr const StatisticTraits& traitsOf(Statistic statistic) {
@@ -100,6 +104,7 @@ struct LightReading {
   const Moments* over = nullptr;       // of what they are compared with
   const Extremes* extremes = nullptr;  // of its surfaces
   double power = 0;                    // lm
+  double glareRatio = 0;               // of its observer, or the largest of all
 };
 
 /// Which bound a value is held against: what is not known exactly counts at its less favourable end.
@@ -133,6 +138,8 @@ inline double valueOf(Statistic statistic, const LightReading& light, Side side,
     }
     case Statistic::kContrast:
       return contrastOf(light.at->mean, light.over->mean);
+    case Statistic::kUgr:
+      return ugrOf(light.glareRatio);
   }
   return 0;
 }

@@ -170,6 +170,14 @@ Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, 
   return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);
 }
 
+Result<Done> checkGlare(const Constraint& c, std::size_t observers, const std::string& where) {
+  if (std::isfinite(c.lower)) return Error{where + ": nobody asks for glare; give \"max\" only"};
+  if (observers == 0) return Error{where + ": nobody looks; give \"observers\""};
+  if (c.observer != kNone && c.observer >= observers)
+    return Error{where + ": observer number " + text(std::size_t{c.observer}) + " does not exist"};
+  return Done{};
+}
+
 Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity quantity,
                              const std::string& where) {
   if (std::isnan(c.lower) || std::isnan(c.upper)) return Error{where + ": a bound is not a number"};
@@ -200,6 +208,8 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, A
     const Constraint& constraint = intentions.constraints[c];
     const std::string where = "constraint " + text(c + 1) + " (" + statisticName(constraint.statistic) + ")";
     if (auto ok = checkConstraint(scene, constraint, intentions.quantity, where); !ok) return ok;
+    if (constraint.statistic != Statistic::kUgr) continue;
+    if (auto ok = checkGlare(constraint, intentions.observers.size(), where); !ok) return ok;
   }
   return Done{};
 }

@@ -9,6 +9,7 @@
 #include "core/search/identity.h"
 #include "core/search/start_layout.h"
 #include "core/search/validate_intentions.h"
+#include "core/transport/room_view.h"
 
 namespace fiatlux {
 
@@ -76,6 +77,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   if (!scene_) return Error{"no scene is open"};
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked;
+  if (Result<Done> seen = observe(*scene_, intentions.observers); !seen) return seen;
   search_.reset();
   eased_.reset();
   alpha_.reset();
@@ -136,6 +138,8 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
   if (!scene_) return Error{"no scene is open"};
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked.error();
+  if (!(intentions.observers == intentions_.observers))
+    return Error{"a trial has the observers of what is asked, and no others"};
   Intentions asked = intentions;
   if (start) asked.luminaires.pinned = pinsAsIn(asked.luminaires, start->sites);
   LayoutSearch search(*prepared_, asked, seed, start);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/photometry/intensity.h"
+#include "core/photometry/luminous_area.h"
 #include "core/photometry/photometric_values.h"
 #include "core/transport/intensity_map.h"
 #include "core/transport/photometric_light.h"
@@ -54,6 +55,12 @@ Luminaire photometricLuminaire(const PhotometricType& type, double flux, double 
   const double scale = flux > 0 && type.flux > 0 ? flux / type.flux : 1;
   luminaire.intensity = [candela = type.candela, scale](const Vec3& direction) {
     return scale * candela(direction);
+  };
+  LuminousArea seen = area;
+  (lengthAlongC0 ? seen.length : seen.width) = luminaire.width;
+  (lengthAlongC0 ? seen.width : seen.length) = luminaire.height;
+  luminaire.luminousArea = [seen, axis = type.longAxis](const Vec3& direction) {
+    return projectedArea(seen, axis, direction);
   };
   return luminaire;
 }

@@ -7,6 +7,7 @@
 
 #include "core/alpha/alpha_search.h"
 #include "core/alpha/guarantees.h"
+#include "core/transport/room_view.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -100,8 +101,9 @@ void printTable(const AlphaSearch& search) {
 
 void findAlpha(const AlphaCommandOptions& options) {
   if (!options.output.empty()) orThrow(checkReplaceable(options.output));
-  const Scene scene = orThrow(readSceneFile(options.scene));
+  Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
+  orThrow(options.scene, observe(scene, intentions.observers));
   orThrow(options.intentions, checkAlphaIntentions(scene, intentions));
   PreparedScene prepared(scene);
   const auto begin = std::chrono::steady_clock::now();

@@ -41,13 +41,20 @@ void evaluate(const EvaluateOptions& options) {
       photometric ? orThrow(options.scene, photometricIlluminance(file, layout, scene, notes))
                   : illuminanceOf(scene, layout);
   printNotes(options.layout, notes);
+  const std::vector<Observer> observers = observersFor(file.observers, scene.patches);
+  std::vector<ObserverReading> seen;
+  if (!observers.empty())
+    seen = orThrow(options.layout, observerReadings(file, layout, scene, observers, light));
   const LightResults results =
       photometric ? lightResults(scene.patches, scene.surfaces, light) : lightResults(scene, layout);
   if (!options.patches.empty())
     orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
   const std::vector<GridReading> grids = readGrids(scene, light);
   if (!options.json) {
-    std::fputs((surfacesTable(results) + "\n" + gridLines(scene.surfaces, grids)).c_str(), stdout);
+    std::fputs(
+        (surfacesTable(results) + "\n" + gridLines(scene.surfaces, grids) + observersText(observers, seen))
+            .c_str(),
+        stdout);
     return;
   }
   nlohmann::ordered_json json = {{"identity", scene.identity}, {"surfaces", surfacesJson(results)}};
@@ -57,6 +64,7 @@ void evaluate(const EvaluateOptions& options) {
   double power = 0;
   for (double flux : layout.flux) power += layout.dimming * flux;
   json["power"] = power;
+  if (!observers.empty()) json["observers"] = observersJson(observers, seen);
   std::fputs(jsonDocument(json).c_str(), stdout);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/transport/room_view.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -72,9 +73,11 @@ void light(LightOptions options) {
   const std::vector<Luminaire> luminaires = orThrow(options.layout, freeLuminaires(file, room.sites));
 
   const double before = progress.total();
+  const std::vector<Observer> observers = observersFor(file.observers, room.patches);
+  if (!observers.empty()) orThrow(options.layout, checkLuminousAreas(luminaires));
   const ForwardLight light =
       orThrow(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
-  LightReport report{room, light, options.forward.directOnly, std::move(points), {}, {}, 0};
+  LightReport report{room, light, options.forward.directOnly, std::move(points), {}, {}, {}, {}, 0};
   report.seconds = progress.total() - before;
 
   // Read what was asked for off the light.
@@ -83,6 +86,8 @@ void light(LightOptions options) {
   reading.threads = options.forward.threads;
   const std::vector<float> radiosity = report.directOnly ? std::vector<float>{} : light.radiosity;
   report.readings = readPoints(room, tracer, report.points, luminaires, radiosity, reading);
+  report.observers = observers;
+  report.seen = observerReadings(room, tracer, report.observers, luminaires, radiosity, reading);
   if (options.grid) report.grids = readGrids(room, tracer, luminaires, radiosity, reading);
   progress.clear();
   warnOf(options, light);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "precompute/files/observers_json.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -79,6 +80,7 @@ Json lightReportJson(const LightReport& report) {
                {"directOnly", report.directOnly}};
   if (!report.points.empty()) json["points"] = pointsJson(report);
   if (report.grids) json["grids"] = gridsJson(report.room.surfaces, *report.grids);
+  if (!report.observers.empty()) json["observers"] = observersJson(report.observers, report.seen);
   return json;
 }
 
@@ -90,6 +92,7 @@ void printLightReport(const LightReport& report) {
       report.room.patches.count, report.room.patchSize, report.light.residual, report.light.steps);
   printEnergy(report);
   if (report.grids) std::fputs(gridLines(report.room.surfaces, *report.grids).c_str(), stdout);
+  std::fputs(observersText(report.observers, report.seen).c_str(), stdout);
   if (!report.points.empty()) std::printf("\n%s", pointsCsv(report.points, report.readings).c_str());
 }
 

@@ -8,6 +8,7 @@
 #include "core/scene/calculation_grid.h"
 #include "precompute/files/light_results.h"
 #include "precompute/light/forward_light.h"
+#include "precompute/light/observer_light.h"
 #include "precompute/light/point_light.h"
 #include "precompute/room/room.h"
 
@@ -21,6 +22,8 @@ struct LightReport {
   std::vector<MeasuringPoint> points;             // none: not asked for
   std::vector<PointReading> readings;             // of the points
   std::optional<std::vector<GridReading>> grids;  // where asked for
+  std::vector<Observer> observers;                // none: not asked for
+  std::vector<ObserverReading> seen;              // by the observers
   double seconds = 0;                             // that the light took
 };
 

@@ -53,6 +53,7 @@ Result<Layout> openingLayout(const std::string& option, const Scene& scene) {
   const Result<Intentions> asked =
       option.front() == '{' ? parseIntentions(scene, option) : readIntentionsFile(scene, option);
   if (!asked) return Error{"--opening: " + asked.error().message};
+  if (!asked->observers.empty()) return Error{"--opening: it knows no observers; leave \"ugr\" out"};
   constexpr std::uint32_t kEvaluations = 100000;
   PreparedScene prepared(scene);
   LayoutSearch search(prepared, *asked, 1);

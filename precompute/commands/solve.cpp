@@ -10,6 +10,7 @@
 #include "core/search/eased.h"
 #include "core/search/layout_search.h"
 #include "core/search/start_layout.h"
+#include "core/transport/room_view.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -18,6 +19,7 @@
 #include "precompute/files/intentions_json.h"
 #include "precompute/files/layout_json.h"
 #include "precompute/files/light_results.h"
+#include "precompute/files/observers_json.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
 
@@ -93,6 +95,7 @@ Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& r
   json["grids"] = gridsJson(prepared.scene().surfaces, readGrids(prepared.scene(), shown.illuminance));
   json["goal"] = goalJson(shown);
   json["violations"] = violationsJson(prepared.scene(), intentions, shown);
+  if (!intentions.observers.empty()) json["observers"] = observersJson(intentions.observers, shown.observers);
   json["evaluations"] = run.evaluations;
   json["seconds"] = run.seconds;
   return json;
@@ -124,6 +127,7 @@ void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& 
     std::printf("  %s\n", constraintLine(scene, intentions, shown, c).c_str());
   if (!layout.ties.empty())
     std::printf("  %s\n", arrangementLine(intentions.luminaires.arrangement, layout).c_str());
+  std::fputs(observersText(intentions.observers, shown.observers).c_str(), stdout);
   if (layout.dimming != 1)
     std::printf("  dimmed to %s\n", shortNumber(layout.dimming, kReportDigits).c_str());
   for (std::size_t i = 0; i < layout.sites.size(); ++i) {
@@ -157,8 +161,9 @@ void printBound(const Json& bound) {
 
 void solve(const SolveOptions& options) {
   if (!options.output.empty()) orThrow(checkReplaceable(options.output));
-  const Scene scene = orThrow(readSceneFile(options.scene));
+  Scene scene = orThrow(readSceneFile(options.scene));
   const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
+  orThrow(options.scene, observe(scene, intentions.observers));
   PreparedScene prepared(scene);
   const Runs runs = search(prepared, intentions, options);
   Json report = {{"runs", Json::array()}};

@@ -4,6 +4,7 @@
 #include "core/search/validate_intentions.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/json_fields.h"
+#include "precompute/files/observers_json.h"
 #include "precompute/files/surface_names.h"
 
 namespace fiatlux {
@@ -98,7 +99,8 @@ template <class Intention>
 void readSurfaces(const Scene& scene, const JsonField& json, Intention& intention) {
   const StatisticTraits& traits = traitsOf(intention.statistic);
   if (!traits.needsSurfaces && json.has("surface"))
-    json.fail(std::string(traits.name) + " belongs to the luminaires: drop \"surface\"");
+    json.fail(std::string(traits.name) + " belongs to " +
+              (traits.unit == Unit::kGlare ? "an observer" : "the luminaires") + ": drop \"surface\"");
   if (traits.needsSurfaces)
     intention.surfaces = surfacesOf(scene, json.at("surface", "name one, or \"all\""));
   if (!traits.needsOver && json.has("over")) json.fail("\"over\" belongs to a contrast only");
@@ -119,8 +121,18 @@ Goal goalOf(const Scene& scene, const JsonField& json) {
   return goal;
 }
 
-Constraint constraintOf(const Scene& scene, const JsonField& json) {
-  json.requireKeys({"surface", "statistic", "min", "max", "alpha", "over"});
+/// Which observer a constraint names; kNone where it names none.
+std::uint32_t observerNamed(const JsonField& json, const std::vector<Observer>& observers) {
+  const auto name = json.find("observer");
+  if (!name) return kNone;
+  std::vector<std::pair<std::string, std::uint32_t>> choices;
+  for (std::uint32_t o = 0; o < observers.size(); ++o) choices.emplace_back(observers[o].name, o);
+  if (choices.empty()) name->fail("there are no observers to choose from");
+  return name->oneOf(choices);
+}
+
+Constraint constraintOf(const Scene& scene, const std::vector<Observer>& observers, const JsonField& json) {
+  json.requireKeys({"surface", "statistic", "min", "max", "alpha", "over", "observer"});
   Constraint constraint;
   constraint.statistic = statisticOf(json, false);
   if (const auto least = json.find("min")) constraint.lower = least->number();
@@ -130,12 +142,27 @@ Constraint constraintOf(const Scene& scene, const JsonField& json) {
     constraint.alpha = alpha->number();
   }
   readSurfaces(scene, json, constraint);
+  constraint.observer = observerNamed(json, observers);
+  if (constraint.observer != kNone && constraint.statistic != Statistic::kUgr)
+    json.fail("\"observer\" belongs to ugr only");
   return constraint;
 }
 
+/// Those that are written; where a ugr is asked for and none are, those of the room.
+std::vector<Observer> askedObservers(const Scene& scene, const JsonField& json) {
+  if (const auto observers = json.find("observers"))
+    return observersFor(observersOf(*observers), scene.patches);
+  const auto constraints = json.find("constraints");
+  if (!constraints) return {};
+  for (const JsonField& constraint : constraints->list(kMostEntries, "constraint"))
+    if (statisticOf(constraint, false) == Statistic::kUgr) return observersInRoom(scene.patches);
+  return {};
+}
+
 Intentions intentionsOf(const Scene& scene, const JsonField& json) {
-  json.requireKeys({"luminaires", "arrangement", "goals", "constraints", "quantity"});
+  json.requireKeys({"luminaires", "arrangement", "goals", "constraints", "quantity", "observers"});
   Intentions intentions;
+  intentions.observers = askedObservers(scene, json);
   if (const auto quantity = json.find("quantity"))
     intentions.quantity = quantity->oneOf(namedBy<Quantity>(kQuantityNames));
   if (const auto luminaires = json.find("luminaires")) intentions.luminaires = rulesOf(*luminaires);
@@ -146,7 +173,7 @@ Intentions intentionsOf(const Scene& scene, const JsonField& json) {
       intentions.goals.push_back(goalOf(scene, goal));
   if (const auto constraints = json.find("constraints"))
     for (const JsonField& constraint : constraints->list(kMostEntries, "constraint"))
-      intentions.constraints.push_back(constraintOf(scene, constraint));
+      intentions.constraints.push_back(constraintOf(scene, intentions.observers, constraint));
   return intentions;
 }
 

@@ -130,6 +130,18 @@ std::size_t JsonField::indexAmong(const std::vector<std::string>& names) const {
   return static_cast<std::size_t>(found - names.begin());
 }
 
+Vec3 vectorOf(const JsonField& field) {
+  constexpr double kLargestDistance = 1e6;  // m
+  const std::vector<double> v = field.numbers(3, "[x, y, z]", -kLargestDistance, kLargestDistance);
+  return {v[0], v[1], v[2]};
+}
+
+Vec3 directionOf(const JsonField& field) {
+  const Vec3 direction = vectorOf(field);
+  if (length(direction) < 1e-9) field.fail("a direction must not be zero");
+  return normalized(direction);
+}
+
 Result<Done> readJson(const std::string& text, const std::function<void(const JsonField&)>& read) {
   if (text.size() > kLongestJson) return Error{"longer than " + std::to_string(kLongestJson >> 20) + " MB"};
   const Result<Json> json = parseJson(text);

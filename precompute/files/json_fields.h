@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/vec3.h"
 
 namespace fiatlux {
 
@@ -66,6 +67,11 @@ class JsonField {
   std::string name_;               // for people: "goal 1.surface"
   std::vector<std::string> path_;  // for jsonLineOf
 };
+
+/// [x, y, z] in m, within 1000 km of the origin.
+Vec3 vectorOf(const JsonField& field);
+/// The same of any length but 0, made a unit one.
+Vec3 directionOf(const JsonField& field);
 
 /// Hands the document in `text`, at most kLongestJson long, to `read`, and turns its fault into an error.
 Result<Done> readJson(const std::string& text, const std::function<void(const JsonField&)>& read);

@@ -18,21 +18,9 @@ constexpr std::size_t kMostLuminaires = 10000;
 constexpr double kLargestFlux = 1e9;                         // lm
 constexpr double kLeastFlux = 1e-6;                          // lm, of a photometric file that is scaled
 constexpr double kMostTurn = 3600;                           // degrees
-constexpr double kLargestDistance = 1e6;                     // m
 constexpr double kSmallestSize = 1e-6, kLargestSize = 1000;  // m
 constexpr double kLargestDimming = 1000;
 constexpr double kSamePlace = 0.01;  // m: a site and the position written beside it
-
-Vec3 vectorOf(const JsonField& field) {
-  const std::vector<double> v = field.numbers(3, "[x, y, z]", -kLargestDistance, kLargestDistance);
-  return {v[0], v[1], v[2]};
-}
-
-Vec3 directionOf(const JsonField& field) {
-  const Vec3 direction = vectorOf(field);
-  if (length(direction) < 1e-9) field.fail("a direction must not be zero");
-  return normalized(direction);
-}
 
 /// The unit vector in the plane of `normal` that is nearest to `wish`; zero where the two are parallel.
 Vec3 inPlane(const Vec3& wish, const Vec3& normal) {
@@ -136,8 +124,9 @@ LayoutEntry entryOf(const JsonField& json, const ReadNamed& read) {
 }
 
 LayoutFile layoutOf(const JsonField& json, const ReadNamed& read) {
-  json.requireKeys({"dimming", "luminaires"});
+  json.requireKeys({"dimming", "luminaires", "observers"});
   LayoutFile file;
+  if (const auto observers = json.find("observers")) file.observers = observersOf(*observers);
   if (const auto dimming = json.find("dimming")) file.dimming = dimming->number(0, kLargestDimming);
   for (const JsonField& luminaire :
        json.at("luminaires", "list them: [{\"site\": 12, \"flux\": 3000}]").list(kMostLuminaires))

@@ -13,6 +13,7 @@
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/files/observers_json.h"
 
 namespace fiatlux {
 
@@ -35,6 +36,7 @@ struct LayoutEntry {
 struct LayoutFile {
   double dimming = 1;
   std::vector<LayoutEntry> luminaires;
+  AskedObservers observers;
 };
 
 /// The bytes of a file that a layout names.

@@ -4,6 +4,7 @@
 
 #include "core/transport/candidate_fit.h"
 #include "core/transport/photometric_light.h"
+#include "core/transport/room_view.h"
 
 namespace fiatlux {
 
@@ -44,6 +45,30 @@ Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const 
   for (std::size_t i = 0; i < columns.size(); ++i)
     light[i % light.size()] += static_cast<float>(layout.dimming) * columns[i];
   return light;
+}
+
+Result<std::vector<ObserverReading>> observerReadings(const LayoutFile& file, const Layout& layout,
+                                                      const Scene& scene,
+                                                      const std::vector<Observer>& observers,
+                                                      const std::vector<float>& light) {
+  if (!scene.lightOperator)
+    return Error{
+        "the scene file does not tell what stands in the way of sight, so nobody can say what glares; make "
+        "it "
+        "again with fiatlux precompute, without --no-exchange"};
+  std::vector<Luminaire> luminaires;
+  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
+    const Site& site = scene.sites[layout.sites[i]];
+    const auto& photometric = file.luminaires[i].photometric;
+    luminaires.push_back(luminaireOf(site));
+    luminaires.back().flux = layout.flux[i];
+    if (photometric)
+      luminaires.back() = mountedLuminaire(exactType(photometric->photometry), photometric->flux, site,
+                                           photometric->mounting);
+  }
+  const Result<Done> checked = checkLuminousAreas(luminaires);
+  if (!checked) return checked.error();
+  return RoomView(scene).readings(observers, luminaires, layout.dimming, light);
 }
 
 }  // namespace fiatlux

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scene/observer.h"
 #include "core/scene/scene.h"
 #include "precompute/files/layout_json.h"
 
@@ -18,5 +19,12 @@ bool hasPhotometry(const LayoutFile& file);
 /// fit where it hangs. An error where the scene has no operator.
 Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
                                                   const Scene& scene, std::vector<std::string>& notes);
+
+/// What observers see of a layout of that file whose light (lx, rows) is known. An error where the scene has
+/// no operator.
+Result<std::vector<ObserverReading>> observerReadings(const LayoutFile& file, const Layout& layout,
+                                                      const Scene& scene,
+                                                      const std::vector<Observer>& observers,
+                                                      const std::vector<float>& light);
 
 }  // namespace fiatlux

@@ -62,6 +62,7 @@ Json violationsJson(const Scene& scene, const Intentions& intentions, const Show
     Json entry = {{"constraint", c + 1}, {"statistic", statisticName(constraint.statistic)}};
     if (traitsOf(constraint.statistic).needsSurfaces)
       entry["surface"] = surfaceSetName(scene, constraint.surfaces);
+    if (constraint.observer != kNone) entry["observer"] = intentions.observers[constraint.observer].name;
     entry["value"] = reading.value;
     if (std::isfinite(constraint.lower)) entry["min"] = constraint.lower;
     if (std::isfinite(constraint.upper)) entry["max"] = constraint.upper;
@@ -103,6 +104,10 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
   std::string line = traits.name;
   if (traits.needsAlpha) line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
   if (traits.needsSurfaces) line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
+  if (constraint.statistic == Statistic::kUgr)
+    line += constraint.observer == kNone
+                ? " of the worst observer"
+                : " of " + printable(intentions.observers[constraint.observer].name, 80);
   return line + " " + valueText(reading.value, constraint.statistic, intentions.quantity) + " (" +
          boundsText(constraint) + "): " + verdictOn(reading, traits);
 }

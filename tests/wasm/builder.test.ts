@@ -82,7 +82,7 @@ async function lightOfSpot(file: Uint8Array<ArrayBuffer>): Promise<Float32Array>
   beginCandidates(making, room, candidates, () => ies);
   while (!making.advance(1)) continue;
   const session = new core.Session();
-  session.adopt(making, 0);
+  session.adopt(making, 0, null);
   const { intentions } = intentionsOf(documentFrom(askedOfUnknown(scene.surfaces, 25), '', ''));
   const one = { ...intentions, luminaires: { ...intentions.luminaires, count: 1 } };
   expect(session.setIntentions(coreIntentions(one, scene.surfaces))).toBe('');

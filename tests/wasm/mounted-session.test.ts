@@ -41,7 +41,7 @@ function sessionOf(types: readonly LuminaireType[], count = 2): MountedSession {
   beginCandidates(making, room, candidates, fileOf);
   while (!making.advance(5)) continue;
   const session = new core.Session();
-  session.adopt(making, 0);
+  session.adopt(making, 0, null);
   making.delete();
   const mounted = new MountedSession(session, candidates);
   const asked: Intentions = {

@@ -77,6 +77,7 @@ export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentio
     constraints,
     goal: 1,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
+    observers: [],
   };
 }
 

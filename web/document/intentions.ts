@@ -115,7 +115,9 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   }
   const { quantity } = document;
   const luminaires = askedLuminaires(document);
-  return { intentions: { luminaires, goals, constraints, quantity }, goalCards, origins };
+  const { glare } = document;
+  const intentions = { luminaires, goals, constraints, quantity, ...(glare && { glare }) };
+  return { intentions, goalCards, origins };
 }
 
 /** The same for luminaires that may not hang on these sites. */

@@ -9,6 +9,8 @@ export const mostLuminaires = 500;
 export const mostCards = 60;
 export const mostViews = 20;
 export const mostAreas = 50;
+
+export const mostObservers = 40;
 const mostSites = 100_000;
 
 export const number = (low: number, high: number) =>
@@ -150,9 +152,17 @@ export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
   plan: v.boolean(),
 });
 
+const observer = v.object({ name: nameSchema, position: pointSchema, direction: pointSchema });
+
+export const glareSchema = v.object({
+  max: v.exactOptional(number(5, 40)),
+  observers: v.exactOptional(v.pipe(v.array(observer), v.maxLength(mostObservers))),
+});
+
 const askedEntries = {
   cards: cardsSchema,
   saving: v.boolean(),
+  glare: v.exactOptional(glareSchema),
   luminaires: luminairesSchema,
   quantity: quantitySchema,
   seed: seedSchema,

@@ -15,7 +15,8 @@ export type Statistic =
   | 'minimum'
   | 'maximum'
   | 'uniformity' // U_o = minimum / mean
-  | 'contrast'; // mean of `surfaces` / mean of `over`
+  | 'contrast' // mean of `surfaces` / mean of `over`
+  | 'ugr'; // unified glare rating of the worst observer; no surface
 
 /** Names of leaf surfaces or of inner nodes of the surface tree; ['all'] = every surface but measuring planes. */
 export type SurfaceNames = readonly string[];
@@ -95,6 +96,19 @@ export interface Mounting {
   readonly aim: Point | null; // that gamma 0 goes through; null: as the type's tilt says
 }
 
+/** Somebody who looks, for glare. */
+export interface Observer {
+  readonly name: string;
+  readonly position: Point; // of the eye
+  readonly direction: Point; // of any length but 0
+}
+
+/** What glare is asked for: at most so much for anybody. */
+export interface Glare {
+  readonly max?: number; // UGR; absent: it is only told
+  readonly observers?: readonly Observer[]; // absent: places all over the room, four directions each
+}
+
 /** How the luminaires hang together; an axis is one of the plan that a layout is mirrored about or rows run along. */
 export type Rule = 'free' | 'symmetric' | 'rows' | 'field';
 export type PlanAxis = 'found' | 'x' | 'z' | 'both'; // both: symmetric only
@@ -155,6 +169,7 @@ export interface FiatLuxDocument {
   readonly room: string; // id in the catalogue, or the file's name
   readonly cards: readonly Card[];
   readonly saving: boolean; // least power is a goal too
+  readonly glare?: Glare; // absent: nobody looks
   readonly luminaires: Luminaires;
   readonly quantity: Quantity;
   readonly seed: number;
@@ -176,6 +191,7 @@ export interface Intentions {
   readonly goals: readonly Goal[];
   readonly constraints: readonly Constraint[];
   readonly quantity: Quantity;
+  readonly glare?: Glare; // heeded where the room's file tells what stands in the way of sight
 }
 
 /**

@@ -1,17 +1,31 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
-import type { Intentions, Layout } from '../document/types.ts';
-import { codes, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
-import type { IntentionResult, Shown } from './protocol.ts';
+import type { Constraint, Glare, Intentions, Layout } from '../document/types.ts';
+import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
+import type { IntentionResult, ObserverResult, Shown } from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
-/** Throws one readable line where a name is not in the room. */
+/** Who looks; null for nobody. */
+export function coreGlare(glare: Glare | undefined): CoreGlare | null {
+  if (!glare) return null;
+  const { observers = [] } = glare;
+  return {
+    inRoom: observers.length === 0,
+    names: observers.map(({ name }) => name),
+    observers: Float64Array.from(observers.flatMap(({ position, direction }) => [...position, ...direction])),
+  };
+}
+
+/** A bound on glare stands after all others. Throws one readable line where a name is not in the room. */
 export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
   const surfaces = (of: { readonly surfaces: readonly string[]; readonly over?: readonly string[] }) => ({
     surfaces: surfaceSetOf(of.surfaces, leaves),
     over: surfaceSetOf(of.over ?? [], leaves),
   });
-  const { luminaires } = asked;
+  const { luminaires, glare } = asked;
+  const ugr = glare?.max === undefined ? [] : [{ statistic: 'ugr', max: glare.max, surfaces: [] } as const];
+  const constraints: readonly Constraint[] = [...asked.constraints, ...ugr];
   return {
+    glare: coreGlare(glare),
     quantity: codes.quantity[asked.quantity],
     luminaires: {
       count: luminaires.count,
@@ -32,7 +46,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       target: goal.target ?? 0,
       ...surfaces(goal),
     })),
-    constraints: asked.constraints.map((constraint) => ({
+    constraints: constraints.map((constraint) => ({
       statistic: codes.statistic[constraint.statistic],
       lower: constraint.min ?? -Infinity,
       upper: constraint.max ?? Infinity,
@@ -79,7 +93,23 @@ export function shownOf(
     constraints,
     goal,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
+    observers: observersOf(core.observers),
   };
+}
+
+function observersOf({ names, numbers }: CoreShown['observers']): ObserverResult[] {
+  return names.map((name, i) => {
+    const [x = 0, y = 0, z = 0, dx = 0, dy = 0, dz = 0, ugr = 0, background = 0, cylindrical = 0] =
+      numbers.subarray(9 * i);
+    return {
+      name,
+      position: [x, y, z],
+      direction: [dx, dy, dz],
+      ugr: Number.isFinite(ugr) ? ugr : null,
+      background,
+      cylindrical,
+    };
+  });
 }
 
 function triples(numbers: Float64Array): IntentionResult[] {

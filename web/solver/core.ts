@@ -64,6 +64,8 @@ export interface CoreShown {
   readonly surfaces: Float64Array; // 4 a leaf, then 4 of 'all': mean, sigma, min, max in the quantity asked for
   readonly goals: Float64Array; // 1 each: the value; of an aim its distance from the target, as a share of that
   readonly constraints: Float64Array; // 3 each: value (a contrast may be infinite or NaN), violation, margin (relative; negative = not met)
+  /** 9 numbers each: eye (m), direction, UGR (-Infinity where nothing glares), background (cd/m2), E_z (lx). */
+  readonly observers: { readonly names: readonly string[]; readonly numbers: Float64Array };
 }
 
 export interface CoreCheck {
@@ -108,6 +110,7 @@ const statisticCodes = {
   maximum: 5,
   uniformity: 6,
   contrast: 7,
+  ugr: 8,
 } as const;
 const senseCodes = { min: 0, max: 1, near: 2 } as const;
 const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
@@ -158,6 +161,14 @@ export interface CoreIntentions {
   };
   readonly goals: readonly CoreGoal[];
   readonly constraints: readonly CoreConstraint[];
+  readonly glare: CoreGlare | null; // null: nobody looks
+}
+
+/** Who looks, for glare: those that a room has by itself, or the ones named here, 6 numbers each (eye, direction). */
+export interface CoreGlare {
+  readonly inRoom: boolean;
+  readonly names: readonly string[];
+  readonly observers: Float64Array;
 }
 
 /** A value, or one readable line that says what is wrong. */
@@ -208,8 +219,9 @@ export interface Session {
   show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
   /** Statistics of a layout against its patches. */
   check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
-  /** Takes the scene that `candidates` have made, of which nothing is left; only `quantity` can be asked about. */
-  adopt(candidates: Candidates, quantity: number): void;
+  /** Takes the scene that `candidates` have made, of which nothing is left; only `quantity` and what the observers of
+   *  `glare` see can be asked about. */
+  adopt(candidates: Candidates, quantity: number, glare: CoreGlare | null): void;
   /** Begins the alpha-search for the true minima and maxima that are asked for. `held`: sites of the layout whose
    *  luminaires are pinned; none = the first ones are. */
   startAlpha(seed: number, held: Uint32Array): string;
@@ -266,7 +278,7 @@ export const sessionMethods = {
   incumbent: 0,
   show: 3,
   check: 3,
-  adopt: 2,
+  adopt: 3,
   startAlpha: 2,
   advanceAlpha: 2,
   startBound: 0,

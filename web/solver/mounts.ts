@@ -5,6 +5,7 @@
 import { candidatesOf, type Candidate } from '../document/candidates.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
+import { coreGlare } from './core-intentions.ts';
 import { codes, type Candidates, type CoreModule, type Session } from './core.ts';
 import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 
@@ -149,7 +150,7 @@ export class Mounts {
 
   #adopted(scene: Candidates, candidates: readonly Candidate[], { asked }: Wanted): MountedSession {
     const session = new this.#core.Session();
-    session.adopt(scene, codes.quantity[asked.quantity]);
+    session.adopt(scene, codes.quantity[asked.quantity], coreGlare(asked.glare));
     return new MountedSession(session, candidates);
   }
 
@@ -186,7 +187,7 @@ export class Mounts {
     const { asked, layout, extent } = wanted;
     const place: readonly [readonly number[], readonly Mounting[]] | null =
       extent === 'all' || !layout ? null : [layout.sites, layout.mountings ?? []];
-    return JSON.stringify([extent, asked.quantity, used, place]);
+    return JSON.stringify([extent, asked.quantity, asked.glare && { ...asked.glare, max: 0 }, used, place]);
   }
 }
 

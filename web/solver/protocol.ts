@@ -23,6 +23,16 @@ export interface IntentionResult {
   readonly margin: number; // to the nearer bound, relative to it, negative when not met; Infinity for goals
 }
 
+/** Somebody who looks, and what glares there. */
+export interface ObserverResult {
+  readonly name: string;
+  readonly position: readonly [number, number, number]; // of the eye, m
+  readonly direction: readonly [number, number, number]; // unit
+  readonly ugr: number | null; // null: nothing glares
+  readonly background: number; // cd/m2
+  readonly cylindrical: number; // lx
+}
+
 /** A layout and its light: everything that the page shows. Buffers are transferred. */
 export interface Shown {
   readonly layout: Layout;
@@ -32,6 +42,7 @@ export interface Shown {
   readonly constraints: readonly IntentionResult[];
   readonly goal: number; // the weighted objective, relative to the start layout
   readonly violation: number; // 0 = every constraint is met
+  readonly observers: readonly ObserverResult[]; // none: nobody looks, or the room's file cannot tell
 }
 
 /** A layout beside the one that is shown, and the colour of its light: red and blue of each patch at a luminance of 1. */

@@ -85,7 +85,7 @@ export class SessionDriver {
   /** Until the room stands everything waits, until its operator is there what asks for types and what came after it. */
   #mustWait(message: Turned): boolean {
     if (this.#isOpening) return true;
-    return this.#awaitsOperator && (this.#waiting.length > 0 || asksForTypes(message));
+    return this.#awaitsOperator && (this.#waiting.length > 0 || needsOperator(message));
   }
 
   #takeWaiting(): void {
@@ -109,7 +109,8 @@ export class SessionDriver {
     if (task) this.#attempt(task.revision, this.#advance, task);
   }
 
-  #take(message: Turned): void {
+  #take(asked: Turned): void {
+    const message = this.#scene?.hasOperator ? asked : withoutGlare(asked);
     switch (message.type) {
       case 'solve':
         this.#next = message;
@@ -362,10 +363,20 @@ export class SessionDriver {
   }
 }
 
-function asksForTypes(message: Turned): boolean {
-  return (
-    'intentions' in message && (message.intentions.luminaires.types ?? []).some((type) => type.isAllowed)
-  );
+function needsOperator(message: Turned): boolean {
+  if (!('intentions' in message)) return false;
+  const { luminaires, glare } = message.intentions;
+  return glare !== undefined || (luminaires.types ?? []).some((type) => type.isAllowed);
+}
+
+/** In a room whose file does not tell what stands in the way of sight, nobody can say what glares. */
+function withoutGlare<Message extends Turned>(message: Message): Message {
+  const dropped = (asked: Intentions): Intentions => {
+    const { glare: _, ...intentions } = asked;
+    return intentions;
+  };
+  if (message.type === 'compare') return { ...message, variants: message.variants.map(dropped) };
+  return 'intentions' in message ? { ...message, intentions: dropped(message.intentions) } : message;
 }
 
 /** The value, where it is no line that says what is wrong. */

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/search/shown.h"
 #include "core/search/start_layout.h"
 #include "core/search/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
@@ -49,6 +50,46 @@ TEST(Evaluator, QuadraticFormsEqualExplicitStatisticsOfThePatches) {
         EXPECT_NEAR(std::sqrt(evaluator.moments()[s].variance), truth.sigma, 1e-4 * truth.sigma);
       }
     }
+  }
+}
+
+TEST(Evaluator, GlareOfTrialsIsThatOfFullEvaluations) {
+  Scene scene = smallRoom();
+  for (std::uint32_t o = 0; o < 3; ++o) {
+    const std::vector<double> none(scene.responses.sites);
+    ObserverRows rows{{"o" + std::to_string(o), {}, {1, 0, 0}}, {}, {}, none, none};
+    for (std::uint32_t j = 0; j < scene.responses.sites; ++j) {
+      rows.glare.push_back(1e-4 * ((7 * j + 3 * o) % 11));
+      rows.background.push_back(1e-3 * (1 + (j + o) % 4));
+    }
+    scene.observers.push_back(rows);
+  }
+  PreparedScene prepared(scene);
+  Intentions intentions = meanAndSigma(3);
+  for (const ObserverRows& rows : scene.observers) intentions.observers.push_back(rows.observer);
+  intentions.luminaires.flux = {1000, 1500, 400};
+  intentions.constraints = {{Statistic::kUgr, -kUnbounded, 12, 1, {}, {}, kNone},
+                            {Statistic::kUgr, -kUnbounded, 9, 1, {}, {}, 1}};
+  Evaluator evaluator(prepared, intentions), reference(prepared, intentions);
+  Random random(5);
+  evaluator.load({0, 7, 19});
+  for (int step = 0; step < 50; ++step) {
+    const std::uint32_t i = random.below(3), to = random.below(prepared.candidateCount());
+    auto sites = evaluator.sites();
+    if (std::find(sites.begin(), sites.end(), to) != sites.end()) continue;
+    Trial trial{{}, 0, {1e30, 0, 1}}, pair = trial;
+    evaluator.tryMoves(i, &to, 1, trial);
+    evaluator.tryPair({0, sites[1]}, {1, sites[0]}, pair);
+    std::swap(sites[0], sites[1]);
+    EXPECT_NEAR(pair.evaluation.violation, reference.evaluate(sites).violation, 1e-9);
+    std::swap(sites[0], sites[1]);
+    sites[i] = to;
+    EXPECT_NEAR(trial.evaluation.violation, reference.evaluate(sites).violation, 1e-9);
+    evaluator.apply(trial);
+    EXPECT_NEAR(evaluator.current().violation, reference.evaluate(sites).violation, 1e-9);
+    const Shown shown = shownOf(prepared, intentions, evaluator.layout());
+    EXPECT_NEAR(shown.constraints[0].violation + shown.constraints[1].violation,
+                evaluator.current().violation, 1e-9);
   }
 }
 

@@ -31,6 +31,14 @@ const Scene& partlyDarkRoom() {
           scene.responses.illuminance[std::size_t{j} * scene.responses.rows + p] = 0;
     fiatlux::testing::addStatistics(scene);
     scene.errorBound.assign(scene.surfaces.size(), 0.02f);
+    const std::vector<double> none(scene.responses.sites);
+    scene.observers = {{{"one", {}, {1, 0, 0}}, {}, {}, none, none},
+                       {{"two", {}, {0, 0, 1}}, {}, {}, none, none}};
+    for (std::uint32_t j = 0; j < scene.responses.sites; ++j)
+      for (std::uint32_t o = 0; o < 2; ++o) {
+        scene.observers[o].glare.push_back(1e-4 * (1 + (j + 2 * o) % 5));
+        scene.observers[o].background.push_back(1e-3 * (1 + j % 3));
+      }
     return scene;
   }();
   return room;
@@ -55,6 +63,7 @@ Intentions three(double dimming) {
   intentions.luminaires.count = kLuminaires;
   intentions.luminaires.flux = {1000};
   intentions.luminaires.dimmingLow = intentions.luminaires.dimmingHigh = dimming;
+  for (const ObserverRows& rows : partlyDarkRoom().observers) intentions.observers.push_back(rows.observer);
   return intentions;
 }
 
@@ -119,11 +128,14 @@ TEST(Statistics, SearchShownAndRelaxationAgreeOnEveryBound) {
           const Layout layout = layoutOf(sites, dimming);
           SCOPED_TRACE(std::string(traits.name) + " of layout " + std::to_string(sites[0]));
           Intentions any = three(dimming);
-          any.constraints = {{traits.statistic, 0, kUnbounded, 1.5, surfaces, over}};
+          const bool onlyMost = traits.unit == Unit::kGlare;  // nobody asks for glare
+          any.constraints = {
+              {traits.statistic, onlyMost ? -kUnbounded : 0, onlyMost ? 0 : kUnbounded, 1.5, surfaces, over}};
           const double value = shownOf(prepared, any, layout).constraints[0].value;
           const double around = std::isfinite(value) && value > 0 ? value : 1;
           for (const double factor : {0.5, 0.9, 1.1, 2.0})
             for (const Side side : {Side::kLower, Side::kUpper}) {
+              if (onlyMost && side == Side::kLower) continue;
               Constraint constraint{traits.statistic, -kUnbounded, kUnbounded, 1.5, surfaces, over};
               (side == Side::kLower ? constraint.lower : constraint.upper) = factor * around;
               ++(agreeOn(prepared, constraint, layout) ? met : missed);
@@ -132,6 +144,28 @@ TEST(Statistics, SearchShownAndRelaxationAgreeOnEveryBound) {
     EXPECT_GT(met, 0) << traits.name;
     EXPECT_GT(missed, 0) << traits.name;
   }
+}
+
+TEST(Statistics, AUgrIsOfOneObserverOrOfTheWorstAndDimsAway) {
+  PreparedScene prepared(partlyDarkRoom());
+  const Layout layout = layoutOf({0, 7, 19}, 1);
+  const std::vector<ObserverReading> seen = readObservers(partlyDarkRoom().observers, layout);
+  const double one = ugrOf(glareRatio(seen[0])), two = ugrOf(glareRatio(seen[1]));
+  ASSERT_GT(std::fabs(one - two), 0.1);
+  Intentions intentions = three(1);
+  intentions.luminaires.dimmingLow = 0.1;
+  for (const std::uint32_t observer : {kNone, 0u, 1u})
+    intentions.constraints.push_back({Statistic::kUgr, -kUnbounded, 40, 1, {}, {}, observer});
+  const Shown shown = shownOf(prepared, intentions, layout);
+  EXPECT_NEAR(shown.constraints[0].value, std::max(one, two), 1e-9);
+  EXPECT_NEAR(shown.constraints[1].value, one, 1e-9);
+  EXPECT_NEAR(shown.constraints[2].value, two, 1e-9);
+  // Halving all fluxes takes 8 log10(2) = 2.4 away: a bound 2.4 below is met by that dimming and no brighter.
+  intentions.constraints[0].upper = std::max(one, two) - 8 * std::log10(2.0);
+  Evaluator evaluator(prepared, intentions);
+  const Evaluation evaluation = evaluator.evaluate(layout.sites);
+  EXPECT_EQ(evaluation.violation, 0);
+  EXPECT_NEAR(evaluation.dimming, 0.5, 1e-9);
 }
 
 TEST(Statistics, SearchAndShownAgreeOnEveryGoal) {

@@ -147,7 +147,9 @@ TEST_F(Commands, PhotometricFilesShineInEvaluateAsInLight) {
   writeTextFile(*folder_ / "spots.json", R"({"dimming": 0.5, "luminaires": [
       {"site": 1, "photometry": "spot.ies", "size": [0.1, 0.1], "aim": [2, 0, 2]},
       {"site": 7, "photometry": "spot.ies", "size": [0.6, 0.2], "turn": 90, "flux": 2000},
-      {"site": 4, "flux": 1000}]})");
+      {"site": 4, "flux": 1000}],
+      "observers": [{"name": "door", "position": [0.3, 1.2, 1], "direction": [3, 0, 0.5]},
+                    {"position": [3.5, 1.7, 2.5], "direction": [-1, 0, -0.4]}]})");
   // As fine for its size as the sample rooms are, so that groups of 4 x 4 patches are small beside the room.
   const std::string fine = "--patch 0.125 --rays 256 --site-size 0.5";
   ASSERT_EQ(runFiatlux(*folder_, "precompute box.gltf -o fine.flux " + fine).status, 0);
@@ -162,6 +164,16 @@ TEST_F(Commands, PhotometricFilesShineInEvaluateAsInLight) {
     EXPECT_NEAR(got["mean"].get<double>() / truth["mean"].get<double>(), 1, 0.01) << truth;
     EXPECT_NEAR(got["sigma"].get<double>() / truth["sigma"].get<double>(), 1, 0.06) << truth;
   }
+  ASSERT_EQ(evaluated["observers"].size(), 2u);
+  EXPECT_EQ(evaluated["observers"][0]["name"], "door");
+  EXPECT_EQ(lit["observers"][1]["name"], "observer 2");
+  for (std::size_t o = 0; o < 2; ++o) {
+    const json &truth = lit["observers"][o], &got = evaluated["observers"][o];
+    EXPECT_NEAR(got["ugr"].get<double>(), truth["ugr"].get<double>(), 0.1) << truth << got;
+    for (const char* key : {"background", "vertical", "cylindrical"})
+      EXPECT_NEAR(got[key].get<double>() / truth[key].get<double>(), 1, 0.02) << key << truth;
+  }
+  EXPECT_THAT(runFiatlux(*folder_, "evaluate fine.flux --layout spots.json").out, HasSubstr("door: UGR"));
 }
 
 TEST_F(Commands, PhotometricFilesAreRefusedWithACure) {

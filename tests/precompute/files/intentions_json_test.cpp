@@ -1,4 +1,4 @@
-// intentions.json: what it may say, and that everything else is refused in one line.
+// intentions.json, with its observers_json: what it may say, and that everything else is refused in one line.
 #include "precompute/files/intentions_json.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +103,28 @@ TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
   }
 }
 
+TEST(IntentionsJson, ReadsObserversAndWhatGlareIsAskedOfThem) {
+  const std::string look = R"("observers": [{"name": "desk", "position": [1, 1.2, 1], "direction": [0, 0, 2]},
+      {"position": [2, 1.2, 1], "direction": [1, 0, 0]}])";
+  const Result<Intentions> result = parseIntentions(namedRoom(), "{" + look + R"(,
+      "constraints": [{"statistic": "ugr", "max": 19}, {"statistic": "ugr", "max": 16, "observer": "desk"}]})");
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->observers.size(), 2u);
+  EXPECT_EQ(result->observers[0].direction.z, 1);
+  EXPECT_EQ(result->observers[1].name, "observer 2");
+  EXPECT_EQ(result->constraints[0].observer, kNone);
+  EXPECT_EQ(result->constraints[1].observer, 0u);
+  const auto refuse = [&](const std::string& constraint, const char* part) {
+    expectRefusal("{" + look + ", \"constraints\": [" + constraint + "]}", part);
+  };
+  refuse(R"({"statistic": "ugr", "min": 10})", "\"max\" only");
+  refuse(R"({"statistic": "ugr", "max": 19, "observer": "door"})", "desk");
+  refuse(R"({"statistic": "ugr", "max": 19, "surface": "room"})", "an observer");
+  refuse(R"({"statistic": "mean", "surface": "room", "max": 19, "observer": "desk"})", "ugr only");
+  expectRefusal(R"({"observers": [], "constraints": [{"statistic": "ugr", "max": 19}]})", "nobody looks");
+  expectRefusal(R"({"observers": [{"position": [1, 2], "direction": [1, 0, 0]}]})", "[x, y, z]");
+}
+
 TEST(IntentionsJson, WithoutDimmingItIsOne) {
   const Result<Intentions> result =
       parseIntentions(namedRoom(), R"({"luminaires": {"count": 1, "flux": 5}})");
@@ -114,9 +136,9 @@ TEST(IntentionsJson, WithoutDimmingItIsOne) {
 TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal("{", "line 1");
   expectRefusal("[]", "expected an object");
-  expectRefusal(
-      R"({"goal": []})",
-      "unknown key \"goal\"; the closest is \"goals\" (known are luminaires, arrangement, goals, constraints, quantity)");
+  expectRefusal(R"({"goal": []})",
+                "unknown key \"goal\"; the closest is \"goals\" (known are luminaires, arrangement, goals, "
+                "constraints, quantity)");
   expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
   expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
   expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");

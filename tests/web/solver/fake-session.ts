@@ -238,6 +238,7 @@ function shown(sites: number[]): CoreShown {
     surfaces: Float64Array.from({ length: 12 }, (_, i) => i),
     goals: Float64Array.of(5),
     constraints: Float64Array.of(30, 0.5, -0.5),
+    observers: { names: [], numbers: new Float64Array() },
   };
 }
 

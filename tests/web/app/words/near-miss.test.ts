@@ -12,6 +12,7 @@ const light: Shown = {
   constraints: [],
   goal: 0,
   violation: 0,
+  observers: [],
 };
 const missedBy = (violation: number) => ({ value: 1, met: false, violation, margin: -violation });
 const verdictOn = (statistic: Constraint['statistic'], violation: number) =>

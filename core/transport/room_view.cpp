@@ -1,0 +1,214 @@
+#include "core/transport/room_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/photometry/unified_glare.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kSights = 2048;      // from a place, over all directions
+constexpr std::uint32_t kSeenParts = 4;      // of a luminaire's edge that are looked for
+constexpr double kLeastLuminousArea = 1e-9;  // m2
+
+/// Evenly over the sphere (a spiral whose turns are the golden angle apart).
+Vec3 sightDirection(std::uint32_t i) {
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  const double y = 1 - (2 * i + 1.0) / kSights, r = std::sqrt(1 - y * y);
+  return {r * std::cos(golden * i), y, r * std::sin(golden * i)};
+}
+
+/// `direction` in the axes of a luminaire.
+Vec3 seenFrom(const Luminaire& luminaire, const Vec3& direction) {
+  return {dot(direction, luminaire.axis), dot(direction, cross(luminaire.normal, luminaire.axis)),
+          dot(direction, luminaire.normal)};
+}
+
+/// cd along a unit direction in its axes.
+double candelaOf(const Luminaire& luminaire, const Vec3& direction) {
+  if (luminaire.distribution == Luminaire::Distribution::kPhotometric) return luminaire.intensity(direction);
+  return luminaire.flux / std::numbers::pi * std::max(0.0, direction.z);
+}
+
+double luminousAreaOf(const Luminaire& luminaire, const Vec3& direction) {
+  if (luminaire.luminousArea) return luminaire.luminousArea(direction);
+  return luminaire.width * luminaire.height * std::abs(direction.z);
+}
+
+/// 1 / p^2 of what lies `way` from an eye.
+double guthWeight(const Vec3& way, const Vec3& sight) {
+  const Vec3 up = std::abs(sight.y) < 0.999 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+  const Vec3 beside = normalized(cross(sight, up)), above = cross(beside, sight);
+  return positionWeight(std::abs(dot(way, above)), std::abs(dot(way, beside)), dot(way, sight));
+}
+
+}  // namespace
+
+bool hasLuminousArea(const Luminaire& luminaire) {
+  if (!luminaire.luminousArea) return luminaire.width > 0 && luminaire.height > 0;
+  // note: a disc or a side may be seen from some directions only.
+  for (const Vec3& direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    if (luminaire.luminousArea(direction) > kLeastLuminousArea) return true;
+  return false;
+}
+
+Result<Done> checkLuminousAreas(const std::vector<Luminaire>& luminaires) {
+  for (std::size_t i = 0; i < luminaires.size(); ++i)
+    if (!hasLuminousArea(luminaires[i]))
+      return Error{"luminaires[" + std::to_string(i) +
+                   "]: it has no luminous area, so nobody can say how it glares; give it a \"size\""};
+  return Done{};
+}
+
+double glareOf(const Luminaire& luminaire, const Observer& observer) {
+  const Vec3 way = luminaire.position - observer.position;
+  const double weight = guthWeight(way, observer.direction), squared = dot(way, way);
+  if (!(weight > 0) || !(squared > 0)) return 0;
+  const Vec3 toEye = seenFrom(luminaire, (-1 / std::sqrt(squared)) * way);
+  const double area = luminousAreaOf(luminaire, toEye);
+  if (!(area > kLeastLuminousArea)) return 0;
+  const double candela = candelaOf(luminaire, toEye);
+  return 0.25 * candela * candela / (area * squared) * weight;
+}
+
+double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
+  const Vec3 across = cross(luminaire.normal, luminaire.axis);
+  std::uint32_t seen = 0;
+  for (std::uint32_t i = 0; i < kSeenParts * kSeenParts; ++i) {
+    const double u = (i % kSeenParts + 0.5) / kSeenParts - 0.5, v = (i / kSeenParts + 0.5) / kSeenParts - 0.5;
+    const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
+                      (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
+    if (!tree_.isBlocked(eye, part)) ++seen;
+  }
+  return static_cast<double>(seen) / (kSeenParts * kSeenParts);
+}
+
+RoomView::Place RoomView::placeOf(const Vec3& position, std::size_t luminaires) const {
+  Place place{position, {}, std::vector<double>(luminaires, -1)};
+  for (std::uint32_t i = 0; i < kSights; ++i) {
+    const Vec3 direction = sightDirection(i);
+    const std::uint32_t patch = tree_.firstMet(position, direction, std::numeric_limits<double>::infinity());
+    // note: a back is seen where the file has no patch for it; what it reflects is not known.
+    if (patch != kNone && dot(direction, room_.patches.normal[patch]) < 0)
+      place.sights.push_back({direction, patch});
+  }
+  std::stable_sort(place.sights.begin(), place.sights.end(),
+                   [](const Sight& a, const Sight& b) { return a.patch < b.patch; });
+  return place;
+}
+
+/// E = integral of L cos over the half space before the eye, L = rho E_patch / pi; L_b = E / pi. E_z =
+/// integral of L sin(angle from the vertical) / pi over all directions.
+std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3& direction) const {
+  std::vector<Part> parts;
+  for (const Sight& sight : place.sights) {
+    if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
+    const double share = 4.0 / kSights * room_.patches.reflectance[sight.patch] / std::numbers::pi;
+    parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
+    parts.back().cylindrical += share * std::hypot(sight.direction.x, sight.direction.z);
+  }
+  return parts;
+}
+
+void RoomView::reflect(const std::vector<Part>& parts, const float* illuminance, ObserverReading& reading) {
+  double background = 0, cylindrical = 0;
+  for (const Part& part : parts) {
+    background += part.background * illuminance[part.patch];
+    cylindrical += part.cylindrical * illuminance[part.patch];
+  }
+  reading.background = background;
+  reading.vertical += std::numbers::pi * background;
+  reading.cylindrical += cylindrical;
+}
+
+/// Of luminaire j, by what of it is seen.
+ObserverReading RoomView::directAt(Place& place, const Observer& observer,
+                                   const std::vector<Luminaire>& luminaires, std::size_t j) const {
+  const Luminaire& luminaire = luminaires[j];
+  const Vec3 way = luminaire.position - observer.position;
+  const double squared = dot(way, way), distance = std::sqrt(squared);
+  if (!(distance > 0)) return {};
+  const double candela = candelaOf(luminaire, seenFrom(luminaire, (-1 / distance) * way));
+  if (!(candela > 0)) return {};
+  double& visible = place.visible[j];
+  if (visible < 0) visible = visibleShare(place.position, luminaire);
+  const double light = visible * candela / (squared * distance);
+  return {visible * glareOf(luminaire, observer), 0, light * std::max(0.0, dot(way, observer.direction)),
+          light * std::hypot(way.x, way.z) / std::numbers::pi};
+}
+
+/// Observers at one place, one after the other, share what is met from there.
+template <class Visit>
+void RoomView::visit(const std::vector<Observer>& observers, std::size_t luminaires,
+                     const Visit& visit) const {
+  Place place;
+  for (std::size_t o = 0; o < observers.size(); ++o) {
+    if (o == 0 || length(observers[o].position - place.position) > 0)
+      place = placeOf(observers[o].position, luminaires);
+    visit(observers[o], place, reflectedOf(place, observers[o].direction));
+  }
+}
+
+std::vector<ObserverReading> RoomView::readings(const std::vector<Observer>& observers,
+                                                const std::vector<Luminaire>& luminaires, double dimming,
+                                                const std::vector<float>& illuminance) const {
+  std::vector<ObserverReading> readings;
+  visit(observers, luminaires.size(),
+        [&](const Observer& observer, Place& place, const std::vector<Part>& parts) {
+          ObserverReading reading;
+          for (std::size_t j = 0; j < luminaires.size(); ++j) {
+            const ObserverReading direct = directAt(place, observer, luminaires, j);
+            reading.glare += dimming * dimming * direct.glare;
+            reading.vertical += dimming * direct.vertical;
+            reading.cylindrical += dimming * direct.cylindrical;
+          }
+          reflect(parts, illuminance.data(), reading);
+          readings.push_back(reading);
+        });
+  return readings;
+}
+
+std::vector<ObserverRows> RoomView::rows(const std::vector<Observer>& observers,
+                                         const std::vector<Luminaire>& luminaires,
+                                         const Responses& responses) const {
+  std::vector<ObserverRows> all;
+  visit(observers, luminaires.size(),
+        [&](const Observer& observer, Place& place, const std::vector<Part>& parts) {
+          ObserverRows rows{observer, {}, {}, {}, {}};
+          for (std::uint32_t j = 0; j < luminaires.size(); ++j) {
+            ObserverReading reading = directAt(place, observer, luminaires, j);
+            reflect(parts, responses.column(j), reading);
+            rows.glare.push_back(reading.glare);
+            rows.background.push_back(reading.background);
+            rows.vertical.push_back(reading.vertical);
+            rows.cylindrical.push_back(reading.cylindrical);
+          }
+          all.push_back(std::move(rows));
+        });
+  return all;
+}
+
+Result<Done> observe(Scene& scene, const std::vector<Observer>& observers) {
+  const auto isThere = [](const ObserverRows& rows, const Observer& observer) {
+    return rows.observer == observer;
+  };
+  if (std::equal(scene.observers.begin(), scene.observers.end(), observers.begin(), observers.end(), isThere))
+    return Done{};
+  if (observers.empty()) {
+    scene.observers.clear();
+    return Done{};
+  }
+  if (!scene.lightOperator)
+    return Error{
+        "this room's file does not tell what stands in the way of sight, so nobody can say what glares; make "
+        "it again with fiatlux precompute, without --no-exchange"};
+  std::vector<Luminaire> luminaires;
+  for (const Site& site : scene.sites) luminaires.push_back(luminaireOf(site));
+  scene.observers = RoomView(scene).rows(observers, luminaires, scene.responses);
+  return Done{};
+}
+
+}  // namespace fiatlux

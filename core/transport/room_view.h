@@ -1,0 +1,72 @@
+// What observers see of a room and its luminaires: what glares at them, and before which background
+// (core/scene/observer.h). Where patches are known, tiles of theirs stand in the way of sight; the background
+// is what a few thousand lines of sight meet.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/luminaire.h"
+#include "core/scene/scene.h"
+#include "core/transport/tile_tree.h"
+
+namespace fiatlux {
+
+/// Whether glare can be told of a luminaire: it is no point.
+bool hasLuminousArea(const Luminaire& luminaire);
+/// An Error that names the first of a layout which is one.
+Result<Done> checkLuminousAreas(const std::vector<Luminaire>& luminaires);
+
+/// 0.25 L^2 w / p^2 of a luminaire at its flux that nothing hides, cd2/m4; 0 of what lies outside CIE's table
+/// of the position index, and of one without luminous area. As seen from its centre.
+double glareOf(const Luminaire& luminaire, const Observer& observer);
+
+/// Refers to the scene, which must have a light operator and outlive it.
+class RoomView {
+ public:
+  explicit RoomView(const Scene& room) : room_(room), tree_(room) {}
+
+  /// Of luminaires at their fluxes under a common dimming, which have made that illuminance (lx, rows).
+  std::vector<ObserverReading> readings(const std::vector<Observer>& observers,
+                                        const std::vector<Luminaire>& luminaires, double dimming,
+                                        const std::vector<float>& illuminance) const;
+  /// Of each luminaire; column j of the responses is its light.
+  std::vector<ObserverRows> rows(const std::vector<Observer>& observers,
+                                 const std::vector<Luminaire>& luminaires, const Responses& responses) const;
+
+ private:
+  struct Sight {
+    Vec3 direction;
+    std::uint32_t patch;
+  };
+  /// What is met from a place, and which share of each luminaire is seen.
+  struct Place {
+    Vec3 position;
+    std::vector<Sight> sights;
+    std::vector<double> visible;  // below 0: not looked for yet
+  };
+  /// What a patch adds to a reading per lx on it.
+  struct Part {
+    std::uint32_t patch;
+    double background, cylindrical;  // cd/m2, lx
+  };
+
+  Place placeOf(const Vec3& position, std::size_t luminaires) const;
+  std::vector<Part> reflectedOf(const Place& place, const Vec3& direction) const;
+  ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
+                           std::size_t j) const;
+  static void reflect(const std::vector<Part>& parts, const float* illuminance, ObserverReading& reading);
+  double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
+  template <class Visit>
+  void visit(const std::vector<Observer>& observers, std::size_t luminaires, const Visit& visit) const;
+
+  const Scene& room_;
+  TileTree tree_;
+};
+
+/// Fills scene.observers for these, unless they are there already. An Error in a scene whose file does not
+/// tell the shape of its patches.
+Result<Done> observe(Scene& scene, const std::vector<Observer>& observers);
+
+}  // namespace fiatlux
