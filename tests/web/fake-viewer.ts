@@ -59,6 +59,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       setAreas: () => {},
       planPoint: () => null,
       setExcluded: () => {},
+      setObservers: () => {},
       lookOnly: () => {},
       setDisplay: () => {},
       holdExposure: (active) => void (viewer.held = active),

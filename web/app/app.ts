@@ -229,6 +229,7 @@ export class App {
     effect(() => viewer.setDisplay(store.display.value));
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setBodies(this.types.bodies.value));
+    effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
     effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
     effect(() => viewer.setAreas(store.document.value.luminaires.areas ?? null));
     effect(() => viewer.setExcluded(store.barred.value));

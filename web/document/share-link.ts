@@ -15,6 +15,7 @@ import {
   cardsSchema,
   displaySchema,
   firstFault,
+  glareSchema,
   identitySchema,
   luminairesSchema,
   mostLuminaires,
@@ -26,7 +27,7 @@ import {
   seedSchema,
   typeEntries,
 } from './schema.ts';
-import type { Camera, Card, Display, Luminaires, LuminaireType, Mounting, Quantity } from './types.ts';
+import type { Camera, Card, Display, Glare, Luminaires, LuminaireType, Mounting, Quantity } from './types.ts';
 
 export const linkVersion = 2;
 export const longestLink = 1800; // characters that are made
@@ -51,6 +52,7 @@ export interface Link {
   readonly seed: number;
   readonly roomType?: string;
   readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
+  readonly glare?: Glare;
   readonly layout: (LinkedLayout & { readonly pinned: readonly number[] }) | null;
   readonly kept?: LinkedLayout; // the variant that the layout is compared with
   readonly files?: PhotometricFiles; // of its types, as far as it carries them
@@ -113,6 +115,7 @@ const payloadSchema = v.object({
   s: seedSchema,
   e: v.exactOptional(roomTypeSchema),
   g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
+  u: v.exactOptional(glareSchema),
   y: v.exactOptional(
     v.object({
       ...layoutEntries,
@@ -191,6 +194,7 @@ function payloadOf(link: Link): Payload {
     s: link.seed,
     ...(link.roomType && { e: link.roomType }),
     ...(link.score !== undefined && { g: link.score }),
+    ...(link.glare && { u: structuredClone(link.glare) as NonNullable<Payload['u']> }),
     ...(layout && {
       y: { ...layoutIn(layout, numbers), n: [...layout.pinned] },
     }),
@@ -283,7 +287,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
-  const { i, r, c, w, l, q, s, e, g, y, b, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, g, u, y, b, t, m, k, d } = parsed.output;
   if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
@@ -302,6 +306,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     seed: s,
     ...(e !== undefined && { roomType: e }),
     ...(g !== undefined && { score: g }),
+    ...(u !== undefined && { glare: u }),
     layout: layout && y ? { ...layout, pinned: y.n } : null,
     ...(kept && { kept }),
     ...(m && { plan: m }),

@@ -45,7 +45,7 @@ export function linkOf(
   plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
-  const { scene, room, cards, saving, quantity, seed, roomType } = document;
+  const { scene, room, cards, saving, quantity, seed, roomType, glare } = document;
   const kept = linkedVariant(document, sites);
   return {
     scene,
@@ -55,6 +55,7 @@ export function linkOf(
     quantity,
     seed,
     ...(roomType !== undefined && { roomType }),
+    ...(glare !== undefined && { glare }),
     luminaires: rules,
     layout: layout && {
       ...placed(layout, sites),
@@ -128,7 +129,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned };
-  const { room, cards, saving, quantity, seed, roomType } = link;
+  const { room, cards, saving, quantity, seed, roomType, glare } = link;
   const asked = {
     room,
     cards,
@@ -137,6 +138,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     quantity,
     seed,
     ...(roomType !== undefined && { roomType }),
+    ...(glare !== undefined && { glare }),
   };
   return {
     scene: scene.identity,

@@ -91,7 +91,7 @@ function lightInPlan(
 
 function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): string[] {
   return [
-    'Interreflections are included; surfaces are matt, one reflectance each. Daylight, glare and shine are not computed.',
+    'Interreflections are included; surfaces are matt, one reflectance each. Daylight and shine are not computed.',
     isOfTypes
       ? 'Luminaires shine as their photometric files say.'
       : 'Luminaires are Lambertian squares: a product with another distribution gives other light.',

@@ -42,6 +42,13 @@ export interface OtherLight {
   readonly towards?: { readonly layout: Layout; readonly share: number };
 }
 
+/** Somebody who looks, and what glares there. */
+export interface SeenGlare {
+  readonly position: readonly [number, number, number]; // of the eye, m
+  readonly direction: readonly [number, number, number];
+  readonly ugr: number | null; // null: nothing glares
+}
+
 export interface Viewer {
   /** Begins to read a room's display mesh, for an `open` of the same buffer. */
   prepare(glb: ArrayBuffer): void;
@@ -81,6 +88,8 @@ export interface Viewer {
   /** The room's x and z, m, under a point of the page in a plan view; null elsewhere. */
   planPoint(clientX: number, clientY: number): readonly [x: number, z: number] | null;
   setExcluded(sites: readonly number[]): void;
+  /** Those whose glare is asked for. */
+  setObservers(observers: readonly SeenGlare[]): void;
   /** From now on nothing in the picture can be picked or taken: pointers and keys only move the eye, and hover. */
   lookOnly(): void;
   setDisplay(display: Display): void;

@@ -12,6 +12,7 @@ import { withLegend } from './light/legend-picture.ts';
 import { LuminaireHand } from './hand/luminaire-hand.ts';
 import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
+import { ObserverArrows } from './luminaires/observer-arrows.ts';
 import { Picking } from './hand/picking.ts';
 import { freeGpu } from './stage/free-gpu.ts';
 import { PlaneLabels } from './light/plane-labels.ts';
@@ -23,7 +24,15 @@ import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from 
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
 import { SurfaceOutlines } from './room/surface-outline.ts';
-import type { CreateViewer, LuminaireBody, OtherLight, Viewer, ViewerEvents, ViewName } from './types.ts';
+import type {
+  CreateViewer,
+  LuminaireBody,
+  OtherLight,
+  SeenGlare,
+  Viewer,
+  ViewerEvents,
+  ViewName,
+} from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
@@ -45,6 +54,7 @@ class RoomViewer implements Viewer {
   #areaMarks = new AreaMarks();
   #areas: Areas | null = null;
   #picking: Picking;
+  #observers = new ObserverArrows();
   #tags: LuminaireTags;
   #planeLabels: PlaneLabels;
   #otherPlaneLabels: PlaneLabels; // left of the divider
@@ -77,7 +87,13 @@ class RoomViewer implements Viewer {
       contextLost: (lost) => this.#contextLost(lost),
       schemeChanged: () => this.#loop.invalidate(),
     });
-    this.#stage.scene.add(this.#outlines.root, this.#luminaires.root, this.#marks.root, this.#areaMarks.root);
+    this.#stage.scene.add(
+      this.#outlines.root,
+      this.#luminaires.root,
+      this.#marks.root,
+      this.#areaMarks.root,
+      this.#observers.root,
+    );
     this.#stage.scene.add(this.#wipe.luminaires.root);
     this.#planeLabels = new PlaneLabels(labels);
     this.#otherPlaneLabels = new PlaneLabels(labels);
@@ -212,6 +228,11 @@ class RoomViewer implements Viewer {
     this.#input.lookOnly();
   }
 
+  setObservers(observers: readonly SeenGlare[]): void {
+    this.#observers.show(observers);
+    this.#loop.invalidate();
+  }
+
   setDisplay(display: Display): void {
     this.#display = display;
     this.#light.setDisplay(display);
@@ -333,6 +354,7 @@ class RoomViewer implements Viewer {
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
     this.#cutAway.setRoom(null, new Map());
+    this.#observers.show([]);
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
     this.#room = this.#frame = null;

@@ -11,6 +11,7 @@ import type { Card, FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Shown } from '../../solver/protocol.ts';
 import type { Store } from '../state/store.ts';
 import { unionOf } from '../state/statistics.ts';
+import { glareVerdict } from './glare.ts';
 import { presets, type Preset } from './standards.ts';
 import { verdicts, type Verdict } from './verdict.ts';
 
@@ -76,6 +77,9 @@ export function askForType(draft: Draft<FiatLuxDocument>, type: RoomType, surfac
   draft.cards = cardsOf(type, surfaces) as Draft<Card>[];
   draft.roomType = type.id;
   draft.quantity = 'illuminance';
+  const { max: _, ...looking } = draft.glare ?? {};
+  if (type.ugr !== undefined) draft.glare = { ...looking, max: type.ugr };
+  else delete draft.glare;
   draft.luminaires.maintenance ??= [...usualMaintenance];
 }
 
@@ -107,7 +111,12 @@ export function everyVerdict(
   const scene = store.scene.value;
   if (!shown || !scene) return [];
   const type = roomTypes.find(({ id }) => id === document.roomType);
-  const rows = (cards: readonly Card[]) => verdicts({ ...document, cards }, store.traced.value, shown, scene);
+  const most = document.glare?.max;
+  const isOfType = type?.ugr === most;
+  const rows = (cards: readonly Card[]) => [
+    ...verdicts({ ...document, cards }, store.traced.value, shown, scene),
+    ...(most === undefined || isOfType ? [] : [glareVerdict(shown.observers, most)]),
+  ];
   if (!type || !frame || document.quantity !== 'illuminance' || type.numbers.most !== undefined)
     return rows(document.cards);
   // Cards that are as the type wrote them would only say again what its own rows say.
@@ -137,12 +146,16 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown, fra
     const mean = readings.length > 0 ? unionOf(readings).mean : null;
     if (target !== undefined) rows.push(atLeast(where, 'Ēₘ', mean, target, 'lx'));
   }
-  const untold = { margin: null, met: null, actual: null };
   if (cylindrical !== undefined)
-    rows.push({ where: 'task', what: 'cylindrical Ēz at least', target: cylindrical, unit: 'lx', ...untold });
-  if (ugr !== undefined)
-    rows.push({ where: 'task', what: 'glare UGR at most', target: ugr, unit: '', ...untold });
+    rows.push(atLeast('at 1.2 m', 'cylindrical Ēz', meanCylindrical(shown), cylindrical, 'lx'));
+  if (ugr !== undefined) rows.push(glareVerdict(shown.observers, ugr));
   return rows;
+}
+
+/** Of the observers; null where nobody looks, or the room's file cannot tell. */
+function meanCylindrical({ observers }: Shown): number | null {
+  if (observers.length === 0) return null;
+  return observers.reduce((sum, each) => sum + each.cylindrical, 0) / observers.length;
 }
 
 function atLeast(where: string, what: string, actual: number | null, target: number, unit: string): Verdict {

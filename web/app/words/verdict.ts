@@ -1,4 +1,5 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
+import { ugrText } from '../../document/glare.ts';
 import { boundOf, isRatio, type TracedIntentions } from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Quantity, SceneInfo, SurfaceNames } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
@@ -52,7 +53,7 @@ export function verdicts(
 /** "612 lx", "0.62". */
 export function valueText(value: number | null, unit: string): string {
   if (value === null) return 'not in this file';
-  if (unit === '' && Number.isInteger(value) && value > 1) return String(value); // a UGR
+  if (unit === 'UGR') return ugrText(value);
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
 }
 

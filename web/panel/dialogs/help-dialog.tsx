@@ -26,7 +26,7 @@ export function HelpDialog({ close }: { close: () => void }) {
       </p>
       <p class="fine-print">
         Computed: illuminance and exitance of matt surfaces under these luminaires, with all bounces, as means
-        over patches. Not computed: glare, shine, daylight and the time of day.
+        over patches. Not computed: shine, daylight and the time of day.
       </p>
       <div class="help-columns">
         <section>

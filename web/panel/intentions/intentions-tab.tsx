@@ -6,6 +6,7 @@ import { opposedCards } from '../../app/words/explain.ts';
 import type { Verb } from '../../document/types.ts';
 import { usePaperWords } from './card-hooks.ts';
 import { FirstHint } from './first-hint.tsx';
+import { GlareChoice } from './glare-choice.tsx';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
 import { namesText } from './surface-picker.tsx';
@@ -69,6 +70,7 @@ export function IntentionsTab() {
           enough.
         </p>
       )}
+      <GlareChoice />
       {!inPaperWords && (
         <More isUsed={false}>
           <QuantityChoice />

@@ -47,8 +47,7 @@ export function AboutRoom() {
           </div>
         </dl>
         <p class="fine-print">
-          Surfaces are matt; glare, shine and daylight are not computed. Autosave:{' '}
-          {savingText(store.saving.value)}.
+          Surfaces are matt; shine and daylight are not computed. Autosave: {savingText(store.saving.value)}.
         </p>
       </details>
     </>

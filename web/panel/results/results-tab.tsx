@@ -5,6 +5,7 @@ import { compact } from '../../app/words/format.ts';
 import { Differences } from '../compare/differences.tsx';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
+import { GlareTable } from './glare-table.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { SurfaceTable } from './surface-table.tsx';
 import { VerdictTable } from './verdict-table.tsx';
@@ -18,6 +19,7 @@ export function ResultsTab() {
       <VerdictTable />
       <Power />
       <SurfaceTable />
+      <GlareTable />
       <CheckLayout />
       <AboutRoom />
     </>

@@ -1,0 +1,29 @@
+/** What glares for whom, as a row of the verdict and as the worst of all. */
+import type { ObserverResult } from '../../solver/protocol.ts';
+import type { Verdict } from './verdict.ts';
+
+const rank = ({ ugr }: ObserverResult) => ugr ?? -Infinity;
+
+/** The worst first. */
+export const byGlare = (observers: readonly ObserverResult[]): ObserverResult[] =>
+  [...observers].sort((a, b) => rank(b) - rank(a));
+
+export const worstOf = (observers: readonly ObserverResult[]): ObserverResult | null =>
+  byGlare(observers)[0] ?? null;
+
+const margin = 0.05; // what is shown as the limit is within it
+
+/** `observers` are none where the room's file cannot tell what glares. */
+export function glareVerdict(observers: readonly ObserverResult[], target: number): Verdict {
+  const worst = worstOf(observers);
+  const actual = worst && (worst.ugr ?? 0);
+  return {
+    where: worst?.name ?? 'task',
+    what: 'glare at most',
+    target,
+    actual,
+    unit: 'UGR',
+    margin: null,
+    met: actual === null ? null : actual < target + margin,
+  };
+}

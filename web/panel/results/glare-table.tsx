@@ -1,0 +1,60 @@
+/** What glares for each observer, the worst first; empty where nobody looks. */
+import { useApp } from '../../app/app.ts';
+import { byGlare } from '../../app/words/glare.ts';
+import { compact } from '../../app/words/format.ts';
+import { glareColor, ugrText } from '../../document/glare.ts';
+import type { ObserverResult } from '../../solver/protocol.ts';
+
+const first = 4; // rows that are seen without asking
+
+export function GlareTable() {
+  const { store } = useApp();
+  const observers = byGlare(store.shown.value?.observers ?? []);
+  if (observers.length === 0) return null;
+  const rest = observers.slice(first);
+  return (
+    <>
+      <Rows observers={observers.slice(0, first)} isFirst />
+      {rest.length > 0 && (
+        <details class="about-room">
+          <summary>{rest.length} more observers</summary>
+          <Rows observers={rest} />
+        </details>
+      )}
+    </>
+  );
+}
+
+function Rows({ observers, isFirst }: { observers: readonly ObserverResult[]; isFirst?: boolean }) {
+  return (
+    <table class="list results" aria-label={isFirst ? undefined : 'Glare of the other observers'}>
+      {isFirst && (
+        <caption>
+          Glare by observer <small>UGR</small>
+        </caption>
+      )}
+      <thead>
+        <tr>
+          <th scope="col">Observer</th>
+          <th scope="col" class="number">
+            UGR
+          </th>
+          <th scope="col" class="number" title="Luminance of the background, cd/m²">
+            Background
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {observers.map(({ name, ugr, background }) => (
+          <tr key={name}>
+            <th scope="row">
+              <span class="glare-dot" style={{ background: glareColor(ugr) }} aria-hidden /> {name}
+            </th>
+            <td class="number strong">{ugrText(ugr)}</td>
+            <td class="number">{compact(background)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
