@@ -256,6 +256,11 @@ LuminaireRules rulesOf(const val& v) {
   rules.pinned = vectorOf<std::uint32_t>(v["pinned"]);
   rules.excluded = vectorOf<std::uint32_t>(v["excluded"]);
   rules.minDistance = v["minDistance"].as<double>();
+  const val types = v["types"];
+  for (unsigned t = 0, count = types["length"].as<unsigned>(); t < count; ++t)
+    rules.types.push_back({types[t]["least"].as<std::uint32_t>(), types[t]["most"].as<std::uint32_t>(),
+                           types[t]["name"].as<std::string>()});
+  rules.ofType = vectorOf<std::uint32_t>(v["ofType"]);
   return rules;
 }
 
@@ -271,6 +276,8 @@ Intentions intentionsOf(const val& asked, const Scene* scene) {
   if (scene) intentions.observers = observersOf(asked["glare"], scene->patches);
   return intentions;
 }
+
+void setPowers(Session& session, val watts) { session.setPowers(vectorOf<double>(watts)); }
 
 std::string setIntentions(Session& session, val asked) {
   return errorOf(session.setIntentions(intentionsOf(asked, session.scene())));
@@ -344,14 +351,15 @@ Result<std::vector<CandidateType>> typesOf(const val& files, const val& flux) {
   return types;
 }
 
-/// `asked`: three numbers a candidate (site, type, turn) and three of its aim, NaN for none.
+/// `asked`: four numbers a candidate (site, type, way, turn) and three of its aim, NaN for none.
 std::vector<Candidate> candidatesOf(const val& asked) {
   const std::vector<double> numbers = vectorOf<double>(asked);
-  std::vector<Candidate> candidates(numbers.size() / 6);
+  std::vector<Candidate> candidates(numbers.size() / 7);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const double* n = &numbers[6 * i];
-    candidates[i] = {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1]), n[2], {}};
-    if (n[3] == n[3]) candidates[i].aim = Vec3{n[3], n[4], n[5]};
+    const double* n = &numbers[7 * i];
+    const auto whole = [&](int k) { return static_cast<std::uint32_t>(n[k]); };
+    candidates[i] = {whole(0), whole(1), whole(2), n[3], {}};
+    if (n[4] == n[4]) candidates[i].aim = Vec3{n[4], n[5], n[6]};
   }
   return candidates;
 }
@@ -361,11 +369,13 @@ struct Candidates {
   std::optional<CandidateScene> scene;
 };
 
-std::string begin(Candidates& candidates, const Session& room, val files, val flux, val asked) {
+std::string begin(Candidates& candidates, Session& room, val files, val flux, val asked) {
   if (!room.scene()) return "no scene is open";
   Result<std::vector<CandidateType>> types = typesOf(files, flux);
   if (!types) return types.error().message;
-  Result<CandidateScene> begun = CandidateScene::begin(*room.scene(), std::move(*types), candidatesOf(asked));
+  Result<CandidateScene> begun =
+      CandidateScene::begin(*room.scene(), std::move(*types), candidatesOf(asked),
+                            room.scene()->lightOperator ? room.photometricLight() : nullptr);
   if (!begun) return begun.error().message;
   candidates.scene.emplace(std::move(*begun));
   return {};
@@ -530,6 +540,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("finish", &finish)
       .function("finishOperator", &finishOperator)
       .function("info", &info)
+      .function("setPowers", &setPowers)
       .function("setIntentions", &setIntentions)
       .function("start", &start)
       .function("startFrom", &startFrom)

@@ -67,16 +67,22 @@ class Relaxer {
     to.constant -= weight * std::sqrt(ridge * result_.flux.squares);
   }
 
+  void addPower(ConvexObjective& to, double factor) const {
+    const auto powers = prepared_.powers();
+    for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * powers->mean[j];
+  }
+
   /// + factor x the part of a form that is linear in x and t. Power is what the common dimming leaves of the
   /// fluxes.
   void addLinear(ConvexObjective& to, const RelaxedForm& form, const SurfaceSet& surfaces,
                  const SurfaceSet& over, double factor) const {
     if (form.mean != 0) addMean(to, surfaces, factor * form.mean);
     if (form.over != 0) addMean(to, over, factor * form.over);
-    if (!prepared_.isTied())
+    const bool isEqual = !prepared_.isTied() && prepared_.scene().hangings.empty();
+    if (isEqual)
       to.perDimming += factor * form.power * result_.flux.total / intentions_.luminaires.dimmingHigh;
     else if (form.power != 0)
-      for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * form.power * prepared_.weight(j);
+      addPower(to, factor * form.power);
     to.constant += factor * form.constant;
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/candidates/candidate_list.h"
 #include "core/transport/room_view.h"
 
 namespace fiatlux {
@@ -49,36 +50,36 @@ void addMeans(Quantity quantity, Scene& scene) {
 }  // namespace
 
 CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> types,
-                               std::vector<Candidate> candidates)
-    : room_(&room),
-      light_(std::make_unique<PhotometricLight>(room)),
-      types_(std::move(types)),
-      candidates_(std::move(candidates)) {
+                               std::vector<Candidate> candidates,
+                               std::shared_ptr<const PhotometricLight> light)
+    : room_(&room), light_(std::move(light)), types_(std::move(types)), candidates_(std::move(candidates)) {
   responses_.rows = room.responses.rows;
   responses_.sites = static_cast<std::uint32_t>(candidates_.size());
   responses_.illuminance.reserve(std::size_t{responses_.rows} * responses_.sites);
 }
 
 Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
-                                             std::vector<Candidate> candidates) {
+                                             std::vector<Candidate> candidates,
+                                             std::shared_ptr<const PhotometricLight> light) {
   const Result<Done> checked = check(room, types, candidates);
   if (!checked) return checked.error();
-  return CandidateScene(room, std::move(types), std::move(candidates));
+  if (!light) light = std::make_shared<const PhotometricLight>(room);
+  return CandidateScene(room, std::move(types), std::move(candidates), std::move(light));
 }
 
 Luminaire CandidateScene::luminaireOf(const Candidate& candidate) const {
   const CandidateType& type = types_[candidate.type];
-  Mounting mounting;
-  mounting.turn = candidate.turn;
-  mounting.aim = candidate.aim;
-  return mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mounting);
+  return mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mountingOf(candidate));
 }
 
 bool CandidateScene::advance(std::uint32_t count) {
   std::vector<PhotometricCandidate> some;
   for (; some.size() < count && done_ < candidates_.size(); ++done_) {
     const Candidate& candidate = candidates_[done_];
-    some.push_back({candidate.site, luminaireOf(candidate)});
+    const PhotometricType& photometric = types_[candidate.type].photometric;
+    const double flux = types_[candidate.type].flux;
+    const double scale = photometric.flux > 0 && flux > 0 ? flux / photometric.flux : 1;
+    some.push_back({candidate.site, luminaireOf(candidate), photometric.map, static_cast<float>(scale)});
   }
   if (!some.empty()) {
     const std::vector<float> columns = light_->total(some, light_->direct(some));
@@ -101,7 +102,10 @@ Scene CandidateScene::finish(Quantity quantity) {
   scene.patches = room_->patches;
   scene.surfaces = room_->surfaces;
   scene.errorBound = room_->errorBound;
-  for (const Candidate& candidate : candidates_) scene.sites.push_back(room_->sites[candidate.site]);
+  for (const Candidate& candidate : candidates_) {
+    scene.sites.push_back(room_->sites[candidate.site]);
+    scene.hangings.push_back({candidate.site, candidate.type, candidate.way, types_[candidate.type].power});
+  }
   scene.responses = std::move(responses_);
   addMeans(quantity, scene);
   return scene;

@@ -18,24 +18,30 @@ namespace fiatlux {
 struct CandidateType {
   PhotometricType photometric;  // a sampled one: its light is asked for many times
   double flux = 0;              // lm of one luminaire
+  double power = 0;             // W of one luminaire; Session::setPowers may say it later
 };
 
 struct Candidate {
   std::uint32_t site = 0;   // of the room
   std::uint32_t type = 0;   // index of a CandidateType
+  std::uint32_t way = 0;    // of type, turn and aim (Hanging)
   double turn = 0;          // degrees about the site's normal
   std::optional<Vec3> aim;  // m, a point that gamma 0 goes through
 };
 
 inline constexpr std::uint32_t kMaxCandidates = 2048;
 
+/// m: at this least distance no two luminaires hang on one site.
+inline constexpr double kCandidatesApart = 1e-3;
+
 /// Makes the scene of some candidates, a few at a time. The room must outlive it.
 class CandidateScene {
  public:
   /// An error where the room has no light operator, a candidate no site or type, or there are none or too
-  /// many.
+  /// many. `light`: the room's, where it is there already.
   static Result<CandidateScene> begin(const Scene& room, std::vector<CandidateType> types,
-                                      std::vector<Candidate> candidates);
+                                      std::vector<Candidate> candidates,
+                                      std::shared_ptr<const PhotometricLight> light = nullptr);
 
   /// Computes the columns of `count` more; true when all are there. What lies on one site costs less
   /// together.
@@ -48,16 +54,17 @@ class CandidateScene {
 
   /// Column j and entry j of the mean rows are candidate j's at its type's flux (lx, lm/m2). Statistics of
   /// `quantity` alone, and no covariances: unionStatistics makes them of the responses where they are asked
-  /// for. Candidates of one site lie at one place: a least distance above 0 keeps them apart. Precondition:
+  /// for. Candidates of one site lie at one place: kCandidatesApart keeps them from each other. Precondition:
   /// advance() said true. Once only.
   Scene finish(Quantity quantity);
 
  private:
-  CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates);
+  CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates,
+                 std::shared_ptr<const PhotometricLight> light);
   Luminaire luminaireOf(const Candidate& candidate) const;
 
   const Scene* room_;
-  std::unique_ptr<PhotometricLight> light_;
+  std::shared_ptr<const PhotometricLight> light_;
   std::vector<CandidateType> types_;
   std::vector<Candidate> candidates_;
   std::size_t done_ = 0;  // candidates

@@ -11,13 +11,13 @@
 namespace fiatlux {
 namespace {
 
-/// Patches, or receivers, of a set of leaves, in order.
+/// Patches that count, or receivers, of a set of leaves, in order.
 std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& leaves) {
   std::vector<char> wanted(scene.surfaces.size(), 0);
   for (const std::uint32_t s : leaves) wanted[s] = 1;
   std::vector<std::uint32_t> rows;
   for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
-    if (wanted[scene.patches.surface[p]]) rows.push_back(p);
+    if (wanted[scene.patches.surface[p]] && scene.patches.counts(p)) rows.push_back(p);
   return rows;
 }
 

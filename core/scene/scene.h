@@ -28,11 +28,20 @@ struct Responses {
   const float* column(std::uint32_t site) const { return illuminance.data() + std::size_t{site} * rows; }
 };
 
+/// One way to hang a luminaire in a room, where the sites of a scene are such ways (core/candidates).
+struct Hanging {
+  std::uint32_t place = 0;  // site of the room: those of one place exclude each other
+  std::uint32_t type = 0;   // of luminaire
+  std::uint32_t way = 0;    // type, turn and aim: the same number on every place
+  double power = 1;         // W of the luminaire at a flux of 1
+};
+
 struct Scene {
   std::string identity;  // 16 hex digits: source, options that change the light, version of the method
   Patches patches;
   std::vector<Surface> surfaces;
   std::vector<Site> sites;
+  std::vector<Hanging> hangings;  // of each site; none: they hold squares of light, and power is lm
   Responses responses;
   std::vector<float> errorBound;  // per surface, the largest |stored - true| of illuminance, as a share of
                                   // the surface's mean response to that site; guards true minima and maxima
@@ -42,6 +51,11 @@ struct Scene {
   std::vector<ObserverRows>
       observers;  // of no file: of those whose glare is asked for (core/transport/room_view.h)
 };
+
+/// What a luminaire of flux 1 draws on a site: W of its type, or lm where there are no types.
+inline double powerAt(const Scene& scene, std::uint32_t site) {
+  return scene.hangings.empty() ? 1 : scene.hangings[site].power;
+}
 
 /// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,
 /// C = sum w_i (C_i + a_i a_i^T) - a a^T, or of responses. `surfaces` empty: all that are no measuring

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/random.h"
+#include "core/search/type_counts.h"
 
 namespace fiatlux {
 namespace {
@@ -142,7 +143,7 @@ std::vector<Ties> rowTies(const SiteGrid& grid, const LuminaireRules& rules) {
 class Occupied {
  public:
   Occupied(const Scene& scene, const LuminaireRules& rules)
-      : scene_(scene), minDistance_(rules.minDistance), barred_(scene.sites.size(), 0) {
+      : scene_(scene), types_(scene, rules), minDistance_(rules.minDistance), barred_(scene.sites.size(), 0) {
     for (const std::uint32_t site : rules.excluded) barred_[site] = 1;
   }
 
@@ -161,18 +162,30 @@ class Occupied {
     for (const std::uint32_t site : tie) {
       barred_[site] = 1;
       taken_.push_back(site);
+      types_.add(typeOf(site), 1);
     }
   }
   /// A site that only the ties taken so far may hold.
   void bar(std::uint32_t site) { barred_[site] = 1; }
   std::size_t count() const { return taken_.size(); }
+  bool typesAreMet() const { return types_.areMet(); }
+  /// May it join where there may be `most` luminaires, so that each type can still have as many as it must?
+  bool leavesRoom(const std::vector<std::uint32_t>& tie, std::uint32_t most) const {
+    const auto size = static_cast<std::uint32_t>(tie.size()),
+               count = static_cast<std::uint32_t>(taken_.size());
+    return count + size <= most && types_.leaveRoom(typeOf(tie[0]), size, most - count - size);
+  }
 
  private:
+  std::uint32_t typeOf(std::uint32_t site) const {
+    return scene_.hangings.empty() ? 0 : scene_.hangings[site].type;
+  }
   bool isNear(std::uint32_t a, std::uint32_t b) const {
     return length(scene_.sites[a].position - scene_.sites[b].position) < minDistance_;
   }
 
   const Scene& scene_;
+  TypeCounts types_;
   double minDistance_;
   std::vector<char> barred_;
   std::vector<std::uint32_t> taken_;
@@ -206,13 +219,13 @@ void cover(const Ties& ties, const std::vector<std::uint32_t>& pins, std::size_t
 bool fill(const Ties& ties, const std::vector<std::uint32_t>& order, const LuminaireRules& rules,
           std::size_t wanted, Occupied occupied, std::vector<std::uint32_t>& chosen) {
   for (const std::uint32_t tie : order) {
-    if (occupied.count() >= wanted) break;
-    if (occupied.count() + ties.members[tie].size() > mostOf(rules) || !occupied.accepts(ties.members[tie]))
+    if (occupied.count() >= wanted && occupied.typesAreMet()) break;
+    if (!occupied.accepts(ties.members[tie]) || !occupied.leavesRoom(ties.members[tie], mostOf(rules)))
       continue;
     occupied.take(ties.members[tie]);
     chosen.push_back(tie);
   }
-  return occupied.count() >= rules.count && occupied.count() <= mostOf(rules);
+  return occupied.count() >= rules.count && occupied.count() <= mostOf(rules) && occupied.typesAreMet();
 }
 
 /// Orders in which to look for room: spread after the ties of the given sites, from the first on, and some at

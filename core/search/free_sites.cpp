@@ -10,6 +10,7 @@ FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules,
     : prepared_(prepared),
       minDistance_(rules.minDistance),
       counts_(prepared.isTied() && (countVaries(rules) || prepared.lightest() != prepared.heaviest())),
+      types_(prepared.scene(), rules),
       least_(rules.count),
       most_(mostOf(rules)),
       excluded_(prepared.candidateCount(), 0),
@@ -22,6 +23,7 @@ FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules,
 void FreeSites::load(const std::vector<std::uint32_t>& sites) {
   for (std::size_t site = 0; site < blocked_.size(); ++site) blocked_[site] = excluded_[site] ? kNever : 0;
   total_ = 0;
+  types_.clear();
   for (std::uint32_t site : sites) block(site, +1);
 }
 
@@ -32,6 +34,7 @@ void FreeSites::relocate(std::uint32_t from, std::uint32_t to) {
 
 void FreeSites::block(std::uint32_t site, int change) {
   total_ += static_cast<std::uint32_t>(change) * prepared_.weight(site);
+  types_.add(prepared_.typeOf(site), change * static_cast<int>(prepared_.weight(site)));
   if (minDistance_ <= 0) {
     if (!prepared_.isTied())
       blocked_[site] += static_cast<std::uint32_t>(change);
@@ -61,7 +64,7 @@ void FreeSites::farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) co
 
 void FreeSites::anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& random,
                              std::vector<std::uint32_t>& out) const {
-  if (!counts_) return nearMoves(from, reach, out);
+  if (!counts_ && !types_.isAsked()) return nearMoves(from, reach, out);
   out.clear();
   const bool nobody = isNobody(from);
   const std::uint32_t* near = nobody ? nullptr : prepared_.nearSites(from);
@@ -69,7 +72,7 @@ void FreeSites::anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& ra
     const std::uint32_t to = nobody ? random.below(prepared_.candidateCount()) : near[k];
     if (isFree(from, to)) out.push_back(to);
   }
-  if (!nobody) out.push_back(prepared_.nobody());
+  if (counts_ && !nobody) out.push_back(prepared_.nobody());
 }
 
 void FreeSites::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach,

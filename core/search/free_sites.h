@@ -1,5 +1,5 @@
 // Where a luminaire may go next: candidates (sites, or ties of them) that are free under the rules and keep
-// the count within its range, near ones first; and the shakes of the search, which throw some luminaires
+// the counts within their ranges, near ones first; and the shakes of the search, which throw some luminaires
 // further away the longer it finds nothing.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "core/base/random.h"
 #include "core/search/intentions.h"
 #include "core/search/prepared_scene.h"
+#include "core/search/type_counts.h"
 
 namespace fiatlux {
 
@@ -28,14 +29,31 @@ class FreeSites {
   }
   /// May two luminaires not be on a and b at once?
   bool conflict(std::uint32_t a, std::uint32_t b) const { return prepared_.conflict(a, b, minDistance_); }
-  /// Is the count allowed when candidates `to` are there instead of `from`, one of each or two?
+  /// Are the counts allowed, those of the types too, when candidates `to` are there instead of `from`, one of
+  /// each or two?
   bool keepsCount(std::uint32_t from, std::uint32_t to) const {
-    return !counts_ || isAllowed(total_ - prepared_.weight(from) + prepared_.weight(to));
+    if (counts_ && !isAllowed(total_ - prepared_.weight(from) + prepared_.weight(to))) return false;
+    if (!types_.isAsked()) return true;
+    const TypeCounts::Change change = changeOf(from, to);
+    return types_.allow(&change, 1);
   }
   bool keepsCount(std::uint32_t fromA, std::uint32_t toA, std::uint32_t fromB, std::uint32_t toB) const {
-    return !counts_ || isAllowed(total_ - prepared_.weight(fromA) - prepared_.weight(fromB) +
-                                 prepared_.weight(toA) + prepared_.weight(toB));
+    if (counts_ && !isAllowed(total_ - prepared_.weight(fromA) - prepared_.weight(fromB) +
+                              prepared_.weight(toA) + prepared_.weight(toB)))
+      return false;
+    if (!types_.isAsked()) return true;
+    const TypeCounts::Change changes[2] = {changeOf(fromA, toA), changeOf(fromB, toB)};
+    return types_.allow(changes, 2);
   }
+  /// Where a luminaire comes to when it takes the place of another in its own way: the candidate there, kNone
+  /// where it does not fit.
+  std::uint32_t exchanged(std::uint32_t luminaireOn, std::uint32_t there) const {
+    if (prepared_.isTied() || !prepared_.isOfTypes()) return there;
+    const std::uint32_t to = prepared_.inWayOf(luminaireOn, there);
+    return to == kNone || excluded_[to] ? kNone : to;
+  }
+  /// The most candidates that a place has.
+  std::uint32_t waysPerPlace() const { return prepared_.waysPerPlace(); }
   /// Do candidates differ in weight, or layouts in their count?
   bool counts() const { return counts_; }
   /// Where they do: is this the one without luminaires?
@@ -45,7 +63,7 @@ class FreeSites {
   void nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const;
   /// All free sites for the luminaire on `from`.
   void farMoves(std::uint32_t from, std::vector<std::uint32_t>& out) const;
-  /// As nearMoves, but whatever it does to the count; about `reach` of them, for nobody too.
+  /// As nearMoves, but whatever it does to the counts; about `reach` of them, for nobody too.
   void anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& random,
                     std::vector<std::uint32_t>& out) const;
 
@@ -71,11 +89,15 @@ class FreeSites {
     if (counts_ && to == prepared_.nobody()) return from != to;
     return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
   }
+  TypeCounts::Change changeOf(std::uint32_t from, std::uint32_t to) const {
+    return {prepared_.typeOf(from), prepared_.weight(from), prepared_.typeOf(to), prepared_.weight(to)};
+  }
   bool isAllowed(std::uint32_t total) const { return total >= least_ && total <= most_; }
 
   const PreparedScene& prepared_;
   double minDistance_;
   bool counts_;
+  TypeCounts types_;                        // of the layout that it follows
   std::uint32_t least_, most_, total_ = 0;  // luminaires: allowed, and of the layout that it follows
   std::vector<std::uint32_t> movable_;
   std::vector<char> excluded_;

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kMostMatched = 250;  // luminaires: more would be felt in every answer
-constexpr double kHeld = 1e6;                // m: what a pinned luminaire's own place is worth
+constexpr double kHeld = 1e6;  // m: what a pinned luminaire's own place is worth, or one of its own type
 
 }  // namespace
 
@@ -58,6 +59,40 @@ std::vector<std::uint32_t> leastCostColumns(const std::vector<double>& cost, std
   return result;
 }
 
+namespace {
+
+std::uint32_t typeAsked(const LuminaireRules& rules, std::uint32_t i) {
+  return i < rules.ofType.size() ? rules.ofType[i] : kNone;
+}
+
+/// May luminaire i hang there?
+bool isOfTypeAsked(const Scene& scene, const LuminaireRules& rules, std::uint32_t i, std::uint32_t site) {
+  const std::uint32_t type = typeAsked(rules, i);
+  return type == kNone || scene.hangings.empty() || scene.hangings[site].type == type;
+}
+
+}  // namespace
+
+Layout ofTypesAsked(const Scene& scene, const LuminaireRules& rules, const Layout& layout) {
+  Layout result = layout;
+  const auto count = static_cast<std::uint32_t>(layout.sites.size());
+  const auto mayTrade = [&](std::uint32_t i) {
+    return !isPinned(rules, i) || rules.pinned[i] != result.sites[i];
+  };
+  for (std::uint32_t i = 0; i < count && i < rules.ofType.size(); ++i) {
+    if (isOfTypeAsked(scene, rules, i, result.sites[i]) || !mayTrade(i)) continue;
+    // One of the type that is not bound to its number by it.
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (!isOfTypeAsked(scene, rules, i, result.sites[k]) || !mayTrade(k)) continue;
+      if (typeAsked(rules, k) != kNone && isOfTypeAsked(scene, rules, k, result.sites[k])) continue;
+      std::swap(result.sites[i], result.sites[k]);
+      if (!result.ties.empty()) std::swap(result.ties[i], result.ties[k]);
+      break;
+    }
+  }
+  return result;
+}
+
 Layout numberedAs(const Scene& scene, const LuminaireRules& rules, const Layout& layout,
                   const Layout& before) {
   const auto count = static_cast<std::uint32_t>(layout.sites.size());
@@ -68,7 +103,8 @@ Layout numberedAs(const Scene& scene, const LuminaireRules& rules, const Layout&
     for (std::uint32_t k = 0; k < count; ++k) {
       const bool isHeld = isPinned(rules, i) && rules.pinned[i] == layout.sites[k];
       const Vec3 way = scene.sites[layout.sites[k]].position - scene.sites[before.sites[i]].position;
-      cost.push_back(length(way) - (isHeld ? kHeld : 0));
+      const bool isOther = !isOfTypeAsked(scene, rules, i, layout.sites[k]);
+      cost.push_back(length(way) - (isHeld ? kHeld : 0) + (isOther ? kHeld : 0));
     }
   std::vector<std::uint32_t> order = leastCostColumns(cost, kept, count);
   std::vector<char> taken(count, 0);

@@ -22,4 +22,8 @@ std::vector<std::uint32_t> leastCostColumns(const std::vector<double>& cost, std
 Layout numberedAs(const Scene& scene, const LuminaireRules& rules, const Layout& layout,
                   const Layout& before);
 
+/// The layout with some luminaires having changed numbers, so that each is of the type that it must be
+/// (LuminaireRules::ofType), as far as there are enough of it; pinned ones keep theirs.
+Layout ofTypesAsked(const Scene& scene, const LuminaireRules& rules, const Layout& layout);
+
 }  // namespace fiatlux

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/scene/patches.h"
@@ -48,6 +49,12 @@ struct Arrangement {
   PlanAxis axis = PlanAxis::kFound;  // of symmetric layouts and rows
 };
 
+/// How many luminaires of one type there may be.
+struct TypeRange {
+  std::uint32_t least = 0, most = kNone;
+  std::string name = {};  // of the type, for a person
+};
+
 /// The luminaires at the search's disposal.
 struct LuminaireRules {
   std::uint32_t count = 6;                 // the least, where countHigh is above it
@@ -59,6 +66,8 @@ struct LuminaireRules {
   std::vector<std::uint32_t> excluded;     // sites that stay free
   double minDistance = 0;                  // m, between the centres of any two luminaires
   Arrangement arrangement;
+  std::vector<TypeRange> types;       // of each type of the scene's hangings; none: any number of any
+  std::vector<std::uint32_t> ofType;  // that luminaire i must be of, kNone: any, as for all beyond the end
 };
 
 /// The most luminaires that the rules allow.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/search/identity.h"
+
 namespace fiatlux {
 namespace {
 
@@ -41,7 +43,7 @@ bool isAhead(const Evaluation& a, const Evaluation& b) {
 
 LayoutSearch::LayoutSearch(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
                            const Layout* start, const Layout* reference)
-    : rules_(intentions.luminaires) {
+    : scene_(prepared.scene()), rules_(intentions.luminaires) {
   assert(!prepared.isTied());
   if (rules_.arrangement.rule == Rule::kField)
     fields_.emplace(prepared, intentions, reference);
@@ -109,12 +111,12 @@ void LayoutSearch::closeTurn() {
 
 Layout LayoutSearch::incumbent() const {
   if (free_) return free_->incumbent();
-  if (fields_) return numbered(fields_->incumbent(), rules_);
+  if (fields_) return ofTypesAsked(scene_, rules_, numbered(fields_->incumbent(), rules_));
   const Vns& search = *entrants_[ranking_[turn_]].search;
   Layout layout =
       numbered(isBetter(search.evaluation(), bestEvaluation_) ? search.incumbent() : best_, rules_);
   if (rules_.arrangement.rule == Rule::kFree) layout.ties.clear();
-  return layout;
+  return ofTypesAsked(scene_, rules_, layout);
 }
 
 const Evaluation& LayoutSearch::evaluation() const {

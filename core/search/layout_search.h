@@ -43,6 +43,7 @@ class LayoutSearch {
   void closeTurn();
   const Vns& best() const { return *entrants_[ranking_[0]].search; }
 
+  const Scene& scene_;
   LuminaireRules rules_;
   std::optional<Vns> free_;
   std::optional<FieldScan> fields_;

@@ -28,7 +28,8 @@ bool isNobodyAgain(const Surroundings& at, const Scan& scan) {
 }
 
 void openNear(const Surroundings& at, Scan& scan) {
-  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], kNearReach, scan.candidates);
+  const std::uint32_t reach = kNearReach * at.freeSites.waysPerPlace();
+  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], reach, scan.candidates);
   scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 
@@ -44,7 +45,7 @@ std::uint32_t tryMoves(const Surroundings& at, Scan& scan, std::uint32_t limit) 
   return tried;
 }
 
-// --- Two luminaires of different flux change places: all of them in one scan.
+// --- Two luminaires of different flux, type, turn or aim change places: all of them in one scan.
 
 void openSwaps(const Surroundings& at, Scan& scan) {
   scan.size = countOf(at.freeSites.movable()) * countOf(at.freeSites.movable());
@@ -56,8 +57,12 @@ std::uint32_t trySwaps(const Surroundings& at, Scan& scan, std::uint32_t limit) 
   for (; scan.position < scan.size && tried < limit; ++scan.position) {
     const std::uint32_t i = movable[scan.position / movable.size()],
                         j = movable[scan.position % movable.size()];
-    if (i >= j || at.evaluator.flux()[i] == at.evaluator.flux()[j]) continue;
-    at.evaluator.tryPair({i, sites[j]}, {j, sites[i]}, scan.found);
+    if (i >= j) continue;
+    const std::uint32_t to = at.freeSites.exchanged(sites[i], sites[j]),
+                        partnerTo = at.freeSites.exchanged(sites[j], sites[i]);
+    if (to == kNone || partnerTo == kNone) continue;  // one of the two does not fit there
+    if (at.evaluator.flux()[i] == at.evaluator.flux()[j] && to == sites[j]) continue;
+    at.evaluator.tryPair({i, to}, {j, partnerTo}, scan.found);
     ++tried;
   }
   return tried;
@@ -89,7 +94,7 @@ std::uint32_t tryPairs(const Surroundings& at, Scan& scan, std::uint32_t limit) 
   return tried;
 }
 
-// name, open, trySome, turn, afterShakes, startsOver, needsDifferentFluxes
+// name, open, trySome, turn, afterShakes, startsOver, needsDifferent
 constexpr Neighborhood kNeighborhoods[] = {
     {"near", openNear, tryMoves, everyLuminaire, true, false, false},
     {"far", openFar, tryMoves, everyLuminaire, false, false, false},

@@ -37,9 +37,9 @@ struct Neighborhood {
   std::uint32_t (*trySome)(const Surroundings& at, Scan& scan, std::uint32_t limit);
   /// Scans in vain that make a turn: then the search goes on to the next row.
   std::uint32_t (*turn)(const Surroundings& at);
-  bool afterShakes;  // it is also looked through after a shake, where only a quick search is worth while
-  bool startsOver;   // a success in it leads back to the first row; else its own scans go on
-  bool needsDifferentFluxes;  // it does nothing for luminaires that are all alike
+  bool afterShakes;     // it is also looked through after a shake, where only a quick search is worth while
+  bool startsOver;      // a success in it leads back to the first row; else its own scans go on
+  bool needsDifferent;  // it does nothing for luminaires that are all alike
 };
 
 /// Each from small to large.

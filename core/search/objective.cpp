@@ -23,7 +23,7 @@ double worthOf(double ratio, double factor) {
 Objective::Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference)
     : dimmingLow_(intentions.luminaires.dimmingLow),
       dimmingHigh_(intentions.luminaires.dimmingHigh),
-      countVaries_(countVaries(intentions.luminaires)) {
+      powerVaries_(countVaries(intentions.luminaires) || !prepared.scene().hangings.empty()) {
   assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
   for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;
   for (const Goal& goal : intentions.goals) addGoal(prepared, goal, intentions.quantity);
@@ -43,9 +43,9 @@ std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const
 std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
                                 const SurfaceSet& surfaces) {
   if (!traits.needsSurfaces) {
-    if (countVaries_ && powerSet_ == kNone) {
+    if (powerVaries_ && powerSet_ == kNone) {
       powerSet_ = static_cast<std::uint32_t>(sets_.size());
-      sets_.push_back({{}, prepared.weights(), false, false, RowOf::kWeights});
+      sets_.push_back({{}, prepared.powers(), false, false, RowOf::kPowers});
     }
     return 0;
   }
@@ -124,7 +124,7 @@ void Objective::scaleGoals(PreparedScene& prepared, const Intentions& intentions
       continue;
     }
     const auto statistics =
-        ofSurfaces ? sites.statistics(intentions.quantity, sets_[s].surfaces) : sites.weights();
+        ofSurfaces ? sites.statistics(intentions.quantity, sets_[s].surfaces) : sites.powers();
     moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, ofSurfaces));
   }
   const std::vector<Extremes> none(sets_.size());

@@ -17,7 +17,7 @@ namespace fiatlux {
 /// What a row of means is of; all but that of surfaces has nothing else.
 enum class RowOf : std::uint8_t {
   kSurfaces,
-  kWeights,     // of the candidates, in luminaires
+  kPowers,      // what the candidates draw
   kGlare,       // ObserverRows::glare: of the squares of the fluxes
   kBackground,  // ObserverRows::background
 };
@@ -91,7 +91,7 @@ class Objective {
   double glareOf(const Bound& bound, const Moments* moments) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
-  /// Of the luminaires at full flux, lm.
+  /// Of the luminaires at full flux: lm, or W of types.
   double powerOf(const Moments* moments) const {
     return powerSet_ == kNone ? totalFlux_ : moments[powerSet_].mean;
   }
@@ -100,8 +100,8 @@ class Objective {
   std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
-  bool needsExtremes_ = false, countVaries_ = false;
-  std::uint32_t powerSet_ = kNone;  // the set that counts luminaires, where power is asked for and varies
+  bool needsExtremes_ = false, powerVaries_ = false;
+  std::uint32_t powerSet_ = kNone;           // the set that sums powers, where power is asked for and varies
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
   mutable std::vector<DimmedAim> aims_;      // scratch, one per aim
 };

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t kNearSites = 48;
 constexpr std::size_t kKeptSets = 64;
+std::uint64_t keyOf(std::uint32_t place, std::uint32_t way) { return (std::uint64_t{place} << 32) | way; }
+
 constexpr std::size_t kMostTiedEntries = 4'000'000;  // of one covariance of each of the ties that are kept
 
 std::shared_ptr<const KernelStatistics> kernelStatistics(const Scene& scene, Quantity quantity,
@@ -40,6 +42,12 @@ PreparedScene::PreparedScene(const Scene& scene)
   std::vector<Vec3> centers;
   for (const Site& site : scene.sites) centers.push_back(site.position);
   findNear(centers);
+  std::unordered_map<std::uint32_t, std::uint32_t> ways;
+  for (std::uint32_t c = 0; c < scene.hangings.size(); ++c) {
+    const Hanging& hanging = scene.hangings[c];
+    inWay_.emplace(keyOf(hanging.place, hanging.way), c);
+    waysPerPlace_ = std::max(waysPerPlace_, ++ways[hanging.place]);
+  }
 }
 
 PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
@@ -47,6 +55,7 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
       sites_(&sites),
       ties_(std::move(ties)),
       candidateCount_(static_cast<std::uint32_t>(ties_.members.size())),
+      waysPerPlace_(sites.waysPerPlace_),
       gaps_(std::size_t{candidateCount_} * candidateCount_, 0.0f),
       innerDistance_(candidateCount_, kUnbounded) {
   const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -148,9 +157,16 @@ std::vector<double> PreparedScene::exactCovariance(Quantity quantity, const Surf
   return isTied() ? tiedCovariance(ties_, exact, scene_.sites.size(), candidateCount_) : exact;
 }
 
-std::shared_ptr<const KernelStatistics> PreparedScene::weights() const {
+std::shared_ptr<const KernelStatistics> PreparedScene::powers() const {
   auto result = std::make_shared<KernelStatistics>();
-  for (std::uint32_t c = 0; c < stride(); ++c) result->mean.push_back(weight(c));
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t c = 0; c < stride(); ++c) {
+    members.clear();
+    appendSites(c, members);
+    double power = 0;
+    for (const std::uint32_t site : members) power += powerAt(scene_, site);
+    result->mean.push_back(power);
+  }
   return result;
 }
 
@@ -166,6 +182,11 @@ std::shared_ptr<const KernelStatistics> PreparedScene::seenBy(std::uint32_t obse
     for (const std::uint32_t site : members) result->mean[c] += ofSites[site];
   }
   return result;
+}
+
+std::uint32_t PreparedScene::inWayOf(std::uint32_t like, std::uint32_t there) const {
+  const auto found = inWay_.find(keyOf(scene_.hangings[there].place, scene_.hangings[like].way));
+  return found == inWay_.end() ? kNone : found->second;
 }
 
 double PreparedScene::distance(std::uint32_t a, std::uint32_t b) const {

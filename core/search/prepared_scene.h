@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -55,6 +56,18 @@ class PreparedScene {
     if (!isTied()) return 1;
     return candidate == candidateCount_ ? 0 : static_cast<std::uint32_t>(ties_.members[candidate].size());
   }
+  /// Are they ways to hang luminaires of types?
+  bool isOfTypes() const { return !scene_.hangings.empty(); }
+  /// The most of them at one place.
+  std::uint32_t waysPerPlace() const { return waysPerPlace_; }
+  /// The type of its luminaires; 0 where there are no types.
+  std::uint32_t typeOf(std::uint32_t candidate) const {
+    if (scene_.hangings.empty() || (isTied() && candidate == candidateCount_)) return 0;
+    return scene_.hangings[isTied() ? ties_.members[candidate].front() : candidate].type;
+  }
+  /// The candidate that hangs where `there` does in the way of `like`, or kNone. Precondition: they are of
+  /// types and not tied.
+  std::uint32_t inWayOf(std::uint32_t like, std::uint32_t there) const;
   std::uint32_t heaviest() const { return heaviest_; }
   std::uint32_t lightest() const { return lightest_; }
   /// Appends the sites of a candidate.
@@ -64,8 +77,9 @@ class PreparedScene {
   std::shared_ptr<const KernelStatistics> statistics(Quantity quantity, const SurfaceSet& surfaces);
   /// The covariance of the candidates without nobody(), in double, candidateCount() square.
   std::vector<double> exactCovariance(Quantity quantity, const SurfaceSet& surfaces) const;
-  /// Weights as a row of means, to count a layout's luminaires by the kernels: `mean` has stride() entries.
-  std::shared_ptr<const KernelStatistics> weights() const;
+  /// What the candidates draw (powerAt) as a row of means, to be summed by the kernels: `mean` has stride()
+  /// entries.
+  std::shared_ptr<const KernelStatistics> powers() const;
 
   /// A row of means that an observer of the scene sees each candidate by: ObserverRows::glare or background.
   std::shared_ptr<const KernelStatistics> seenBy(std::uint32_t observer, bool glare) const;
@@ -107,10 +121,11 @@ class PreparedScene {
   const Scene& scene_;
   PreparedScene* sites_ = nullptr;  // where this one is of ties
   Ties ties_;
-  std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1;
+  std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1, waysPerPlace_ = 1;
   std::vector<Entry> entries_;
   std::uint32_t nearCount_ = 0;
   std::vector<std::uint32_t> near_;
+  std::unordered_map<std::uint64_t, std::uint32_t> inWay_;  // of types: candidate of a place and a way
   std::vector<float> gaps_;  // of ties: distances of all pairs, 0 with itself and where they share a site
   std::vector<double> innerDistance_;  // of ties
   std::vector<std::vector<std::uint32_t>> overlapping_;

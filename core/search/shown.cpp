@@ -36,7 +36,8 @@ struct Lit {
   }
   double power() const {
     double sum = 0;
-    for (double f : layout.flux) sum += f;
+    for (std::size_t i = 0; i < layout.flux.size(); ++i)
+      sum += layout.flux[i] * powerAt(prepared.scene(), layout.sites[i]);
     return sum;
   }
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/search/type_counts.h"
+
 namespace fiatlux {
 namespace {
 
@@ -11,7 +13,11 @@ class Packer {
  public:
   /// Until there are `wanted` luminaires.
   Packer(const PreparedScene& prepared, const LuminaireRules& rules, std::uint32_t wanted)
-      : prepared_(prepared), rules_(rules), wanted_(wanted), allowed_(prepared.candidateCount(), 1) {
+      : prepared_(prepared),
+        rules_(rules),
+        wanted_(wanted),
+        types_(prepared.scene(), rules),
+        allowed_(prepared.candidateCount(), 1) {
     for (std::uint32_t site : rules.excluded) allowed_[site] = 0;
     for (std::uint32_t site : rules.pinned)
       if (site != kNone) take(site);
@@ -19,7 +25,9 @@ class Packer {
 
   void offer(std::uint32_t site) {
     if (full() || site >= allowed_.size() || !allowed_[site]) return;
-    if (count_ + prepared_.weight(site) > wanted_) return;
+    const std::uint32_t count = count_ + prepared_.weight(site);
+    if (count > wanted_) return;
+    if (!types_.leaveRoom(prepared_.typeOf(site), prepared_.weight(site), wanted_ - count)) return;
     for (std::uint32_t other : sites_)
       if (prepared_.conflict(other, site, rules_.minDistance)) return;
     take(site);
@@ -44,11 +52,13 @@ class Packer {
   void take(std::uint32_t site) {
     sites_.push_back(site);
     count_ += prepared_.weight(site);
+    types_.add(prepared_.typeOf(site), static_cast<int>(prepared_.weight(site)));
   }
 
   const PreparedScene& prepared_;
   const LuminaireRules& rules_;
   std::uint32_t wanted_, count_ = 0;  // luminaires
+  TypeCounts types_;
   std::vector<char> allowed_;
   std::vector<std::uint32_t> sites_;
 };
@@ -85,7 +95,10 @@ std::vector<std::uint32_t> packed(const PreparedScene& prepared, const Luminaire
 
 bool isComplete(const PreparedScene& prepared, const LuminaireRules& rules,
                 const std::vector<std::uint32_t>& sites) {
-  return luminairesIn(prepared, sites) >= rules.count;
+  TypeCounts types(prepared.scene(), rules);
+  for (const std::uint32_t site : sites)
+    types.add(prepared.typeOf(site), static_cast<int>(prepared.weight(site)));
+  return luminairesIn(prepared, sites) >= rules.count && types.areMet();
 }
 
 }  // namespace

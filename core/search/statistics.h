@@ -21,7 +21,7 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 enum class Statistic : std::uint8_t {
   kMean,        // mu = a x, paper (8)
   kSigma,       // sigma = sqrt(x^T C x), paper (10)
-  kPower,       // total flux of the luminaires, lm; no surface
+  kPower,       // total flux of the luminaires, lm, or W of types; no surface
   kChebyshev,   // mu - alpha sigma against a lower bound, mu + alpha sigma against an upper one, paper (14)
   kMinimum,     // over the patches
   kMaximum,     // over the patches
@@ -32,7 +32,7 @@ enum class Statistic : std::uint8_t {
 
 enum class Unit : std::uint8_t {
   kLight,  // of the quantity asked for: lx, or lm/m2
-  kFlux,   // lm
+  kFlux,   // lm; W where luminaires are of types
   kRatio,  // none: the common dimming does not change it
   kGlare,  // none: the dimming changes its glareRatio as it does the light
 };
@@ -103,7 +103,7 @@ struct LightReading {
   const Moments* at = nullptr;         // of its surfaces
   const Moments* over = nullptr;       // of what they are compared with
   const Extremes* extremes = nullptr;  // of its surfaces
-  double power = 0;                    // lm
+  double power = 0;                    // lm, or W of types
   double glareRatio = 0;               // of its observer, or the largest of all
 };
 

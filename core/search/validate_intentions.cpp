@@ -1,12 +1,14 @@
 // Checks of luminaires, goals and constraints; see validate_intentions.h.
 #include "core/search/validate_intentions.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/short_number.h"
 #include "core/search/arrangements.h"
 #include "core/search/prepared_scene.h"
 #include "core/search/start_layout.h"
+#include "core/search/type_counts.h"
 
 namespace fiatlux {
 namespace {
@@ -16,6 +18,11 @@ constexpr std::uint32_t kMostLuminaires = 1000;
 std::string text(double value) { return shortNumber(value, 6); }
 
 std::string text(std::size_t value) { return std::to_string(value); }
+
+/// A site by its number in the room.
+std::string siteText(const Scene& scene, std::uint32_t site) {
+  return text(std::size_t{scene.hangings.empty() ? site : scene.hangings[site].place});
+}
 
 std::string countText(const LuminaireRules& rules) {
   return text(std::size_t{rules.count}) +
@@ -83,10 +90,10 @@ Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
       return Error{"luminaires: pinned site " + text(std::size_t{site}) + " does not exist; sites are 0 to " +
                    text(m - 1)};
     if (excluded[site])
-      return Error{"luminaires: site " + text(std::size_t{site}) +
+      return Error{"luminaires: site " + siteText(scene, site) +
                    " is both pinned and excluded; drop one of the two"};
     if (pinned[site])
-      return Error{"luminaires: site " + text(std::size_t{site}) +
+      return Error{"luminaires: site " + siteText(scene, site) +
                    " is pinned twice; a site holds one luminaire"};
     pinned[site] = 1;
   }
@@ -96,6 +103,79 @@ Result<Done> checkSites(const Scene& scene, const LuminaireRules& rules) {
   if (rules.count > free)
     return Error{"luminaires: " + text(std::size_t{rules.count}) + " luminaires on " + text(free) +
                  " free sites; lower the count or exclude fewer sites"};
+  return Done{};
+}
+
+std::string quoted(const LuminaireRules& rules, std::size_t type) {
+  const bool isNamed = type < rules.types.size() && !rules.types[type].name.empty();
+  return isNamed ? "\"" + rules.types[type].name + "\"" : "type " + text(type + 1);
+}
+
+/// Each range by itself, then all of them against the count.
+Result<Done> checkTypeRanges(const LuminaireRules& rules, const std::vector<TypeRange>& ranges) {
+  std::size_t least = 0, most = 0;
+  for (std::size_t t = 0; t < ranges.size(); ++t) {
+    if (t < rules.types.size() && rules.types[t].least > ranges[t].most)
+      return Error{"luminaires: " + quoted(rules, t) + ": a count from " +
+                   text(std::size_t{ranges[t].least}) + " to " + text(std::size_t{ranges[t].most}) +
+                   "; the least comes first"};
+    if (ranges[t].least > ranges[t].most)
+      return Error{"luminaires: " + text(std::size_t{ranges[t].least}) + " of them must be of " +
+                   quoted(rules, t) + ", of which there may be " + text(std::size_t{ranges[t].most}) +
+                   "; raise its count"};
+    least += ranges[t].least;
+    most += std::min(ranges[t].most, mostOf(rules));
+  }
+  const std::string count = countText(rules);
+  if (least > mostOf(rules))
+    return Error{"luminaires: the types ask for " + text(least) + " together, but the count is " + count +
+                 "; raise it or ask for fewer of a type"};
+  if (least > rules.count)
+    return Error{"luminaires: the types ask for " + text(least) + " together, but the count is " + count +
+                 "; begin its range at " + text(least)};
+  if (most < rules.count)
+    return Error{"luminaires: the types allow " + text(most) + " together, but the count is " + count +
+                 "; lower it or allow more of a type"};
+  return Done{};
+}
+
+/// Luminaires that must be of a type, and pinned ones.
+Result<Done> checkTypesAsked(const Scene& scene, const LuminaireRules& rules) {
+  const std::uint32_t types = typeCountOf(scene);
+  if (rules.ofType.size() > mostOf(rules))
+    return Error{"luminaires: L" + text(rules.ofType.size()) + " must be of a type, but the count is " +
+                 countText(rules) + "; raise it"};
+  for (std::size_t i = 0; i < rules.ofType.size(); ++i) {
+    const std::uint32_t type = rules.ofType[i];
+    if (type == kNone) continue;
+    if (type >= types)
+      return Error{"luminaires: L" + text(i + 1) + " must be of " + quoted(rules, type) +
+                   ", which fits nowhere in this room"};
+    if (isPinned(rules, static_cast<std::uint32_t>(i)) && scene.hangings[rules.pinned[i]].type != type)
+      return Error{"luminaires: L" + text(i + 1) + " must be of " + quoted(rules, type) +
+                   ", but is pinned as one of " + quoted(rules, scene.hangings[rules.pinned[i]].type) +
+                   "; unpin it"};
+  }
+  return Done{};
+}
+
+Result<Done> checkTypes(const Scene& scene, const LuminaireRules& rules) {
+  if (scene.hangings.empty()) {
+    if (rules.types.empty() && rules.ofType.empty()) return Done{};
+    return Error{"luminaires: this room is asked about squares of light, which have no types"};
+  }
+  if (rules.flux.size() > 1)
+    return Error{"luminaires: their types say the flux; give no fluxes of their own"};
+  if (auto ok = checkTypesAsked(scene, rules); !ok) return ok;
+  if (auto ok = checkTypeRanges(rules, rangesOf(rules, typeCountOf(scene))); !ok) return ok;
+  if (!TypeCounts(scene, rules).isAsked()) return Done{};
+  const PreparedScene prepared(scene);
+  const std::vector<std::uint32_t> sites = packSites(prepared, rules);
+  TypeCounts counts(scene, rules);
+  for (const std::uint32_t site : sites) counts.add(prepared.typeOf(site), 1);
+  if (sites.size() < rules.count || !counts.areMet())
+    return Error{"luminaires: found no " + countText(rules) +
+                 " places with as many of each type as is asked for; lower the count or widen the ranges"};
   return Done{};
 }
 
@@ -109,8 +189,8 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
       const double distance =
           length(scene.sites[rules.pinned[i]].position - scene.sites[rules.pinned[j]].position);
       if (distance < rules.minDistance)
-        return Error{"luminaires: pinned sites " + text(std::size_t{rules.pinned[j]}) + " and " +
-                     text(std::size_t{rules.pinned[i]}) + " are " + text(distance) +
+        return Error{"luminaires: pinned sites " + siteText(scene, rules.pinned[j]) + " and " +
+                     siteText(scene, rules.pinned[i]) + " are " + text(distance) +
                      " m apart, closer than the minimum distance of " + text(rules.minDistance) + " m"};
     }
   const std::size_t room = packSites(PreparedScene(scene), rules).size();
@@ -198,6 +278,7 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, A
   if (auto ok = checkCount(rules); !ok) return ok;
   if (auto ok = checkFluxes(rules); !ok) return ok;
   if (auto ok = checkSites(scene, rules); !ok) return ok;
+  if (auto ok = checkTypes(scene, rules); !ok) return ok;
   if (auto ok = checkDistance(scene, rules); !ok) return ok;
   if (auto ok = checkArrangement(scene, rules); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {

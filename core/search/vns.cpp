@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/search/identity.h"
 #include "core/search/start_layout.h"
 
 namespace fiatlux {
@@ -62,7 +63,8 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       random_(seed),
       prepared_(prepared),
       rules_(rules) {
-  for (double flux : evaluator_.flux()) differentFluxes_ |= flux != evaluator_.flux()[0];
+  areDifferent_ = prepared.waysPerPlace() > 1 && !prepared.isTied();
+  for (double flux : evaluator_.flux()) areDifferent_ |= flux != evaluator_.flux()[0];
 }
 
 void Vns::open(const std::vector<std::uint32_t>& sites) {
@@ -85,7 +87,8 @@ std::vector<std::uint32_t> Vns::somewhereElse() {
 }
 
 Layout Vns::incumbent() const {
-  if (!prepared_.isTied()) return {best_, evaluator_.flux(), bestEvaluation_.dimming};
+  if (!prepared_.isTied())
+    return ofTypesAsked(prepared_.scene(), rules_, {best_, evaluator_.flux(), bestEvaluation_.dimming});
   Layout layout{{}, {}, bestEvaluation_.dimming};
   std::uint32_t tie = 0;
   for (const std::uint32_t candidate : best_) {
@@ -170,7 +173,7 @@ void Vns::leave() {
   if (walking_) return enter(0);
   for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
     const Neighborhood& row = neighborhoods()[next];
-    if ((thorough_ || row.afterShakes) && (differentFluxes_ || !row.needsDifferentFluxes)) return enter(next);
+    if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
   }
   changeBase();
 }

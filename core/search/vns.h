@@ -66,8 +66,8 @@ class Vns {
   FreeSites freeSites_;
   Random random_;
   PreparedScene& prepared_;
-  LuminaireRules rules_;  // in terms of the candidates
-  bool differentFluxes_ = false;
+  LuminaireRules rules_;       // in terms of the candidates
+  bool areDifferent_ = false;  // in flux or in the way that they may hang: to change places is a move
 
   std::vector<std::uint32_t> base_, best_;  // what is shaken; the incumbent
   Evaluation baseEvaluation_, bestEvaluation_;

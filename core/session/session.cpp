@@ -67,10 +67,22 @@ void Session::adopt(Scene scene) {
   bound_.reset();
   before_.reset();
   prepared_.reset();
+  light_.reset();
   asked_ = false;
   intentions_ = {};
   scene_ = std::make_unique<Scene>(std::move(scene));
   prepared_ = std::make_unique<PreparedScene>(*scene_);
+}
+
+std::shared_ptr<const PhotometricLight> Session::photometricLight() {
+  if (!light_) light_ = std::make_shared<const PhotometricLight>(*scene_);
+  return light_;
+}
+
+void Session::setPowers(const std::vector<double>& watts) {
+  if (!scene_) return;
+  for (Hanging& hanging : scene_->hangings)
+    if (hanging.type < watts.size()) hanging.power = watts[hanging.type];
 }
 
 Result<Done> Session::setIntentions(const Intentions& intentions) {
@@ -154,8 +166,10 @@ Result<Shown> Session::incumbent() {
   const bool isSettled =
       eased_ && eased_->evaluation().violation == 0 && eased_->evaluation().goal < search_->evaluation().goal;
   const Layout best = (isSettled ? eased_ : search_)->incumbent();
+  if (!before_) return shownOf(*prepared_, intentions_, best);
+  const LuminaireRules& rules = intentions_.luminaires;
   return shownOf(*prepared_, intentions_,
-                 before_ ? numberedAs(*scene_, intentions_.luminaires, best, *before_) : best);
+                 ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, best, *before_)));
 }
 
 Result<Shown> Session::show(const Layout& layout) {

@@ -16,6 +16,7 @@
 #include "core/search/intentions.h"
 #include "core/search/layout_search.h"
 #include "core/search/shown.h"
+#include "core/transport/photometric_light.h"
 
 namespace fiatlux {
 
@@ -61,9 +62,14 @@ class Session {
   /// Takes a scene that did not come from a file.
   void adopt(Scene scene);
   const Scene* scene() const { return scene_.get(); }
+  /// The light of luminaires on the sites of the scene, which keeps what it finds out about them.
+  /// Precondition: the scene has a light operator.
+  std::shared_ptr<const PhotometricLight> photometricLight();
 
   // --- Intentions: surfaces are sorted leaf indices, none for "all".
 
+  /// What a luminaire of each type of the scene's hangings draws, W; before setIntentions.
+  void setPowers(const std::vector<double>& watts);
   /// Replaces what is asked; running searches end, statistics of surface sets are kept. On an Error nothing
   /// changes.
   Result<Done> setIntentions(const Intentions& intentions);
@@ -110,6 +116,7 @@ class Session {
   std::optional<SceneReader> reader_;
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
   std::unique_ptr<Scene> scene_;
+  std::shared_ptr<const PhotometricLight> light_;
   std::unique_ptr<PreparedScene> prepared_;
   bool asked_ = false;
   Intentions intentions_;

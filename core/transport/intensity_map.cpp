@@ -41,4 +41,30 @@ double IntensityMap::at(const Vec3& direction) const {
   return above + down * (below - above);
 }
 
+void IntensityMap::look(const float* x, const float* y, const float* z, int count, float* candela) const {
+  constexpr int kMost = 64;
+  float across[kMost], down[kMost];
+  for (int first = 0; first < count; first += kMost) {
+    const int n = std::min(kMost, count - first);
+    // Places on the square, in cells.
+    for (int i = 0; i < n; ++i) {
+      const float dx = x[first + i], dy = y[first + i], dz = z[first + i];
+      const float scale = 1 / (std::abs(dx) + std::abs(dy) + std::abs(dz));
+      const float u = scale * dx, v = scale * dy;
+      const float foldedU = std::copysign(1 - std::abs(v), u), foldedV = std::copysign(1 - std::abs(u), v);
+      across[i] = 0.5f * kEdge * ((dz < 0 ? foldedU : u) + 1);
+      down[i] = 0.5f * kEdge * ((dz < 0 ? foldedV : v) + 1);
+    }
+    for (int i = 0; i < n; ++i) {
+      const int column = std::clamp(static_cast<int>(across[i]), 0, kEdge - 1),
+                row = std::clamp(static_cast<int>(down[i]), 0, kEdge - 1);
+      const float right = across[i] - static_cast<float>(column), below = down[i] - static_cast<float>(row);
+      const float* corner = &candela_[static_cast<std::size_t>(row * (kEdge + 1) + column)];
+      const float upper = corner[0] + right * (corner[1] - corner[0]);
+      const float lower = corner[kEdge + 1] + right * (corner[kEdge + 2] - corner[kEdge + 1]);
+      candela[first + i] = upper + below * (lower - upper);
+    }
+  }
+}
+
 }  // namespace fiatlux

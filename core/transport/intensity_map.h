@@ -15,6 +15,8 @@ class IntensityMap {
 
   /// cd along a unit direction in the luminaire's axes; linear within a cell.
   double at(const Vec3& direction) const;
+  /// The same in float, of `count` directions by their x, y and z.
+  void look(const float* x, const float* y, const float* z, int count, float* candela) const;
 
  private:
   static constexpr int kEdge = 384;

@@ -28,7 +28,8 @@ Vec3 inPlane(const Vec3& wish, const Vec3& normal) {
 }  // namespace
 
 PhotometricType exactType(std::shared_ptr<const Photometry> photometry) {
-  PhotometricType type{photometry->luminous, photometry->longAxis, integratedFlux(*photometry), 0, {}};
+  PhotometricType type{
+      photometry->luminous, photometry->longAxis, integratedFlux(*photometry), 0, {}, nullptr};
   type.beam = kRadian * std::max(openingAngle(*photometry, 0.5), kNarrowest);
   type.candela = [table = std::move(photometry)](const Vec3& direction) {
     return intensity(*table, direction);
@@ -40,6 +41,7 @@ PhotometricType sampledType(std::shared_ptr<const Photometry> photometry) {
   PhotometricType type = exactType(std::move(photometry));
   const auto map = std::make_shared<const IntensityMap>(type.candela);
   type.candela = [map](const Vec3& direction) { return map->at(direction); };
+  type.map = map;
   return type;
 }
 

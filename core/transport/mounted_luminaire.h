@@ -7,6 +7,7 @@
 #include "core/photometry/photometry.h"
 #include "core/scene/luminaire.h"
 #include "core/scene/patches.h"
+#include "core/transport/intensity_map.h"
 
 namespace fiatlux {
 
@@ -22,9 +23,10 @@ struct Mounting {
 struct PhotometricType {
   LuminousArea luminous;
   PhotometricAxis longAxis = PhotometricAxis::kC0;
-  double flux = 0;    // lm, of the table
-  double beam = 0;    // rad, Luminaire::beam
-  Intensity candela;  // at that flux
+  double flux = 0;                          // lm, of the table
+  double beam = 0;                          // rad, Luminaire::beam
+  Intensity candela;                        // at that flux
+  std::shared_ptr<const IntensityMap> map;  // of a sampled type: what `candela` looks up
 };
 
 /// Its intensities are those of the table.

@@ -6,12 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
+#include "core/transport/direct_quadrature.h"
 #include "core/transport/exchange.h"
-#include "core/transport/patch_tiles.h"
 
 namespace fiatlux {
 
@@ -19,6 +20,9 @@ namespace fiatlux {
 struct PhotometricCandidate {
   std::uint32_t site = 0;
   Luminaire luminaire;  // photometric
+  /// Where it is there, the luminaire's intensities are `scale` times those of the map: many times faster.
+  std::shared_ptr<const IntensityMap> map = nullptr;
+  float scale = 1;
 };
 
 /// The Lambertian square of 1 lm that a site's response knows, as a photometry.
@@ -29,7 +33,8 @@ Luminaire lambertianOn(const Site& site);
 Vec3 mountedPosition(const Site& site, const Vec3& normal, const Vec3& axis, double width, double height);
 
 /// Refers to the scene, which must have a light operator and outlive it. Columns are column-major rows x
-/// candidates, lx.
+/// candidates, lx. What it finds out about a site it keeps for the next luminaire there: not for several
+/// threads.
 class PhotometricLight {
  public:
   explicit PhotometricLight(const Scene& scene);
@@ -41,13 +46,20 @@ class PhotometricLight {
                            const std::vector<float>& direct) const;
 
  private:
-  void directColumn(const PhotometricCandidate& candidate, float* column) const;
-  double directOn(std::uint32_t row, const Luminaire& luminaire) const;
-  double controlShare(const float* direct, const float* lambertian) const;
+  /// Of a site's Lambertian square, for 1 lm.
+  struct Control {
+    std::vector<float> direct, exchanged;  // rows: lx, and what it becomes by the exchange
+    double squared = 0;                    // <phi_lambert, phi_lambert>
+  };
+  void makeControls(const std::vector<PhotometricCandidate>& candidates) const;
+  double product(const float* a, const float* b) const;
+  void correct(const Control& control, const float* response, const float* direct, float* light) const;
 
   const Scene& scene_;
   ExchangeOperator exchange_;
-  std::vector<PatchTile> tiles_;  // rows
+  DirectQuadrature quadrature_;
+  std::vector<float> weight_;              // patches: of <phi, phi>
+  mutable std::vector<Control> controls_;  // of each site, made when its light is asked for
 };
 
 }  // namespace fiatlux

@@ -12,10 +12,8 @@
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
+#include "precompute/files/asked_search.h"
 #include "precompute/files/files_on_disk.h"
-#include "precompute/files/intentions_json.h"
-#include "precompute/files/layout_json.h"
-#include "precompute/files/light_results.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
 #include "precompute/files/terminal.h"
@@ -49,7 +47,7 @@ const char* outcomeName(AlphaOutcome outcome) {
   return "";
 }
 
-Json iterationJson(const Scene& scene, const AlphaIteration& it) {
+Json iterationJson(const AskedSearch& asked, const AlphaIteration& it) {
   return {{"alpha", it.alpha},
           {"region", regionName(it.region)},
           {"interval", {it.low, it.high}},
@@ -59,7 +57,7 @@ Json iterationJson(const Scene& scene, const AlphaIteration& it) {
           {"min", it.minimum},
           {"max", it.maximum},
           {"phi", it.phi},
-          {"layout", layoutJson(it.layout, scene)}};
+          {"layout", asked.layoutJson(it.layout)}};
 }
 
 /// The layout that answers, or the best there is instead; nullptr where there is none.
@@ -68,7 +66,7 @@ const Layout* layoutOf(const AlphaSearch& search) {
   return search.fallback() ? &*search.fallback() : nullptr;
 }
 
-Json reportJson(const Scene& scene, const Intentions& intentions, const AlphaSearch& search, double seconds) {
+Json reportJson(const AskedSearch& asked, const AlphaSearch& search, double seconds) {
   Json report = {
       {"outcome", outcomeName(search.outcome())}, {"verdict", search.verdict()}, {"alpha", nullptr}};
   if (search.solution()) {
@@ -78,14 +76,14 @@ Json reportJson(const Scene& scene, const Intentions& intentions, const AlphaSea
     report["feasibleBound"] = search.feasibleBound();
   }
   if (const Layout* layout = layoutOf(search)) {
-    report["layout"] = layoutJson(*layout, scene);
+    report["layout"] = asked.layoutJson(*layout);
     if (!layout->ties.empty())
-      report["arrangement"] = arrangementJson(intentions.luminaires.arrangement, *layout);
-    report["surfaces"] = surfacesJson(lightResults(scene, *layout));
+      report["arrangement"] = arrangementJson(asked.intentions().luminaires.arrangement, *layout);
+    report["surfaces"] = surfacesJson(asked.lightResults(*layout));
   }
   report["iterations"] = Json::array();
   for (const AlphaIteration& iteration : search.iterations())
-    report["iterations"].push_back(iterationJson(scene, iteration));
+    report["iterations"].push_back(iterationJson(asked, iteration));
   report["evaluations"] = search.evaluations();
   report["seconds"] = seconds;
   return report;
@@ -101,20 +99,22 @@ void printTable(const AlphaSearch& search) {
 
 void findAlpha(const AlphaCommandOptions& options) {
   if (!options.output.empty()) orThrow(checkReplaceable(options.output));
-  Scene scene = orThrow(readSceneFile(options.scene));
-  const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
-  orThrow(options.scene, observe(scene, intentions.observers));
-  orThrow(options.intentions, checkAlphaIntentions(scene, intentions));
-  PreparedScene prepared(scene);
+  Scene room = orThrow(readSceneFile(options.scene));
+  AskedSearch asked = orThrow(options.intentions,
+                              AskedSearch::make(room, orThrow(readIntentionsFile(room, options.intentions))));
+  if (!options.output.empty()) orThrow(asked.nameFilesFrom(options.output, options.intentions));
+  const Intentions& intentions = asked.intentions();
+  orThrow(options.intentions, checkAlphaIntentions(asked.scene(), intentions));
+  PreparedScene prepared(asked.scene());
   const auto begin = std::chrono::steady_clock::now();
   AlphaSearch search(prepared, intentions, options.search);
   while (!search.done()) search.advance(1u << 16);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const Layout* layout = layoutOf(search);
   if (!options.output.empty() && layout)
-    orThrow(replaceFile(options.output, jsonDocument(layoutJson(*layout, scene))));
+    orThrow(replaceFile(options.output, jsonDocument(asked.layoutJson(*layout))));
   if (options.json) {
-    std::fputs(jsonDocument(reportJson(scene, intentions, search, seconds)).c_str(), stdout);
+    std::fputs(jsonDocument(reportJson(asked, search, seconds)).c_str(), stdout);
     return;
   }
   printTable(search);

@@ -51,7 +51,7 @@ void printReport(const std::string& output, const MadeScene& scene, double secon
 /// What a short search finds for the intentions of --opening, which are there as text or in a file.
 Result<Layout> openingLayout(const std::string& option, const Scene& scene) {
   const Result<Intentions> asked =
-      option.front() == '{' ? parseIntentions(scene, option) : readIntentionsFile(scene, option);
+      option.front() == '{' ? parseIntentions(scene, option) : readSquareIntentions(scene, option);
   if (!asked) return Error{"--opening: " + asked.error().message};
   if (!asked->observers.empty()) return Error{"--opening: it knows no observers; leave \"ugr\" out"};
   constexpr std::uint32_t kEvaluations = 100000;

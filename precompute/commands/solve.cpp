@@ -15,10 +15,8 @@
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
+#include "precompute/files/asked_search.h"
 #include "precompute/files/files_on_disk.h"
-#include "precompute/files/intentions_json.h"
-#include "precompute/files/layout_json.h"
-#include "precompute/files/light_results.h"
 #include "precompute/files/observers_json.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
@@ -86,13 +84,14 @@ Runs search(PreparedScene& prepared, const Intentions& intentions, const SolveOp
   return runs;
 }
 
-Json runJson(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
+Json runJson(PreparedScene& prepared, const AskedSearch& asked, const Run& run) {
   const Layout& layout = run.layout;
+  const Intentions& intentions = asked.intentions();
   const Shown shown = shownOf(prepared, intentions, layout);
-  Json json = {{"seed", run.seed}, {"layout", layoutJson(layout, prepared.scene())}};
+  Json json = {{"seed", run.seed}, {"layout", asked.layoutJson(layout)}};
   if (!layout.ties.empty()) json["arrangement"] = arrangementJson(intentions.luminaires.arrangement, layout);
-  json["surfaces"] = surfacesJson(lightResults(prepared.scene(), layout));
-  json["grids"] = gridsJson(prepared.scene().surfaces, readGrids(prepared.scene(), shown.illuminance));
+  json["surfaces"] = surfacesJson(asked.lightResults(layout));
+  json["grids"] = gridsJson(asked.room().surfaces, readGrids(asked.room(), shown.illuminance));
   json["goal"] = goalJson(shown);
   json["violations"] = violationsJson(prepared.scene(), intentions, shown);
   if (!intentions.observers.empty()) json["observers"] = observersJson(intentions.observers, shown.observers);
@@ -110,13 +109,14 @@ std::string goalLine(const Scene& scene, const Intentions& intentions, const Sho
   if (traits.needsSurfaces) line += " of " + surfaceSetName(scene, goal.surfaces);
   if (traits.needsOver) line += " over " + surfaceSetName(scene, goal.over);
   if (near)
-    return line + " near " + valueText(goal.target, goal.statistic, intentions.quantity) + ": " +
+    return line + " near " + valueText(scene, goal.target, goal.statistic, intentions.quantity) + ": " +
            shortNumber(100 * shown.goals[g], kReportDigits) + " % off";
-  return line + ": " + valueText(shown.goals[g], goal.statistic, intentions.quantity);
+  return line + ": " + valueText(scene, shown.goals[g], goal.statistic, intentions.quantity);
 }
 
-void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& run) {
-  const Scene& scene = prepared.scene();
+void printRun(PreparedScene& prepared, const AskedSearch& asked, const Run& run) {
+  const Scene& scene = asked.scene();
+  const Intentions& intentions = asked.intentions();
   const Layout& layout = run.layout;
   const Shown shown = shownOf(prepared, intentions, layout);
   std::printf("seed %llu, %llu evaluations, %.2f ms\n", static_cast<unsigned long long>(run.seed),
@@ -130,11 +130,8 @@ void printRun(PreparedScene& prepared, const Intentions& intentions, const Run& 
   std::fputs(observersText(intentions.observers, shown.observers).c_str(), stdout);
   if (layout.dimming != 1)
     std::printf("  dimmed to %s\n", shortNumber(layout.dimming, kReportDigits).c_str());
-  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
-    const Vec3& at = scene.sites[layout.sites[i]].position;
-    std::printf("  L%zu on site %u at (%.3f, %.3f, %.3f) m, %s lm\n", i + 1, layout.sites[i], at.x, at.y,
-                at.z, shortNumber(layout.flux[i], kReportDigits).c_str());
-  }
+  for (std::size_t i = 0; i < layout.sites.size(); ++i)
+    std::printf("  %s\n", asked.luminaireLine(layout, i).c_str());
 }
 
 /// What is proved about the best possible goal: its bound in the goal's unit, and how far the best run is
@@ -161,21 +158,23 @@ void printBound(const Json& bound) {
 
 void solve(const SolveOptions& options) {
   if (!options.output.empty()) orThrow(checkReplaceable(options.output));
-  Scene scene = orThrow(readSceneFile(options.scene));
-  const Intentions intentions = orThrow(readIntentionsFile(scene, options.intentions));
-  orThrow(options.scene, observe(scene, intentions.observers));
-  PreparedScene prepared(scene);
+  Scene room = orThrow(readSceneFile(options.scene));
+  AskedSearch asked = orThrow(options.intentions,
+                              AskedSearch::make(room, orThrow(readIntentionsFile(room, options.intentions))));
+  if (!options.output.empty()) orThrow(asked.nameFilesFrom(options.output, options.intentions));
+  const Intentions& intentions = asked.intentions();
+  PreparedScene prepared(asked.scene());
   const Runs runs = search(prepared, intentions, options);
   Json report = {{"runs", Json::array()}};
   if (options.bound) report["bound"] = boundJson(prepared, intentions, *runs.search);
   if (options.json) {
-    for (const Run& run : runs.all) report["runs"].push_back(runJson(prepared, intentions, run));
+    for (const Run& run : runs.all) report["runs"].push_back(runJson(prepared, asked, run));
   } else {
-    for (const Run& run : runs.all) printRun(prepared, intentions, run);
+    for (const Run& run : runs.all) printRun(prepared, asked, run);
     if (options.bound) printBound(report["bound"]);
   }
   if (!options.output.empty())
-    orThrow(replaceFile(options.output, jsonDocument(layoutJson(runs.all[runs.best].layout, scene))));
+    orThrow(replaceFile(options.output, jsonDocument(asked.layoutJson(runs.all[runs.best].layout))));
   if (options.json) std::fputs(jsonDocument(report).c_str(), stdout);
 }
 

@@ -1,6 +1,9 @@
 // JSON to intentions; see intentions_json.h.
 #include "precompute/files/intentions_json.h"
 
+#include <algorithm>
+
+#include "core/scene/surface_names.h"
 #include "core/search/validate_intentions.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/json_fields.h"
@@ -10,7 +13,11 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::size_t kMostEntries = 1000;
+constexpr std::size_t kMostEntries = 1000, kMostTypes = 16, kMostWays = 72;
+constexpr double kLeastFlux = 1e-6, kLargestFlux = 1e9;  // lm, of a photometric file that is scaled
+constexpr double kMostWatts = 1e6;                       // W
+constexpr double kMostTurn = 3600;                       // degrees
+constexpr double kFurthest = 1e6;                        // m
 
 SurfaceSet surfacesOf(const Scene& scene, const JsonField& field) {
   std::vector<std::string> names;
@@ -69,8 +76,94 @@ Arrangement arrangementOf(const JsonField& json) {
   return arrangement;
 }
 
+/// 2, or [0, 6] of a range.
+TypeRange typeRangeOf(const JsonField& json) {
+  TypeRange range;
+  if (!json.isList()) {
+    range.least = range.most = json.whole();
+    return range;
+  }
+  const std::vector<JsonField> ends = json.list(2);
+  if (ends.size() != 2) json.fail("a range of counts is [least, most]");
+  range.least = ends[0].whole();
+  range.most = ends[1].whole();
+  if (range.most < range.least) json.fail("a range of counts is [least, most], the least first");
+  return range;
+}
+
+/// The mean of the patches of a set, by area.
+Vec3 middleOf(const Scene& room, const SurfaceSet& surfaces) {
+  Vec3 sum;
+  double area = 0;
+  const SurfaceSet leaves = leavesOf(room, surfaces);
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
+    if (!std::binary_search(leaves.begin(), leaves.end(), room.patches.surface[p])) continue;
+    sum += room.patches.area[p] * room.patches.center[p];
+    area += room.patches.area[p];
+  }
+  return (1 / area) * sum;
+}
+
+/// A point, or the middle of a surface by its name.
+Vec3 aimOf(const Scene& room, const JsonField& json) {
+  if (json.isText()) return middleOf(room, surfacesOf(room, json));
+  const std::vector<double> at = json.numbers(3, "[x, y, z] or the name of a surface", -kFurthest, kFurthest);
+  return {at[0], at[1], at[2]};
+}
+
+AskedType typeOf(const Scene& room, const JsonField& json, const ReadNamed& read) {
+  json.requireKeys({"photometry", "count", "turns", "aims", "flux", "watts"});
+  const JsonField file = json.at("photometry", "name an .ies or .ldt file");
+  AskedType type;
+  type.name = file.text();
+  type.photometry = photometryOf(file, read);
+  type.watts = type.photometry->watts;
+  if (const auto flux = json.find("flux")) type.flux = flux->number(kLeastFlux, kLargestFlux);
+  if (const auto watts = json.find("watts")) type.watts = watts->number(0, kMostWatts);
+  if (const auto turns = json.find("turns")) {
+    type.ways.turns.clear();
+    for (const JsonField& turn : turns->list(kMostWays))
+      type.ways.turns.push_back(turn.number(-kMostTurn, kMostTurn));
+    if (type.ways.turns.empty()) turns->fail("an empty list; leave it out, or give degrees");
+  }
+  if (const auto aims = json.find("aims"))
+    for (const JsonField& aim : aims->list(kMostWays)) type.ways.aims.push_back(aimOf(room, aim));
+  return type;
+}
+
+void readTypes(const Scene& room, const JsonField& luminaires, const JsonField& json, const ReadNamed& read,
+               IntentionsFile& asked) {
+  if (const auto flux = luminaires.find("flux"))
+    flux->fail("the photometric files of \"types\" say it; leave one of the two out");
+  for (const JsonField& entry : json.list(kMostTypes)) {
+    asked.types.push_back(typeOf(room, entry, read));
+    const auto count = entry.find("count");
+    asked.intentions.luminaires.types.push_back(count ? typeRangeOf(*count) : TypeRange{});
+    asked.intentions.luminaires.types.back().name = asked.types.back().name;
+  }
+  if (asked.types.empty()) json.fail("an empty list; name a photometric file, or leave it out for squares");
+}
+
+/// [{"luminaire": 3, "photometry": "b.ies"}]: L3 is of that type.
+void readFixed(const JsonField& json, IntentionsFile& asked) {
+  if (asked.types.empty()) json.fail("it is of luminaires with \"types\"");
+  std::vector<std::uint32_t>& ofType = asked.intentions.luminaires.ofType;
+  for (const JsonField& entry : json.list(kMostEntries)) {
+    entry.requireKeys({"luminaire", "photometry"});
+    const JsonField number = entry.at("luminaire", "say which: 3 is L3");
+    const std::uint32_t luminaire = number.whole();
+    if (luminaire == 0 || luminaire > kMostEntries) number.fail("luminaires are numbered from 1");
+    std::vector<std::pair<std::string, std::uint32_t>> choices;
+    for (std::uint32_t t = 0; t < asked.types.size(); ++t) choices.emplace_back(asked.types[t].name, t);
+    const std::uint32_t type = entry.at("photometry", "name one of the types").oneOf(choices);
+    ofType.resize(std::max<std::size_t>(ofType.size(), luminaire), kNone);
+    if (ofType[luminaire - 1] != kNone) number.fail("it is there twice");
+    ofType[luminaire - 1] = type;
+  }
+}
+
 LuminaireRules rulesOf(const JsonField& json) {
-  json.requireKeys({"count", "flux", "dimming", "pinned", "excluded", "minDistance"});
+  json.requireKeys({"count", "flux", "dimming", "pinned", "excluded", "minDistance", "types", "fixed"});
   LuminaireRules rules;
   if (const auto count = json.find("count")) readCount(*count, rules);
   if (const auto flux = json.find("flux")) rules.flux = fluxesOf(*flux);
@@ -159,13 +252,18 @@ std::vector<Observer> askedObservers(const Scene& scene, const JsonField& json) 
   return {};
 }
 
-Intentions intentionsOf(const Scene& scene, const JsonField& json) {
+IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const ReadNamed& read) {
   json.requireKeys({"luminaires", "arrangement", "goals", "constraints", "quantity", "observers"});
-  Intentions intentions;
+  IntentionsFile asked;
+  Intentions& intentions = asked.intentions;
   intentions.observers = askedObservers(scene, json);
   if (const auto quantity = json.find("quantity"))
     intentions.quantity = quantity->oneOf(namedBy<Quantity>(kQuantityNames));
-  if (const auto luminaires = json.find("luminaires")) intentions.luminaires = rulesOf(*luminaires);
+  if (const auto luminaires = json.find("luminaires")) {
+    intentions.luminaires = rulesOf(*luminaires);
+    if (const auto types = luminaires->find("types")) readTypes(scene, *luminaires, *types, read, asked);
+    if (const auto fixed = luminaires->find("fixed")) readFixed(*fixed, asked);
+  }
   if (const auto arrangement = json.find("arrangement"))
     intentions.luminaires.arrangement = arrangementOf(*arrangement);
   if (const auto goals = json.find("goals"))
@@ -174,23 +272,43 @@ Intentions intentionsOf(const Scene& scene, const JsonField& json) {
   if (const auto constraints = json.find("constraints"))
     for (const JsonField& constraint : constraints->list(kMostEntries, "constraint"))
       intentions.constraints.push_back(constraintOf(scene, intentions.observers, constraint));
-  return intentions;
+  return asked;
+}
+
+/// Only what is asked of squares of light.
+Result<Intentions> ofSquares(const Result<IntentionsFile>& asked) {
+  if (!asked) return asked.error();
+  if (asked->types.empty()) return asked->intentions;
+  return Error{"luminaires.types: photometric files are for fiatlux solve and alpha; give a flux instead"};
 }
 
 }  // namespace
 
-Result<Intentions> parseIntentions(const Scene& scene, const std::string& text) {
-  Intentions intentions;
-  const Result<Done> read =
-      readJson(text, [&](const JsonField& json) { intentions = intentionsOf(scene, json); });
-  if (!read) return read.error();
-  if (auto ok = checkIntentions(scene, intentions); !ok) return ok.error();
-  return intentions;
+Result<IntentionsFile> parseIntentionsFile(const Scene& room, const std::string& text,
+                                           const ReadNamed& read) {
+  IntentionsFile asked;
+  const Result<Done> done =
+      readJson(text, [&](const JsonField& json) { asked = intentionsOf(room, json, read); });
+  if (!done) return done.error();
+  if (!asked.types.empty()) return asked;
+  if (auto ok = checkIntentions(room, asked.intentions); !ok) return ok.error();
+  return asked;
 }
 
-Result<Intentions> readIntentionsFile(const Scene& scene, const std::string& path) {
-  return parsedFile(path, kLongestJson,
-                    [&](const std::string& text) { return parseIntentions(scene, text); });
+Result<IntentionsFile> readIntentionsFile(const Scene& room, const std::string& path) {
+  return parsedFile(path, kLongestJson, [&](const std::string& text) {
+    return parseIntentionsFile(room, text, filesBeside(path, "intentions file"));
+  });
+}
+
+Result<Intentions> parseIntentions(const Scene& scene, const std::string& text) {
+  return ofSquares(parseIntentionsFile(scene, text));
+}
+
+Result<Intentions> readSquareIntentions(const Scene& scene, const std::string& path) {
+  return parsedFile(path, kLongestJson, [&](const std::string& text) {
+    return ofSquares(parseIntentionsFile(scene, text, filesBeside(path, "intentions file")));
+  });
 }
 
 }  // namespace fiatlux

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -65,15 +64,6 @@ Luminaire freeLuminaire(const JsonField& json, const JsonField& position, double
       name->fail("only a point is isotropic: leave out \"size\"");
   }
   return luminaire;
-}
-
-std::shared_ptr<const Photometry> photometryOf(const JsonField& name, const ReadNamed& read) {
-  if (!read) name.fail("there is no folder in which to look for the file");
-  const Result<std::vector<std::uint8_t>> bytes = read(name.text());
-  if (!bytes) name.fail("the file " + bytes.error().message);
-  Result<Photometry> photometry = readPhotometry(*bytes);
-  if (!photometry) name.fail(photometry.error().message);
-  return std::make_shared<const Photometry>(std::move(*photometry));
 }
 
 PhotometricEntry photometricOf(const JsonField& json, const JsonField& name, double flux,
@@ -158,24 +148,6 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
   return mountedLuminaire(exactType(photometry), flux, site, mounting);
 }
 
-/// Files in the folder of `path` and below.
-ReadNamed filesBeside(const std::string& path) {
-  namespace fs = std::filesystem;
-  const fs::path parent = fs::path(path).parent_path();
-  const fs::path folder = parent.empty() ? fs::path(".") : parent;
-  return [folder](const std::string& name) -> Result<std::vector<std::uint8_t>> {
-    std::error_code error;
-    const fs::path root = fs::canonical(folder, error), file = fs::canonical(root / name, error);
-    if (error) return Error{"does not exist; its path is relative to the layout"};
-    // note: after links are followed, so that none leads out
-    if (std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end())
-      return Error{"is outside the layout's folder; put it beside the layout"};
-    Result<std::vector<std::uint8_t>> bytes = readFileBytes(file.string(), kMaxPhotometricBytes);
-    if (!bytes) return Error{"cannot be read, or has more than 4 MB"};
-    return bytes;
-  };
-}
-
 }  // namespace
 
 Result<LayoutFile> parseLayout(const std::string& text, const ReadNamed& read) {
@@ -187,7 +159,7 @@ Result<LayoutFile> parseLayout(const std::string& text, const ReadNamed& read) {
 
 Result<LayoutFile> readLayoutFile(const std::string& path) {
   return parsedFile(path, kLongestJson,
-                    [&](const std::string& text) { return parseLayout(text, filesBeside(path)); });
+                    [&](const std::string& text) { return parseLayout(text, filesBeside(path, "layout")); });
 }
 
 Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::vector<std::string>& notes) {
@@ -237,14 +209,15 @@ Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std:
   return luminaires;
 }
 
+nlohmann::ordered_json luminaireJson(std::uint32_t site, const Vec3& position, double flux) {
+  return {{"site", site}, {"position", {position.x, position.y, position.z}}, {"flux", flux}};
+}
+
 nlohmann::ordered_json layoutJson(const Layout& layout, const Scene& scene) {
   nlohmann::ordered_json luminaires = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < layout.sites.size(); ++i) {
-    const Vec3& position = scene.sites[layout.sites[i]].position;
-    luminaires.push_back({{"site", layout.sites[i]},
-                          {"position", {position.x, position.y, position.z}},
-                          {"flux", layout.flux[i]}});
-  }
+  for (std::size_t i = 0; i < layout.sites.size(); ++i)
+    luminaires.push_back(
+        luminaireJson(layout.sites[i], scene.sites[layout.sites[i]].position, layout.flux[i]));
   return {{"dimming", layout.dimming}, {"luminaires", std::move(luminaires)}};
 }
 

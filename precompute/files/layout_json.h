@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/files/named_files.h"
 #include "precompute/files/observers_json.h"
 
 namespace fiatlux {
@@ -39,9 +39,6 @@ struct LayoutFile {
   AskedObservers observers;
 };
 
-/// The bytes of a file that a layout names.
-using ReadNamed = std::function<Result<std::vector<std::uint8_t>>(const std::string& name)>;
-
 /// Without `read`, luminaires of photometric files are refused.
 Result<LayoutFile> parseLayout(const std::string& text, const ReadNamed& read = {});
 /// The same from a file, which may name others in its folder and below; errors begin with the path.
@@ -54,6 +51,9 @@ Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::ve
 /// Luminaires anywhere, dimming included in their flux. A site number means a site of the room; a position
 /// beside it must agree, and keys of a free luminaire outrank it. An error where a site is not there.
 Result<std::vector<Luminaire>> freeLuminaires(const LayoutFile& file, const std::vector<Site>& sites);
+
+/// {"site", "position", "flux"}, before dimming.
+nlohmann::ordered_json luminaireJson(std::uint32_t site, const Vec3& position, double flux);
 
 /// {"dimming", "luminaires": [{"site", "position", "flux"}]}: what readLayoutFile reads.
 nlohmann::ordered_json layoutJson(const Layout& layout, const Scene& scene);

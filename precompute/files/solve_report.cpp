@@ -45,10 +45,11 @@ const char* nameOf(Rule rule) { return kRuleNames[static_cast<std::size_t>(rule)
 
 }  // namespace
 
-std::string valueText(double value, Statistic statistic, Quantity quantity) {
+std::string valueText(const Scene& scene, double value, Statistic statistic, Quantity quantity) {
   if (std::isnan(value)) return "undefined";
   if (std::isinf(value)) return "infinite";
-  const std::string unit = unitName(statistic, quantity);
+  const bool isWatts = traitsOf(statistic).unit == Unit::kFlux && !scene.hangings.empty();
+  const std::string unit = isWatts ? "W" : unitName(statistic, quantity);
   return shortNumber(value, kReportDigits) + (unit.empty() ? "" : " " + unit);
 }
 
@@ -108,7 +109,7 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
     line += constraint.observer == kNone
                 ? " of the worst observer"
                 : " of " + printable(intentions.observers[constraint.observer].name, 80);
-  return line + " " + valueText(reading.value, constraint.statistic, intentions.quantity) + " (" +
+  return line + " " + valueText(scene, reading.value, constraint.statistic, intentions.quantity) + " (" +
          boundsText(constraint) + "): " + verdictOn(reading, traits);
 }
 

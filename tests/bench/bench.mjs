@@ -11,6 +11,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync, inflateSync } from 'node:zlib';
 import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
+import { dropsOnOffice } from './drop-bench.mjs';
 import { firstVisits } from './first-bench.mjs';
 import { describeRun } from './machine.mjs';
 import { openSession } from './open-session.mjs';
@@ -96,6 +97,8 @@ function luminairesOf(count) {
     pinned: none,
     excluded: none,
     minDistance: 0,
+    types: [],
+    ofType: none,
   };
 }
 
@@ -232,6 +235,22 @@ async function drag() {
   print({ name: 'drag_to_layout', ...(await dragToLayout(root, corridor, inflateSync)) });
 }
 
+/** A photometric file that is dropped on the office: 260 candidates. */
+async function photometry() {
+  need(inRoot('dist/scenes/office.flux'));
+  const times = await dropsOnOffice(root);
+  for (const [of, most] of [
+    ['picture', 50],
+    ['layout', 1000],
+  ]) {
+    const values = times.map((each) => each[of]).sort((a, b) => a - b);
+    const { median, spread } = summary(values);
+    const p95 = round(values[Math.ceil(0.95 * values.length) - 1]);
+    const row = { unit: 'ms', spread: round(spread, 2), p95, first: round(times[0][of]), wanted: most };
+    print({ name: `photometry_to_${of}`, native: null, wasm: round(median), ...row, drops: values.length });
+  }
+}
+
 /** A first visit to the office on a line of 10 Mbit/s with 40 ms. */
 async function first10Mbit() {
   need(inRoot('dist/scenes/office.flux'));
@@ -257,6 +276,7 @@ const figures = {
   scene_file_office: () =>
     bytes('scene_file_office', statSync(need(inRoot('public/scenes/office.flux'))).size),
   first_10mbit: first10Mbit,
+  photometry,
   drag_to_layout: drag,
   precompute_e_corridor: precompute,
 };

@@ -16,7 +16,7 @@ const longSearch = 10_000; // ms, for every tenth input; a tenth of it for the o
 const viewport = { width: 1280, height: 800 };
 
 /** Serves dist/ while `use` runs. */
-async function served(root, use) {
+export async function served(root, use) {
   const port = 4191;
   const args = ['vite', 'preview', '--port', String(port), '--strictPort', '--host', '127.0.0.1'];
   const server = spawn('npx', args, { cwd: root, stdio: ['ignore', 'pipe', 'inherit'], detached: true });
@@ -177,6 +177,8 @@ function bestOf(session, { intentions, start }, leaves, milliseconds) {
       pinned: none,
       excluded: none,
       minDistance: 0,
+      types: [],
+      ofType: none,
     },
     goals: [
       {

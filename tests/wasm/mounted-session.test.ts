@@ -35,7 +35,12 @@ await openScene(room, wholeFile(bytesOf(operatorFile()).buffer), () => true, {
 const sites = [3, 8, 14, 21, 29, 36];
 
 /** A session of these types on a few sites, asked for even light by `count` luminaires. */
-function sessionOf(types: readonly LuminaireType[], count = 2): MountedSession {
+function sessionOf(
+  types: readonly LuminaireType[],
+  count = 2,
+  more: Partial<Intentions['luminaires']> = {},
+  constraints: Intentions['constraints'] = [],
+): MountedSession {
   const candidates = candidatesOf(types, () => undefined, scene).filter(({ site }) => sites.includes(site));
   const making = new core.Candidates();
   beginCandidates(making, room, candidates, fileOf);
@@ -46,10 +51,11 @@ function sessionOf(types: readonly LuminaireType[], count = 2): MountedSession {
   const mounted = new MountedSession(session, candidates);
   const asked: Intentions = {
     quantity: 'illuminance',
-    luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+    luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0, types, ...more },
     goals: [{ statistic: 'mean', sense: 'near', target: 40, weight: 1, surfaces: ['floor'] }],
-    constraints: [],
+    constraints,
   };
+  mounted.ask(asked.luminaires, true);
   expect(mounted.setIntentions(coreIntentions(asked, scene.surfaces))).toBe('');
   return mounted;
 }
@@ -123,4 +129,26 @@ test('place and type are found together, as well as by trying everything', () =>
   const found = valid(session.incumbent());
   expect(found.goals[0]).toBeCloseTo(both!, 6);
   expect(new Set(found.layout.sites).size).toBe(2);
+});
+
+test('counts of types are kept, and a luminaire is of the type that it must be', () => {
+  const ofTypes = (session: MountedSession) => {
+    expect(session.start(5)).toBe('');
+    session.advance(5_000);
+    return valid(session.incumbent()).layout.mountings?.map(({ type }) => type);
+  };
+  const counted = ofTypes(sessionOf([{ ...spot, count: [1, 1] }, panel], 3));
+  expect(counted?.filter((type) => type === 's')).toHaveLength(1);
+  const asked = ofTypes(sessionOf([spot, panel], 3, { ofType: [null, 's', 'p'] }));
+  expect(asked?.slice(1)).toEqual(['s', 'p']);
+});
+
+test('power is in watts, of a type without any by a usual efficacy', () => {
+  const silent = { ...panel, watts: 0 }; // 3600 lm
+  const session = sessionOf([spot, silent], 2, {}, [{ statistic: 'power', max: 1, surfaces: [] }]);
+  const both = layoutOf([
+    [8, spot],
+    [21, panel],
+  ]);
+  expect(light(session, both).constraints[0]).toBeCloseTo(10 + 30, 6);
 });

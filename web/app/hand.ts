@@ -87,6 +87,20 @@ export class Hand {
     });
   }
 
+  /** A luminaire must be of a type, by its id, or may be of any again. */
+  setType(luminaire: number, type: string | null): void {
+    const known = this.#store.document.peek().luminaires.types ?? [];
+    const name = known.find(({ id }) => id === type)?.name ?? 'any type';
+    this.#store.edit(`${tag(luminaire)} of ${name}`, ({ luminaires }) => {
+      const list = [...(luminaires.ofType ?? [])];
+      while (list.length <= luminaire) list.push(null);
+      list[luminaire] = type;
+      while (list.at(-1) === null) list.pop();
+      if (list.length > 0) luminaires.ofType = list;
+      else delete luminaires.ofType;
+    });
+  }
+
   /** One luminaire less; the others go on from where they hang. */
   remove(luminaire: number): void {
     const layout = this.#layout();
@@ -110,6 +124,7 @@ export class Hand {
       ({ luminaires }) => {
         luminaires.count = sites.length - 1;
         luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
+        luminaires.ofType?.splice(luminaire, 1);
       },
       null,
       { by: 'search', from },

@@ -112,6 +112,7 @@ const areas = v.object({ keepOut: areaList, keepIn: areaList, fromWalls: number(
 
 export const luminairesSchema = v.object({
   types: v.exactOptional(typesSchema),
+  ofType: v.exactOptional(v.pipe(v.array(v.nullable(idSchema)), v.maxLength(mostLuminaires))),
   count: whole(1, mostLuminaires),
   most: v.exactOptional(whole(1, mostLuminaires)),
   arrangement: v.exactOptional(arrangement),

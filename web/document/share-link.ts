@@ -176,7 +176,7 @@ function encode(link: Link): string {
 
 function payloadOf(link: Link): Payload {
   const { layout, camera, display } = link;
-  const { types = [], maintenance, areas, ...rules } = link.luminaires;
+  const { types = [], maintenance, areas, ofType, ...rules } = link.luminaires;
   const numbers = new Map(types.map((type, number) => [type.id, number]));
   return {
     i: link.scene,
@@ -189,6 +189,7 @@ function payloadOf(link: Link): Payload {
       excluded: [...rules.excluded],
       ...(maintenance && { maintenance: [...maintenance] }),
       ...(areas && { areas: structuredClone(areas) as Payload['l']['areas'] & object }),
+      ...(ofType && { ofType: [...ofType] }),
     },
     ...(link.quantity === 'exitance' && { q: link.quantity }),
     s: link.seed,

@@ -125,10 +125,12 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   const pinned = (link.layout?.pinned ?? []).flatMap(
     (index) => hung?.layout.sites[hung.numbers.indexOf(index)] ?? [],
   );
+  const ofType =
+    hung && link.luminaires.ofType && hung.numbers.map((index) => link.luminaires.ofType?.[index] ?? null);
   if (link.luminaires.count > m)
     return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
-  const luminaires: Luminaires = { ...link.luminaires, excluded, pinned };
+  const luminaires: Luminaires = { ...link.luminaires, excluded, pinned, ...(ofType && { ofType }) };
   const { room, cards, saving, quantity, seed, roomType, glare } = link;
   const asked = {
     room,

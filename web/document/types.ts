@@ -130,6 +130,7 @@ export interface Areas {
 
 export interface Luminaires {
   readonly types?: readonly LuminaireType[]; // absent or none: Lambertian squares of `flux`
+  readonly ofType?: readonly (string | null)[]; // id of the type that luminaire i must be of; null, beyond the end: any
   readonly count: number; // the least, where `most` is there
   readonly most?: number; // the count may be up to this
   readonly arrangement?: Arrangement; // absent = free

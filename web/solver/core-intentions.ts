@@ -38,6 +38,8 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       pinned: Uint32Array.from(luminaires.pinned),
       excluded: Uint32Array.from(luminaires.excluded),
       minDistance: luminaires.minDistance,
+      types: [], // note: those who have candidates know them (MountedSession)
+      ofType: new Uint32Array(),
     },
     goals: asked.goals.map((goal) => ({
       statistic: codes.statistic[goal.statistic],

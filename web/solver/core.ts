@@ -145,6 +145,15 @@ export interface CoreConstraint {
   readonly over: Uint32Array;
 }
 
+/** How many luminaires of a type there may be; its name is for whoever reads that this cannot be. */
+export interface CoreTypeRange {
+  readonly least: number;
+  readonly most: number;
+  readonly name: string;
+}
+
+export const anyType = 0xffffffff;
+
 export interface CoreIntentions {
   readonly quantity: number;
   readonly luminaires: {
@@ -158,6 +167,8 @@ export interface CoreIntentions {
     readonly pinned: Uint32Array; // sites: of the first luminaires, or of those that hang there where a search starts
     readonly excluded: Uint32Array;
     readonly minDistance: number; // m
+    readonly types: readonly CoreTypeRange[]; // of each type of the candidates; none = any number of any
+    readonly ofType: Uint32Array; // that luminaire i must be of; anyType = any
   };
   readonly goals: readonly CoreGoal[];
   readonly constraints: readonly CoreConstraint[];
@@ -193,6 +204,8 @@ export interface Session {
   finishOperator(): string;
   /** null while no scene is open. */
   info(): CoreInfo | null;
+  /** W of a luminaire of each type of the candidates, before setIntentions. */
+  setPowers(watts: Float64Array): void;
   /** Replaces what is asked and ends running searches; statistics of surface sets are kept. */
   setIntentions(intentions: CoreIntentions): string;
   /** Begins a search at random. `seed`: 32 bits. */
@@ -238,8 +251,8 @@ export interface Session {
 /** A scene in the making, whose sites are luminaires of photometric files on the sites of a room. */
 export interface Candidates {
   /**
-   * `files` are photometric, `flux` (lm, or any unit of light) is of one luminaire of each. A candidate is six numbers:
-   * site, file, turn (degrees), and the point that it is aimed at or NaN. The room's session must stay.
+   * `files` are photometric, `flux` (lm) is of one luminaire of each; in layouts every luminaire has a flux of 1. A candidate
+   * is seven numbers: site, file, way (of file, turn and aim: the same on every site), turn (degrees), and the point that it is aimed at or NaN. The room's session must stay.
    */
   begin(room: Session, files: readonly Uint8Array[], flux: Float64Array, candidates: Float64Array): string;
   /** Computes the light of so many more of them; true when all are there. */
@@ -269,6 +282,7 @@ export const sessionMethods = {
   finish: 0,
   finishOperator: 0,
   info: 0,
+  setPowers: 1,
   setIntentions: 1,
   start: 1,
   startFrom: 4,

@@ -3,14 +3,16 @@
  * site, a type on it, its turn and aim); above, layouts are of sites and mountings again.
  */
 import { candidateOf, type Candidate } from '../document/candidates.ts';
-import type { Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
-import type {
-  Candidates as CoreCandidates,
-  CoreIntentions,
-  CoreLayout,
-  CoreShown,
-  OrError,
-  Session,
+import { usualEfficacy } from '../document/schedule.ts';
+import type { Layout, Luminaires, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
+import {
+  anyType,
+  type Candidates as CoreCandidates,
+  type CoreIntentions,
+  type CoreLayout,
+  type CoreShown,
+  type OrError,
+  type Session,
 } from './core.ts';
 
 /** What asks and answers of a session, for those whom it does not concern what is beneath. */
@@ -36,9 +38,10 @@ const apart = 1e-3; // m: two luminaires do not hang on one site
 const keyOf = (site: number, { type, turn, aim }: Mounting) =>
   `${site} ${type} ${turn} ${aim?.join(' ') ?? ''}`;
 
-/** lm that stand for one unit of light beneath: of the strongest type. */
-const strongest = (candidates: readonly Candidate[]): number =>
-  Math.max(...candidates.map(({ type }) => type.flux));
+/** The types of candidates, in the order of their numbers beneath. */
+const typesOf = (candidates: readonly Candidate[]): LuminaireType[] => [
+  ...new Set(candidates.map(({ type }) => type)),
+];
 
 /** Begins the light of candidates. Throws one readable line. `fileOf` has the file of every type. */
 export function beginCandidates(
@@ -47,16 +50,26 @@ export function beginCandidates(
   candidates: readonly Candidate[],
   fileOf: (type: LuminaireType) => Uint8Array,
 ): void {
-  const types = [...new Set(candidates.map(({ type }) => type))];
+  const types = typesOf(candidates);
+  const ways = new Map<string, number>();
   const numbers = candidates.flatMap(({ site, type, mounting, aim }) => [
     site,
     types.indexOf(type),
+    wayOf(mounting, ways),
     mounting.turn,
     ...(aim ?? [Number.NaN, 0, 0]),
   ]);
-  const flux = Float64Array.from(types, (type) => type.flux / strongest(candidates));
+  const flux = Float64Array.from(types, (type) => type.flux);
   const error = scene.begin(room, types.map(fileOf), flux, Float64Array.from(numbers));
   if (error) throw new Error(error);
+}
+
+/** Its number in `ways`, a new one where it is not there yet. */
+function wayOf(mounting: Mounting, ways: Map<string, number>): number {
+  const key = keyOf(0, mounting);
+  const way = ways.get(key) ?? ways.size;
+  ways.set(key, way);
+  return way;
 }
 
 /** The arguments by which a session takes a layout. */
@@ -67,14 +80,15 @@ export class MountedSession implements Searching {
   readonly #candidates: readonly Candidate[];
   readonly #bySite = new Map<number, number[]>(); // candidates of each site
   readonly #byKey = new Map<string, number>();
-  readonly #flux: number; // lm that stand for 1 in the core: of the strongest type
+  readonly #types: readonly LuminaireType[];
+  #allowed: Pick<CoreIntentions['luminaires'], 'types' | 'ofType'> = { types: [], ofType: new Uint32Array() };
   #held: readonly number[] = []; // candidates of the layout that a search starts from
 
-  /** `session` has the scene of these candidates,. */
+  /** `session` has the scene of these candidates. */
   constructor(session: Session, candidates: readonly Candidate[]) {
     this.#session = session;
     this.#candidates = candidates;
-    this.#flux = strongest(candidates);
+    this.#types = typesOf(candidates);
     candidates.forEach(({ site, mounting }, index) => {
       this.#bySite.set(site, [...(this.#bySite.get(site) ?? []), index]);
       this.#byKey.set(keyOf(site, mounting), index);
@@ -89,11 +103,25 @@ export class MountedSession implements Searching {
   /** A layout in candidates: each luminaire as it hangs, or as one may hang there; else it is left out. */
   take(layout: Layout): LayoutArguments {
     this.#held = layout.sites.flatMap((site, i) => this.#candidateAt(site, layout.mountings?.[i]) ?? []);
-    return [
-      Uint32Array.from(this.#held),
-      new Float64Array(this.#held.length).fill(this.#flux),
-      layout.dimming,
-    ];
+    return [Uint32Array.from(this.#held), new Float64Array(this.#held.length).fill(1), layout.dimming];
+  }
+
+  /**
+   * What is asked of the types from now on: what they draw and, of a session that has all that a search may try, how many
+   * there may be of each, and which luminaire must be of which.
+   */
+  ask({ types = [], ofType = [], count, most = count }: Luminaires, hasAll: boolean): void {
+    const latest = this.#types.map((type) => types.find(({ id }) => id === type.id) ?? type);
+    this.#session.setPowers(
+      Float64Array.from(latest, ({ watts, flux }) => (watts > 0 ? watts : flux / usualEfficacy)),
+    );
+    const numberOf = (id: string | null) => latest.findIndex((type) => type.id === id);
+    this.#allowed = {
+      types: hasAll ? latest.map(({ name, count: [least, atMost] }) => ({ name, least, most: atMost })) : [],
+      ofType: Uint32Array.from(hasAll ? ofType.slice(0, most) : [], (id) =>
+        numberOf(id) < 0 ? anyType : numberOf(id),
+      ),
+    };
   }
 
   setIntentions = (asked: CoreIntentions) => this.#session.setIntentions(this.#beneath(asked));
@@ -124,21 +152,30 @@ export class MountedSession implements Searching {
   /** Pinned are the luminaires of the layout that was taken, at their sites. */
   #beneath(asked: CoreIntentions): CoreIntentions {
     const { luminaires } = asked;
-    const heldAt = (site: number) => this.#held.find((index) => this.#candidates[index]?.site === site);
-    const pinned = [...luminaires.pinned].flatMap(
-      (site) => heldAt(site) ?? this.#bySite.get(site)?.[0] ?? [],
-    );
+    const pinned = [...luminaires.pinned].flatMap((site) => this.#pinnedAt(site) ?? []);
     const excluded = [...luminaires.excluded].flatMap((site) => this.#bySite.get(site) ?? []);
     return {
       ...asked,
       luminaires: {
         ...luminaires,
-        flux: Float64Array.of(this.#flux),
+        ...this.#allowed,
+        flux: Float64Array.of(1),
         pinned: Uint32Array.from(pinned),
         excluded: Uint32Array.from(excluded),
         minDistance: Math.max(apart, luminaires.minDistance),
       },
     };
+  }
+
+  /** How a luminaire hangs that is pinned to a site: as it does, unless it must be of another type. */
+  #pinnedAt(site: number): number | undefined {
+    const there = this.#bySite.get(site) ?? [];
+    const luminaire = this.#held.findIndex((index) => there.includes(index));
+    const type = this.#allowed.ofType[luminaire] ?? anyType;
+    const isOf = (index: number) => this.#candidates[index]?.type === this.#types[type];
+    const held = this.#held[luminaire] ?? there[0];
+    if (type === anyType || held === undefined || isOf(held)) return held;
+    return there.find(isOf) ?? held;
   }
 
   /** From candidates back to sites and mountings. */

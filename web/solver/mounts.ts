@@ -36,7 +36,7 @@ interface Making {
   readonly scene: Candidates;
 }
 
-const slice = 8; // candidates between two looks at what else is asked
+const slice = 16; // candidates between two looks at what else is asked: the core makes so many together
 
 export class Mounts {
   readonly #core: Core;
@@ -46,6 +46,7 @@ export class Mounts {
   #few: Made | null = null; // of one layout
   #all: Made | null = null;
   #making: Making | null = null; // the next `#all`
+  #listed: { readonly key: string; readonly candidates: readonly Candidate[] } | null = null; // latest list
 
   constructor(core: Core, room: Session) {
     this.#core = core;
@@ -62,7 +63,7 @@ export class Mounts {
   setScene(scene: SceneInfo | null): void {
     this.#scene = scene;
     for (const made of [this.#few, this.#all]) made?.session.delete();
-    this.#few = this.#all = null;
+    this.#few = this.#all = this.#listed = null;
     this.#forget();
   }
 
@@ -159,11 +160,11 @@ export class Mounts {
     this.#making = null;
   }
 
-  #candidates(wanted: Wanted): Candidate[] {
+  #candidates(wanted: Wanted): readonly Candidate[] {
     const scene = this.#scene;
     if (!scene) return [];
     const { asked, layout, extent } = wanted;
-    const all = candidatesOf(this.#types(wanted), ({ hash }) => this.#files.get(hash)?.description, scene);
+    const all = this.#list(wanted, scene);
     if (extent === 'all' || !layout) return all;
     const known = (asked.luminaires.types ?? []).filter(({ hash }) => this.#files.has(hash));
     const own = extent === 'layout' ? candidatesIn(layout, known, scene) : [];
@@ -173,6 +174,16 @@ export class Mounts {
       return there[chosenAt(there, layout.mountings?.[i])] ?? [];
     });
     return [...own, ...others];
+  }
+
+  /** Everything that a search may try. */
+  #list(wanted: Wanted, scene: SceneInfo): readonly Candidate[] {
+    const key = this.#keyOf({ ...wanted, extent: 'all' });
+    if (this.#listed?.key !== key) {
+      const described = ({ hash }: LuminaireType) => this.#files.get(hash)?.description;
+      this.#listed = { key, candidates: candidatesOf(this.#types(wanted), described, scene) };
+    }
+    return this.#listed.candidates;
   }
 
   #keyOf(wanted: Wanted): string {

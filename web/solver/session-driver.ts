@@ -318,6 +318,7 @@ export class SessionDriver {
     this.#asked = mounted ?? this.#session;
     const none = { sites: [], flux: [], dimming: 1 };
     const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
+    mounted?.ask(intentions.luminaires, extent === 'all');
     check(this.#asked.setIntentions(coreIntentions(intentions, this.#leaves())));
     return held;
   }

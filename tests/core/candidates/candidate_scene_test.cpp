@@ -23,7 +23,7 @@ PhotometricType spot() {
 }
 
 const std::vector<Candidate> kCandidates = {
-    {2, 0, 0, {}}, {2, 0, 90, {}}, {4, 1, 30, Vec3{1, 0, 1}}, {0, 0, 0, Vec3{2, 0, 0.5}}};
+    {2, 0, 0, 0, {}}, {2, 0, 1, 90, {}}, {4, 1, 2, 30, Vec3{1, 0, 1}}, {0, 0, 3, 0, Vec3{2, 0, 0.5}}};
 
 /// In slices of three.
 Result<Scene> candidateScene(const Scene& room, Quantity quantity, const std::vector<CandidateType>& types,
@@ -34,7 +34,7 @@ Result<Scene> candidateScene(const Scene& room, Quantity quantity, const std::ve
   return making->finish(quantity);
 }
 
-std::vector<CandidateType> twoTypes() { return {{spot(), 1500}, {spot(), 400}}; }
+std::vector<CandidateType> twoTypes() { return {{spot(), 1500, 12}, {spot(), 400, 5}}; }
 
 TEST(CandidateScene, HasTheLightOfEachCandidate) {
   const Scene room = operatorScene(12, 6);
@@ -49,9 +49,10 @@ TEST(CandidateScene, HasTheLightOfEachCandidate) {
     mounting.turn = candidate.turn;
     mounting.aim = candidate.aim;
     const Site& site = room.sites[candidate.site];
+    const CandidateType& type = types[candidate.type];
     const std::vector<PhotometricCandidate> one = {
-        {candidate.site,
-         mountedLuminaire(types[candidate.type].photometric, types[candidate.type].flux, site, mounting)}};
+        {candidate.site, mountedLuminaire(type.photometric, type.flux, site, mounting), type.photometric.map,
+         static_cast<float>(type.flux / type.photometric.flux)}};
     const std::vector<float> column = light.total(one, light.direct(one));
     for (std::size_t p = 0; p < column.size(); ++p)
       ASSERT_NEAR(scene->responses.column(j)[p], column[p], 1e-4f * column[p] + 1e-6f) << j << ' ' << p;
@@ -119,8 +120,8 @@ TEST(CandidateScene, WhatCannotBeIsSaidInOneLine) {
   };
   EXPECT_NE(refusal(squares, kCandidates).find("Lambertian squares only"), std::string::npos);
   EXPECT_NE(refusal(room, {}).find("fits anywhere"), std::string::npos);
-  EXPECT_NE(refusal(room, {{6, 0, 0, {}}}).find("site 6"), std::string::npos);
-  EXPECT_NE(refusal(room, {{0, 2, 0, {}}}).find("type 2"), std::string::npos);
+  EXPECT_NE(refusal(room, {{6, 0, 0, 0, {}}}).find("site 6"), std::string::npos);
+  EXPECT_NE(refusal(room, {{0, 2, 0, 0, {}}}).find("type 2"), std::string::npos);
   EXPECT_NE(refusal(room, std::vector<Candidate>(kMaxCandidates + 1)).find("allow fewer"), std::string::npos);
 }
 

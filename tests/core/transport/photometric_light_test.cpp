@@ -108,6 +108,36 @@ TEST(PhotometricLight, ALambertianCandidateIsTheResponseWhereTheOperatorMissesLi
     EXPECT_NEAR(light[p], response[p], 2e-3 * response[p] + 1e-7) << p;
 }
 
+TEST(PhotometricLight, InFloatItIsNearlyTheSame) {
+  const Scene scene = clearScene();
+  const auto map = std::make_shared<const IntensityMap>(oval);
+  const PhotometricLight light(scene);
+  Luminaire half = on(scene.sites[1], oval, 0.3);
+  half.intensity = [](const Vec3& d) { return 0.5 * oval(d); };
+  const std::vector<float> exact = light.direct({{1, half}}), looked = light.direct({{1, half, map, 0.5f}});
+  for (std::size_t p = 0; p < exact.size(); ++p)
+    EXPECT_NEAR(looked[p], exact[p], 2e-3 * exact[p] + 1e-4) << p;
+  // What hangs among patches has fewer samples there.
+  Luminaire low = half;
+  low.position.y = 0.1;
+  const std::vector<float> near = light.direct({{1, low}}), sampled = light.direct({{1, low, map, 0.5f}});
+  double sum = 0, other = 0;
+  for (std::size_t p = 0; p < near.size(); ++p) sum += near[p], other += sampled[p];
+  EXPECT_NEAR(other / sum, 1, 0.01);
+}
+
+TEST(PhotometricLight, WhatIsKnownOfASiteChangesNothing) {
+  const Scene scene = clearScene();
+  const std::vector<PhotometricCandidate> first = {{1, on(scene.sites[1], oval, 0.2)}},
+                                          both = {{1, on(scene.sites[1], oval, 0.3)},
+                                                  {2, on(scene.sites[2], oval, 0.2)}};
+  const PhotometricLight light(scene), fresh(scene);
+  (void)light.total(first, light.direct(first));
+  const std::vector<float> a = light.total(both, light.direct(both)),
+                           b = fresh.total(both, fresh.direct(both));
+  for (std::size_t p = 0; p < a.size(); ++p) EXPECT_NEAR(a[p], b[p], 1e-5 * b[p]) << p;
+}
+
 TEST(PhotometricLight, ATiltedLuminaireHangsBeforeItsMount) {
   const Site site{{0, 3, 0}, {0, -1, 0}, {1, 0, 0}, 0.6};
   const double tilt = std::numbers::pi / 6;

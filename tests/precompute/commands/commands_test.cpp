@@ -198,6 +198,78 @@ TEST_F(Commands, PhotometricFilesAreRefusedWithACure) {
   EXPECT_THAT(failure("light box.gltf --layout bad.json"), HasSubstr("line "));
 }
 
+TEST_F(Commands, SolveFindsPlacesAndTypesThatEvaluateReadsBack) {
+  samples::IesFile spot, flood;
+  spot.candela = samples::cosinePower(3000, 20);
+  spot.width = spot.length = flood.width = flood.length = 0.1;
+  std::filesystem::create_directory(*folder_ / "lamps");
+  writeTextFile(*folder_ / "lamps/spot.ies", spot.text());
+  writeTextFile(*folder_ / "flood.ies", flood.text());
+  writeTextFile(*folder_ / "types.json", R"({"luminaires": {"count": 3, "types": [
+      {"photometry": "lamps/spot.ies", "count": [1, 2], "turns": [0, 90], "aims": ["wall 1", [2, 0, 1]]},
+      {"photometry": "flood.ies", "flux": 800, "watts": 7}], "fixed": [{"luminaire": 2, "photometry": "flood.ies"}]},
+      "goals": [{"surface": "wall 1", "statistic": "mean", "sense": "max"}],
+      "constraints": [{"statistic": "power", "max": 70}]})");
+  const CommandRun run =
+      runFiatlux(*folder_, "solve box.flux --intentions types.json --json --evaluations 5000 -o typed.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json solved = json::parse(run.out)["runs"][0],
+             layout = json::parse(textOfFile(*folder_ / "typed.json"));
+  EXPECT_EQ(solved["layout"], layout);
+  ASSERT_EQ(layout["luminaires"].size(), 3u);
+  EXPECT_EQ(layout["luminaires"][1]["photometry"], "flood.ies");
+  EXPECT_EQ(layout["luminaires"][1]["flux"], 800);
+  EXPECT_EQ(layout["luminaires"][0]["photometry"], "lamps/spot.ies");
+  EXPECT_TRUE(layout["luminaires"][0].contains("aim"));
+  const CommandRun evaluate = runFiatlux(*folder_, "evaluate box.flux --layout typed.json --json");
+  ASSERT_EQ(evaluate.status, 0) << evaluate.err;
+  const json evaluated = json::parse(evaluate.out);
+  for (std::size_t s = 0; s < 6; ++s) {
+    const double mean = evaluated["surfaces"][s]["mean"];
+    EXPECT_NEAR(solved["surfaces"][s]["mean"].get<double>(), mean, 5e-3 * mean)
+        << evaluated["surfaces"][s]["name"];
+  }
+  const CommandRun text = runFiatlux(*folder_, "solve box.flux --intentions types.json --evaluations 5000");
+  EXPECT_THAT(text.out, HasSubstr("power 67 W (at most 70): met"));
+  EXPECT_THAT(text.out, HasSubstr("lamps/spot.ies"));
+}
+
+TEST_F(Commands, TypesAreRefusedWithACure) {
+  std::filesystem::create_directory(*folder_ / "lamps");
+  writeTextFile(*folder_ / "lamp.ies", samples::IesFile{}.text());
+  const auto refusal = [](const std::string& luminaires, const std::string& more = "") {
+    writeTextFile(*folder_ / "bad.json", "{\"luminaires\": {" + luminaires + "}" + more + "}");
+    return failure("solve box.flux --intentions bad.json");
+  };
+  const std::string lamp = R"("types": [{"photometry": "lamp.ies"}])";
+  EXPECT_THAT(refusal("\"flux\": 1000, " + lamp), HasSubstr("leave one of the two out"));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "/etc/passwd"}])"),
+              HasSubstr("outside the intentions file's folder"));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "none.ies"}])"), HasSubstr("does not exist"));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "count": [4, 2]}])"),
+              HasSubstr("the least first"));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "aims": ["flor"]}])"), HasSubstr("\"floor\""));
+  EXPECT_THAT(refusal(R"("count": 3, "types": [{"photometry": "lamp.ies", "count": 2}])"),
+              HasSubstr("the types allow 2 together, but the count is 3"));
+  EXPECT_THAT(refusal("\"fixed\": [{\"luminaire\": 1, \"photometry\": \"x.ies\"}], " + lamp),
+              HasSubstr("known are lamp.ies"));
+  samples::IesFile dark;
+  dark.watts = 0;
+  writeTextFile(*folder_ / "dark.ies", dark.text());
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "dark.ies"}])",
+                      R"(, "goals": [{"statistic": "power", "sense": "min"}])"),
+              HasSubstr("states no watts; give \"watts\""));
+  samples::IesFile wide;
+  wide.width = wide.length = 9;
+  writeTextFile(*folder_ / "wide.ies", wide.text());
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "wide.ies"}])"), HasSubstr("fits anywhere in this room"));
+  writeTextFile(*folder_ / "good.json", "{\"luminaires\": {" + lamp + "}}");
+  EXPECT_THAT(failure("solve box.flux --intentions good.json -o lamps/l.json"),
+              HasSubstr("must lie beside it"));
+  EXPECT_THAT(failure("precompute box.gltf -o x.flux --patch 0.5 --rays 64 --opening good.json"),
+              HasSubstr("are for fiatlux solve and alpha"));
+}
+
 TEST_F(Commands, ExperimentsWriteAReportWithItsPlots) {
   const CommandRun run = runFiatlux(
       *folder_, "experiments --scene box.flux --wall 'wall 1' --runs 1 --evaluations 200 -o report");

@@ -1,5 +1,5 @@
 // The light operator of a small room against the radiosity solution that it stands for (exchange_groups and
-// operator_errors too), and the colour of light that follows from it.
+// operator_errors too).
 #include "precompute/light/exchange.h"
 
 #include <gtest/gtest.h>
@@ -8,12 +8,10 @@
 #include <numbers>
 #include <set>
 
-#include "core/transport/colored_light.h"
 #include "core/transport/exchange.h"
 #include "core/transport/photometric_light.h"
 #include "core/transport/site_responses.h"
 #include "precompute/light/exchange_groups.h"
-#include "precompute/light/forward_light.h"
 #include "precompute/light/operator_errors.h"
 #include "precompute/light/transport.h"
 #include "precompute/pipeline/scene_build.h"
@@ -205,58 +203,6 @@ TEST(Pendants, LightThatGoesUpReachesTheCeiling) {
   }
   EXPECT_NEAR(all, 1000, 15);
   EXPECT_GT(ceiling, 700);
-}
-
-/// Reflectances of a room in one channel, where two walls have a colour of luminance 1.
-constexpr double kRedWall[3] = {3.2, 0.4, 0.5}, kGreenWall[3] = {0.5, 1.2, 0.5};
-double channelOf(std::uint32_t surface, int k) {
-  const double* wall = surface == 2 ? kRedWall : surface == 3 ? kGreenWall : nullptr;
-  const double luminance = wall ? 0.2126 * wall[0] + 0.7152 * wall[1] + 0.0722 * wall[2] : 1;
-  return wall ? wall[k] / luminance : 1;
-}
-
-TEST(ColoredLight, IsThatOfARoomPaintedInEachChannel) {
-  Room room =
-      testing::furnishedBox({3, 2.5, 4}, blockSurfaces("block", {1, 0.3, 1}, {1, 0.4, 1}, 0.6, 0.25), 0.25);
-  for (std::uint32_t p = 0; p < room.patches.count; ++p)
-    if (room.patches.surface[p] == 2 || room.patches.surface[p] == 3) room.patches.reflectance[p] = 0.2f;
-  TransportOptions options = quick(true);
-  options.rays = 256;
-  Transport transport = testing::transportOf(room, options).value();
-  const std::vector<float> light(transport.responses.column(5),
-                                 transport.responses.column(5) + room.patches.rows());
-  const Scene scene = sceneOf(room, std::move(transport), "0123456789abcdef");
-  std::vector<float> colors;
-  for (std::uint32_t p = 0; p < room.patches.count; ++p)
-    for (int k = 0; k < 3; ++k) colors.push_back(static_cast<float>(channelOf(room.patches.surface[p], k)));
-  const std::vector<float> made = ColoredLight(scene, colors).of(light);
-
-  const auto tracer = RayTracer::build(room);
-  ASSERT_TRUE(tracer);
-  Luminaire lamp;
-  lamp.position = room.sites[5].position;
-  lamp.width = lamp.height = room.sites[5].size;
-  lamp.flux = 1;
-  std::vector<float> channel[3];
-  for (int k = 0; k < 3; ++k) {
-    Room painted = room;
-    for (std::uint32_t p = 0; p < room.patches.count; ++p)
-      painted.patches.reflectance[p] *= static_cast<float>(channelOf(room.patches.surface[p], k));
-    ForwardOptions forward;
-    forward.rays = 256;
-    const auto solved = computeForwardLight(painted, *tracer, {lamp}, forward);
-    ASSERT_TRUE(solved);
-    channel[k] = solved->illuminance;
-  }
-  double error = 0, colored = 0, area = 0;
-  for (std::uint32_t p = 0; p < room.patches.count; ++p) {
-    const double luminance = 0.2126 * channel[0][p] + 0.7152 * channel[1][p] + 0.0722 * channel[2][p];
-    error += room.patches.area[p] * std::abs(made[2 * p] - channel[0][p] / luminance);
-    colored += room.patches.area[p] * std::abs(made[2 * p] - 1);
-    area += room.patches.area[p];
-  }
-  EXPECT_GT(colored / area, 0.05);
-  EXPECT_LT(error / area, 0.02);
 }
 
 }  // namespace

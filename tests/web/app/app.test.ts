@@ -83,6 +83,17 @@ test('a luminaire that is removed leaves the others where they are, and the last
   expect(app.store.messages.value.at(-1)?.text).toContain('The last luminaire stays');
 });
 
+test('a luminaire may have to be of a type, and keeps that when another one goes', () => {
+  app.hand.setType(2, 't1');
+  expect(solver.last('solve')?.intentions.luminaires.ofType).toEqual([null, null, 't1']);
+  settle();
+  app.hand.remove(0);
+  expect(app.store.document.value.luminaires.ofType).toEqual([null, 't1']);
+  settle();
+  app.hand.setType(1, null);
+  expect(app.store.document.value.luminaires).not.toHaveProperty('ofType');
+});
+
 test('a kept view is part of the document and asks nothing of the solver', () => {
   const asked = solver.asked.length;
   app.keepView('Door');

@@ -179,7 +179,7 @@ describe('a link with luminaire types', () => {
   ];
   const typed: Link = {
     ...link,
-    luminaires: { ...link.luminaires, types },
+    luminaires: { ...link.luminaires, types, ofType: [null, 't1'] },
     layout: { ...link.layout!, mountings },
     files,
   };

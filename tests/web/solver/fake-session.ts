@@ -20,7 +20,7 @@ export class FakeCandidates implements Candidates {
   #left = 0;
 
   begin(_room: Session, _files: readonly Uint8Array[], _flux: Float64Array, candidates: Float64Array) {
-    this.asked = [...candidates].filter((_, i) => i % 6 < 2);
+    this.asked = [...candidates].filter((_, i) => i % 7 < 2);
     this.#left = this.asked.length / 2;
     return '';
   }
@@ -88,6 +88,7 @@ export class FakeSession implements Session {
     layout: { sites: Uint32Array.of(1), flux: Float64Array.of(500), dimming: 1, ties: new Uint32Array() },
     illuminance: Float32Array.of(1, 2, 3, 4),
   });
+  setPowers() {}
   verify = () => '';
   provide = () => '';
   finish() {

@@ -134,6 +134,7 @@ export class LuminaireTypes {
         const left = luminaires.types?.filter((type) => type.id !== id) ?? [];
         if (left.length > 0) luminaires.types = left;
         else delete luminaires.types;
+        luminaires.ofType &&= luminaires.ofType.map((type) => (type === id ? null : type));
       },
       null,
       this.#answering,

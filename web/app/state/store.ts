@@ -11,6 +11,7 @@ import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { RoomPlan } from '../../document/plan-frame.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
+import { usualEfficacy } from '../../document/schedule.ts';
 import type { Link } from '../../document/share-link.ts';
 import type {
   Camera,
@@ -169,7 +170,7 @@ export class Store {
   readonly drawing = signal<AreaKind | null>(null); // the next drag in the plan makes such an area
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
-  readonly efficacy = signal(120); // lm/W
+  readonly efficacy = signal(usualEfficacy); // lm/W
   #answering: Answering = { by: 'nothing' };
   #nextMessage = 1;
 

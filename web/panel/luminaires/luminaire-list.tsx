@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { compact } from '../../app/words/format.ts';
 import { cornerName, inPlan, placeText } from '../../document/plan-frame.ts';
 import { positionOf } from '../../document/sites.ts';
+import type { LuminaireType } from '../../document/types.ts';
 import { steps } from '../selection-bar.tsx';
 
 export function LuminaireList() {
@@ -12,7 +13,8 @@ export function LuminaireList() {
   const scene = store.scene.value;
   const layout = store.shown.value?.layout;
   if (!scene || !layout || !frame) return null;
-  const { pinned } = store.document.value.luminaires;
+  const { pinned, types = [], ofType = [] } = store.document.value.luminaires;
+  const allowed = scene.hasOperator ? types.filter(({ isAllowed }) => isAllowed) : [];
   const move = (luminaire: number) => (event: KeyboardEvent) => {
     const step = steps.find(({ key }) => key === event.key);
     if (!step) return;
@@ -33,6 +35,7 @@ export function LuminaireList() {
           <th scope="col" class="number">
             lm
           </th>
+          {allowed.length > 1 && <th scope="col">Type</th>}
           <th scope="col">Pin</th>
         </tr>
       </thead>
@@ -54,6 +57,16 @@ export function LuminaireList() {
               </th>
               <td>{placeText(inPlan(frame, positionOf(scene.sites, site)))}</td>
               <td class="number">{compact((layout.flux[index] ?? 0) * layout.dimming)}</td>
+              {allowed.length > 1 && (
+                <td>
+                  <TypeChoice
+                    luminaire={index}
+                    allowed={allowed}
+                    now={types.find(({ id }) => id === layout.mountings?.[index]?.type)}
+                    asked={ofType[index] ?? null}
+                  />
+                </td>
+              )}
               <td>
                 <button
                   class="icon-button small"
@@ -69,5 +82,32 @@ export function LuminaireList() {
         })}
       </tbody>
     </table>
+  );
+}
+
+interface TypeChoiceProps {
+  readonly luminaire: number;
+  readonly allowed: readonly LuminaireType[];
+  readonly now: LuminaireType | undefined; // of the luminaire as it hangs
+  readonly asked: string | null; // id of the type that it must be of
+}
+
+/** Of which type a luminaire is: as the search finds best, or of one. */
+function TypeChoice({ luminaire, allowed, now, asked }: TypeChoiceProps) {
+  const { hand } = useApp();
+  return (
+    <select
+      class="type-choice"
+      aria-label={`Type of L${luminaire + 1}`}
+      value={allowed.some(({ id }) => id === asked) ? (asked ?? '') : ''}
+      onChange={(event) => hand.setType(luminaire, event.currentTarget.value || null)}
+    >
+      <option value="">{now ? `any: ${now.name}` : 'any'}</option>
+      {allowed.map(({ id, name }) => (
+        <option key={id} value={id}>
+          {name}
+        </option>
+      ))}
+    </select>
   );
 }

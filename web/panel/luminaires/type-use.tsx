@@ -1,6 +1,8 @@
 /** How luminaires of a type may be used: at all, how strong, how turned and tilted, and where aimed. */
 import { useApp } from '../../app/app.ts';
+import { mostLuminaires } from '../../document/schema.ts';
 import type { LuminaireType } from '../../document/types.ts';
+import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { Check } from '../controls/check.tsx';
 import { TypeAims } from './type-aims.tsx';
@@ -32,6 +34,7 @@ export function TypeUse({ type }: TypeProps) {
         checked={type.isAllowed}
         set={(isAllowed) => set('Use', { isAllowed }, false)}
       />
+      <Count type={type} />
       <NumberRow
         name="Flux of one"
         label={`Flux of one ${type.name}`}
@@ -64,6 +67,37 @@ export function TypeUse({ type }: TypeProps) {
         onEnd={end}
       />
       <TypeAims type={type} />
+    </div>
+  );
+}
+
+/** How many luminaires of the type there may be. */
+function Count({ type }: TypeProps) {
+  const { set, end } = useTypeEdit(type);
+  const [least, most] = type.count;
+  return (
+    <div class="setting-row">
+      <span>How many</span>
+      <NumberField
+        label={`At least so many ${type.name}`}
+        value={least}
+        whole
+        step={1}
+        max={mostLuminaires}
+        onInput={(next) => next !== undefined && set('Count', { count: [next, Math.max(next, most)] })}
+        onEnd={end}
+      />
+      <span>to</span>
+      <NumberField
+        label={`At most so many ${type.name}`}
+        value={most === mostLuminaires ? undefined : most}
+        placeholder="any"
+        whole
+        step={1}
+        max={mostLuminaires}
+        onInput={(next = mostLuminaires) => set('Count', { count: [Math.min(least, next), next] })}
+        onEnd={end}
+      />
     </div>
   );
 }

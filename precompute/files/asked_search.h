@@ -1,0 +1,55 @@
+// What a search is asked by a file of intentions: about the sites of the room, or, where luminaires are of
+// photometric files, about the candidates that these make in it (core/candidates), and back again.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/search/shown.h"
+#include "precompute/files/intentions_json.h"
+#include "precompute/files/light_results.h"
+
+namespace fiatlux {
+
+class AskedSearch {
+ public:
+  /// Computes the light of all candidates, and what observers see of them or of the room's squares. An error
+  /// where the room knows squares only, nothing fits, or the intentions do not pass checkIntentions. The room
+  /// must outlive it.
+  static Result<AskedSearch> make(Scene& room, IntentionsFile asked);
+
+  bool isOfTypes() const { return !types_.empty(); }
+  /// What is searched: its sites are candidates where luminaires are of types.
+  const Scene& scene() const { return isOfTypes() ? candidateScene_ : *room_; }
+  const Intentions& intentions() const { return intentions_; }
+  const Scene& room() const { return *room_; }
+
+  /// Surfaces under a layout of that scene.
+  LightResults lightResults(const Layout& layout) const;
+  /// A layout of that scene as readLayoutFile reads it, on sites of the room; photometric files are named as
+  /// in the intentions.
+  nlohmann::ordered_json layoutJson(const Layout& layout) const;
+  /// "L1 on site 4 at (1.000, 2.800, 3.000) m, 1200 lm", and of types the file, turn and aim.
+  std::string luminaireLine(const Layout& layout, std::size_t i) const;
+
+  /// Photometric files are from now on named as a document at `to` sees them, instead of the intentions at
+  /// `from`; an error where one lies neither beside that nor below.
+  Result<Done> nameFilesFrom(const std::string& to, const std::string& from);
+
+ private:
+  explicit AskedSearch(const Scene& room, IntentionsFile asked);
+  Result<Done> makeCandidates();
+  Result<Done> takeSites(const LuminaireRules& asked);
+  Result<Done> checkPower() const;
+
+  const Scene* room_;
+  Intentions intentions_;
+  std::vector<AskedType> types_;
+  std::vector<double> flux_;  // lm, of each type
+  std::vector<Candidate> candidates_;
+  Scene candidateScene_;
+};
+
+}  // namespace fiatlux
