@@ -118,8 +118,9 @@ Candidates roomyFrontsFirst(const Candidates& all) {
 
 /// Indoors, or where there is nothing indoors, in the open.
 Candidates roomyIndoorsFirst(const Candidates& all) {
-  const Candidates indoors = roomy(chosen(all, [](const Candidate& c) { return !c.isOutdoors(); }));
-  return indoors.empty() ? roomy(all) : indoors;
+  const Candidates indoors =
+      roomyFrontsFirst(chosen(all, [](const Candidate& c) { return !c.isOutdoors(); }));
+  return indoors.empty() ? roomyFrontsFirst(all) : indoors;
 }
 
 /// Without regard to what its author says; `footprint`: of the bounding box, m2.
@@ -127,7 +128,7 @@ Candidates byLooks(const Candidates& all, double footprint) {
   Candidates found = roomyIndoorsFirst(all);
   if (!found.empty()) return found;
   return chosen(all, [&](const Candidate& c) {
-    return c.region->area >= kOfFootprint * footprint && c.view.height() > 0 &&
+    return !c.isBack && c.region->area >= kOfFootprint * footprint && c.view.height() > 0 &&
            c.view.path >= kSmallRoom * c.view.height() && c.view.lost < kMostLost;
   });
 }

@@ -88,6 +88,14 @@ std::optional<double> FreeSpace::floorBelow(const Vec3& point) const {
   return floorAt(meet(point, kDownward));
 }
 
+bool FreeSpace::isWithinBody(const Vec3& point) const {
+  for (const Vec3& side : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+    const Met met = meet(point, side);
+    if (met.triangle == kNone || met.isSurface) return false;
+  }
+  return true;
+}
+
 double FreeSpace::skyAbove(const Vec3& point) const {
   const auto scramble = RaySequence::scramble(0);
   double skies = 0;

@@ -37,6 +37,8 @@ class FreeSpace {
 
   /// m, straight down from a point to a surface that faces up, if that is what is met first.
   std::optional<double> floorBelow(const Vec3& point) const;
+  /// Whether a point lies within a body: to all four sides it sees backs that are no surfaces.
+  bool isWithinBody(const Vec3& point) const;
   /// Share of the rays up from a point, by the cosine, that meet nothing.
   double skyAbove(const Vec3& point) const;
 

@@ -167,7 +167,7 @@ Mount planeMount(const WeldedMesh& mesh, const SurfaceTree& tree, const FreeSpac
     warnings.push_back("nothing is a ceiling: luminaires are proposed to hang in a plane " +
                        shortNumber(height) + " m above '" + floor->name + "' (" + shortNumber(floor->area) +
                        " m2); --ceiling says another height, --mount another place");
-  return {floor->name, floor->faces, 0, 0, true, false, height};
+  return {floor->name, floor->faces, 0, 0, 0, true, false, height};
 }
 
 std::vector<Face> facesWithSites(const WeldedMesh& mesh, const std::vector<Mount>& mounts) {
@@ -235,7 +235,8 @@ void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& spac
     const double height = space.floorBelow(below).value_or(0);
     const Vec3 floor = below - Vec3{0, height - kLuminaireClearance, 0};
     return height < kHeadroom || isSqueezed(below, site.axis) ||
-           isSqueezed(below, cross(site.normal, site.axis)) || (mount.lift > 0 && isCrossed(tracer, site)) ||
+           isSqueezed(below, cross(site.normal, site.axis)) ||
+           (mount.lift > 0 && (isCrossed(tracer, site) || space.isWithinBody(below))) ||
            (mount.isIndoors && space.skyAbove(floor) >= kOpenSky);
   };
   std::vector<Site> kept;
