@@ -14,10 +14,8 @@ namespace fiatlux {
 namespace {
 
 constexpr std::size_t kMostEntries = 1000, kMostTypes = 16, kMostWays = 72;
-constexpr double kLeastFlux = 1e-6, kLargestFlux = 1e9;  // lm, of a photometric file that is scaled
-constexpr double kMostWatts = 1e6;                       // W
-constexpr double kMostTurn = 3600;                       // degrees
-constexpr double kFurthest = 1e6;                        // m
+constexpr double kMostWatts = 1e6;  // W
+constexpr double kFurthest = 1e6;   // m
 
 SurfaceSet surfacesOf(const Scene& scene, const JsonField& field) {
   std::vector<std::string> names;

@@ -18,7 +18,9 @@
 namespace fiatlux {
 
 inline constexpr std::size_t kLongestJson = 2 << 20;  // bytes of a layout or of intentions
-inline constexpr double kLargestNumber = std::numeric_limits<double>::max();
+inline constexpr double kAnyNumber = std::numeric_limits<double>::max();
+inline constexpr double kLeastFlux = 1e-6, kLargestFlux = 1e9;  // lm, of a photometric file that is scaled
+inline constexpr double kMostTurn = 3600;                       // degrees
 
 /// A value somewhere in a document. What it is asked for and cannot give ends the reading.
 class JsonField {
@@ -33,13 +35,13 @@ class JsonField {
 
   bool isList() const;
   bool isText() const;
-  double number(double low = -kLargestNumber, double high = kLargestNumber) const;
+  double number(double low = -kAnyNumber, double high = kAnyNumber) const;
   /// A whole number from 0 on, of 32 bits.
   std::uint32_t whole() const;
   std::string text() const;
   /// Exactly `count` numbers; `form` is how one writes them: "[x, y, z]".
-  std::vector<double> numbers(std::size_t count, const std::string& form, double low = -kLargestNumber,
-                              double high = kLargestNumber) const;
+  std::vector<double> numbers(std::size_t count, const std::string& form, double low = -kAnyNumber,
+                              double high = kAnyNumber) const;
   /// Entries are called <name of the list>[0], or "<entry> 1" where an own name is given.
   std::vector<JsonField> list(std::size_t most, const std::string& entry = "") const;
 

@@ -14,9 +14,6 @@ namespace fiatlux {
 namespace {
 
 constexpr std::size_t kMostLuminaires = 10000;
-constexpr double kLargestFlux = 1e9;                         // lm
-constexpr double kLeastFlux = 1e-6;                          // lm, of a photometric file that is scaled
-constexpr double kMostTurn = 3600;                           // degrees
 constexpr double kSmallestSize = 1e-6, kLargestSize = 1000;  // m
 constexpr double kLargestDimming = 1000;
 constexpr double kSamePlace = 0.01;  // m: a site and the position written beside it

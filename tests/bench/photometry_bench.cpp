@@ -149,7 +149,7 @@ Json measure(const std::string& model, const std::string& file, std::uint32_t si
   if (!scene.lightOperator) throw CommandError(file + " has no light operator");
   TerminalProgress progress;
   const OpenedRoom opened =
-      orThrow(openRoom(orThrow(modelAt(model)), optionsOf(file), commandHost(model, 0, progress)));
+      orThrow(openRoom(orThrow(modelAt(model)), optionsOf(file), commandHost(model, 0, progress, false)));
   if (opened.room.patches.rows() != scene.patches.rows()) throw CommandError(file + " is of another room");
   const WholeSolution whole(opened.room, opened.tracer);
   const PhotometricLight exchange(scene);

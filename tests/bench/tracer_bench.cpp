@@ -68,7 +68,7 @@ std::uint32_t differingHits(const LocalTriangles& local, double offset, const Tr
 std::uint32_t compare(const std::string& path, std::uint32_t rays) {
   TerminalProgress progress;
   const auto model = modelAt(path);
-  const auto opened = model ? openRoom(*model, {}, commandHost(path, 1, progress)) : model.error();
+  const auto opened = model ? openRoom(*model, {}, commandHost(path, 1, progress, false)) : model.error();
   progress.clear();
   if (!opened) {
     std::fprintf(stderr, "%s: %s\n", path.c_str(), opened.error().message.c_str());

@@ -1,4 +1,5 @@
-// Direct light of luminaires against the inverse square law, and what turning them must and must not change.
+// Direct light of luminaires (photometric_light by direct_quadrature) against the inverse square law, and
+// what turning them must and must not change.
 #include "core/transport/photometric_light.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Where luminaires hang in rooms that mislead (trap_rooms.h): proposals alone, nothing is lit (free_space
-// too).
+// and open_floor, too).
 #include "precompute/geometry/ceilings.h"
 
 #include <gmock/gmock.h>

@@ -62,7 +62,11 @@ describe('who looks', () => {
 /** The exposure of a RoomLight in a frame loop that is stepped by hand. */
 function exposed() {
   const animations = new Set<(now: number) => boolean>();
-  const loop = { invalidate() {}, animate: (step: (now: number) => boolean) => void animations.add(step) };
+  const loop = {
+    invalidate() {},
+    animate: (step: (now: number) => boolean) => void animations.add(step),
+    cancel: (step: (now: number) => boolean) => void animations.delete(step),
+  };
   const light = new RoomLight(loop as unknown as FrameLoop);
   const patches = 100;
   light.setScene({
