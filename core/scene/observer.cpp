@@ -25,7 +25,8 @@ std::vector<std::uint32_t> rowsToSitAt(const Patches& patches) {
   return planes.empty() ? floors : planes;
 }
 
-/// Places `pitch` apart, centred over the rows, each within half a pitch of one of them; at that row.
+/// Places `pitch` apart, centred over the rows, each within a quarter of a pitch of one of them, as high as
+/// that row.
 std::vector<Vec3> placesAt(const Patches& patches, const std::vector<std::uint32_t>& rows, double pitch) {
   double lowX = kInfinity, highX = -kInfinity, lowZ = kInfinity, highZ = -kInfinity;
   for (const std::uint32_t p : rows) {
@@ -45,7 +46,7 @@ std::vector<Vec3> placesAt(const Patches& patches, const std::vector<std::uint32
       const double apart = std::hypot(patches.center[p].x - x, patches.center[p].z - z);
       if (apart < nearest) nearest = apart, at = p;
     }
-    if (at != kNone) places.push_back(patches.center[at]);
+    if (at != kNone) places.push_back({x, patches.center[at].y, z});
   }
   return places;
 }
