@@ -103,7 +103,7 @@ function Observers({ glare, set }: { glare: Glare; set: (label: string, next: Gl
         Look from this view
       </button>
       {observers.length === 0 && (
-        <p class="field-note">Until then from places all over the room, seated, four ways each.</p>
+        <p class="fine-print">Until then from places all over the room, seated, four ways each.</p>
       )}
     </>
   );
