@@ -89,7 +89,9 @@ TEST(PhotometricLight, ShadowsTakeTheirShare) {
   const std::vector<float> shaded = PhotometricLight(scene).direct({{2, on(scene.sites[2], oval, 0.2)}});
   ASSERT_GT(whole[4], 0);
   EXPECT_EQ(shaded[3], 0);
-  EXPECT_NEAR(shaded[4] / whole[4], 0.25, 0.005);
+  const double share = SiteVisibility::shareOf(SiteVisibility::stepOf(0.25));
+  EXPECT_NEAR(share, 0.25, std::sqrt(0.25) / SiteVisibility::kSteps + 1e-4);  // half a step of its root
+  EXPECT_NEAR(shaded[4] / whole[4], share, 1e-5);
   EXPECT_EQ(shaded[5], whole[5]);
 }
 

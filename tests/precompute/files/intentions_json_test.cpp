@@ -86,16 +86,17 @@ TEST(IntentionsJson, ReadsAnAim) {
 }
 
 TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
+  const std::string look = R"("observers": [{"position": [1, 1.2, 1], "direction": [0, 0, 1]}], )";
   for (const StatisticTraits& traits : kStatistics) {
     std::string asked = std::string("\"statistic\": \"") + traits.name + "\"";
     if (traits.needsSurfaces) asked += ", \"surface\": \"room\"";
     if (traits.needsOver) asked += ", \"over\": \"plane\"";
     const Result<Intentions> bound =
-        parseIntentions(namedRoom(), "{\"constraints\": [{" + asked + ", \"max\": 1}]}");
+        parseIntentions(namedRoom(), "{" + look + "\"constraints\": [{" + asked + ", \"max\": 1}]}");
     ASSERT_TRUE(bound) << bound.error().message;
     EXPECT_EQ(bound->constraints[0].statistic, traits.statistic);
     const Result<Intentions> goal =
-        parseIntentions(namedRoom(), "{\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
+        parseIntentions(namedRoom(), "{" + look + "\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
     EXPECT_EQ(bool(goal), traits.mayBeGoal) << traits.name;
     if (goal) {
       EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
@@ -138,7 +139,7 @@ TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal("[]", "expected an object");
   expectRefusal(R"({"goal": []})",
                 "unknown key \"goal\"; the closest is \"goals\" (known are luminaires, arrangement, goals, "
-                "constraints, quantity)");
+                "constraints, quantity, observers)");
   expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
   expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
   expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");
