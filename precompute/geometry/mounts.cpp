@@ -25,6 +25,7 @@ bool within(const std::string& path, const std::string& name) {
 constexpr double kLow = 1.8, kHigh = 9;  // m: heights of ceilings worth a word
 constexpr double kHeadroom = 1;          // m, free below a site
 constexpr double kSqueezed = 0.3;        // m, to both sides of it: within a wall
+constexpr double kOnWall = 0.005;        // m: a place as near to a wall is on it
 constexpr int kExact = 17;               // digits of a number in an identity
 constexpr std::size_t kMostStoreys = 4;  // that are told
 
@@ -230,8 +231,18 @@ void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& spac
     tracer.occluded(sides, blocked);
     return blocked[0] && blocked[1];
   };
+  // Rays that begin on a wall meet it or not as the tracer pleases; across it all of them do.
+  const auto isOnWall = [&](const Vec3& from, const Site& site) {
+    RayPacket across;
+    for (const Vec3& side : {site.axis, cross(site.normal, site.axis)})
+      tracer.aim(across, from - kOnWall * side, 2 * kOnWall * side, 1);
+    bool blocked[RayPacket::kSize];
+    tracer.occluded(across, blocked);
+    return blocked[0] || blocked[1];
+  };
   const auto isUseless = [&](const Site& site) {
     const Vec3 below = site.position + kLuminaireClearance * site.normal;
+    if (isOnWall(below, site)) return true;
     const double height = space.floorBelow(below).value_or(0);
     const Vec3 floor = below - Vec3{0, height - kLuminaireClearance, 0};
     return height < kHeadroom || isSqueezed(below, site.axis) ||
