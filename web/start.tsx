@@ -2,6 +2,7 @@
 import { render } from 'preact';
 import { keepForOffline } from './app/offline.ts';
 import { Store } from './app/state/store.ts';
+import { speak, wishedLanguage } from './language/language.ts';
 import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
@@ -9,5 +10,7 @@ import { createViewer } from './viewer/viewer.ts';
 const root = document.getElementById('app');
 root?.replaceChildren();
 const store = new Store();
+const wished = wishedLanguage();
+if (wished !== 'en') await speak(wished).catch(() => undefined); // no connection: English is here
 if (root) render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);
 if (import.meta.env.PROD) keepForOffline(store);

@@ -11,22 +11,26 @@ const web = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../we
 
 /** The first floor whose path begins a file's path is the file's; what it may import besides itself. */
 const floors: readonly (readonly [floor: string, below: readonly string[]])[] = [
-  ['document/', []],
+  ['language/', []],
+  ['document/', ['language/']],
   ['offline/', []],
   ['solver/', ['document/']],
   ['builder/', ['document/']],
   ['viewer/types.ts', ['document/']],
-  ['viewer/stage/', ['viewer/types.ts', 'document/']],
-  ['viewer/light/', ['viewer/eye/', 'viewer/stage/', 'viewer/types.ts', 'document/']],
-  ['viewer/eye/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
-  ['viewer/room/', ['viewer/eye/', 'viewer/light/', 'viewer/stage/', 'viewer/types.ts', 'document/']],
-  ['viewer/luminaires/', ['viewer/stage/', 'viewer/types.ts', 'document/']],
-  ['viewer/', ['document/']],
+  ['viewer/stage/', ['viewer/types.ts', 'document/', 'language/']],
+  ['viewer/light/', ['viewer/eye/', 'viewer/stage/', 'viewer/types.ts', 'document/', 'language/']],
+  ['viewer/eye/', ['viewer/stage/', 'viewer/types.ts', 'document/', 'language/']],
+  [
+    'viewer/room/',
+    ['viewer/eye/', 'viewer/light/', 'viewer/stage/', 'viewer/types.ts', 'document/', 'language/'],
+  ],
+  ['viewer/luminaires/', ['viewer/stage/', 'viewer/types.ts', 'document/', 'language/']],
+  ['viewer/', ['document/', 'language/']],
   ['room-maker/', ['document/']],
-  ['app/', ['room-maker/', 'viewer/', 'solver/', 'builder/', 'document/']],
-  ['panel/controls/', ['app/', 'document/']],
-  ['report/', ['app/', 'viewer/', 'solver/', 'document/']],
-  ['panel/', ['report/', 'app/', 'room-maker/', 'viewer/', 'solver/', 'document/']],
+  ['app/', ['room-maker/', 'viewer/', 'solver/', 'builder/', 'document/', 'language/']],
+  ['panel/controls/', ['app/', 'document/', 'language/']],
+  ['report/', ['app/', 'viewer/', 'solver/', 'document/', 'language/']],
+  ['panel/', ['report/', 'app/', 'room-maker/', 'viewer/', 'solver/', 'document/', 'language/']],
 ];
 
 const floorOf = (file: string) => floors.find(([floor]) => file.startsWith(floor))?.[0];

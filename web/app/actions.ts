@@ -6,10 +6,11 @@ import { comparingActions } from './comparing-actions.ts';
 import { exportFormats } from './exports/formats.ts';
 import { saveAs } from './exports/save-as.ts';
 import type { Dialog } from './state/store.ts';
+import { chooseLanguage, language, languages, words, type Language } from '../language/language.ts';
 
 export interface Action {
   readonly id: string;
-  readonly title: string;
+  readonly title: () => string; // in the page's language
   readonly group:
     'Intentions' | 'Luminaires' | 'View' | 'Compare' | 'File' | 'Edit' | 'Rooms' | 'Surfaces' | 'Help';
   readonly keys?: readonly string[]; // "Mod+Z": Mod is Ctrl, or Cmd on a Mac
@@ -38,7 +39,7 @@ const toggle =
 const editing: readonly Action[] = [
   {
     id: 'undo',
-    title: 'Undo',
+    title: () => words.value.actions.undo,
     group: 'Edit',
     keys: ['Mod+Z'],
     enabled: ({ store }) => store.undoes.value !== null && store.preview.value === null,
@@ -46,7 +47,7 @@ const editing: readonly Action[] = [
   },
   {
     id: 'redo',
-    title: 'Redo',
+    title: () => words.value.actions.redo,
     group: 'Edit',
     keys: ['Mod+Shift+Z', 'Mod+Y'],
     enabled: ({ store }) => store.redoes.value !== null && store.preview.value === null,
@@ -57,7 +58,7 @@ const editing: readonly Action[] = [
 const intentions: readonly Action[] = [
   {
     id: 'add-intention',
-    title: 'Add an intention for the selected surface',
+    title: () => words.value.actions.addIntention,
     group: 'Intentions',
     keys: ['A'],
     enabled: hasRoom,
@@ -65,7 +66,7 @@ const intentions: readonly Action[] = [
   },
   {
     id: 'resolve',
-    title: 'Re-solve from here',
+    title: () => words.value.actions.resolve,
     group: 'Intentions',
     keys: ['Enter'],
     enabled: hasRoom,
@@ -73,7 +74,7 @@ const intentions: readonly Action[] = [
   },
   {
     id: 'reseed',
-    title: 'Search afresh with another seed',
+    title: () => words.value.actions.reseed,
     group: 'Intentions',
     keys: ['R'],
     enabled: hasRoom,
@@ -81,21 +82,21 @@ const intentions: readonly Action[] = [
   },
   {
     id: 'stop',
-    title: 'Stop searching',
+    title: () => words.value.actions.stop,
     group: 'Intentions',
     keys: ['S'],
     run: ({ solving }) => solving.stop(),
   },
   {
     id: 'presets',
-    title: 'Ready-made intentions from standards',
+    title: () => words.value.actions.presets,
     group: 'Intentions',
     enabled: hasRoom,
     run: show('presets'),
   },
   {
     id: 'quantity',
-    title: 'Switch between illuminance and exitance',
+    title: () => words.value.actions.quantity,
     group: 'Intentions',
     keys: ['Q'],
     enabled: hasRoom,
@@ -107,7 +108,7 @@ const intentions: readonly Action[] = [
 const luminaires: readonly Action[] = [
   {
     id: 'pin',
-    title: 'Pin or unpin the selected luminaire',
+    title: () => words.value.actions.pin,
     group: 'Luminaires',
     keys: ['P'],
     enabled: ({ store }) => store.luminaire.value !== null,
@@ -118,7 +119,7 @@ const luminaires: readonly Action[] = [
   },
   {
     id: 'remove-luminaire',
-    title: 'Remove the selected luminaire',
+    title: () => words.value.actions.removeLuminaire,
     group: 'Luminaires',
     keys: ['Delete', 'Backspace'],
     enabled: ({ store }) => store.luminaire.value !== null,
@@ -129,13 +130,13 @@ const luminaires: readonly Action[] = [
   },
   {
     id: 'unpin-all',
-    title: 'Unpin all luminaires',
+    title: () => words.value.actions.unpinAll,
     group: 'Luminaires',
     run: ({ hand }) => hand.unpinAll(),
   },
   {
     id: 'include-all',
-    title: 'Allow every place again',
+    title: () => words.value.actions.includeAll,
     group: 'Luminaires',
     run: ({ hand }) => hand.includeAll(),
   },
@@ -144,7 +145,7 @@ const luminaires: readonly Action[] = [
 const types: readonly Action[] = [
   {
     id: 'luminaire-catalog',
-    title: 'Generic luminaires',
+    title: () => words.value.actions.luminaireCatalog,
     group: 'Luminaires',
     enabled: hasRoom,
     run({ store, types }) {
@@ -154,20 +155,20 @@ const types: readonly Action[] = [
   },
   {
     id: 'open-luminaire',
-    title: 'Open a photometric file (.ies, .ldt, .gldf, .xml)',
+    title: () => words.value.actions.openLuminaire,
     group: 'Luminaires',
     enabled: hasRoom,
     run: ({ opening }) => opening.pick('.ies,.ldt,.gldf,.xml,.zip'),
   },
 ];
 
-const viewKeys: readonly [ViewName, string][] = [
-  ['plan', 'Plan view'],
-  ['north', 'View from the north'],
-  ['east', 'View from the east'],
-  ['south', 'View from the south'],
-  ['west', 'View from the west'],
-  ['corner', 'Corner view'],
+const viewKeys: readonly [ViewName, () => string][] = [
+  ['plan', () => words.value.actions.views.plan],
+  ['north', () => words.value.actions.views.north],
+  ['east', () => words.value.actions.views.east],
+  ['south', () => words.value.actions.views.south],
+  ['west', () => words.value.actions.views.west],
+  ['corner', () => words.value.actions.views.corner],
 ];
 
 const view: readonly Action[] = [
@@ -179,27 +180,51 @@ const view: readonly Action[] = [
     enabled: hasPicture,
     run: ({ viewer }) => viewer.view(name),
   })),
-  { id: 'fit', title: 'Fit the room', group: 'View', keys: ['F'], run: ({ viewer }) => viewer.fit() },
-  { id: 'home', title: 'Home view', group: 'View', keys: ['H'], run: ({ viewer }) => viewer.home() },
+  {
+    id: 'fit',
+    title: () => words.value.actions.fit,
+    group: 'View',
+    keys: ['F'],
+    run: ({ viewer }) => viewer.fit(),
+  },
+  {
+    id: 'home',
+    title: () => words.value.actions.home,
+    group: 'View',
+    keys: ['H'],
+    run: ({ viewer }) => viewer.home(),
+  },
   {
     id: 'false-color',
-    title: 'Realistic or false colour',
+    title: () => words.value.actions.falseColor,
     group: 'View',
     keys: ['C'],
     run: (app) => app.setMode(app.store.display.peek().mode === 'realistic' ? 'falseColor' : 'realistic'),
   },
-  { id: 'isolux', title: 'Isolux lines', group: 'View', keys: ['I'], run: toggle('isolux') },
-  { id: 'cut-away', title: 'Cut away walls in front', group: 'View', keys: ['X'], run: toggle('cutAway') },
+  {
+    id: 'isolux',
+    title: () => words.value.actions.isolux,
+    group: 'View',
+    keys: ['I'],
+    run: toggle('isolux'),
+  },
+  {
+    id: 'cut-away',
+    title: () => words.value.actions.cutAway,
+    group: 'View',
+    keys: ['X'],
+    run: toggle('cutAway'),
+  },
   {
     id: 'measuring-planes',
-    title: 'Show measuring planes',
+    title: () => words.value.actions.measuringPlanes,
     group: 'View',
     keys: ['M'],
     run: toggle('measuringPlanes'),
   },
   {
     id: 'plane-values',
-    title: 'Numbers on the measuring planes',
+    title: () => words.value.actions.planeValues,
     group: 'View',
     keys: ['V'],
     run(app) {
@@ -210,7 +235,7 @@ const view: readonly Action[] = [
   },
   {
     id: 'luminaires',
-    title: 'Show luminaires and their tags',
+    title: () => words.value.actions.luminaires,
     group: 'View',
     keys: ['L'],
     run: (app) => app.setDisplay({ luminaires: app.store.display.peek().luminaires === false }),
@@ -218,44 +243,56 @@ const view: readonly Action[] = [
 ];
 
 const file: readonly Action[] = [
-  { id: 'gallery', title: 'Rooms and experiments', group: 'File', keys: ['G'], run: show('gallery') },
+  {
+    id: 'gallery',
+    title: () => words.value.actions.gallery,
+    group: 'File',
+    keys: ['G'],
+    run: show('gallery'),
+  },
   {
     id: 'new-room',
-    title: 'New room',
+    title: () => words.value.actions.newRoom,
     group: 'File',
     keys: ['N'],
     run: ({ opening }) => opening.make(null),
   },
   {
     id: 'edit-room',
-    title: 'Edit the made room',
+    title: () => words.value.actions.editRoom,
     group: 'File',
     enabled: ({ store }) => store.plan.value !== null && store.making.value === null,
     run: ({ opening, store }) => opening.make(store.plan.peek()),
   },
   {
     id: 'afresh',
-    title: 'Start this room afresh',
+    title: () => words.value.actions.afresh,
     group: 'File',
     enabled: hasRoom,
     run: ({ opening }) => opening.restart(),
   },
   {
     id: 'open',
-    title: 'Open a room, project or luminaire file',
+    title: () => words.value.actions.open,
     group: 'File',
     keys: ['Mod+O'],
     run: ({ opening }) => opening.pick(),
   },
   {
     id: 'report',
-    title: 'Report to print or to sign',
+    title: () => words.value.actions.report,
     group: 'File',
     keys: ['Mod+P'],
     enabled: ({ store }) => store.shown.value !== null,
     run: show('report'),
   },
-  { id: 'share', title: 'Share a link', group: 'File', enabled: hasRoom, run: show('share') },
+  {
+    id: 'share',
+    title: () => words.value.actions.share,
+    group: 'File',
+    enabled: hasRoom,
+    run: show('share'),
+  },
   ...exportFormats.map((format): Action => ({
     id: format.id,
     title: format.title,
@@ -266,9 +303,25 @@ const file: readonly Action[] = [
   })),
 ];
 
+/** Each language under its own name, but for the one that the page speaks. */
+const speaking: readonly Action[] = (Object.keys(languages) as Language[]).map((name) => ({
+  id: `language-${name}`,
+  title: () => languages[name],
+  group: 'Help',
+  enabled: () => language.value !== name,
+  run: ({ store }) =>
+    void chooseLanguage(name).catch(() => store.say('error', words.value.opening.noLanguage)),
+}));
+
 const help: readonly Action[] = [
-  { id: 'palette', title: 'All actions', group: 'Help', keys: ['Mod+K'], run: show('palette') },
-  { id: 'help', title: 'Keys and help', group: 'Help', keys: ['?'], run: show('help') },
+  {
+    id: 'palette',
+    title: () => words.value.actions.palette,
+    group: 'Help',
+    keys: ['Mod+K'],
+    run: show('palette'),
+  },
+  { id: 'help', title: () => words.value.actions.help, group: 'Help', keys: ['?'], run: show('help') },
 ];
 
 export const actions: readonly Action[] = [
@@ -280,6 +333,7 @@ export const actions: readonly Action[] = [
   ...comparingActions,
   ...file,
   ...help,
+  ...speaking,
 ];
 
 /** The surfaces and luminaires of the room, to be selected, and the rooms of the site as actions. */
@@ -289,7 +343,7 @@ export function placesOf({ rooms, store }: App): Action[] {
   return [
     ...surfaces.map(({ name }, surface): Action => ({
       id: `surface-${surface}`,
-      title: name,
+      title: () => name,
       group: 'Surfaces',
       run(app) {
         app.selectSurface(surface);
@@ -298,13 +352,13 @@ export function placesOf({ rooms, store }: App): Action[] {
     })),
     ...luminaires.map((_, luminaire): Action => ({
       id: `luminaire-${luminaire}`,
-      title: `L${luminaire + 1}`,
+      title: () => `L${luminaire + 1}`,
       group: 'Luminaires',
       run: (app) => void (app.store.luminaire.value = luminaire),
     })),
     ...rooms.entries.value.map((entry): Action => ({
       id: `open-${entry.id}`,
-      title: `Open: ${entry.title}`,
+      title: () => words.value.actions.openRoom(entry.title),
       group: 'Rooms',
       run: ({ opening }) => void opening.entry(entry.id),
     })),

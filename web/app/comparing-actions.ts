@@ -4,10 +4,11 @@ import type { App } from './app.ts';
 import { download, fileStem } from './exports/save-as.ts';
 import { canFilm } from './film.ts';
 import type { Against } from './variants.ts';
+import { words } from '../language/language.ts';
 
 const hasLight = ({ store }: App) => store.shown.value !== null && store.preview.value === null;
 
-const against = (id: Against, title: string, keys?: readonly string[]): Action => ({
+const against = (id: Against, title: () => string, keys?: readonly string[]): Action => ({
   id: `compare-${id}`,
   title,
   group: 'Compare',
@@ -22,32 +23,32 @@ const against = (id: Against, title: string, keys?: readonly string[]): Action =
 export const comparingActions: readonly Action[] = [
   {
     id: 'keep-a',
-    title: 'Keep this layout as A',
+    title: () => words.value.actions.comparing.keep,
     group: 'Compare',
     keys: ['K'],
     enabled: hasLight,
     run: ({ variants }) => variants.keep(),
   },
-  against('kept', 'Compare with A', ['B']),
+  against('kept', () => words.value.actions.comparing.withA, ['B']),
   {
     id: 'switch',
-    title: 'Switch A and B: A becomes the work',
+    title: () => words.value.actions.comparing.switch,
     group: 'Compare',
     enabled: (app) => hasLight(app) && app.variants.isThere('kept'),
     run: ({ variants }) => variants.switch(),
   },
   {
     id: 'forget-a',
-    title: 'Forget A',
+    title: () => words.value.actions.comparing.forget,
     group: 'Compare',
     enabled: ({ variants }) => variants.isThere('kept'),
     run: ({ variants }) => variants.forget(),
   },
-  against('opened', 'Compare with the room as it was opened', ['W']),
-  against('scattered', 'Compare with luminaires scattered at random'),
+  against('opened', () => words.value.actions.comparing.withOpened, ['W']),
+  against('scattered', () => words.value.actions.comparing.withScattered),
   {
     id: 'challenge',
-    title: 'Beat the solver: place six by hand',
+    title: () => words.value.actions.comparing.challenge,
     group: 'Compare',
     enabled: (app) => hasLight(app) && app.store.document.value.cards.length > 0,
     run: ({ challenge }) => void challenge.start(),
@@ -56,7 +57,7 @@ export const comparingActions: readonly Action[] = [
     ? [
         {
           id: 'film',
-          title: 'Save a five-second loop (WebM)',
+          title: () => words.value.actions.comparing.film,
           group: 'Compare',
           enabled: (app) => hasLight(app) && app.film.progress.value === null,
           async run({ film, store }) {

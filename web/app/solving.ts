@@ -12,8 +12,9 @@ import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-
 import type { Viewer } from '../viewer/types.ts';
 import { Showing } from './showing.ts';
 import type { Message, Store } from './state/store.ts';
-import { counted, sentence } from './words/format.ts';
+import { sentence } from './words/format.ts';
 import { withNearMisses } from './words/near-miss.ts';
+import { words } from '../language/language.ts';
 
 /** Something newer was asked for: nothing that a person has to be told. */
 export class Superseded extends Error {}
@@ -365,10 +366,14 @@ export class Solving {
 
   #settled(shown: Shown): void {
     const unmet = shown.constraints.filter((constraint) => !constraint.met).length;
-    const met = unmet === 0 ? 'every bound is met' : `${counted(unmet, 'bound')} cannot be met`;
+    const met =
+      unmet === 0 ? words.value.steps.every : words.value.steps.missed(words.value.values.bounds(unmet));
     const { intentions } = this.#store.traced.peek();
     const outcome = intentions.constraints.length === 0 ? '' : `, ${met}`;
-    this.#store.announcement.value = `Settled: ${counted(shown.layout.sites.length, 'luminaire')}${outcome}.`;
+    this.#store.announcement.value = words.value.steps.settledWith(
+      words.value.values.luminaires(shown.layout.sites.length),
+      outcome,
+    );
     if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions());
   }
 
@@ -386,7 +391,7 @@ export class Solving {
     const factor = this.#factor;
     const bound = feasibleBound === null ? null : feasibleBound * factor;
     // The sentence is the core's, which knows no maintenance.
-    const told = factor === 1 ? verdict : `${verdict} (In lux of the new installation.)`;
+    const told = factor === 1 ? verdict : words.value.steps.newLight(verdict);
     this.#store.alphaRun.value = { ...run, done: { alpha, verdict: told, feasibleBound: bound } };
     this.#store.announcement.value = told;
     if (alpha !== null && shown) this.#alphaFound(run.card, alpha, shown);
@@ -418,7 +423,7 @@ export class Solving {
     if (this.#opening) this.#opening.reject(new Error(message));
     else if (this.#probing) this.#probing.reject(new Error(message));
     else {
-      const resume = { label: 'Resume', run: () => void this.resume() };
+      const resume = { label: words.value.steps.resume, run: () => void this.resume() };
       this.#forgetRefusal();
       this.#refusal = this.#store.say('error', sentence(message), fatal ? resume : this.#wayBack());
     }
@@ -439,6 +444,6 @@ export class Solving {
   #wayBack(): Message['action'] {
     const { progress, history } = this.#store;
     const wasAsked = progress.peek().state === 'improving' && history.peek().past.length > 0;
-    return wasAsked ? { label: 'Undo', run: () => void this.#store.undo() } : undefined;
+    return wasAsked ? { label: words.value.steps.undo, run: () => void this.#store.undo() } : undefined;
   }
 }

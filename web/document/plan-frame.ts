@@ -21,8 +21,6 @@ export interface RoomPlan {
   readonly furniture: readonly (readonly [Point2, Point2])[]; // edges of what stands in the room
 }
 
-export const cornerName = 'south-west corner, at floor level';
-
 export function inPlan({ west, south, floor }: PlanFrame, [x, y, z]: Point3): [number, number, number] {
   return [x - west, south - z, y - floor];
 }

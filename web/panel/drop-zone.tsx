@@ -3,6 +3,7 @@ import { Upload } from 'lucide-preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { droppedFiles } from '../app/importing/dropped-files.ts';
+import { words } from '../language/language.ts';
 
 export function DropZone() {
   const app = useApp();
@@ -41,11 +42,8 @@ export function DropZone() {
     <div class="drop-zone">
       <div>
         <Upload size={28} aria-hidden />
-        <strong>Drop it here</strong>
-        <span>
-          a model (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, a folder or a .zip), a room of DIALux or Relux
-          (.stf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this computer.
-        </span>
+        <strong>{words.value.bars.drop.here}</strong>
+        <span>{words.value.bars.drop.takes}</span>
       </div>
     </div>
   );

@@ -2,6 +2,7 @@
 import { ExternalLink } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { pageOf } from '../app/opening/address.ts';
+import { words } from '../language/language.ts';
 
 export function EmbedCaption() {
   const { store, keeping } = useApp();
@@ -26,7 +27,7 @@ export function EmbedCaption() {
         onClick={aim}
         onKeyDown={aim}
       >
-        Open in Fiat Lux
+        {words.value.bars.openHere}
         <ExternalLink size={12} aria-hidden />
       </a>
     </p>

@@ -4,6 +4,8 @@ import { useApp } from '../app/app.ts';
 import { niceStep, unitOf } from '../app/words/format.ts';
 import { legendStops, legendTicks } from '../viewer/light/false-color.ts';
 import { NumberField } from './controls/number-field.tsx';
+import { words } from '../language/language.ts';
+import { shortest } from '../language/numbers.ts';
 
 const width = 240;
 
@@ -20,10 +22,10 @@ export function Legend() {
   };
   const step = niceStep(Math.max(high - low, 1)) * 5;
   return (
-    <section class="legend" aria-label="Legend">
+    <section class="legend" aria-label={words.value.bars.legend.name}>
       <div class="legend-ends">
         <NumberField
-          label="Low end of the legend"
+          label={words.value.bars.legend.low}
           value={low}
           step={step}
           max={high}
@@ -31,7 +33,7 @@ export function Legend() {
         />
         <span>{unit}</span>
         <NumberField
-          label="High end of the legend"
+          label={words.value.bars.legend.high}
           value={high}
           step={step}
           min={low}
@@ -40,8 +42,8 @@ export function Legend() {
         <button
           class="icon-button small"
           aria-pressed={isLocked}
-          aria-label={isLocked ? 'Unlock the ends of the legend' : 'Lock the ends of the legend'}
-          title={isLocked ? 'Locked: the ends stay' : 'Follows the light'}
+          aria-label={isLocked ? words.value.bars.legend.unlock : words.value.bars.legend.lock}
+          title={isLocked ? words.value.bars.legend.locked : words.value.bars.legend.follows}
           onClick={() => (store.legendLocked.value = !isLocked)}
         >
           {isLocked ? <Lock size={14} aria-hidden /> : <LockOpen size={14} aria-hidden />}
@@ -53,7 +55,7 @@ export function Legend() {
         height="30"
         preserveAspectRatio="none"
         role="img"
-        aria-label={`From ${low} to ${high} ${unit}`}
+        aria-label={words.value.bars.legend.span(shortest(low), shortest(high), unit)}
       >
         <defs>
           <linearGradient id="legend-colors">

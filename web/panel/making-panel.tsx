@@ -3,6 +3,7 @@ import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import type { PackedPlan } from '../document/made-room.ts';
+import { words } from '../language/language.ts';
 
 type RoomMaker = FunctionComponent<{ plan: PackedPlan | null }>;
 
@@ -13,7 +14,7 @@ export function MakingPanel({ plan }: { plan: PackedPlan | null }) {
     import('./room-maker/room-maker.tsx').then(
       ({ RoomMaker: loaded }) => setMaker(() => loaded),
       () => {
-        app.store.say('error', 'The room maker could not be loaded: check the connection and try again.');
+        app.store.say('error', words.value.maker.notLoaded);
         void app.opening.endMaking();
       },
     );
@@ -21,6 +22,6 @@ export function MakingPanel({ plan }: { plan: PackedPlan | null }) {
   return Maker ? (
     <Maker plan={plan} />
   ) : (
-    <aside class="panel maker" aria-label="Room maker" aria-busy="true" />
+    <aside class="panel maker" aria-label={words.value.maker.name} aria-busy="true" />
   );
 }

@@ -2,10 +2,11 @@
 import { Info, TriangleAlert, X } from 'lucide-preact';
 import { useEffect } from 'preact/hooks';
 import type { Message, Store } from '../app/state/store.ts';
+import { words } from '../language/language.ts';
 
 export function Messages({ store }: { store: Store }) {
   return (
-    <div class="messages" role="region" aria-label="Messages">
+    <div class="messages" role="region" aria-label={words.value.bars.messages.name}>
       {store.messages.value.map((message) => (
         <Toast key={message.id} message={message} close={() => store.dismiss(message.id)} />
       ))}
@@ -35,7 +36,7 @@ function Toast({ message, close }: { message: Message; close: () => void }) {
           {action.label}
         </button>
       )}
-      <button class="icon-button small" aria-label="Dismiss this message" onClick={close}>
+      <button class="icon-button small" aria-label={words.value.bars.messages.dismiss} onClick={close}>
         <X size={14} aria-hidden />
       </button>
     </div>

@@ -8,12 +8,9 @@ import { LuminairesTab } from './luminaires/luminaires-tab.tsx';
 import { ResultsTab } from './results/results-tab.tsx';
 import { StatusLine } from './status-line.tsx';
 import { useSheet } from './use-sheet.ts';
+import { words } from '../language/language.ts';
 
-const tabs: readonly [Tab, string][] = [
-  ['intentions', 'Intentions'],
-  ['luminaires', 'Luminaires'],
-  ['results', 'Results'],
-];
+const tabs: readonly Tab[] = ['intentions', 'luminaires', 'results'];
 
 export function Panel() {
   const { store } = useApp();
@@ -29,16 +26,16 @@ export function Panel() {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
     event.preventDefault();
-    const at = tabs.findIndex(([tab]) => tab === active);
-    const next = tabs[(at + step + tabs.length) % tabs.length]?.[0] ?? active;
+    const at = tabs.indexOf(active);
+    const next = tabs[(at + step + tabs.length) % tabs.length] ?? active;
     select(next);
     document.getElementById(`tab-${next}`)?.focus();
   };
   return (
-    <aside ref={root} class={`panel sheet-${sheet}`} aria-label="Intentions and results">
+    <aside ref={root} class={`panel sheet-${sheet}`} aria-label={words.value.panel.name}>
       <div class="tab-bar" {...bar}>
-        <div class="tabs" role="tablist" aria-label="Panel" onKeyDown={move}>
-          {tabs.map(([tab, title]) => (
+        <div class="tabs" role="tablist" aria-label={words.value.panel.tabList} onKeyDown={move}>
+          {tabs.map((tab) => (
             <button
               key={tab}
               id={`tab-${tab}`}
@@ -48,14 +45,14 @@ export function Panel() {
               tabIndex={tab === active ? 0 : -1}
               onClick={() => select(tab)}
             >
-              {title}
+              {words.value.panel.tabs[tab]}
               {tab === 'intentions' && <Unmet />}
             </button>
           ))}
         </div>
         <button
           class="icon-button small sheet-handle"
-          aria-label={sheet === 'full' ? 'Lower the panel' : 'Raise the panel'}
+          aria-label={sheet === 'full' ? words.value.panel.lower : words.value.panel.raise}
           onClick={raise}
         >
           {sheet === 'full' ? <ChevronDown size={18} aria-hidden /> : <ChevronUp size={18} aria-hidden />}
@@ -84,12 +81,7 @@ function TabContent({ active }: { active: Tab }) {
 
 /** What the panel knew is of the room before, which is not on the screen. */
 function NoLight() {
-  return (
-    <p class="empty">
-      This room has no light yet. Once it is computed, what is asked of it stands here; the room before is
-      kept, and comes back when the preview is closed.
-    </p>
-  );
+  return <p class="empty">{words.value.panel.noLight}</p>;
 }
 
 function Unmet() {
@@ -98,7 +90,7 @@ function Unmet() {
   const count = store.shown.value?.constraints.filter((result) => !result.met).length ?? 0;
   if (count === 0 || store.progress.value.state === 'improving') return null;
   return (
-    <span class="badge" aria-label={`${count} not met`}>
+    <span class="badge" aria-label={words.value.panel.unmet(count)}>
       {count}
     </span>
   );

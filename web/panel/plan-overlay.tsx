@@ -2,10 +2,12 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { areaBetween, noAreas } from '../document/areas.ts';
-import { cornerName, inPlan, type Point2 } from '../document/plan-frame.ts';
+import { inPlan, type Point2 } from '../document/plan-frame.ts';
 import type { AreaKind } from '../app/state/store.ts';
+import { words } from '../language/language.ts';
+import { fixed, listed, shortest } from '../language/numbers.ts';
 
-const shortest = 60; // px of a scale bar
+const narrowest = 60; // px of a scale bar
 const lengths = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100]; // m
 const least = 0.05; // m: what is smaller was a click
 
@@ -32,18 +34,18 @@ function ScaleBar() {
   const [from, to] = [viewer.planPoint(0, 0), viewer.planPoint(100, 0)];
   if (!frame || !from || !to || from[0] === to[0]) return null;
   const perMetre = 100 / Math.abs(to[0] - from[0]); // px
-  const metres = lengths.find((length) => length * perMetre >= shortest) ?? lengths.at(-1)!;
+  const metres = lengths.find((length) => length * perMetre >= narrowest) ?? lengths.at(-1)!;
   const [wide, deep] = frame.size;
   return (
-    <div class="plan-scale" role="note" aria-label={`Scale bar of ${metres} m; north is up`}>
+    <div class="plan-scale" role="note" aria-label={words.value.bars.plan.scale(shortest(metres))}>
       <span class="north" aria-hidden="true">
         N ↑
       </span>
       <span class="bar" style={{ width: `${metres * perMetre}px` }} aria-hidden="true" />
       <span>
-        {metres} m{' '}
-        <small title={`x and y count from the ${cornerName}`}>
-          room {wide.toFixed(2)} × {deep.toFixed(2)} m
+        {shortest(metres)} m{' '}
+        <small title={words.value.bars.plan.corner(words.value.values.corner)}>
+          {words.value.bars.plan.room(fixed(wide, 2), fixed(deep, 2))}
         </small>
       </span>
     </div>
@@ -83,10 +85,13 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     if (!point || !from) return;
     const area = areaBetween(from, point);
     if (area[2] - area[0] < least || area[3] - area[1] < least) return;
-    store.edit(kind === 'keepOut' ? 'Keep an area free' : 'Keep to an area', ({ luminaires }) => {
-      luminaires.areas ??= structuredClone(noAreas) as never;
-      luminaires.areas[kind].push([...area]);
-    });
+    store.edit(
+      kind === 'keepOut' ? words.value.steps.keepOut : words.value.steps.keepIn,
+      ({ luminaires }) => {
+        luminaires.areas ??= structuredClone(noAreas) as never;
+        luminaires.areas[kind].push([...area]);
+      },
+    );
     store.drawing.value = null;
   };
   const frame = viewer.frame();
@@ -104,13 +109,9 @@ function DrawArea({ kind }: { kind: AreaKind }) {
       onPointerCancel={end}
     >
       <p role="status">
-        {kind === 'keepOut' ? 'Drag the area to keep free' : 'Drag the area to keep to'} (Esc ends)
-        {place && (
-          <output>
-            {' '}
-            {place[0].toFixed(2)}, {place[1].toFixed(2)} m
-          </output>
-        )}
+        {kind === 'keepOut' ? words.value.bars.plan.dragOut : words.value.bars.plan.dragIn}{' '}
+        {words.value.bars.plan.ends}
+        {place && <output> {listed([fixed(place[0], 2), fixed(place[1], 2)])} m</output>}
       </p>
     </div>
   );

@@ -2,10 +2,11 @@
 import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, Trash2, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, unitOf } from '../app/words/format.ts';
-import { cornerName, inPlan, inRoom } from '../document/plan-frame.ts';
+import { inPlan, inRoom } from '../document/plan-frame.ts';
 import { positionOf } from '../document/sites.ts';
 import { NumberField } from './controls/number-field.tsx';
 import { verbs } from './intentions/verbs.ts';
+import { words } from '../language/language.ts';
 
 export function SelectionBar() {
   const { store } = useApp();
@@ -22,7 +23,11 @@ function SurfaceBar({ surface }: { surface: number }) {
   const name = store.scene.value?.surfaces[surface]?.name;
   if (name === undefined) return null;
   return (
-    <div class="selection-bar of-surface" role="toolbar" aria-label={`Intentions for ${name}`}>
+    <div
+      class="selection-bar of-surface"
+      role="toolbar"
+      aria-label={words.value.bars.selection.intentionsFor(name)}
+    >
       <span class="selection-name">
         <strong>{name}</strong>
         {row && (
@@ -39,7 +44,7 @@ function SurfaceBar({ surface }: { surface: number }) {
       ))}
       <button
         class="icon-button small"
-        aria-label="Clear the selection"
+        aria-label={words.value.bars.selection.clear}
         onClick={() => app.selectSurface(null)}
       >
         <X size={15} aria-hidden />
@@ -50,10 +55,15 @@ function SurfaceBar({ surface }: { surface: number }) {
 
 /** Steps along the room's axes as seen in plan: x to the right, z down. */
 export const steps = [
-  { key: 'ArrowLeft', title: 'Move left in plan', icon: ArrowLeft, direction: [-1, 0, 0] },
-  { key: 'ArrowUp', title: 'Move up in plan', icon: ArrowUp, direction: [0, 0, -1] },
-  { key: 'ArrowDown', title: 'Move down in plan', icon: ArrowDown, direction: [0, 0, 1] },
-  { key: 'ArrowRight', title: 'Move right in plan', icon: ArrowRight, direction: [1, 0, 0] },
+  { key: 'ArrowLeft', title: () => words.value.bars.selection.left, icon: ArrowLeft, direction: [-1, 0, 0] },
+  { key: 'ArrowUp', title: () => words.value.bars.selection.up, icon: ArrowUp, direction: [0, 0, -1] },
+  { key: 'ArrowDown', title: () => words.value.bars.selection.down, icon: ArrowDown, direction: [0, 0, 1] },
+  {
+    key: 'ArrowRight',
+    title: () => words.value.bars.selection.right,
+    icon: ArrowRight,
+    direction: [1, 0, 0],
+  },
 ] as const;
 
 function LuminaireBar({ luminaire }: { luminaire: number }) {
@@ -62,37 +72,45 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
   if (site === undefined) return null;
   const isPinned = store.document.value.luminaires.pinned.includes(site);
   return (
-    <div class="selection-bar" role="toolbar" aria-label={`Luminaire L${luminaire + 1}`}>
+    <div
+      class="selection-bar"
+      role="toolbar"
+      aria-label={words.value.bars.selection.luminaire(luminaire + 1)}
+    >
       <span class="selection-name">
         <strong>L{luminaire + 1}</strong>
       </span>
       <button class="chip" aria-pressed={isPinned} onClick={() => hand.togglePin(luminaire)}>
         {isPinned ? <PinOff size={15} aria-hidden /> : <Pin size={15} aria-hidden />}
-        <span>{isPinned ? 'Unpin' : 'Pin here'}</span>
+        <span>{isPinned ? words.value.bars.selection.unpin : words.value.bars.selection.pin}</span>
       </button>
       <TypedPlace luminaire={luminaire} site={site} />
       {steps.map(({ key, title, icon: Icon, direction }) => (
         <button
           key={key}
           class="icon-button"
-          aria-label={title}
-          title={title}
+          aria-label={title()}
+          title={title()}
           onClick={() => hand.step(luminaire, direction)}
         >
           <Icon size={15} aria-hidden />
         </button>
       ))}
-      <button class="chip" title="No luminaire may hang here" onClick={() => hand.exclude(site)}>
+      <button class="chip" title={words.value.bars.selection.excludeTip} onClick={() => hand.exclude(site)}>
         <Ban size={15} aria-hidden />
-        <span>Keep this place free</span>
+        <span>{words.value.bars.selection.exclude}</span>
       </button>
-      <button class="chip" title="One luminaire less (Delete)" onClick={() => hand.remove(luminaire)}>
+      <button
+        class="chip"
+        title={words.value.bars.selection.removeTip}
+        onClick={() => hand.remove(luminaire)}
+      >
         <Trash2 size={15} aria-hidden />
-        <span>Remove</span>
+        <span>{words.value.bars.selection.remove}</span>
       </button>
       <button
         class="icon-button small"
-        aria-label="Clear the selection"
+        aria-label={words.value.bars.selection.clear}
         onClick={() => (store.luminaire.value = null)}
       >
         <X size={15} aria-hidden />
@@ -109,12 +127,12 @@ function TypedPlace({ luminaire, site }: { luminaire: number; site: number }) {
   if (!scene || !frame) return null;
   const place = inPlan(frame, positionOf(scene.sites, site));
   return (
-    <span class="typed-place" title={`From the ${cornerName}`}>
+    <span class="typed-place" title={words.value.bars.selection.from(words.value.values.corner)}>
       {(['x', 'y'] as const).map((name, axis) => (
         <span key={`${name} ${luminaire}`}>
           <small aria-hidden="true">{name}</small>
           <NumberField
-            label={`${name} of L${luminaire + 1}`}
+            label={words.value.bars.selection.placeOf(name, luminaire + 1)}
             unit="m"
             value={Math.round(place[axis]! * 1000) / 1000}
             step={0.5}

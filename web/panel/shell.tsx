@@ -15,6 +15,7 @@ import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';
 import { Stage } from './stage.tsx';
 import { TopBar } from './top-bar.tsx';
+import { words } from '../language/language.ts';
 
 interface Props extends Pick<Parts, 'createViewer' | 'createWorker'> {
   readonly store: Store;
@@ -32,10 +33,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     try {
       setApp(new App(store, parts));
     } catch {
-      store.say(
-        'error',
-        'This browser gives the page no 3D graphics (WebGL 2). Switch hardware acceleration on in its settings, or open the page in another browser.',
-      );
+      store.say('error', words.value.bars.noGraphics);
     }
   }, []);
 

@@ -15,6 +15,7 @@ import { RoomPicture } from './room-picture.tsx';
 import { SelectionBar } from './selection-bar.tsx';
 import { UselessNote } from './useless-note.tsx';
 import { ViewToolbar } from './view-toolbar.tsx';
+import { words } from '../language/language.ts';
 
 interface Props {
   readonly canvas: RefObject<HTMLCanvasElement | null>;
@@ -22,10 +23,6 @@ interface Props {
   readonly ready: boolean;
   readonly lookOnly: boolean; // nothing here may be changed
 }
-
-const lookingWords = 'The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit.';
-const workingWords =
-  'With a luminaire selected, the arrow keys move it. Surfaces and luminaires are also listed in the panel.';
 
 export function Stage({ canvas, labels, ready, lookOnly }: Props) {
   return (
@@ -35,8 +32,12 @@ export function Stage({ canvas, labels, ready, lookOnly }: Props) {
         class="view"
         tabIndex={0}
         role="application"
-        aria-roledescription="3D view"
-        aria-label={lookOnly ? lookingWords : `${lookingWords} ${workingWords}`}
+        aria-roledescription={words.value.bars.stage.role}
+        aria-label={
+          lookOnly
+            ? words.value.bars.stage.looking
+            : `${words.value.bars.stage.looking} ${words.value.bars.stage.working}`
+        }
       />
       <div ref={labels} class="labels" aria-hidden="true" />
       {ready && (lookOnly ? <Looking /> : <Overlays />)}

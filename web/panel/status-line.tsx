@@ -1,14 +1,8 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, counted, duration, percentAtMost } from '../app/words/format.ts';
-
-const words = {
-  idle: 'Not solved',
-  improving: 'Improving',
-  settled: 'Settled',
-  shown: 'As given',
-} as const;
+import { count, duration, percentAtMost } from '../app/words/format.ts';
+import { words } from '../language/language.ts';
 
 // A proved bound further away than this says nothing that helps.
 const loosest = 0.5;
@@ -26,24 +20,24 @@ export function StatusLine() {
   return (
     <footer class="status-line">
       <span class={`lamp ${isMissing ? 'unmet' : state}`} aria-hidden="true" />
-      <span class="status-state">{words[state]}</span>
+      <span class="status-state">{words.value.panel.status[state]}</span>
       {evaluations > 0 && (
-        <span class="status-figures" title={`in ${took}`}>
-          {count(evaluations)} {evaluations === 1 ? 'layout' : 'layouts'}
+        <span class="status-figures" title={words.value.panel.status.took(took)}>
+          {words.value.panel.status.layouts(evaluations, count(evaluations))}
           {!isTelling && !isMissing && ` · ${took}`}
         </span>
       )}
-      {isMissing && <span class="status-unmet">{counted(unmet, 'bound')} not met</span>}
+      {isMissing && <span class="status-unmet">{words.value.panel.status.unmet(unmet)}</span>}
       {isTelling && (
-        <span class="status-bound" title="A proved bound: no layout can be better by more than this">
-          within {percentAtMost(bound.gap)} of the best
+        <span class="status-bound" title={words.value.panel.status.proved}>
+          {words.value.panel.status.within(percentAtMost(bound.gap))}
         </span>
       )}
       <span class="spacer" />
       {(state === 'shown' || state === 'idle') && shown && (
         <button class="button small" onClick={() => solving.solve()}>
           <RefreshCw size={13} aria-hidden />
-          Re-solve
+          {words.value.panel.status.resolve}
         </button>
       )}
     </footer>

@@ -4,6 +4,7 @@ import { useApp } from '../app/app.ts';
 import { actions, isEnabled, type Action } from '../app/actions.ts';
 import { keyText } from '../app/keyboard.ts';
 import { Menu } from './controls/menu.tsx';
+import { language, words } from '../language/language.ts';
 
 function actionOf(id: string): Action {
   const action = actions.find((each) => each.id === id);
@@ -19,8 +20,8 @@ function ActionButton({ id, icon: Icon, ...props }: { id: string; icon: typeof U
     <button
       class={`icon-button ${props.class ?? ''}`}
       disabled={!isEnabled(action, app)}
-      aria-label={action.title}
-      title={keys ? `${action.title} (${keyText(keys)})` : action.title}
+      aria-label={action.title()}
+      title={keys ? `${action.title()} (${keyText(keys)})` : action.title()}
       onClick={() => action.run(app)}
     >
       <Icon size={17} aria-hidden />
@@ -41,7 +42,7 @@ export function TopBar() {
         <span class="brand-name">Fiat Lux</span>
       </span>
       <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
-        <h1>{store.preview.value ?? (store.roomTitle.value || 'Rooms')}</h1>
+        <h1>{store.preview.value ?? (store.roomTitle.value || words.value.bars.rooms)}</h1>
         <ChevronDown size={15} aria-hidden />
       </button>
       <span class="spacer" />
@@ -50,18 +51,21 @@ export function TopBar() {
       <span class="rule" />
       <ActionButton id="palette" icon={Search} class="wide-only" />
       <Menu
-        label="File and export"
+        label={words.value.bars.files}
         icon={Ellipsis}
-        items={[...files, ...actions.filter(({ id }) => id === 'palette' || id === 'help')]}
+        items={[
+          ...files,
+          ...actions.filter(({ group, id }) => group === 'Help' && id !== `language-${language.value}`),
+        ]}
       />
       <button
         class="button primary"
-        aria-label="Share"
+        aria-label={words.value.bars.share}
         disabled={store.scene.value === null || store.preview.value !== null}
         onClick={() => (store.dialog.value = 'share')}
       >
         <Share2 size={15} aria-hidden />
-        <span class="wide-only">Share</span>
+        <span class="wide-only">{words.value.bars.share}</span>
       </button>
     </header>
   );

@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { sentence } from '../app/words/format.ts';
 import { readProvenance } from '../app/words/provenance.ts';
+import { words } from '../language/language.ts';
 
 export function UselessNote() {
   const { store } = useApp();
@@ -12,13 +13,13 @@ export function UselessNote() {
   const { useless } = readProvenance(scene?.provenance);
   if (!scene || !useless || closed === scene.identity || store.lighting.value) return null;
   return (
-    <section class="preview-note small" role="status" aria-label="About this light">
+    <section class="preview-note small" role="status" aria-label={words.value.bars.useless.name}>
       <header>
-        <h2>This light is of little use</h2>
+        <h2>{words.value.bars.useless.title}</h2>
         <button
           class="icon-button small"
-          aria-label="Close the note"
-          title="Close the note"
+          aria-label={words.value.bars.useless.close}
+          title={words.value.bars.useless.close}
           onClick={() => setClosed(scene.identity)}
         >
           <X size={15} aria-hidden />

@@ -18,6 +18,8 @@ import { Check } from './controls/check.tsx';
 import { Menu, useDismiss } from './controls/menu.tsx';
 import { Slider } from './controls/slider.tsx';
 import { Views } from './views.tsx';
+import { words } from '../language/language.ts';
+import { fixed } from '../language/numbers.ts';
 
 const colorMaps: readonly ColorMap[] = ['viridis', 'cividis', 'inferno', 'turbo'];
 
@@ -25,39 +27,49 @@ export function ViewToolbar() {
   const app = useApp();
   const { mode } = app.store.display.value;
   return (
-    <div class="view-toolbar" role="toolbar" aria-label="View">
-      <div class="segments" role="group" aria-label="Picture">
+    <div class="view-toolbar" role="toolbar" aria-label={words.value.bars.view.name}>
+      <div class="segments" role="group" aria-label={words.value.bars.view.picture}>
         <button
           aria-pressed={mode === 'realistic'}
-          title="Realistic (C)"
+          title={words.value.bars.view.realisticTip}
           onClick={() => app.setMode('realistic')}
         >
           <Sun size={15} aria-hidden />
-          <span>Realistic</span>
+          <span>{words.value.bars.view.realistic}</span>
         </button>
         <button
           aria-pressed={mode === 'falseColor'}
-          title="False colour (C)"
+          title={words.value.bars.view.falseColorTip}
           onClick={() => app.setMode('falseColor')}
         >
           <Palette size={15} aria-hidden />
-          <span>False colour</span>
+          <span>{words.value.bars.view.falseColor}</span>
         </button>
       </div>
-      <Popover label="Picture settings" icon={SlidersHorizontal}>
+      <Popover label={words.value.bars.view.settings} icon={SlidersHorizontal}>
         <DisplaySettings />
       </Popover>
       {mode === 'realistic' && <ExposureLock />}
-      <Popover label="Views" icon={Box}>
+      <Popover label={words.value.bars.view.views} icon={Box}>
         <Views />
       </Popover>
-      <button class="icon-button" aria-label="Fit the room" title="Fit (F)" onClick={() => app.viewer.fit()}>
+      <button
+        class="icon-button"
+        aria-label={words.value.bars.view.fit}
+        title={words.value.bars.view.fitTip}
+        onClick={() => app.viewer.fit()}
+      >
         <Maximize size={16} aria-hidden />
       </button>
-      <button class="icon-button" aria-label="Home view" title="Home (H)" onClick={() => app.viewer.home()}>
+      <button
+        class="icon-button"
+        aria-label={words.value.bars.view.home}
+        title={words.value.bars.view.homeTip}
+        onClick={() => app.viewer.home()}
+      >
         <House size={16} aria-hidden />
       </button>
-      <Menu label="Compare" icon={SquareSplitHorizontal} items={comparingActions} />
+      <Menu label={words.value.bars.view.compare} icon={SquareSplitHorizontal} items={comparingActions} />
     </div>
   );
 }
@@ -66,7 +78,7 @@ export function ViewToolbar() {
 function ExposureLock() {
   const app = useApp();
   const locked = app.store.display.value.exposureLevel !== undefined;
-  const label = locked ? 'Let the exposure adapt again' : 'Hold the exposure';
+  const label = locked ? words.value.bars.view.unlockExposure : words.value.bars.view.lockExposure;
   return (
     <button
       class="icon-button"
@@ -117,35 +129,39 @@ type Toggle = [
   boolean,
 ];
 
+const stops = (exposure: number): string => `${exposure >= 0 ? '+' : ''}${fixed(exposure, 1)} EV`;
+
 function DisplaySettings() {
   const app = useApp();
   const display = app.store.display.value;
   const toggles: readonly Toggle[] = [
-    ['isolux', 'Isolux lines', false],
-    ['cutAway', 'Cut away walls in front', true],
-    ['measuringPlanes', 'Measuring planes', false],
-    ...(display.mode === 'falseColor' ? [['values', 'Numbers on the planes', false] satisfies Toggle] : []),
-    ['luminaires', 'Luminaires and tags', true],
+    ['isolux', words.value.bars.view.isolux, false],
+    ['cutAway', words.value.bars.view.cutAway, true],
+    ['measuringPlanes', words.value.bars.view.measuringPlanes, false],
+    ...(display.mode === 'falseColor'
+      ? [['values', words.value.bars.view.values, false] satisfies Toggle]
+      : []),
+    ['luminaires', words.value.bars.view.luminaires, true],
   ];
   return (
     <div class="settings">
       {display.mode === 'realistic' ? (
         <>
           <label class="setting-row">
-            <span>Exposure</span>
+            <span>{words.value.bars.view.exposure}</span>
             <Slider
-              label="Exposure"
+              label={words.value.bars.view.exposure}
               value={display.exposure}
               min={-4}
               max={4}
               step={0.1}
-              text={`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}
+              text={stops(display.exposure)}
               onInput={(exposure) => app.setDisplay({ exposure })}
             />
-            <output>{`${display.exposure >= 0 ? '+' : ''}${display.exposure.toFixed(1)} EV`}</output>
+            <output>{stops(display.exposure)}</output>
           </label>
           <Check
-            label="As the eye sees"
+            label={words.value.bars.view.eye}
             checked={display.adaptation === 'eye'}
             set={(on) => app.setDisplay({ adaptation: on ? 'eye' : 'camera' })}
           />
@@ -153,7 +169,7 @@ function DisplaySettings() {
       ) : (
         <>
           <label class="setting-row">
-            <span>Colours</span>
+            <span>{words.value.bars.view.colors}</span>
             <select
               value={display.colorMap}
               onChange={(event) => app.setDisplay({ colorMap: event.currentTarget.value as ColorMap })}
@@ -164,20 +180,20 @@ function DisplaySettings() {
             </select>
           </label>
           <label class="setting-row">
-            <span>Steps</span>
+            <span>{words.value.bars.view.steps}</span>
             <select
               value={String(display.steps)}
               onChange={(event) => app.setScale({ steps: Number(event.currentTarget.value) })}
             >
               {[0, 5, 8, 10, 12, 16].map((steps) => (
                 <option key={steps} value={String(steps)}>
-                  {steps === 0 ? 'continuous' : String(steps)}
+                  {steps === 0 ? words.value.bars.view.continuous : String(steps)}
                 </option>
               ))}
             </select>
           </label>
           <Check
-            label="Logarithmic scale"
+            label={words.value.bars.view.logarithmic}
             checked={display.logarithmic}
             set={(logarithmic) => app.setScale({ logarithmic })}
           />

@@ -4,14 +4,15 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { mostViews } from '../document/schema.ts';
 import type { ViewName } from '../viewer/types.ts';
+import { words } from '../language/language.ts';
 
-const views: readonly [ViewName, string][] = [
-  ['plan', 'Plan'],
-  ['corner', 'Corner'],
-  ['north', 'North'],
-  ['east', 'East'],
-  ['south', 'South'],
-  ['west', 'West'],
+const views: readonly [ViewName, () => string][] = [
+  ['plan', () => words.value.bars.views.plan],
+  ['corner', () => words.value.bars.views.corner],
+  ['north', () => words.value.bars.views.north],
+  ['east', () => words.value.bars.views.east],
+  ['south', () => words.value.bars.views.south],
+  ['west', () => words.value.bars.views.west],
 ];
 
 export function Views() {
@@ -21,11 +22,11 @@ export function Views() {
       <div class="view-grid">
         {views.map(([name, title]) => (
           <button key={name} class="button small" onClick={() => app.viewer.view(name)}>
-            {title}
+            {title()}
           </button>
         ))}
       </div>
-      <p class="fine-print">Double-click the floor to stand there.</p>
+      <p class="fine-print">{words.value.bars.views.hint}</p>
       {app.store.scene.value && <KeptViews />}
     </>
   );
@@ -37,13 +38,13 @@ function KeptViews() {
   const kept = app.store.document.value.views ?? [];
   const keep = (event: Event) => {
     event.preventDefault();
-    app.keepView(name.trim() || `View ${kept.length + 1}`);
+    app.keepView(name.trim() || words.value.bars.views.usual(kept.length + 1));
     setName('');
   };
   return (
     <>
       {kept.length > 0 && (
-        <ul class="kept-views" aria-label="Kept views">
+        <ul class="kept-views" aria-label={words.value.bars.views.kept}>
           {kept.map((view) => (
             <li key={view.name} class="row">
               <button class="button small grow" onClick={() => app.viewer.flyTo(view.camera)}>
@@ -51,7 +52,7 @@ function KeptViews() {
               </button>
               <button
                 class="icon-button small"
-                aria-label={`Forget the view ${view.name}`}
+                aria-label={words.value.bars.views.forget(view.name)}
                 onClick={() => app.forgetView(view.name)}
               >
                 <Trash2 size={14} aria-hidden />
@@ -65,13 +66,13 @@ function KeptViews() {
           <input
             type="text"
             maxLength={40}
-            placeholder={`View ${kept.length + 1}`}
-            aria-label="Name of this view"
+            placeholder={words.value.bars.views.usual(kept.length + 1)}
+            aria-label={words.value.bars.views.nameOf}
             value={name}
             onInput={(event) => setName(event.currentTarget.value)}
           />
           <button class="button small" type="submit">
-            Keep this view
+            {words.value.bars.views.keep}
           </button>
         </form>
       )}

@@ -7,11 +7,12 @@ import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.t
 import { marginText } from '../app/words/layout-check.ts';
 import { targetText, valueText } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
-import { cornerName, placeText } from '../document/plan-frame.ts';
+import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { reportOf, type Report } from './report.ts';
 import './report.css';
+import { words } from '../language/language.ts';
 
 export function ReportPage({ close }: { close: () => void }) {
   const app = useApp();
@@ -215,7 +216,9 @@ function Plan({ report: { plan, luminaires } }: Props) {
   const { at, millimetre: mm } = figureOf(plan);
   return (
     <figure class="break-before">
-      <figcaption>Plan: luminaires and dimensions; coordinates from the {cornerName}</figcaption>
+      <figcaption>
+        Plan: luminaires and dimensions; coordinates from the {words.value.values.corner}
+      </figcaption>
       <PlanFigure plan={plan} label="The plan with its luminaires">
         {luminaires.map(({ tag, place: [x, y], axis: [ax, ay], size }) => {
           const half = Math.max(size, 2 * mm) / 2;
@@ -298,7 +301,7 @@ function Surfaces({ report: { surfaces, quantity } }: Props) {
 function Places({ report: { luminaires } }: Props) {
   return (
     <section>
-      <h2>Places of the luminaires: x, y, z in m from the {cornerName}</h2>
+      <h2>Places of the luminaires: x, y, z in m from the {words.value.values.corner}</h2>
       <ul class="places">
         {luminaires.map(({ tag, place }) => (
           <li key={tag}>

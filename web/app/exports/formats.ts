@@ -6,13 +6,14 @@ import type { PlanFrame } from '../../document/plan-frame.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
 import { writeProject } from '../../document/project-file.ts';
 import type { App } from '../app.ts';
+import { words } from '../../language/language.ts';
 
 export interface ExportFormat {
   readonly id: string; // of its action
-  readonly title: string; // of its action
+  readonly title: () => string; // of its action
   readonly keys?: readonly string[];
-  readonly button: string;
-  readonly noun: string; // "The <noun> could not be made"
+  readonly button: () => string;
+  readonly noun: () => string; // "The <noun> could not be made"
   readonly suffix: string; // of the file's name
   readonly type: string; // media type
   /** Throws one readable line. */
@@ -22,28 +23,28 @@ export interface ExportFormat {
 export const exportFormats: readonly ExportFormat[] = [
   {
     id: 'save',
-    title: 'Save a project file',
+    title: () => words.value.actions.exports.save.title,
     keys: ['Mod+S'],
-    button: 'Save a project file',
-    noun: 'project file',
+    button: () => words.value.actions.exports.save.button,
+    noun: () => words.value.actions.exports.save.noun,
     suffix: '.fiatlux.json',
     type: 'application/json',
     content: async ({ keeping }) => writeProject(keeping.project()),
   },
   {
     id: 'png',
-    title: 'Export the picture (PNG)',
-    button: 'Picture',
-    noun: 'picture',
+    title: () => words.value.actions.exports.png.title,
+    button: () => words.value.actions.exports.png.button,
+    noun: () => words.value.actions.exports.png.noun,
     suffix: '.png',
     type: 'image/png',
     content: ({ viewer }) => viewer.png(),
   },
   {
     id: 'csv',
-    title: 'Export the luminaires (CSV)',
-    button: 'Luminaires CSV',
-    noun: 'table',
+    title: () => words.value.actions.exports.csv.title,
+    button: () => words.value.actions.exports.csv.button,
+    noun: () => words.value.actions.exports.csv.noun,
     suffix: '-luminaires.csv',
     type: 'text/csv',
     async content(app) {
@@ -55,9 +56,9 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'results-csv',
-    title: 'Export the results (CSV)',
-    button: 'Results CSV',
-    noun: 'table of results',
+    title: () => words.value.actions.exports.results.title,
+    button: () => words.value.actions.exports.results.button,
+    noun: () => words.value.actions.exports.results.noun,
     suffix: '-results.csv',
     type: 'text/csv',
     async content(app) {
@@ -68,9 +69,9 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'dxf',
-    title: 'Export the plan (DXF)',
-    button: 'Plan DXF',
-    noun: 'DXF drawing',
+    title: () => words.value.actions.exports.dxf.title,
+    button: () => words.value.actions.exports.dxf.button,
+    noun: () => words.value.actions.exports.dxf.noun,
     suffix: '-plan.dxf',
     type: 'image/vnd.dxf',
     async content(app) {
@@ -81,9 +82,9 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'stf',
-    title: 'Export for DIALux or Relux (STF)',
-    button: 'STF',
-    noun: 'STF file',
+    title: () => words.value.actions.exports.stf.title,
+    button: () => words.value.actions.exports.stf.button,
+    noun: () => words.value.actions.exports.stf.noun,
     suffix: '.stf',
     type: 'text/plain',
     async content(app) {
@@ -94,9 +95,9 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'gltf',
-    title: 'Export the luminaires (glTF)',
-    button: 'glTF lights',
-    noun: 'glTF file',
+    title: () => words.value.actions.exports.gltf.title,
+    button: () => words.value.actions.exports.gltf.button,
+    noun: () => words.value.actions.exports.gltf.noun,
     suffix: '-luminaires.gltf',
     type: 'model/gltf+json',
     async content(app) {
@@ -117,6 +118,6 @@ function hung({ store, keeping, viewer }: App): {
   const scene = store.scene.peek();
   const layout = keeping.layout();
   const frame = viewer.frame();
-  if (!scene || !layout || !frame) throw new Error('no layout is shown yet');
+  if (!scene || !layout || !frame) throw new Error(words.value.actions.exports.noLayout);
   return { layout, sites: scene.sites, frame };
 }

@@ -9,6 +9,7 @@ import type { StfProject, StfType } from '../../document/stf.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
 import { isoluxLevels } from '../../viewer/light/isolux.ts';
 import type { App } from '../app.ts';
+import { words } from '../../language/language.ts';
 
 interface Drawn {
   readonly scene: SceneInfo;
@@ -21,7 +22,7 @@ export function drawn({ store, keeping, viewer }: Pick<App, 'store' | 'keeping' 
   const scene = store.scene.peek();
   const layout = keeping.layout();
   const plan = viewer.plan();
-  if (!scene || !layout || !plan) throw new Error('no layout is shown yet');
+  if (!scene || !layout || !plan) throw new Error(words.value.actions.exports.noLayout);
   return { scene, plan, layout };
 }
 

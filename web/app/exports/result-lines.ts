@@ -5,11 +5,12 @@ import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
 import { everyVerdict } from '../words/room-types.ts';
+import { words } from '../../language/language.ts';
 
 export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[] {
   const shown = store.shown.peek();
   const scene = store.scene.peek();
-  if (!shown || !scene) throw new Error('no layout is shown yet');
+  if (!shown || !scene) throw new Error(words.value.actions.exports.noLayout);
   const document = store.document.peek();
   const unit = unitOf(document.quantity);
   const line = (

@@ -1,6 +1,7 @@
 /** Hands a file to the browser, which asks where to put it or puts it among the downloads. */
 import type { App } from '../app.ts';
 import type { ExportFormat } from './formats.ts';
+import { words } from '../../language/language.ts';
 
 const patience = 10_000; // ms that a browser may take to begin with a download
 
@@ -11,7 +12,7 @@ export async function saveAs(format: ExportFormat, app: App): Promise<void> {
     download(`${fileStem(app.store.roomTitle.peek())}${format.suffix}`, blob);
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
-    app.store.say('error', `The ${format.noun} could not be made: ${why}`);
+    app.store.say('error', words.value.actions.exports.failed(format.noun(), why));
   }
 }
 

@@ -7,9 +7,10 @@ import { powerOf } from '../state/power.ts';
 import { unionOf } from '../state/statistics.ts';
 import type { Store } from '../state/store.ts';
 import type { Against } from '../variants.ts';
-import { compact, grouped, ratio, tabular } from './format.ts';
+import { compact, ratio, tabular } from './format.ts';
 import { everyVerdict } from './room-types.ts';
 import { targetText, valueText } from './verdict.ts';
+import { fixed, shortest } from '../../language/numbers.ts';
 
 /** What the two sides are called: that which is compared with, and the work. */
 export const sides: Record<Against, readonly [string, string]> = {
@@ -64,7 +65,7 @@ export function differencesOf(
 export function changeText(from: number, to: number): string {
   const change = 100 * (to / from - 1);
   if (!Number.isFinite(change) || Math.abs(change) < 0.5) return '';
-  return `${change > 0 ? '+' : '−'}${grouped(Math.abs(change).toFixed(0))} %`;
+  return `${change > 0 ? '+' : '−'}${fixed(Math.abs(change), 0)} %`;
 }
 
 function askedOf(store: Store, frame: PlanFrame | null, other: Shown): Difference[] {
@@ -90,7 +91,7 @@ type Lit = readonly [Shown, ReturnType<typeof powerOf>];
 
 function costOf([other, before]: Lit, [work, now]: Lit): Difference[] {
   const row = (what: string, unit: string, from: number, to: number): Difference => {
-    const side = (value: number) => ({ text: unit ? `${compact(value)} ${unit}` : grouped(String(value)) });
+    const side = (value: number) => ({ text: unit ? `${compact(value)} ${unit}` : shortest(value) });
     return { where: what, what: '', other: side(from), work: side(to), change: changeText(from, to) };
   };
   const count = ({ layout }: Shown) => layout.sites.length;

@@ -1,7 +1,6 @@
-/** Numbers for people: three significant digits, a thin space between thousands, units spelt as in the field. */
+/** Numbers for people: three significant digits, units spelt as in the field. */
 import type { Quantity } from '../../document/types.ts';
-
-const thin = '\u202f';
+import { fixed, shortest } from '../../language/numbers.ts';
 
 /** 0.0123, 1.23, 12.3, 123, 1 234: three significant digits, never an exponent. */
 export function compact(value: number): string {
@@ -9,13 +8,13 @@ export function compact(value: number): string {
   const size = Math.abs(value);
   if (size === 0) return '0';
   const digits = size >= 100 ? 0 : Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(size))));
-  return grouped(value.toFixed(digits));
+  return fixed(value, digits);
 }
 
 /** `compact` for narrow columns: below 1 hundredths, "< 0.01" where there is less than half of one. */
 export function tabular(value: number): string {
   if (!(value > 0 && value < 1)) return compact(value);
-  return value < 0.005 ? '< 0.01' : value.toFixed(2);
+  return value < 0.005 ? `< ${fixed(0.01, 2)}` : fixed(value, 2);
 }
 
 /** "480–560"; one number where both ends read the same. The dash may break a line. */
@@ -24,51 +23,40 @@ export function spanText(low: number, high: number): string {
   return from === to ? from : `${from}–\u200b${to}`;
 }
 
-export function grouped(text: string): string {
-  const [whole = '', fraction] = text.split('.');
-  const spaced = whole.replace(/\B(?=(\d{3})+$)/g, thin);
-  return fraction === undefined ? spaced : `${spaced}.${fraction}`;
-}
-
 /** 950, 12 400, 2.07 million: how many layouts were tried. */
 export function count(value: number): string {
-  return value >= 1e6 ? `${(value / 1e6).toPrecision(3)} M` : grouped(String(value));
-}
-
-/** 1 luminaire, 12 luminaires. */
-export function counted(value: number, what: string): string {
-  return `${grouped(String(value))} ${what}${value === 1 ? '' : 's'}`;
+  return value >= 1e6 ? `${compact(value / 1e6)} M` : shortest(value);
 }
 
 /** 0.8 ms, 42 ms, 2.8 s. */
 export function duration(milliseconds: number): string {
-  if (milliseconds >= 1000) return `${(milliseconds / 1000).toFixed(1)} s`;
-  return `${milliseconds.toFixed(milliseconds < 10 ? 1 : 0)} ms`;
+  if (milliseconds >= 1000) return `${fixed(milliseconds / 1000, 1)} s`;
+  return `${fixed(milliseconds, milliseconds < 10 ? 1 : 0)} ms`;
 }
 
 export function percent(share: number): string {
   if (!Number.isFinite(share)) return '–';
   const value = share * 100;
-  if (value > 0 && value < 0.1) return '< 0.1 %';
-  return `${value < 10 ? value.toFixed(1) : value.toFixed(0)} %`;
+  if (value > 0 && value < 0.1) return `< ${fixed(0.1, 1)} %`;
+  return `${fixed(value, value < 10 ? 1 : 0)} %`;
 }
 
 /** A share that must not be understated ("within 0.9 %"): rounded up. */
 export function percentAtMost(share: number): string {
   const scale = share < 0.0995 ? 1000 : 100; // a digit after the point below 10 %
   const value = (Math.ceil(share * scale - 1e-9) / scale) * 100;
-  return `${value.toFixed(scale === 1000 ? 1 : 0)} %`;
+  return `${fixed(value, scale === 1000 ? 1 : 0)} %`;
 }
 
 /** 0.62; ∞ for light against darkness, – for darkness against darkness. */
 export function ratio(value: number): string {
   if (value === Infinity) return '∞';
-  return Number.isFinite(value) ? value.toFixed(2) : '–';
+  return Number.isFinite(value) ? fixed(value, 2) : '–';
 }
 
 /** 1.844: an alpha, the same wherever it is written. */
 export function alphaText(alpha: number): string {
-  return String(Number(alpha.toPrecision(4)));
+  return shortest(Number(alpha.toPrecision(4)));
 }
 
 export function unitOf(quantity: Quantity): string {

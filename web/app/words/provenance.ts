@@ -4,7 +4,8 @@
  */
 import * as v from 'valibot';
 import type { SceneInfo } from '../../document/types.ts';
-import { grouped, percent } from './format.ts';
+import { percent } from './format.ts';
+import { fixed, shortest } from '../../language/numbers.ts';
 
 const known = <T extends v.GenericSchema>(schema: T) => v.fallback(v.optional(schema), undefined);
 const share = v.pipe(v.number(), v.finite(), v.minValue(0));
@@ -67,11 +68,11 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
   const residual = residuals?.at(-1);
   const facts: [string, string | null | undefined][] = [
     ['Made from', source?.file],
-    ['Patches', `${grouped(String(scene.patches))} of ${patchSize(scene).toFixed(2)} m`],
-    ['On measuring planes', scene.receivers > 0 ? grouped(String(scene.receivers)) : null],
-    ['Clusters', grouped(String(scene.clusters))],
-    ['Places for luminaires', grouped(String(scene.sites.size.length))],
-    ['Rays from each patch', options && `${grouped(String(options.rays))}, refined ${options.refine} times`],
+    ['Patches', `${shortest(scene.patches)} of ${fixed(patchSize(scene), 2)} m`],
+    ['On measuring planes', scene.receivers > 0 ? shortest(scene.receivers) : null],
+    ['Clusters', shortest(scene.clusters)],
+    ['Places for luminaires', shortest(scene.sites.size.length)],
+    ['Rays from each patch', options && `${shortest(options.rays)}, refined ${options.refine} times`],
     ['Bounced light not settled', residual === undefined ? null : fine(residual)],
     ['Light lost', (lostLight ?? lost) === undefined ? null : fine(lostLight ?? lost ?? 0)],
     ['Error of storing, mean', errors && fine(errors.mean)],
@@ -87,5 +88,5 @@ export function fine(value: number): string {
   const inPercent = value * 100;
   if (inPercent === 0) return '0 %';
   if (inPercent < 0.0001) return '< 0.0001 %';
-  return `${Number(inPercent.toPrecision(2))} %`;
+  return `${shortest(Number(inPercent.toPrecision(2)))} %`;
 }

@@ -5,7 +5,7 @@
  */
 import type { Goal } from '../../document/types.ts';
 import type { Shown } from '../../solver/protocol.ts';
-import { counted } from './format.ts';
+import { words } from '../../language/language.ts';
 
 type Reached = Pick<Shown, 'goals' | 'constraints' | 'violation'>;
 
@@ -48,24 +48,20 @@ export function highestScore(goals: readonly Goal[], { shown, gap }: Best): numb
 export function outcomeText(score: number, own: Reached, { shown: best }: Best): string {
   const unmet = own.constraints.filter(({ met }) => !met).length;
   if (unmet > 0 && best.violation <= tiny)
-    return `${counted(unmet, 'bound')} not met, which the solver’s layout meets.`;
-  if (unmet > 0 && own.violation > best.violation + tiny)
-    return 'Neither layout meets every bound; yours misses them by more.';
-  if (unmet > 0 && own.violation < best.violation - tiny)
-    return 'Neither layout meets every bound, but yours comes nearer: you beat the solver.';
-  if (unmet === 0 && best.violation > tiny)
-    return 'Your layout meets every bound, the solver’s does not: you beat it.';
-  if (score > 100 + alike) return 'You beat the solver: it has found none as good as yours.';
-  if (score >= 100 - alike) return 'As good as the solver’s layout, to half a point.';
-  return `The solver’s layout is better by ${counted(Math.round(100 - score), 'point')}.`;
+    return words.value.comparing.score.unmet(words.value.values.bounds(unmet));
+  if (unmet > 0 && own.violation > best.violation + tiny) return words.value.comparing.score.worse;
+  if (unmet > 0 && own.violation < best.violation - tiny) return words.value.comparing.score.nearer;
+  if (unmet === 0 && best.violation > tiny) return words.value.comparing.score.meets;
+  if (score > 100 + alike) return words.value.comparing.score.beaten;
+  if (score >= 100 - alike) return words.value.comparing.score.equal;
+  return words.value.comparing.score.better(words.value.values.points(Math.round(100 - score)));
 }
 
 /** One sentence: how good any layout could be. */
 export function boundText(goals: readonly Goal[], best: Best): string {
   const highest = highestScore(goals, best);
-  if (highest !== null) return `No layout can score above ${Math.ceil(highest - tiny)}: that is proved.`;
-  if (best.gap === null || best.shown.violation > tiny)
-    return 'How good the best layout is has not been proved.';
+  if (highest !== null) return words.value.comparing.score.above(Math.ceil(highest - tiny));
+  if (best.gap === null || best.shown.violation > tiny) return words.value.comparing.score.unproved;
   const gap = Math.ceil(100 * best.gap - tiny);
-  return `By the solver’s own measure no layout is better than its own by more than ${gap} %: that is proved.`;
+  return words.value.comparing.score.gap(gap);
 }

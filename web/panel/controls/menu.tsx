@@ -57,7 +57,7 @@ export function Menu({
                 action.run(app);
               }}
             >
-              <span>{action.title}</span>
+              <span>{action.title()}</span>
               {action.keys?.[0] && <kbd>{keyText(action.keys[0])}</kbd>}
             </button>
           ))}

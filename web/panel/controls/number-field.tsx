@@ -1,7 +1,7 @@
 /** A number that is typed exactly, with its unit. Live while it can be read; empty means "no such bound" where allowed. */
 import { useEffect, useState } from 'preact/hooks';
-import { grouped } from '../../app/words/format.ts';
 import { stepped } from './slider.tsx';
+import { decimalSign, shortest, typed } from '../../language/numbers.ts';
 
 export interface NumberFieldProps {
   readonly label: string;
@@ -18,10 +18,6 @@ export interface NumberFieldProps {
   readonly onEnd?: () => void;
 }
 
-/** The decimal sign of the page's locale. */
-const localSign = (): string =>
-  new Intl.NumberFormat().formatToParts(1.5).find(({ type }) => type === 'decimal')?.value ?? '.';
-
 /** "1,250": three digits behind one comma or point, which may be thousands or thousandths. */
 const isAmbiguous = (bare: string): boolean => /^[+-]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
 
@@ -35,7 +31,7 @@ const bareOf = (text: string, unit: string): string => {
  * the last is the decimal one, and the others must stand between groups of three, as must one that occurs more than
  * once. A single one is decimal, unless three digits follow and the decimal sign of the locale is the other.
  */
-export function readNumber(text: string, unit = '', sign = localSign()): number | null {
+export function readNumber(text: string, unit = '', sign = decimalSign()): number | null {
   const bare = bareOf(text, unit);
   const mixed = /^[+-]?\d{1,3}(?:(?:\.\d{3})+,\d*|(?:,\d{3})+\.\d*)$/.test(bare);
   const repeated = /^[+-]?\d{1,3}(?:(?:\.\d{3}){2,}|(?:,\d{3}){2,})$/.test(bare);
@@ -56,13 +52,13 @@ export function readNumber(text: string, unit = '', sign = localSign()): number 
 export function remarkOn(text: string, unit: string, [min, max]: readonly [number, number]): string | null {
   const value = readNumber(text, unit);
   if (value === null) return null;
-  if (value > max) return `At most ${grouped(String(max))}`;
-  if (value < min) return `At least ${grouped(String(min))}`;
-  return isAmbiguous(bareOf(text, unit)) ? `Read as ${grouped(String(value))}` : null;
+  if (value > max) return `At most ${shortest(max)}`;
+  if (value < min) return `At least ${shortest(min)}`;
+  return isAmbiguous(bareOf(text, unit)) ? `Read as ${shortest(value)}` : null;
 }
 
 const written = (value: number | undefined) =>
-  value === undefined ? '' : String(Number(value.toPrecision(5)));
+  value === undefined ? '' : typed(Number(value.toPrecision(5)));
 
 const readable = 4000; // ms
 

@@ -2,16 +2,17 @@
 import { actions, type Action } from '../../app/actions.ts';
 import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
+import { words } from '../../language/language.ts';
 
-const pointer: readonly [string, string][] = [
-  ['Drag', 'orbit (one finger)'],
-  ['Right or Shift drag', 'pan (two fingers)'],
-  ['Wheel', 'zoom to the pointer'],
-  ['Click', 'select a surface or a luminaire'],
-  ['Double click', 'stand there, on the floor; else turn around that point'],
-  ['Drag a luminaire', 'pin it elsewhere; the others compensate'],
-  ['Luminaires, Keep out or Keep in', 'drag a rectangle in the plan where none, or all, may hang'],
-  ['Arrows on a slider', 'one step; Shift × 10, Alt × 0.1'],
+const pointer: readonly [() => string, () => string][] = [
+  [() => words.value.dialogs.help.drag.what, () => words.value.dialogs.help.drag.does],
+  [() => words.value.dialogs.help.pan.what, () => words.value.dialogs.help.pan.does],
+  [() => words.value.dialogs.help.wheel.what, () => words.value.dialogs.help.wheel.does],
+  [() => words.value.dialogs.help.click.what, () => words.value.dialogs.help.click.does],
+  [() => words.value.dialogs.help.doubleClick.what, () => words.value.dialogs.help.doubleClick.does],
+  [() => words.value.dialogs.help.luminaire.what, () => words.value.dialogs.help.luminaire.does],
+  [() => words.value.dialogs.help.area.what, () => words.value.dialogs.help.area.does],
+  [() => words.value.dialogs.help.arrows.what, () => words.value.dialogs.help.arrows.does],
 ];
 
 export function HelpDialog({ close }: { close: () => void }) {
@@ -19,37 +20,31 @@ export function HelpDialog({ close }: { close: () => void }) {
   for (const action of actions)
     if (action.keys) groups.set(action.group, [...(groups.get(action.group) ?? []), action]);
   return (
-    <Dialog title="Keys and help" class="wide" close={close}>
-      <p>
-        Pick a surface, choose a verb, drag its range: a search places the luminaires anew and the bounced
-        light follows while you drag. Drag a luminaire by hand and it stays; the others make up for it.
-      </p>
-      <p class="fine-print">
-        Computed: illuminance and exitance of matt surfaces under these luminaires, with all bounces, as means
-        over patches. Not computed: shine, daylight and the time of day.
-      </p>
+    <Dialog title={words.value.actions.help} class="wide" close={close}>
+      <p>{words.value.dialogs.help.how}</p>
+      <p class="fine-print">{words.value.dialogs.help.scope}</p>
       <div class="help-columns">
         <section>
-          <h3>Pointer</h3>
+          <h3>{words.value.dialogs.help.pointer}</h3>
           <dl class="keys">
             {pointer.map(([what, does]) => (
-              <div key={what}>
-                <dt>{what}</dt>
-                <dd>{does}</dd>
+              <div key={what()}>
+                <dt>{what()}</dt>
+                <dd>{does()}</dd>
               </div>
             ))}
           </dl>
         </section>
         {[...groups].map(([group, list]) => (
           <section key={group}>
-            <h3>{group}</h3>
+            <h3>{words.value.actions.groups[group]}</h3>
             <dl class="keys">
               {list.map((action) => (
                 <div key={action.id}>
                   <dt>
                     <kbd>{keyText(action.keys?.[0] ?? '')}</kbd>
                   </dt>
-                  <dd>{action.title}</dd>
+                  <dd>{action.title()}</dd>
                 </div>
               ))}
             </dl>

@@ -4,13 +4,14 @@ import { useApp } from '../../app/app.ts';
 import { actions, isEnabled, placesOf, type Action } from '../../app/actions.ts';
 import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
+import { words } from '../../language/language.ts';
 
 /** Actions whose title holds every word that is typed, in the registry's order. */
 export function matching(all: readonly Action[], query: string): Action[] {
-  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const typed = query.toLowerCase().split(/\s+/).filter(Boolean);
   return all.filter((action) => {
-    const text = `${action.title} ${action.group}`.toLowerCase();
-    return action.id !== 'palette' && words.every((word) => text.includes(word));
+    const text = `${action.title()} ${words.value.actions.groups[action.group]}`.toLowerCase();
+    return action.id !== 'palette' && typed.every((word) => text.includes(word));
   });
 }
 
@@ -36,15 +37,15 @@ export function Palette({ close }: { close: () => void }) {
     event.preventDefault();
   };
   return (
-    <Dialog title="All actions" class="palette" close={close}>
+    <Dialog title={words.value.actions.palette} class="palette" close={close}>
       <input
         type="text"
         role="combobox"
         aria-expanded="true"
         aria-controls="palette-list"
         aria-activedescendant={active && `palette-${active.id}`}
-        aria-label="Find an action"
-        placeholder="What would you like to do?"
+        aria-label={words.value.dialogs.palette.find}
+        placeholder={words.value.dialogs.palette.prompt}
         autoFocus
         value={query}
         onInput={(event) => {
@@ -53,7 +54,7 @@ export function Palette({ close }: { close: () => void }) {
         }}
         onKeyDown={move}
       />
-      <ul id="palette-list" role="listbox" aria-label="Actions" ref={list}>
+      <ul id="palette-list" role="listbox" aria-label={words.value.dialogs.palette.list} ref={list}>
         {found.map((action) => (
           <li
             key={action.id}
@@ -62,13 +63,13 @@ export function Palette({ close }: { close: () => void }) {
             aria-selected={action === active}
             onClick={() => run(action)}
           >
-            <span>{action.title}</span>
-            <small>{action.group}</small>
+            <span>{action.title()}</span>
+            <small>{words.value.actions.groups[action.group]}</small>
             {action.keys?.[0] && <kbd>{keyText(action.keys[0])}</kbd>}
           </li>
         ))}
       </ul>
-      {found.length === 0 && <p class="empty">No action is called that.</p>}
+      {found.length === 0 && <p class="empty">{words.value.dialogs.palette.none}</p>}
     </Dialog>
   );
 }

@@ -57,7 +57,7 @@ export function ShareDialog({ close }: { close: () => void }) {
       <div class="row">
         {exportFormats.map((format) => (
           <button key={format.id} class="button" onClick={() => void saveAs(format, app)}>
-            {format.button}
+            {format.button()}
           </button>
         ))}
       </div>

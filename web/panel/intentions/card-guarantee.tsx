@@ -1,7 +1,7 @@
 /** "At least 300 lx": by Chebyshev (mu - alpha sigma) or by the true minimum; and the search for the smallest alpha. */
 import { LocateFixed, Plus, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { alphaText, compact, easedBound, niceStep, unitOf } from '../../app/words/format.ts';
+import { compact, easedBound, niceStep, unitOf } from '../../app/words/format.ts';
 import { intentionsOf, withBound, withOptional } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
@@ -108,7 +108,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
         <NumberRow
           name="Alpha"
           label="Alpha"
-          value={Number(alphaText(guarantee.alpha))}
+          value={Number(guarantee.alpha.toPrecision(4))}
           step={0.1}
           max={100}
           onInput={setAlpha}

@@ -3,14 +3,16 @@ import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import type { EasedBound, Relief, Way } from '../../app/relief.ts';
 import { conflicting, easedCards, fieldText, type Conflicting } from '../../app/words/explain.ts';
-import { compact, counted, grouped, unitOf } from '../../app/words/format.ts';
+import { compact, unitOf } from '../../app/words/format.ts';
 import { isRatio } from '../../document/intentions.ts';
 import { MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
 import { namesText } from './surface-picker.tsx';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 /** What is reached, with as many digits as tell it from what is asked. */
 function apart(reached: number, asked: number): string {
-  return compact(reached) === compact(asked) ? String(Number(reached.toPrecision(6))) : compact(reached);
+  return compact(reached) === compact(asked) ? shortest(Number(reached.toPrecision(6))) : compact(reached);
 }
 
 export function InfeasibleHelp() {
@@ -37,7 +39,7 @@ export function InfeasibleHelp() {
 }
 
 function titleOf(conflict: number, missed: number): string {
-  if (conflict === 0) return `${counted(missed, 'bound')} not met`;
+  if (conflict === 0) return `${words.value.values.bounds(missed)} not met`;
   return conflict === 1 ? 'One bound cannot be met' : `${conflict} bounds cannot be met together`;
 }
 
@@ -77,7 +79,7 @@ function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting
               })
             }
           >
-            Or {grouped(String(flux.change))} lm each
+            Or {shortest(flux.change)} lm each
           </button>
         )}
         <MoreLuminaires />

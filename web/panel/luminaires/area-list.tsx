@@ -3,10 +3,11 @@ import { SquareDashed, Trash2 } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import type { AreaKind } from '../../app/state/store.ts';
 import { noAreas } from '../../document/areas.ts';
-import { cornerName, inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
+import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
 import { mostAreas } from '../../document/schema.ts';
 import type { Areas, PlanArea } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
+import { words } from '../../language/language.ts';
 
 const kinds: readonly [AreaKind, string][] = [
   ['keepOut', 'Keep out'],
@@ -116,7 +117,7 @@ function AreaRow({ name, area, frame, change }: AreaProps) {
     change([[nextX, nextZ - depth, nextX + width, nextZ]]);
   };
   return (
-    <div class="area-row" role="group" aria-label={name} title={`From the ${cornerName}`}>
+    <div class="area-row" role="group" aria-label={name} title={`From the ${words.value.values.corner}`}>
       <div class="setting-row">
         <span>{name}</span>
         <button class="icon-button small" aria-label={`Remove ${name}`} onClick={() => change(null)}>

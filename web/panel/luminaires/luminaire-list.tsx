@@ -2,10 +2,11 @@
 import { Pin } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact } from '../../app/words/format.ts';
-import { cornerName, inPlan, placeText } from '../../document/plan-frame.ts';
+import { inPlan, placeText } from '../../document/plan-frame.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { steps } from '../selection-bar.tsx';
+import { words } from '../../language/language.ts';
 
 export function LuminaireList() {
   const { store, hand, viewer } = useApp();
@@ -29,7 +30,7 @@ export function LuminaireList() {
       <thead>
         <tr>
           <th scope="col">Tag</th>
-          <th scope="col" title={`East, north and up from the ${cornerName}`}>
+          <th scope="col" title={`East, north and up from the ${words.value.values.corner}`}>
             Place: x, y, z (m)
           </th>
           <th scope="col" class="number">

@@ -4,6 +4,7 @@
  */
 import { mapColor } from './color-maps.ts';
 import type { Display } from '../../document/types.ts';
+import { shortest } from '../../language/numbers.ts';
 
 export type Scale = Pick<Display, 'range' | 'logarithmic' | 'steps' | 'colorMap'>;
 
@@ -80,10 +81,7 @@ export function formatLight(value: number): string {
   if (!Number.isFinite(value)) return '–';
   const magnitude = Math.abs(value);
   const digits = magnitude >= 100 || magnitude === 0 ? 0 : magnitude >= 10 ? 1 : 2;
-  const [whole, fraction] = value.toFixed(digits).split('.') as [string, string | undefined];
-  const grouped = whole.replace(/\B(?=(\d{3})+$)/g, '\u2009');
-  const rest = fraction?.replace(/0+$/, '');
-  return rest ? `${grouped}.${rest}` : grouped;
+  return shortest(Number(value.toFixed(digits)));
 }
 
 const decadeTicks = (mantissas: readonly number[], low: number, high: number): number[] => {

@@ -60,7 +60,7 @@ test('one that cannot be made is told by its name, and nothing is saved', async 
   const ofTheLayout = exportFormats.filter(({ id }) => id !== 'save' && id !== 'png');
   for (const format of ofTheLayout) {
     await saveAs(format, app);
-    const text = `The ${format.noun} could not be made: no layout is shown yet`;
+    const text = `The ${format.noun()} could not be made: no layout is shown yet`;
     expect(app.store.messages.value.at(-1)?.text).toBe(text);
   }
   expect(saved).toEqual([]);

@@ -100,7 +100,7 @@ describe('ticks of the legend', () => {
       '1',
       '10',
       '100',
-      '1\u2009000',
+      '1\u202f000',
     ]);
     expect(falseColor.legendTicks({ ...linear, steps: 4 }).map((tick) => tick.value)).toEqual([
       0, 125, 250, 375, 500,
@@ -116,8 +116,8 @@ describe('ticks of the legend', () => {
       '1.5',
       '20',
       '12.3',
-      '1\u2009000',
-      '12\u2009345',
+      '1\u202f000',
+      '12\u202f345',
     ]);
   });
 

@@ -1,0 +1,7 @@
+/** The room maker. */
+import type { Words } from '../en.ts';
+
+export const maker: Words['maker'] = {
+  notLoaded: 'Der Raumeditor konnte nicht geladen werden: Verbindung prüfen und noch einmal versuchen.',
+  name: 'Raumeditor',
+};

@@ -1,0 +1,15 @@
+/** The page's words in English, by the part of the page that says them. */
+import { actions } from './en/actions.ts';
+import { bars } from './en/bars.ts';
+import { comparing } from './en/comparing.ts';
+import { dialogs } from './en/dialogs.ts';
+import { maker } from './en/maker.ts';
+import { opening } from './en/opening.ts';
+import { panel } from './en/panel.ts';
+import { steps } from './en/steps.ts';
+import { values } from './en/values.ts';
+
+export const en = { actions, bars, comparing, dialogs, maker, opening, panel, steps, values };
+
+/** What another language has to say: the same keys, and functions of the same arguments. */
+export type Words = typeof en;
