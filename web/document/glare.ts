@@ -1,12 +1,14 @@
 /** Glare in words and colours that view and panel share, and an observer made of a view. */
 import type { Camera, Observer, Point, SceneInfo } from './types.ts';
+import { words } from '../language/language.ts';
+import { fixed } from '../language/numbers.ts';
 
 /** What EN 12464-1 asks of rooms, and the colour of what is within each limit. */
 export const glareLimits = [
-  { max: 16, title: '16, technical drawing', color: '#2c7fb8' },
-  { max: 19, title: '19, desks and screens', color: '#41ae9d' },
-  { max: 22, title: '22, reception, meeting with daylight', color: '#e0b92f' },
-  { max: 25, title: '25, halls and rough work', color: '#e67e32' },
+  { max: 16, title: () => words.value.intentions.glare.limits.drawing, color: '#2c7fb8' },
+  { max: 19, title: () => words.value.intentions.glare.limits.desks, color: '#41ae9d' },
+  { max: 22, title: () => words.value.intentions.glare.limits.reception, color: '#e0b92f' },
+  { max: 25, title: () => words.value.intentions.glare.limits.halls, color: '#e67e32' },
 ] as const;
 
 const beyondAll = '#c8322b';
@@ -20,7 +22,7 @@ export function glareColor(ugr: number | null): string {
 
 /** Below 10 a unified glare rating says no more than that nothing glares. */
 export function ugrText(ugr: number | null): string {
-  return ugr === null || ugr < 10 ? 'under 10' : ugr.toFixed(1);
+  return ugr === null || ugr < 10 ? words.value.intentions.glare.under : fixed(ugr, 1);
 }
 
 const eyeHeight = 1.2; // m above the floor, of somebody who sits

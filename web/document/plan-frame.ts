@@ -2,6 +2,7 @@
  * Coordinates as designers read them: x to the east and y to the north in plan, from the south-west corner of the
  * floor, z up from the floor. The room's own axes (glTF: x east, y up, z south) become these here and nowhere else.
  */
+import { fixed, listed } from '../language/numbers.ts';
 
 export type Point2 = readonly [x: number, y: number]; // m, in plan
 export type Point3 = readonly [x: number, y: number, z: number]; // m
@@ -30,9 +31,9 @@ export function inRoom({ west, south, floor }: PlanFrame, [x, y, z]: Point3): [n
   return [west + x, floor + z, south - y];
 }
 
-/** "3.20, 1.60, 2.80": for tables, to the centimetre. */
+/** "3.20, 1.60, 2.80": for tables, to the centimetre, as the page writes numbers. */
 export function placeText(place: Point3): string {
-  return place.map((value) => (Math.round(value * 100) / 100 + 0).toFixed(2)).join(', ');
+  return listed(place.map((value) => fixed(Math.round(value * 100) / 100 + 0, 2)));
 }
 
 /** Twice the area that a loop runs around, positive where it runs counter-clockwise. */

@@ -4,10 +4,22 @@ import { actions } from './de/actions.ts';
 import { bars } from './de/bars.ts';
 import { comparing } from './de/comparing.ts';
 import { dialogs } from './de/dialogs.ts';
+import { intentions } from './de/intentions.ts';
 import { maker } from './de/maker.ts';
 import { opening } from './de/opening.ts';
 import { panel } from './de/panel.ts';
 import { steps } from './de/steps.ts';
 import { values } from './de/values.ts';
 
-export const de: Words = { actions, bars, comparing, dialogs, maker, opening, panel, steps, values };
+export const de: Words = {
+  actions,
+  bars,
+  comparing,
+  dialogs,
+  intentions,
+  maker,
+  opening,
+  panel,
+  steps,
+  values,
+};

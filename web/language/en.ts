@@ -3,13 +3,14 @@ import { actions } from './en/actions.ts';
 import { bars } from './en/bars.ts';
 import { comparing } from './en/comparing.ts';
 import { dialogs } from './en/dialogs.ts';
+import { intentions } from './en/intentions.ts';
 import { maker } from './en/maker.ts';
 import { opening } from './en/opening.ts';
 import { panel } from './en/panel.ts';
 import { steps } from './en/steps.ts';
 import { values } from './en/values.ts';
 
-export const en = { actions, bars, comparing, dialogs, maker, opening, panel, steps, values };
+export const en = { actions, bars, comparing, dialogs, intentions, maker, opening, panel, steps, values };
 
 /** What another language has to say: the same keys, and functions of the same arguments. */
 export type Words = typeof en;

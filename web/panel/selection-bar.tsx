@@ -36,10 +36,15 @@ function SurfaceBar({ surface }: { surface: number }) {
           </span>
         )}
       </span>
-      {verbs.map(({ verb, title, icon: Icon, hint }) => (
-        <button key={verb} class="chip" title={hint} onClick={() => app.addCard(verb, [name])}>
+      {verbs.map(({ verb, icon: Icon }) => (
+        <button
+          key={verb}
+          class="chip"
+          title={words.value.intentions.verbs[verb].hint}
+          onClick={() => app.addCard(verb, [name])}
+        >
           <Icon size={15} aria-hidden />
-          <span>{title}</span>
+          <span>{words.value.intentions.verbs[verb].title}</span>
         </button>
       ))}
       <button

@@ -6,4 +6,13 @@ export const values = {
   bounds: (n: number) => counted(n, 'bound', 'bounds'),
   luminaires: (n: number) => counted(n, 'luminaire', 'luminaires'),
   points: (n: number) => counted(n, 'point', 'points'),
+  unmet: 'not met',
+  wholeRoom: 'the whole room',
+  atMost: (value: string) => `At most ${value}`,
+  atLeast: (value: string) => `At least ${value}`,
+  readAs: (value: string) => `Read as ${value}`,
+  labelAtLeast: (label: string) => `${label} at least`,
+  noLower: 'no lower bound',
+  labelAtMost: (label: string) => `${label} at most`,
+  noUpper: 'no upper bound',
 };

@@ -2,6 +2,7 @@
 import { ChevronRight } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
+import { words } from '../../language/language.ts';
 
 interface Props {
   readonly isUsed: boolean; // unfolded at first, and as soon as it becomes so
@@ -15,7 +16,7 @@ export function More({ isUsed, children }: Props) {
     <div class="more">
       <button class="more-toggle" aria-expanded={isOpen} onClick={() => setWish(!isOpen)}>
         <ChevronRight size={14} aria-hidden class="twist" />
-        More
+        {words.value.intentions.moreWord}
       </button>
       {isOpen && <div class="more-body">{children}</div>}
     </div>

@@ -2,6 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { stepped } from './slider.tsx';
 import { decimalSign, shortest, typed } from '../../language/numbers.ts';
+import { words } from '../../language/language.ts';
 
 export interface NumberFieldProps {
   readonly label: string;
@@ -52,9 +53,9 @@ export function readNumber(text: string, unit = '', sign = decimalSign()): numbe
 export function remarkOn(text: string, unit: string, [min, max]: readonly [number, number]): string | null {
   const value = readNumber(text, unit);
   if (value === null) return null;
-  if (value > max) return `At most ${shortest(max)}`;
-  if (value < min) return `At least ${shortest(min)}`;
-  return isAmbiguous(bareOf(text, unit)) ? `Read as ${shortest(value)}` : null;
+  if (value > max) return words.value.values.atMost(shortest(max));
+  if (value < min) return words.value.values.atLeast(shortest(min));
+  return isAmbiguous(bareOf(text, unit)) ? words.value.values.readAs(shortest(value)) : null;
 }
 
 const written = (value: number | undefined) =>

@@ -1,4 +1,5 @@
 /** Sliders on native range inputs: one handle or two (ARIA multi-thumb). Arrows step, Shift x10, Alt x0.1; live on input. */
+import { words } from '../../language/language.ts';
 
 interface SliderProps {
   readonly label: string;
@@ -78,23 +79,23 @@ export function RangeSlider(props: RangeSliderProps) {
       </span>
       <Slider
         class="thumb low"
-        label={`${label} at least`}
+        label={words.value.values.labelAtLeast(label)}
         value={Math.min(low, scale)}
         min={0}
         max={scale}
         step={step}
-        text={low > 0 ? `${low} ${unit}` : 'no lower bound'}
+        text={low > 0 ? `${low} ${unit}` : words.value.values.noLower}
         onInput={(value) => onInput('min', Math.min(value, high))}
         onEnd={onEnd}
       />
       <Slider
         class="thumb high"
-        label={`${label} at most`}
+        label={words.value.values.labelAtMost(label)}
         value={Math.min(high, scale)}
         min={0}
         max={scale}
         step={step}
-        text={high < scale ? `${high} ${unit}` : 'no upper bound'}
+        text={high < scale ? `${high} ${unit}` : words.value.values.noUpper}
         onInput={(value) => onInput('max', Math.max(value, low))}
         onEnd={onEnd}
       />

@@ -10,12 +10,13 @@ import { withOptional } from '../../document/intentions.ts';
 import type { Verb } from '../../document/types.ts';
 import type { Axis, CardProps } from './card-hooks.ts';
 import { useReached } from './use-reached.ts';
+import { words } from '../../language/language.ts';
 
-const withoutAim: Record<Exclude<Verb, 'keep'>, readonly [placeholder: string, text: string]> = {
-  illuminate: ['most', 'as much as possible'],
-  overshadow: ['least', 'as little as possible'],
-  homogenize: ['any', 'any mean'],
-  vary: ['any', 'any mean'],
+const withoutAim: Record<Exclude<Verb, 'keep'>, 'most' | 'least' | 'any'> = {
+  illuminate: 'most',
+  overshadow: 'least',
+  homogenize: 'any',
+  vary: 'any',
 };
 
 export function AimField({ card, axis }: CardProps & { axis: Axis }) {
@@ -24,12 +25,12 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   const unit = unitOf(app.store.document.value.quantity);
   const { scale, hold, release } = axis;
   const step = niceStep(scale);
-  const [placeholder, text] = withoutAim[card.verb === 'keep' ? 'homogenize' : card.verb];
+  const none = withoutAim[card.verb === 'keep' ? 'homogenize' : card.verb];
   const name = card.surfaces[0] ?? '';
   const set = (value: number | undefined) =>
     app.changeCard(
       card.id,
-      `Aim at a mean of ${name}`,
+      words.value.steps.aim(name),
       (each) => withOptional(each, 'aim', value || undefined),
       `${card.id} aim`,
     );
@@ -40,29 +41,27 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   return (
     <div class="field">
       <div class="field-head">
-        <span class="field-name">Mean about</span>
+        <span class="field-name">{words.value.intentions.aim.name}</span>
         {reached && (
-          <span class="field-note">
-            now {compact(reached.mean)} {unit}
-          </span>
+          <span class="field-note">{words.value.intentions.now(`${compact(reached.mean)} ${unit}`)}</span>
         )}
         <NumberField
-          label={`${name}: aim at a mean of`}
+          label={words.value.intentions.aim.fieldOf(name)}
           value={card.aim}
           unit={unit}
           step={step}
-          placeholder={placeholder}
+          placeholder={words.value.intentions.aim.blank[none]}
           onInput={set}
           onEnd={end}
         />
       </div>
       <Slider
-        label={`${name}: about`}
+        label={words.value.intentions.aim.sliderOf(name)}
         value={card.aim ?? (card.verb === 'illuminate' ? scale : 0)}
         min={0}
         max={scale}
         step={step}
-        text={card.aim === undefined ? text : `${compact(card.aim)} ${unit}`}
+        text={card.aim === undefined ? words.value.intentions.aim[none] : `${compact(card.aim)} ${unit}`}
         onInput={(value) => {
           hold();
           set(value > 0 && value < scale ? value : undefined);

@@ -1,6 +1,8 @@
 /** The search for alpha, iteration by iteration (paper, figure 10 a): alpha tried, and the interval it is known to lie in. */
 import type { AlphaRun } from '../../app/state/store.ts';
 import { alphaText, niceCeiling } from '../../app/words/format.ts';
+import { words } from '../../language/language.ts';
+import { fixed, shortest } from '../../language/numbers.ts';
 
 const width = 320;
 const height = 130;
@@ -28,7 +30,7 @@ export function AlphaPlot({ run }: { run: AlphaRun }) {
           <g key={tick}>
             <line class="grid" x1={left} x2={width} y1={y(tick)} y2={y(tick)} />
             <text x={left - 5} y={y(tick) + 3.5} text-anchor="end">
-              {Number(tick.toPrecision(3))}
+              {shortest(Number(tick.toPrecision(3)))}
             </text>
           </g>
         ))}
@@ -42,17 +44,19 @@ export function AlphaPlot({ run }: { run: AlphaRun }) {
             cy={y(step.alpha)}
             r="4"
           >
-            <title>{`${step.iteration}: alpha ${step.alpha.toFixed(3)}, region ${step.region}`}</title>
+            <title>
+              {words.value.intentions.alpha.tried(String(step.iteration), fixed(step.alpha, 3), step.region)}
+            </title>
           </circle>
         ))}
         <text x={width / 2} y={height - 4} text-anchor="middle">
-          iteration
+          {words.value.intentions.alpha.iteration}
         </text>
       </svg>
       <ul class="plot-key">
-        <li class="region-I">I: too small</li>
-        <li class="region-II">II: holds</li>
-        <li class="region-III">III: impossible</li>
+        <li class="region-I">{words.value.intentions.alpha.tooSmall}</li>
+        <li class="region-II">{words.value.intentions.alpha.holds}</li>
+        <li class="region-III">{words.value.intentions.alpha.impossible}</li>
       </ul>
       {done && (
         <figcaption>
@@ -67,6 +71,9 @@ export function AlphaPlot({ run }: { run: AlphaRun }) {
 const finite = (value: number) => (Number.isFinite(value) ? value : 0);
 
 function describe({ steps, done }: AlphaRun): string {
-  const tried = steps.map((step) => `${step.alpha.toFixed(2)} (region ${step.region})`).join(', ');
-  return `Alphas tried: ${tried || 'none yet'}.${done?.alpha ? ` Found: ${alphaText(done.alpha)}.` : ''}`;
+  const tried = steps
+    .map((step) => words.value.intentions.alpha.one(fixed(step.alpha, 2), step.region))
+    .join(', ');
+  const all = words.value.intentions.alpha.all(tried || words.value.intentions.alpha.none);
+  return done?.alpha ? all + words.value.intentions.alpha.found(alphaText(done.alpha)) : all;
 }

@@ -10,6 +10,7 @@ import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { namesText } from './surface-picker.tsx';
 import { useReached } from './use-reached.ts';
+import { words } from '../../language/language.ts';
 
 type Guarantee = NonNullable<Card['guarantee']>;
 
@@ -18,22 +19,22 @@ export function CardGuarantee({ card }: CardProps) {
   const reached = useReached(card.surfaces);
   const { guarantee } = card;
   const change = (next: Guarantee | undefined) =>
-    app.changeCard(card.id, 'Change the guarantee', (each) => withOptional(each, 'guarantee', next));
+    app.changeCard(card.id, words.value.steps.guarantee, (each) => withOptional(each, 'guarantee', next));
   if (!guarantee) {
     const floor = Math.max(1, Number((0.5 * (reached?.mean ?? 100)).toPrecision(1)));
     return (
       <button class="add-field" onClick={() => change({ by: 'patches', alpha: 2, min: floor })}>
         <Plus size={14} aria-hidden />
-        Darkest or brightest spot
+        {words.value.intentions.guarantee.add}
       </button>
     );
   }
   return (
     <fieldset class="field group">
-      <legend>Darkest and brightest spot</legend>
+      <legend>{words.value.intentions.guarantee.name}</legend>
       <button
         class="icon-button small corner"
-        aria-label="Remove: darkest and brightest spot"
+        aria-label={words.value.intentions.guarantee.remove}
         onClick={() => change(undefined)}
       >
         <X size={14} aria-hidden />
@@ -59,46 +60,46 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
     alpha !== undefined &&
     app.changeCard(
       card.id,
-      'Change alpha',
+      words.value.steps.alpha,
       (each) => (each.guarantee ? { ...each, guarantee: { ...each.guarantee, alpha } } : each),
       `${card.id} alpha`,
     );
   return (
     <>
-      <div class="segments wide" role="group" aria-label="Guaranteed by">
+      <div class="segments wide" role="group" aria-label={words.value.intentions.guarantee.by}>
         <button
           aria-pressed={guarantee.by === 'patches'}
-          title="Every patch keeps within the bounds"
+          title={words.value.intentions.guarantee.everySpotTip}
           onClick={() => change({ ...guarantee, by: 'patches' })}
         >
-          Every spot
+          {words.value.intentions.guarantee.everySpot}
         </button>
         <button
           aria-pressed={guarantee.by === 'chebyshev'}
-          title="μ − ασ stays above the bound: fast, holds for all but a stated share of the area"
+          title={words.value.intentions.guarantee.chebyshevTip}
           onClick={() => change({ ...guarantee, by: 'chebyshev' })}
         >
-          Chebyshev
+          {words.value.intentions.guarantee.chebyshev}
         </button>
       </div>
       <div class="field-pair">
         <NumberField
-          label="Darkest spot at least"
+          label={words.value.intentions.guarantee.min}
           value={guarantee.min}
           unit={unit}
           step={step}
-          placeholder="no least"
+          placeholder={words.value.intentions.noLeast}
           waits={(value) => value > (guarantee.max ?? Infinity)}
           onInput={(value) => set('guarantee.min', value)}
           onEnd={end}
         />
-        <span aria-hidden="true">to</span>
+        <span aria-hidden="true">{words.value.intentions.to}</span>
         <NumberField
-          label="Brightest spot at most"
+          label={words.value.intentions.guarantee.max}
           value={guarantee.max}
           unit={unit}
           step={step}
-          placeholder="no most"
+          placeholder={words.value.intentions.noMost}
           waits={(value) => value < (guarantee.min ?? 0)}
           onInput={(value) => set('guarantee.max', value)}
           onEnd={end}
@@ -106,8 +107,8 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
       </div>
       {guarantee.by === 'chebyshev' && (
         <NumberRow
-          name="Alpha"
-          label="Alpha"
+          name={words.value.intentions.guarantee.alpha}
+          label={words.value.intentions.guarantee.alpha}
           value={Number(guarantee.alpha.toPrecision(4))}
           step={0.1}
           max={100}
@@ -131,7 +132,7 @@ function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
     const aimed = document.cards.find(({ aim, verb, weight }) => aim && verb !== 'keep' && weight > 0);
     if (aimed) {
       const where = namesText(aimed.surfaces);
-      store.say('warning', `Find alpha knows no aims: empty the field “Mean about” of ${where} first.`);
+      store.say('warning', words.value.intentions.guarantee.noAims(where));
       return;
     }
     const cards = document.cards.map((each) =>
@@ -150,19 +151,21 @@ function FindAlpha({ card, guarantee }: CardProps & { guarantee: Guarantee }) {
     <>
       <button class="button small" disabled={isRunning} onClick={find}>
         <LocateFixed size={14} aria-hidden />
-        {isRunning ? 'Searching …' : 'Find alpha'}
+        {isRunning ? words.value.intentions.guarantee.searching : words.value.intentions.guarantee.find}
       </button>
       {isMine && (run.steps.length > 0 || run.done) && <AlphaPlot run={run} />}
       {isMine && feasible !== null && (
         <button
           class="button small"
           onClick={() =>
-            app.changeCard(card.id, 'Change the guarantee', (each) =>
+            app.changeCard(card.id, words.value.steps.guarantee, (each) =>
               withBound({ ...each, guarantee: { ...guarantee, by: 'patches' } }, field, feasible),
             )
           }
         >
-          Ask for {compact(feasible)} {unitOf(store.document.value.quantity)} on every spot
+          {words.value.intentions.guarantee.ask(
+            `${compact(feasible)} ${unitOf(store.document.value.quantity)}`,
+          )}
         </button>
       )}
     </>

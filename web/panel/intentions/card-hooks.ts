@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { niceCeiling } from '../../app/words/format.ts';
 import { withPushedBound, type BoundField } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
+import { words } from '../../language/language.ts';
 
 export interface CardProps {
   readonly card: Card;
@@ -29,7 +30,7 @@ export function useBound(card: Card) {
     set: (field: BoundField, value: number | undefined) =>
       app.changeCard(
         card.id,
-        `Change a bound of ${card.surfaces[0]}`,
+        words.value.steps.bound(card.surfaces[0] ?? ''),
         (each) => withPushedBound(each, field, value),
         `${card.id} ${field}`,
       ),

@@ -9,12 +9,13 @@ import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
 import { useReached, type Reached } from './use-reached.ts';
+import { words } from '../../language/language.ts';
 
 export function CardMore({ card }: CardProps) {
   const app = useApp();
   const reached = useReached(card.surfaces);
   const add = (change: Parameters<typeof app.changeCard>[2]) =>
-    app.changeCard(card.id, 'Ask for more', change);
+    app.changeCard(card.id, words.value.steps.more, change);
   const other = app.store.scene.value?.surfaces.find(
     (surface) => !card.surfaces.includes(surface.name),
   )?.name;
@@ -30,7 +31,7 @@ export function CardMore({ card }: CardProps) {
             onClick={() => add((each) => withOptional(each, 'mean', firstRange(each, reached?.mean ?? 1)))}
           >
             <Plus size={14} aria-hidden />
-            Bounds of the mean
+            {words.value.intentions.more.mean}
           </button>
         )}
         {!card.spread && (
@@ -39,13 +40,13 @@ export function CardMore({ card }: CardProps) {
             onClick={() => add((each) => withOptional(each, 'spread', { max: rounded(reached?.sigma ?? 1) }))}
           >
             <Plus size={14} aria-hidden />
-            Spread
+            {words.value.intentions.more.spread}
           </button>
         )}
         {card.uniformity === undefined && (
           <button class="add-field" onClick={() => add((each) => withOptional(each, 'uniformity', 0.4))}>
             <Plus size={14} aria-hidden />
-            Evenness
+            {words.value.intentions.more.evenness}
           </button>
         )}
         {!card.contrast && other && (
@@ -54,7 +55,7 @@ export function CardMore({ card }: CardProps) {
             onClick={() => add((each) => withOptional(each, 'contrast', { over: [other], min: 1 }))}
           >
             <Plus size={14} aria-hidden />
-            Contrast
+            {words.value.intentions.more.contrast}
           </button>
         )}
       </div>
@@ -73,16 +74,18 @@ type FieldsProps = CardProps & { readonly reached: Reached | null };
 
 interface RemoveProps extends CardProps {
   readonly what: 'spread' | 'uniformity' | 'contrast';
-  readonly name?: string;
 }
 
-function Remove({ card, what, name = what }: RemoveProps) {
+function Remove({ card, what }: RemoveProps) {
   const app = useApp();
+  const name = words.value.intentions.more.names[what];
   return (
     <button
       class="icon-button small corner"
-      aria-label={`Remove: ${name}`}
-      onClick={() => app.changeCard(card.id, `Remove ${name}`, (each) => withOptional(each, what, undefined))}
+      aria-label={words.value.intentions.more.remove(name)}
+      onClick={() =>
+        app.changeCard(card.id, words.value.steps.remove(name), (each) => withOptional(each, what, undefined))
+      }
     >
       <X size={14} aria-hidden />
     </button>
@@ -96,26 +99,29 @@ function SpreadFields({ card, reached }: FieldsProps) {
   const step = niceStep(Math.max(1, (reached?.sigma ?? 50) * 3));
   return (
     <fieldset class="field group">
-      <legend>Spread σ {reached && <span class="field-note">now {compact(reached.sigma)}</span>}</legend>
+      <legend>
+        {words.value.intentions.more.spreadOf}{' '}
+        {reached && <span class="field-note">{words.value.intentions.now(compact(reached.sigma))}</span>}
+      </legend>
       <Remove card={card} what="spread" />
       <div class="field-pair">
         <NumberField
-          label="Spread at least"
+          label={words.value.intentions.more.spreadMin}
           value={card.spread?.min}
           unit={unit}
           step={step}
-          placeholder="no least"
+          placeholder={words.value.intentions.noLeast}
           waits={(value) => value > (card.spread?.max ?? Infinity)}
           onInput={(value) => set('spread.min', value)}
           onEnd={end}
         />
-        <span aria-hidden="true">to</span>
+        <span aria-hidden="true">{words.value.intentions.to}</span>
         <NumberField
-          label="Spread at most"
+          label={words.value.intentions.more.spreadMax}
           value={card.spread?.max}
           unit={unit}
           step={step}
-          placeholder="no most"
+          placeholder={words.value.intentions.noMost}
           waits={(value) => value < (card.spread?.min ?? 0)}
           onInput={(value) => set('spread.max', value)}
           onEnd={end}
@@ -130,12 +136,15 @@ function UniformityField({ card, reached }: FieldsProps) {
   return (
     <fieldset class="field group">
       <legend>
-        Evenness Uₒ {reached && <span class="field-note">now {ratio(reached.min / reached.mean)}</span>}
+        {words.value.intentions.more.evennessOf}{' '}
+        {reached && (
+          <span class="field-note">{words.value.intentions.now(ratio(reached.min / reached.mean))}</span>
+        )}
       </legend>
-      <Remove card={card} what="uniformity" name="evenness" />
+      <Remove card={card} what="uniformity" />
       <NumberRow
-        name="Darkest spot / mean at least"
-        label="Evenness at least"
+        name={words.value.intentions.more.evennessRow}
+        label={words.value.intentions.more.evennessMin}
         value={card.uniformity}
         step={0.01}
         max={1}
@@ -156,22 +165,25 @@ function ContrastFields({ card }: CardProps) {
   return (
     <fieldset class="field group">
       <legend>
-        Contrast {here && there && <span class="field-note">now {ratio(here.mean / there.mean)}</span>}
+        {words.value.intentions.more.contrast}{' '}
+        {here && there && (
+          <span class="field-note">{words.value.intentions.now(ratio(here.mean / there.mean))}</span>
+        )}
       </legend>
       <Remove card={card} what="contrast" />
       <SurfacePicker
-        label="Over"
+        label={words.value.intentions.more.over}
         names={contrast.over}
         onChange={(over) =>
-          app.changeCard(card.id, 'Change the contrast', (each) => ({
+          app.changeCard(card.id, words.value.steps.contrast, (each) => ({
             ...each,
             contrast: { ...contrast, over },
           }))
         }
       />
       <NumberRow
-        name="Mean here / there at least"
-        label="Contrast at least"
+        name={words.value.intentions.more.contrastRow}
+        label={words.value.intentions.more.contrastMin}
         value={contrast.min}
         step={0.1}
         max={1e4}

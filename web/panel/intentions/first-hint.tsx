@@ -1,6 +1,7 @@
 /** The first gesture in one sentence, until something is changed; then never again in this browser. */
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { words } from '../../language/language.ts';
 
 const key = 'fiatlux-first-hint';
 
@@ -33,7 +34,7 @@ export function FirstHint() {
   if (isGone || isChanged || store.document.value.cards.length === 0) return null;
   return (
     <p class="first-hint" role="note">
-      Drag the slider: the luminaires find new places, and the light follows.
+      {words.value.intentions.firstHint}
     </p>
   );
 }

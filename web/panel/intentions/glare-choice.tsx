@@ -6,6 +6,7 @@ import { glareLimits, observerOfView, ugrText } from '../../document/glare.ts';
 import { mostObservers } from '../../document/schema.ts';
 import type { Glare, Observer } from '../../document/types.ts';
 import { Check } from '../controls/check.tsx';
+import { words } from '../../language/language.ts';
 
 const usualMost = 19;
 
@@ -23,17 +24,17 @@ export function GlareChoice() {
   return (
     <>
       <Check
-        label="No glare"
+        label={words.value.intentions.glare.none}
         checked={isAsked}
-        set={(on) => set('No glare', on ? { ...glare, max: usualMost } : unbounded)}
+        set={(on) => set(words.value.steps.noGlare, on ? { ...glare, max: usualMost } : unbounded)}
       />
       {isAsked && (
         <label class="setting-row">
-          <span>UGR at most</span>
+          <span>{words.value.intentions.glare.most}</span>
           <select
             value={glare.max}
             onChange={(event) =>
-              set('Change the glare', { ...glare, max: Number(event.currentTarget.value) })
+              set(words.value.steps.glare, { ...glare, max: Number(event.currentTarget.value) })
             }
           >
             {!glareLimits.some(({ max }) => max === glare.max) && (
@@ -41,7 +42,7 @@ export function GlareChoice() {
             )}
             {glareLimits.map(({ max, title }) => (
               <option key={max} value={max}>
-                {title}
+                {title()}
               </option>
             ))}
           </select>
@@ -49,7 +50,7 @@ export function GlareChoice() {
       )}
       {glare && scene && !scene.hasOperator && (
         <p class="field-note" role="note">
-          This file does not tell what stands in the way of sight. Make it again with fiatlux precompute.
+          {words.value.intentions.glare.noSight}
         </p>
       )}
       {glare && scene?.hasOperator && <Observers glare={glare} set={set} />}
@@ -66,28 +67,28 @@ function Observers({ glare, set }: { glare: Glare; set: (label: string, next: Gl
     next.length > 0 ? { ...rest, observers: next } : rest;
   const nameOf = () => {
     let number = observers.length + 1;
-    while (observers.some(({ name }) => name === `view ${number}`)) number++;
-    return `view ${number}`;
+    while (observers.some(({ name }) => name === words.value.intentions.glare.view(number))) number++;
+    return words.value.intentions.glare.view(number);
   };
   const add = () => {
     const scene = store.scene.peek();
     if (!scene) return;
-    set('Look from here', placed([...observers, observerOfView(viewer.camera(), scene, nameOf())]));
+    set(words.value.steps.observer, placed([...observers, observerOfView(viewer.camera(), scene, nameOf())]));
   };
   return (
     <>
       {worst && (
-        <p class="field-note">
-          The worst is {worst.name}: UGR {ugrText(worst.ugr)}.
-        </p>
+        <p class="field-note">{words.value.intentions.glare.worst(worst.name, ugrText(worst.ugr))}</p>
       )}
       {observers.map(({ name }) => (
         <div key={name} class="setting-row">
           <span>{name}</span>
           <button
             class="icon-button small"
-            aria-label={`Remove ${name}`}
-            onClick={() => set('Remove an observer', placed(observers.filter((each) => each.name !== name)))}
+            aria-label={words.value.intentions.glare.remove(name)}
+            onClick={() =>
+              set(words.value.steps.removeObserver, placed(observers.filter((each) => each.name !== name)))
+            }
           >
             <X size={14} aria-hidden />
           </button>
@@ -96,15 +97,13 @@ function Observers({ glare, set }: { glare: Glare; set: (label: string, next: Gl
       <button
         class="button small"
         disabled={observers.length >= mostObservers}
-        title="Judge glare for somebody who sees what the view shows now"
+        title={words.value.intentions.glare.addTip}
         onClick={add}
       >
         <Eye size={14} aria-hidden />
-        Look from this view
+        {words.value.intentions.glare.add}
       </button>
-      {observers.length === 0 && (
-        <p class="fine-print">Until then from places all over the room, seated, four ways each.</p>
-      )}
+      {observers.length === 0 && <p class="fine-print">{words.value.intentions.glare.untilThen}</p>}
     </>
   );
 }

@@ -10,6 +10,8 @@ import { boundOf, type BoundField } from '../../document/intentions.ts';
 import { useBound, usePaperWords, type Axis, type CardProps } from './card-hooks.ts';
 import { stepped } from '../controls/slider.tsx';
 import { useSample } from './use-reached.ts';
+import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
 
 const width = 320;
 const height = 96;
@@ -18,11 +20,11 @@ const bins = 48;
 const inset = 8; // both ends of the axis lie under the middle of the slider's thumb at its ends
 const span = width - 2 * inset;
 
-const handles: readonly { field: BoundField; title: string; mark: string }[] = [
-  { field: 'mean.min', title: 'mean at least', mark: '≥' },
-  { field: 'mean.max', title: 'mean at most', mark: '≤' },
-  { field: 'guarantee.min', title: 'darkest spot at least', mark: '≥' },
-  { field: 'guarantee.max', title: 'brightest spot at most', mark: '≤' },
+const handles: readonly { field: BoundField; title: () => string; mark: string }[] = [
+  { field: 'mean.min', title: () => words.value.intentions.histogram.bounds.meanMin, mark: '≥' },
+  { field: 'mean.max', title: () => words.value.intentions.histogram.bounds.meanMax, mark: '≤' },
+  { field: 'guarantee.min', title: () => words.value.intentions.histogram.bounds.spotMin, mark: '≥' },
+  { field: 'guarantee.max', title: () => words.value.intentions.histogram.bounds.spotMax, mark: '≤' },
 ];
 
 export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
@@ -50,7 +52,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
         ref={svg}
         viewBox={`0 0 ${width} ${height}`}
         role="group"
-        aria-label={`Light over the area: mean ${compact(sample.mean)}, spread ${compact(sample.sigma)} ${unit}`}
+        aria-label={words.value.intentions.histogram.over(compact(sample.mean), compact(sample.sigma), unit)}
       >
         <rect
           class="sigma-band"
@@ -68,7 +70,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
           </text>
         )}
         <text class="mean-text" x={x(sample.mean)} y={height - 4} text-anchor={anchorOf(x(sample.mean))}>
-          {inPaperWords ? 'μ' : 'mean'} {compact(sample.mean)}
+          {inPaperWords ? 'μ' : words.value.intentions.histogram.mean} {compact(sample.mean)}
         </text>
         <text x={width - inset} y={height - 4} text-anchor="end">
           {x(sample.mean) < width * 0.66 && endText(scale, sample.most)}
@@ -82,7 +84,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
               {...{ value, mark, drag, scale }}
               at={x(value)}
               kind={field.startsWith('mean') ? 'mean' : 'guarantee'}
-              label={`${card.surfaces[0]}: ${title}`}
+              label={`${card.surfaces[0]}: ${title()}`}
               text={`${compact(value)} ${unit}`}
               set={(next) => bound.set(field, next)}
             />
@@ -96,7 +98,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
 
 /** What stands at the end of the axis; that a few spots are brighter is said. */
 const endText = (scale: number, most: number): string =>
-  most > scale * 1.001 ? `${compact(scale)}, few to ${compact(most)}` : compact(scale);
+  most > scale * 1.001 ? words.value.intentions.histogram.few(compact(scale), compact(most)) : compact(scale);
 
 /** The value at a point of the page, on a round step of the scale and above 0. */
 function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): number {
@@ -108,7 +110,7 @@ function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): num
   return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
 }
 
-/** The share of the area in each interval; the largest fills the height. */
+/** The share {words.value.intentions.histogram.ofArea} in each interval; the largest fills the height. */
 function Bars({ sample, scale }: { sample: AreaSample; scale: number }) {
   const shares = histogram(sample, scale, bins);
   const peak = Math.max(...shares, 1e-9);
@@ -191,7 +193,7 @@ function Handle({ value, at, scale, kind, mark, label, text, drag, set }: Handle
   );
 }
 
-/** The true share of the area below the bound, and the promises at the alpha that this bound stands for. */
+/** The true share {words.value.intentions.histogram.ofArea} below the bound, and the promises at the alpha that this bound stands for. */
 function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: string }) {
   const inPaperWords = usePaperWords();
   const floor = card.guarantee?.min ?? card.mean?.min;
@@ -202,12 +204,14 @@ function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: 
   return (
     <figcaption class="shares">
       <span>
-        Below {compact(floor)} {unit}: <strong>{percent(shareBelow(sample, floor))}</strong> of the area
+        {words.value.intentions.histogram.below(`${compact(floor)} ${unit}`)}{' '}
+        <strong>{percent(shareBelow(sample, floor))}</strong> {words.value.intentions.histogram.ofArea}
       </span>
       {isPromised && alpha > 0 && Number.isFinite(alpha) && promise.cantelli < 0.995 && (
-        <span title={`The bound lies ${alpha.toFixed(2)} σ below the mean`}>
-          promised: {alpha > 1 && `Chebyshev ≤ ${percent(promise.chebyshev)}, `}Cantelli ≤{' '}
-          {percent(promise.cantelli)}
+        <span title={words.value.intentions.histogram.belowMean(fixed(alpha, 2))}>
+          {words.value.intentions.histogram.promised}{' '}
+          {alpha > 1 && words.value.intentions.histogram.chebyshev(percent(promise.chebyshev))}
+          {words.value.intentions.histogram.cantelli} {percent(promise.cantelli)}
         </span>
       )}
     </figcaption>

@@ -27,20 +27,22 @@ export function InfeasibleHelp() {
     ? conflicting(store.document.value, store.traced.value.origins, shown.constraints, relief)
     : [];
   return (
-    <section class="infeasible" aria-label="What cannot be met" aria-busy={!relief}>
+    <section class="infeasible" aria-label={words.value.intentions.infeasible.name} aria-busy={!relief}>
       <h2>
         <TriangleAlert size={15} aria-hidden />
         {titleOf(relief ? bounds.length : 0, missed)}
       </h2>
       <RulesFirst />
-      {relief ? <Ways relief={relief} bounds={bounds} /> : <p>Looking for what would do …</p>}
+      {relief ? <Ways relief={relief} bounds={bounds} /> : <p>{words.value.intentions.infeasible.looking}</p>}
     </section>
   );
 }
 
 function titleOf(conflict: number, missed: number): string {
-  if (conflict === 0) return `${words.value.values.bounds(missed)} not met`;
-  return conflict === 1 ? 'One bound cannot be met' : `${conflict} bounds cannot be met together`;
+  if (conflict === 0) return words.value.intentions.infeasible.missed(words.value.values.bounds(missed));
+  return conflict === 1
+    ? words.value.intentions.infeasible.one
+    : words.value.intentions.infeasible.together(conflict);
 }
 
 function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting[] }) {
@@ -50,7 +52,7 @@ function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting
   const { origins } = store.traced.value;
   const ease = (changes: readonly EasedBound[], { layout }: Way<unknown>) =>
     store.edit(
-      'Ease a bound',
+      words.value.steps.ease,
       (draft) => void (draft.cards = structuredClone(easedCards(cards, origins, changes)) as never),
       null,
       { by: 'search', from: layout },
@@ -66,20 +68,25 @@ function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting
       <div class="row">
         {together && (
           <button class="button small" onClick={() => ease(together.change, together)}>
-            Ease all {together.change.length} that are missed
+            {words.value.intentions.infeasible.easeAll(together.change.length)}
           </button>
         )}
         {flux && (
           <button
             class="button small"
             onClick={() =>
-              store.edit('Raise the flux', (draft) => void (draft.luminaires.flux = flux.change), null, {
-                by: 'search',
-                from: flux.layout,
-              })
+              store.edit(
+                words.value.steps.raiseFlux,
+                (draft) => void (draft.luminaires.flux = flux.change),
+                null,
+                {
+                  by: 'search',
+                  from: flux.layout,
+                },
+              )
             }
           >
-            Or {shortest(flux.change)} lm each
+            {words.value.intentions.infeasible.orFlux(shortest(flux.change))}
           </button>
         )}
         <MoreLuminaires />
@@ -104,7 +111,7 @@ function Bound({ bound, relief, ease }: BoundProps) {
   );
   const takePatches = ({ layout }: Way<number>) =>
     store.edit(
-      'Guarantee by the patches',
+      words.value.steps.patches,
       (draft) => {
         const guarantee = draft.cards.find(({ id }) => id === card.id)?.guarantee;
         if (guarantee) guarantee.by = 'patches';
@@ -117,17 +124,21 @@ function Bound({ bound, relief, ease }: BoundProps) {
       <span>
         <strong>{namesText(card.surfaces)}</strong>: {fieldText(card, field)} {compact(asked)}
         {suffix},{' '}
-        {met ? 'met at the cost of the others.' : `the best found has ${apart(reached, asked)}${suffix}.`}
+        {met
+          ? words.value.intentions.infeasible.atCost
+          : words.value.intentions.infeasible.best(apart(reached, asked), suffix)}
       </span>
       <span class="row">
         {way && (
           <button class="button small" onClick={() => ease([way.change], way)}>
-            {way.change.bound === null ? 'Drop it' : `Ask for ${compact(way.change.bound)}${suffix}`}
+            {way.change.bound === null
+              ? words.value.intentions.infeasible.drop
+              : words.value.intentions.infeasible.ask(compact(way.change.bound), suffix)}
           </button>
         )}
         {everySpot && (
           <button class="button small" onClick={() => takePatches(everySpot)}>
-            Every spot instead
+            {words.value.intentions.infeasible.everySpot}
           </button>
         )}
       </span>

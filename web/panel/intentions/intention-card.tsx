@@ -18,6 +18,7 @@ import { MeanRange } from './mean-range.tsx';
 import { namesText, SurfacePicker } from './surface-picker.tsx';
 import { useReached, useSample, type Reached } from './use-reached.ts';
 import { verbs } from './verbs.ts';
+import { words } from '../../language/language.ts';
 
 export function IntentionCard({ card }: CardProps) {
   const app = useApp();
@@ -38,19 +39,22 @@ export function IntentionCard({ card }: CardProps) {
       <header>
         <button class="card-title" aria-expanded={isOpen} onClick={toggle}>
           <ChevronRight size={15} aria-hidden class="twist" />
-          <span class="card-verb">{verbs.find(({ verb }) => verb === card.verb)?.title}</span>
+          <span class="card-verb">{words.value.intentions.verbs[card.verb].title}</span>
           <span class="card-surface">{namesText(card.surfaces)}</span>
         </button>
         {reached && (
           <span class="card-reached">
             {compact(reached.mean)}
-            {isOff(card.aim, reached.mean) && ` of ${compact(card.aim)}`} {unit}
+            {isOff(card.aim, reached.mean) && words.value.intentions.card.ofAim(compact(card.aim))} {unit}
           </span>
         )}
         <Met status={status} />
         <button
           class="icon-button small"
-          aria-label={`Remove: ${card.verb} ${card.surfaces[0]}`}
+          aria-label={words.value.intentions.card.remove(
+            words.value.intentions.verbs[card.verb].title.toLowerCase(),
+            card.surfaces[0] ?? '',
+          )}
           onClick={() => app.removeCard(card.id)}
         >
           <X size={14} aria-hidden />
@@ -90,8 +94,11 @@ function Met({ status }: { status: Status | null }) {
     <span
       class={`met ${status.met ? 'met' : 'unmet'}`}
       role="img"
-      aria-label={status.met ? 'met' : 'not met'}
-      title={`${status.met ? 'Met' : 'Not met'}: ${marginText(status.margin, status.met)}`}
+      aria-label={status.met ? words.value.intentions.card.isMet : words.value.values.unmet}
+      title={words.value.intentions.card.status(
+        status.met ? words.value.intentions.card.met : words.value.intentions.card.unmet,
+        marginText(status.margin, status.met),
+      )}
     >
       {status.met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
     </span>
@@ -121,41 +128,57 @@ function CardBody({ card }: CardProps) {
   const axis = useAxis(card, reached);
   const inPaperWords = usePaperWords();
   const setVerb = (verb: Verb) =>
-    app.changeCard(card.id, `Change to ${verb}`, (each) =>
-      verb === 'keep' && reached
-        ? withOptional({ ...each, verb }, 'mean', keepRange(reached.mean))
-        : { ...each, verb },
+    app.changeCard(
+      card.id,
+      words.value.steps.verb(words.value.intentions.verbs[verb].title.toLowerCase()),
+      (each) =>
+        verb === 'keep' && reached
+          ? withOptional({ ...each, verb }, 'mean', keepRange(reached.mean))
+          : { ...each, verb },
     );
   const isKeep = card.verb === 'keep';
   return (
     <div class="card-body">
-      <div class="verbs" role="group" aria-label="What the light should do">
-        {verbs.map(({ verb, title, icon: Icon, hint }) => (
-          <button key={verb} aria-pressed={card.verb === verb} title={hint} onClick={() => setVerb(verb)}>
+      <div class="verbs" role="group" aria-label={words.value.intentions.card.verbs}>
+        {verbs.map(({ verb, icon: Icon }) => (
+          <button
+            key={verb}
+            aria-pressed={card.verb === verb}
+            title={words.value.intentions.verbs[verb].hint}
+            onClick={() => setVerb(verb)}
+          >
             <Icon size={16} aria-hidden />
-            <span>{title}</span>
+            <span>{words.value.intentions.verbs[verb].title}</span>
           </button>
         ))}
       </div>
       <SurfacePicker
-        label="Surfaces"
+        label={words.value.intentions.card.surfaces}
         names={card.surfaces}
         onChange={(surfaces) =>
-          app.changeCard(card.id, 'Change the surfaces', (each) => ({ ...each, surfaces }))
+          app.changeCard(card.id, words.value.steps.surfaces, (each) => ({ ...each, surfaces }))
         }
       />
       {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
       <Histogram {...{ card, axis }} />
       {reached && (
         <dl class="readings">
-          <Reading name="Mean" value={compact(reached.mean)} />
+          <Reading name={words.value.intentions.card.mean} value={compact(reached.mean)} />
           <Reading
-            name="Evenness"
-            title="Uₒ: darkest spot / mean"
+            name={words.value.intentions.card.evenness}
+            title={words.value.intentions.card.evennessTip}
             value={ratio(reached.min / reached.mean)}
           />
-          <Reading name="Darkest" title="The least of its patches" value={compact(reached.min)} />
-          <Reading name="Brightest" title="The most of its patches" value={compact(reached.max)} />
+          <Reading
+            name={words.value.intentions.card.darkest}
+            title={words.value.intentions.card.darkestTip}
+            value={compact(reached.min)}
+          />
+          <Reading
+            name={words.value.intentions.card.brightest}
+            title={words.value.intentions.card.brightestTip}
+            value={compact(reached.max)}
+          />
         </dl>
       )}
       <More isUsed={inPaperWords || asksMore(card)}>
@@ -164,10 +187,10 @@ function CardBody({ card }: CardProps) {
         <CardMore card={card} />
         {reached && (
           <dl class="readings">
-            <Reading name="Spread σ" value={compact(reached.sigma)} />
+            <Reading name={words.value.intentions.card.spread} value={compact(reached.sigma)} />
             <Reading
-              name="Darkest / brightest"
-              title="U_d: darkest spot / brightest spot"
+              name={words.value.intentions.card.ratio}
+              title={words.value.intentions.card.ratioTip}
               value={ratio(reached.min / reached.max)}
             />
           </dl>
@@ -191,13 +214,18 @@ function Weight({ card }: CardProps) {
   const app = useApp();
   return (
     <NumberRow
-      name="Weight of this goal"
-      label="Weight of this goal"
+      name={words.value.intentions.card.weight}
+      label={words.value.intentions.card.weight}
       value={card.weight}
       step={0.1}
       max={1000}
       onInput={(weight) =>
-        app.changeCard(card.id, 'Change a weight', (each) => ({ ...each, weight }), `${card.id} weight`)
+        app.changeCard(
+          card.id,
+          words.value.steps.weight,
+          (each) => ({ ...each, weight }),
+          `${card.id} weight`,
+        )
       }
       onEnd={() => app.store.endGesture()}
     />

@@ -10,11 +10,11 @@ import { GlareChoice } from './glare-choice.tsx';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
 import { namesText } from './surface-picker.tsx';
-import { verbs } from './verbs.ts';
 import { More } from '../controls/more.tsx';
 import { Check } from '../controls/check.tsx';
+import { words } from '../../language/language.ts';
 
-const titleOf = (verb: Verb) => verbs.find((each) => each.verb === verb)?.title ?? verb;
+const titleOf = (verb: Verb) => words.value.intentions.verbs[verb].title;
 
 export function IntentionsTab() {
   const app = useApp();
@@ -36,39 +36,31 @@ export function IntentionsTab() {
       </ul>
       {opposedCards(cards).map(([one, other]) => (
         <p key={`${one.id} ${other.id}`} class="fine-print" role="note">
-          {titleOf(one.verb)} and {titleOf(other.verb).toLowerCase()} pull {namesText(one.surfaces)} in
-          opposite directions: only the difference of their weights counts.
+          {words.value.intentions.opposed(titleOf(one.verb), titleOf(other.verb), namesText(one.surfaces))}
         </p>
       ))}
-      {cards.length === 0 && store.scene.value && (
-        <p class="empty">
-          Nothing is asked yet. Pick a surface in the room and say what the light should do there.
-        </p>
-      )}
+      {cards.length === 0 && store.scene.value && <p class="empty">{words.value.intentions.none}</p>}
       <div class="row">
         <button class="button grow" disabled={!store.scene.value} onClick={() => app.addCard()}>
           <Plus size={15} aria-hidden />
-          <span>{selected ? `Intention for ${selected}` : 'Add an intention'}</span>
+          <span>{selected ? words.value.intentions.addFor(selected) : words.value.intentions.add}</span>
         </button>
         <button
           class="icon-button framed"
-          aria-label="Ready-made intentions from standards"
-          title="From a standard"
+          aria-label={words.value.actions.presets}
+          title={words.value.intentions.fromStandard}
           onClick={() => (store.dialog.value = 'presets')}
         >
           <BookOpen size={16} aria-hidden />
         </button>
       </div>
       <Check
-        label="With as little power as possible"
+        label={words.value.intentions.savePower}
         checked={saving}
-        set={(on) => store.edit('Save power', (draft) => void (draft.saving = on))}
+        set={(on) => store.edit(words.value.steps.savePower, (draft) => void (draft.saving = on))}
       />
       {savesByCount(store.document.value) && (
-        <p class="field-note">
-          They are not dimmed: fewer than {store.document.value.luminaires.count} luminaires, where that is
-          enough.
-        </p>
+        <p class="field-note">{words.value.intentions.fewer(store.document.value.luminaires.count)}</p>
       )}
       <GlareChoice />
       {!inPaperWords && (
@@ -84,20 +76,20 @@ function QuantityChoice() {
   const app = useApp();
   const { quantity } = app.store.document.value;
   return (
-    <div class="segments wide" role="group" aria-label="Quantity">
+    <div class="segments wide" role="group" aria-label={words.value.intentions.quantity}>
       <button
         aria-pressed={quantity === 'illuminance'}
-        title="Light that arrives, lx"
+        title={words.value.intentions.illuminanceTip}
         onClick={() => app.setQuantity('illuminance')}
       >
-        Illuminance <small>lx</small>
+        {words.value.intentions.illuminance} <small>lx</small>
       </button>
       <button
         aria-pressed={quantity === 'exitance'}
-        title="Light that is reflected, lm/m²: B of the paper"
+        title={words.value.intentions.exitanceTip}
         onClick={() => app.setQuantity('exitance')}
       >
-        Exitance <small>lm/m²</small>
+        {words.value.intentions.exitance} <small>lm/m²</small>
       </button>
     </div>
   );

@@ -5,6 +5,7 @@ import { useBound, type Axis, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { RangeSlider } from '../controls/slider.tsx';
 import { useReached } from './use-reached.ts';
+import { words } from '../../language/language.ts';
 
 export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
   const { store } = useApp();
@@ -22,15 +23,13 @@ export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
   return (
     <div class="field">
       <div class="field-head">
-        <span class="field-name">Mean</span>
+        <span class="field-name">{words.value.intentions.range.name}</span>
         {reached && (
-          <span class="field-note">
-            now {compact(reached.mean)} {unit}
-          </span>
+          <span class="field-note">{words.value.intentions.now(`${compact(reached.mean)} ${unit}`)}</span>
         )}
       </div>
       <RangeSlider
-        label={`${name}: mean`}
+        label={words.value.intentions.range.of(name)}
         low={min ?? 0}
         high={max ?? scale}
         {...{ scale, step, unit }}
@@ -44,22 +43,22 @@ export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
       />
       <div class="field-pair">
         <NumberField
-          label={`${name}: mean at least`}
+          label={words.value.intentions.range.min(name)}
           value={min}
           unit={unit}
           step={step}
-          placeholder="no least"
+          placeholder={words.value.intentions.noLeast}
           waits={(value) => value > (max ?? Infinity)}
           onInput={(value) => set('mean.min', value || undefined)}
           onEnd={end}
         />
-        <span aria-hidden="true">to</span>
+        <span aria-hidden="true">{words.value.intentions.to}</span>
         <NumberField
-          label={`${name}: mean at most`}
+          label={words.value.intentions.range.max(name)}
           value={max}
           unit={unit}
           step={step}
-          placeholder="no most"
+          placeholder={words.value.intentions.noMost}
           waits={(value) => value < (min ?? 0)}
           onInput={(value) => set('mean.max', value)}
           onEnd={end}

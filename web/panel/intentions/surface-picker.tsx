@@ -5,10 +5,11 @@ import { useApp } from '../../app/app.ts';
 import { familyOf, folded } from '../../app/rooms/families.ts';
 import type { SurfaceNames } from '../../document/types.ts';
 import { useDismiss } from '../controls/menu.tsx';
+import { words } from '../../language/language.ts';
 
 /** "desk 1, desk 2, ..." in few words. */
 export function namesText(names: SurfaceNames): string {
-  if (names.length === 1) return names[0] === 'all' ? 'the whole room' : (names[0] ?? '');
+  if (names.length === 1) return names[0] === 'all' ? words.value.values.wholeRoom : (names[0] ?? '');
   const families = new Set(names.map(familyOf));
   const [family] = families;
   return families.size === 1 && family ? `${names.length} × ${family}` : names.join(', ');
@@ -70,8 +71,8 @@ export function SurfacePicker({ label, names, onChange }: Props) {
         <div class="picker-list" role="group" aria-label={label}>
           <input
             type="search"
-            placeholder="Find a surface"
-            aria-label="Find a surface"
+            placeholder={words.value.intentions.picker.find}
+            aria-label={words.value.intentions.picker.find}
             value={filter}
             onInput={(event) => setFilter(event.currentTarget.value)}
             onKeyDown={(event) => {
@@ -81,7 +82,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
           <div class="picker-scroll" tabIndex={-1}>
             {wanted('all') && (
               <button class="picker-group" onClick={() => only(['all'])}>
-                the whole room
+                {words.value.values.wholeRoom}
               </button>
             )}
             {innerNodes(leaves)
@@ -139,7 +140,7 @@ function Family({ isFound, ...choice }: ChoiceProps & { isFound: boolean }) {
         <button
           class="icon-button small"
           aria-expanded={isOpen}
-          aria-label={`Show each of ${title}`}
+          aria-label={words.value.intentions.picker.each(title)}
           onClick={() => setOpened(!isOpen)}
         >
           <ChevronRight size={14} aria-hidden class="twist" />
