@@ -4,13 +4,14 @@
  * of it and computes new installations: light is linear, so bounds go in divided and readings come back multiplied.
  */
 import type { Constraint, Goal, Intentions, Luminaires, Statistic } from './types.ts';
+import { words } from '../language/language.ts';
 
 /** The factors by their names in CIE 97, in the order in which a document keeps them. */
 export const maintenanceFactors = [
-  ['LLMF', 'Lamp lumen maintenance'],
-  ['LSF', 'Lamp survival'],
-  ['LMF', 'Luminaire maintenance'],
-  ['RMF', 'Room maintenance'],
+  ['LLMF', () => words.value.luminaires.maintenance.names.llmf],
+  ['LSF', () => words.value.luminaires.maintenance.names.lsf],
+  ['LMF', () => words.value.luminaires.maintenance.names.lmf],
+  ['RMF', () => words.value.luminaires.maintenance.names.rmf],
 ] as const;
 
 export type Maintenance = NonNullable<Luminaires['maintenance']>;

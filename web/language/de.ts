@@ -5,6 +5,7 @@ import { bars } from './de/bars.ts';
 import { comparing } from './de/comparing.ts';
 import { dialogs } from './de/dialogs.ts';
 import { intentions } from './de/intentions.ts';
+import { luminaires } from './de/luminaires.ts';
 import { maker } from './de/maker.ts';
 import { opening } from './de/opening.ts';
 import { panel } from './de/panel.ts';
@@ -17,6 +18,7 @@ export const de: Words = {
   comparing,
   dialogs,
   intentions,
+  luminaires,
   maker,
   opening,
   panel,

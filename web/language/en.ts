@@ -4,13 +4,26 @@ import { bars } from './en/bars.ts';
 import { comparing } from './en/comparing.ts';
 import { dialogs } from './en/dialogs.ts';
 import { intentions } from './en/intentions.ts';
+import { luminaires } from './en/luminaires.ts';
 import { maker } from './en/maker.ts';
 import { opening } from './en/opening.ts';
 import { panel } from './en/panel.ts';
 import { steps } from './en/steps.ts';
 import { values } from './en/values.ts';
 
-export const en = { actions, bars, comparing, dialogs, intentions, maker, opening, panel, steps, values };
+export const en = {
+  actions,
+  bars,
+  comparing,
+  dialogs,
+  intentions,
+  luminaires,
+  maker,
+  opening,
+  panel,
+  steps,
+  values,
+};
 
 /** What another language has to say: the same keys, and functions of the same arguments. */
 export type Words = typeof en;

@@ -9,10 +9,7 @@ import type { Areas, PlanArea } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { words } from '../../language/language.ts';
 
-const kinds: readonly [AreaKind, string][] = [
-  ['keepOut', 'Keep out'],
-  ['keepIn', 'Keep in'],
-];
+const kinds: readonly AreaKind[] = ['keepOut', 'keepIn'];
 
 /** Edits of the areas; without any of them the document says nothing. */
 function useAreas() {
@@ -43,32 +40,32 @@ export function AreaList() {
     if (isOn && !viewer.camera().plan) viewer.view('plan');
   };
   return (
-    <section class="field area-list" aria-label="Where luminaires may hang">
-      <span class="field-name">Where they may hang</span>
+    <section class="field area-list" aria-label={words.value.luminaires.areas.name}>
+      <span class="field-name">{words.value.luminaires.areas.title}</span>
       <div class="row">
-        {kinds.map(([kind, title]) => (
+        {kinds.map((kind) => (
           <button
             key={kind}
             class="button small"
             aria-pressed={store.drawing.value === kind}
             disabled={areas[kind].length >= mostAreas}
-            title="Drag a rectangle in the plan"
+            title={words.value.luminaires.areas.drag}
             onClick={() => draw(kind)}
           >
             <SquareDashed size={14} aria-hidden />
-            {title} …
+            {words.value.luminaires.areas.kinds[kind]} …
           </button>
         ))}
       </div>
-      {kinds.map(([kind, title]) =>
+      {kinds.map((kind) =>
         areas[kind].map((area, i) => (
           <AreaRow
             key={`${kind} ${i}`}
-            name={`${title} ${i + 1}`}
+            name={`${words.value.luminaires.areas.kinds[kind]} ${i + 1}`}
             {...{ area, frame }}
             change={(next) =>
               set(
-                'Change an area',
+                words.value.steps.area,
                 { [kind]: areas[kind].flatMap((each, k) => (k === i ? (next ?? []) : [each])) },
                 next ? `${kind} ${i}` : null,
               )
@@ -77,15 +74,15 @@ export function AreaList() {
         )),
       )}
       <div class="setting-row">
-        <span>From walls at least</span>
+        <span>{words.value.luminaires.areas.fromWalls}</span>
         <NumberField
-          label="From walls at least"
+          label={words.value.luminaires.areas.fromWalls}
           unit="m"
           value={areas.fromWalls}
           step={0.1}
           max={100}
           onInput={(fromWalls) =>
-            fromWalls !== undefined && set('Change the distance to walls', { fromWalls }, 'walls')
+            fromWalls !== undefined && set(words.value.steps.fromWalls, { fromWalls }, 'walls')
           }
           onEnd={() => store.endGesture()}
         />
@@ -117,18 +114,27 @@ function AreaRow({ name, area, frame, change }: AreaProps) {
     change([[nextX, nextZ - depth, nextX + width, nextZ]]);
   };
   return (
-    <div class="area-row" role="group" aria-label={name} title={`From the ${words.value.values.corner}`}>
+    <div
+      class="area-row"
+      role="group"
+      aria-label={name}
+      title={words.value.luminaires.areas.from(words.value.values.corner)}
+    >
       <div class="setting-row">
         <span>{name}</span>
-        <button class="icon-button small" aria-label={`Remove ${name}`} onClick={() => change(null)}>
+        <button
+          class="icon-button small"
+          aria-label={words.value.luminaires.areas.remove(name)}
+          onClick={() => change(null)}
+        >
           <Trash2 size={14} aria-hidden />
         </button>
       </div>
       {(['x', 'y', 'wide', 'deep'] as const).map((label, index) => (
         <span key={label}>
-          <small aria-hidden="true">{label}</small>
+          <small aria-hidden="true">{words.value.luminaires.areas.sides[label]}</small>
           <NumberField
-            label={`${name}: ${label}`}
+            label={`${name}: ${words.value.luminaires.areas.sides[label]}`}
             unit="m"
             value={now[index]!}
             step={0.1}

@@ -3,13 +3,7 @@ import { useApp } from '../../app/app.ts';
 import { arrangementOf, rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import type { Arrangement, PlanAxis, Rule } from '../../document/types.ts';
-
-const words: Record<Rule, { readonly name: string; readonly title: string }> = {
-  free: { name: 'Free', title: 'Each where it does the most' },
-  symmetric: { name: 'Symmetric', title: 'Mirrored about an axis of the plan' },
-  rows: { name: 'Rows', title: 'Rows of equal number and pitch' },
-  field: { name: 'Field', title: 'One regular grid: the best of all is found' },
-};
+import { words } from '../../language/language.ts';
 
 /** Dots of the drawings, in a square of 40 x 28. */
 const dots: Record<Rule, readonly (readonly [number, number])[]> = {
@@ -39,18 +33,18 @@ export function ArrangementChoice() {
   const comparison = store.comparison.value;
   const isCurrent = comparison?.of === store.traced.value.intentions;
   const choose = (arrangement: Arrangement) =>
-    store.edit('Change the arrangement', (draft) => {
+    store.edit(words.value.steps.arrangement, (draft) => {
       if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
       else draft.luminaires.arrangement = { ...arrangement };
     });
   return (
     <fieldset class="field arrangement">
-      <legend class="field-name">Arrangement</legend>
+      <legend class="field-name">{words.value.luminaires.arrangement.name}</legend>
       <div class="drawings" data-current={isCurrent}>
         {rules.map((rule) => {
           const tried = comparison?.rules.find((each) => each.rule === rule);
           return (
-            <label key={rule} class="drawing" title={words[rule].title}>
+            <label key={rule} class="drawing" title={words.value.luminaires.arrangement.rules[rule].hint}>
               <input
                 type="radio"
                 name="arrangement"
@@ -58,7 +52,7 @@ export function ArrangementChoice() {
                 onChange={() => choose(arrangementOf(rule, luminaires))}
               />
               <Drawing rule={rule} />
-              <span>{words[rule].name}</span>
+              <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
               <small>{tried ? costText(tried.outcome, store.efficacy.value) : '\u00a0'}</small>
             </label>
           );
@@ -76,8 +70,8 @@ export function costText(
   outcome: { readonly met: boolean; readonly lumens: number } | null,
   efficacy: number,
 ): string {
-  if (!outcome) return 'no room';
-  return outcome.met ? `${compact(outcome.lumens / efficacy)} W` : 'not met';
+  if (!outcome) return words.value.luminaires.arrangement.noRoom;
+  return outcome.met ? `${compact(outcome.lumens / efficacy)} W` : words.value.values.unmet;
 }
 
 interface AxisProps {
@@ -91,7 +85,11 @@ function Axis({ rule, axis, choose }: AxisProps) {
   const [long, short] = axesByLength(store.scene.value?.sites.position ?? new Float32Array());
   return (
     <label class="setting-row">
-      <span>{rule === 'rows' ? 'Rows run' : 'Mirrored about'}</span>
+      <span>
+        {rule === 'rows'
+          ? words.value.luminaires.arrangement.rowsRun
+          : words.value.luminaires.arrangement.mirrored}
+      </span>
       <select
         class="select"
         value={axis}
@@ -100,10 +98,20 @@ function Axis({ rule, axis, choose }: AxisProps) {
           choose(next === 'found' ? { rule } : { rule, axis: next });
         }}
       >
-        <option value="found">{rule === 'rows' ? 'the better way' : 'the better axis'}</option>
-        <option value={long}>{rule === 'rows' ? 'along the room' : 'the long axis'}</option>
-        <option value={short}>{rule === 'rows' ? 'across the room' : 'the short axis'}</option>
-        {rule === 'symmetric' && <option value="both">both axes</option>}
+        <option value={words.value.luminaires.arrangement.rowsFound}>
+          {rule === 'rows'
+            ? words.value.luminaires.arrangement.axisFound
+            : words.value.luminaires.arrangement.rowsLong}
+        </option>
+        <option value={long}>
+          {rule === 'rows'
+            ? words.value.luminaires.arrangement.axisLong
+            : words.value.luminaires.arrangement.rowsShort}
+        </option>
+        <option value={short}>
+          {rule === 'rows' ? words.value.luminaires.arrangement.axisShort : 'the short axis'}
+        </option>
+        {rule === 'symmetric' && <option value={words.value.luminaires.arrangement.both}>both axes</option>}
       </select>
     </label>
   );

@@ -4,6 +4,7 @@ import { fewestMet } from '../../app/comparing.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import { compact } from '../../app/words/format.ts';
 import { costText } from './arrangement-choice.tsx';
+import { words } from '../../language/language.ts';
 
 export function CountStrip() {
   const { store } = useApp();
@@ -12,13 +13,13 @@ export function CountStrip() {
   const isCurrent = comparison.of === store.traced.value.intentions;
   const shown = store.shown.value?.layout.sites.length;
   const take = (count: number) =>
-    store.edit('Change the number of luminaires', ({ luminaires }) => {
+    store.edit(words.value.steps.count, ({ luminaires }) => {
       luminaires.count = count;
       delete luminaires.most;
     });
   return (
     <div class="field count-strip" data-current={isCurrent}>
-      <div class="strip" role="group" aria-label="What each number of luminaires would reach">
+      <div class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
           const cost = costText(outcome, store.efficacy.value);
           return (
@@ -26,8 +27,11 @@ export function CountStrip() {
               key={count}
               class={outcome?.met ? 'met' : 'unmet'}
               aria-pressed={count === shown}
-              aria-label={`${count} luminaires: ${outcome?.met ? `${cost}, all met` : cost}`}
-              title={`${count}: ${cost}`}
+              aria-label={words.value.luminaires.counts.of(
+                count,
+                outcome?.met ? words.value.luminaires.counts.allMet(cost) : cost,
+              )}
+              title={words.value.luminaires.counts.tip(count, cost)}
               onClick={() => take(count)}
             >
               <i style={{ height: `${heightOf(comparison, outcome?.lumens ?? 0)}px` }} />
@@ -58,16 +62,16 @@ function Fewest({ comparison, take }: { comparison: Comparison; take: (count: nu
         outcome && (!best || outcome.lumens < best.lumens - 1) ? { count, lumens: outcome.lumens } : best,
       null,
     );
-  if (fewest === null || !cheapest) return <p class="field-note">None of these numbers meets every bound.</p>;
+  if (fewest === null || !cheapest) return <p class="field-note">{words.value.luminaires.counts.none}</p>;
   const watts = compact(cheapest.lumens / store.efficacy.value);
   return (
     <div class="row">
       <button class="button small" onClick={() => take(fewest)}>
-        Fewest that meet everything: {fewest}
+        {words.value.luminaires.counts.fewest(fewest)}
       </button>
       {cheapest.count !== fewest && (
         <button class="button small" onClick={() => take(cheapest.count)}>
-          Least power: {cheapest.count} ({watts} W)
+          {words.value.luminaires.counts.cheapest(cheapest.count, watts)}
         </button>
       )}
     </div>

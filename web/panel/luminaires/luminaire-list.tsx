@@ -25,21 +25,9 @@ export function LuminaireList() {
   return (
     <table class="list">
       <caption>
-        Luminaires in place <small class="keys-only">(arrow keys on a tag move it in plan)</small>
+        {words.value.luminaires.list.name} <small class="keys-only">{words.value.luminaires.list.keys}</small>
       </caption>
-      <thead>
-        <tr>
-          <th scope="col">Tag</th>
-          <th scope="col" title={`East, north and up from the ${words.value.values.corner}`}>
-            Place: x, y, z (m)
-          </th>
-          <th scope="col" class="number">
-            lm
-          </th>
-          {allowed.length > 1 && <th scope="col">Type</th>}
-          <th scope="col">Pin</th>
-        </tr>
-      </thead>
+      <Head hasTypes={allowed.length > 1} />
       <tbody>
         {layout.sites.map((site, index) => {
           const isPinned = pinned.includes(site);
@@ -72,7 +60,11 @@ export function LuminaireList() {
                 <button
                   class="icon-button small"
                   aria-pressed={isPinned}
-                  aria-label={`${isPinned ? 'Unpin' : 'Pin'} L${index + 1}`}
+                  aria-label={
+                    isPinned
+                      ? words.value.luminaires.list.unpinOf(index + 1)
+                      : words.value.luminaires.list.pinOf(index + 1)
+                  }
                   onClick={() => hand.togglePin(index)}
                 >
                   <Pin size={14} aria-hidden />
@@ -83,6 +75,24 @@ export function LuminaireList() {
         })}
       </tbody>
     </table>
+  );
+}
+
+function Head({ hasTypes }: { hasTypes: boolean }) {
+  return (
+    <thead>
+      <tr>
+        <th scope="col">{words.value.luminaires.list.tag}</th>
+        <th scope="col" title={words.value.luminaires.list.placeTip(words.value.values.corner)}>
+          {words.value.luminaires.list.place}
+        </th>
+        <th scope="col" class="number">
+          lm
+        </th>
+        {hasTypes && <th scope="col">{words.value.luminaires.list.type}</th>}
+        <th scope="col">{words.value.luminaires.list.pin}</th>
+      </tr>
+    </thead>
   );
 }
 
@@ -99,11 +109,13 @@ function TypeChoice({ luminaire, allowed, now, asked }: TypeChoiceProps) {
   return (
     <select
       class="type-choice"
-      aria-label={`Type of L${luminaire + 1}`}
+      aria-label={words.value.luminaires.list.typeOf(luminaire + 1)}
       value={allowed.some(({ id }) => id === asked) ? (asked ?? '') : ''}
       onChange={(event) => hand.setType(luminaire, event.currentTarget.value || null)}
     >
-      <option value="">{now ? `any: ${now.name}` : 'any'}</option>
+      <option value="">
+        {now ? words.value.luminaires.list.anyNow(now.name) : words.value.luminaires.list.any}
+      </option>
       {allowed.map(({ id, name }) => (
         <option key={id} value={id}>
           {name}

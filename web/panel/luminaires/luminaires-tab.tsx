@@ -11,6 +11,8 @@ import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { Check } from '../controls/check.tsx';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 export function LuminairesTab() {
   const { store } = useApp();
@@ -77,7 +79,7 @@ function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEn
         min={range[0]}
         max={Math.max(range[1], value)}
         step={whole ? 10 * step : step}
-        text={unit ? `${value} ${unit}` : String(value)}
+        text={unit ? `${shortest(value)} ${unit}` : shortest(value)}
         onInput={take}
         onEnd={onEnd}
       />
@@ -96,28 +98,28 @@ function CountAndFlux() {
   return (
     <>
       <SliderRow
-        label="Luminaires"
+        label={words.value.luminaires.count}
         value={count}
         range={[Math.max(1, pinned.length), Math.min(most, Math.max(32, count))]}
         most={most}
         step={1}
         whole
-        onInput={(next) => set('Change the number of luminaires', { count: next, ...pushed(next) })}
+        onInput={(next) => set(words.value.steps.count, { count: next, ...pushed(next) })}
         onEnd={end}
       />
       <MostLuminaires places={places} />
       {pinned.length > 1 && count <= pinned.length && (
-        <p class="field-note">No fewer: {pinned.length} are pinned.</p>
+        <p class="field-note">{words.value.luminaires.noFewer(pinned.length)}</p>
       )}
       {!isOfTypes && (
         <SliderRow
-          label="Flux of each"
+          label={words.value.luminaires.flux}
           value={flux}
           range={[100, Math.max(10_000, flux)]}
           most={1e6}
           step={100}
           unit="lm"
-          onInput={(next) => set('Change the flux', { flux: Math.round(next) })}
+          onInput={(next) => set(words.value.steps.flux, { flux: Math.round(next) })}
           onEnd={end}
         />
       )}
@@ -133,24 +135,22 @@ function MostLuminaires({ places }: { places: number }) {
   const { count, most } = store.document.value.luminaires;
   const limit = Math.max(1, Math.min(200, places));
   const toggle = (on: boolean) =>
-    store.edit('Let the number vary', ({ luminaires }) => {
+    store.edit(words.value.steps.vary, ({ luminaires }) => {
       if (on) luminaires.most = Math.min(limit, 2 * count);
       else delete luminaires.most;
     });
   return (
     <div class="setting-row">
-      <Check label="or more, as many as it takes" checked={most !== undefined} set={toggle} />
+      <Check label={words.value.luminaires.orMore} checked={most !== undefined} set={toggle} />
       {most !== undefined && (
         <NumberField
-          label="At most so many luminaires"
+          label={words.value.luminaires.most}
           value={most}
           whole
           step={1}
           min={count}
           max={limit}
-          onInput={(next) =>
-            next !== undefined && set('Change the most luminaires', { most: Math.round(next) })
-          }
+          onInput={(next) => next !== undefined && set(words.value.steps.most, { most: Math.round(next) })}
           onEnd={end}
         />
       )}
@@ -167,23 +167,26 @@ function Dimming({ luminaires }: { luminaires: Luminaires }) {
   return (
     <div class="field">
       <Check
-        label="Common dimming"
+        label={words.value.luminaires.dimming}
         checked={isOn}
-        set={(on) => set('Common dimming', { dimming: on ? [0.1, 1] : [1, 1] }, '')}
+        set={(on) => set(words.value.luminaires.dimming, { dimming: on ? [0.1, 1] : [1, 1] }, '')}
       />
       {isOn && (
         <NumberRow
           name={
             <>
-              From the least of <output class="field-note">now {Math.round(dimming * 100)} %</output>
+              {words.value.luminaires.dimmedFrom}{' '}
+              <output class="field-note">
+                {words.value.intentions.now(`${Math.round(dimming * 100)} %`)}
+              </output>
             </>
           }
-          label="Dimmed to at least"
+          label={words.value.luminaires.dimmedLeast}
           unit="%"
           value={Math.round(low * 100)}
           step={1}
           max={99}
-          onInput={(value) => set('Change the dimming', { dimming: [value / 100, high] })}
+          onInput={(value) => set(words.value.steps.dimming, { dimming: [value / 100, high] })}
           onEnd={end}
         />
       )}
@@ -195,13 +198,13 @@ function Distance({ luminaires }: { luminaires: Luminaires }) {
   const { set, end } = useRules();
   return (
     <NumberRow
-      name="Apart by at least"
-      label="Apart by at least"
+      name={words.value.luminaires.apart}
+      label={words.value.luminaires.apart}
       unit="m"
       value={luminaires.minDistance}
       step={0.1}
       max={1000}
-      onInput={(minDistance) => set('Change the distance', { minDistance })}
+      onInput={(minDistance) => set(words.value.steps.distance, { minDistance })}
       onEnd={end}
     />
   );
@@ -215,12 +218,12 @@ function Places({ luminaires }: { luminaires: Luminaires }) {
     <div class="row">
       {pinned.length > 0 && (
         <button class="button small" onClick={() => hand.unpinAll()}>
-          Unpin {pinned.length === 1 ? 'the one' : `all ${pinned.length}`}
+          {words.value.luminaires.unpin(pinned.length)}
         </button>
       )}
       {excluded.length > 0 && (
         <button class="button small" onClick={() => hand.includeAll()}>
-          Allow {excluded.length === 1 ? 'the place' : `all ${excluded.length} places`} kept free
+          {words.value.luminaires.allow(excluded.length)}
         </button>
       )}
     </div>

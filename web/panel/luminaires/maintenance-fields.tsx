@@ -8,6 +8,8 @@ import {
 } from '../../document/maintenance.ts';
 import { NumberRow } from '../controls/number-row.tsx';
 import { Check } from '../controls/check.tsx';
+import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
 
 export function MaintenanceFields() {
   const { store } = useApp();
@@ -27,12 +29,12 @@ export function MaintenanceFields() {
       <Check
         label={
           maintenance
-            ? `Maintained light, factor ${maintenanceOf(luminaires).toFixed(2)}`
-            : 'Maintained light'
+            ? words.value.luminaires.maintenance.factor(fixed(maintenanceOf(luminaires), 2))
+            : words.value.luminaires.maintenance.maintained
         }
         checked={maintenance !== undefined}
         set={(on) => {
-          set('Maintenance factor', on ? usualMaintenance : null);
+          set(words.value.steps.maintenance, on ? usualMaintenance : null);
           store.endGesture();
         }}
       />
@@ -42,17 +44,17 @@ export function MaintenanceFields() {
             key={short}
             name={
               <>
-                {name} <small>{short}</small>
+                {name()} <small>{short}</small>
               </>
             }
-            label={name}
+            label={name()}
             value={maintenance[i] ?? 1}
             step={0.01}
             min={0.05}
             max={1}
             onInput={(value) => {
               const next = maintenance.map((each, k) => (k === i ? value : each));
-              set('Maintenance factor', next as unknown as Maintenance);
+              set(words.value.steps.maintenance, next as unknown as Maintenance);
             }}
             onEnd={() => store.endGesture()}
           />

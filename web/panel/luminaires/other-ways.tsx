@@ -3,13 +3,7 @@ import { useApp } from '../../app/app.ts';
 import { arrangementOf, fewestMet, rules } from '../../app/comparing.ts';
 import type { Rule } from '../../document/types.ts';
 import { costText } from './arrangement-choice.tsx';
-
-const asWords: Record<Rule, string> = {
-  free: 'a free layout',
-  symmetric: 'a symmetric layout',
-  rows: 'rows',
-  field: 'a regular field',
-};
+import { words } from '../../language/language.ts';
 
 /** Where it is the arrangement that stands in the way: which others would do, and what each costs. */
 export function RulesFirst() {
@@ -24,19 +18,22 @@ export function RulesFirst() {
   });
   if (others.length === 0) return null;
   const choose = (rule: Rule) =>
-    store.edit('Change the arrangement', (draft) => {
+    store.edit(words.value.steps.arrangement, (draft) => {
       if (rule === 'free') delete draft.luminaires.arrangement;
       else draft.luminaires.arrangement = { ...arrangementOf(rule, luminaires) };
     });
   return (
     <div class="rules-first">
       <p>
-        Not as {asWords[asked]} of {luminaires.count}. All is met as:
+        {words.value.luminaires.arrangement.notAs(
+          words.value.luminaires.arrangement.asked[asked],
+          luminaires.count,
+        )}
       </p>
       <div class="row">
         {others.map(({ rule, outcome }) => (
           <button key={rule} class="button small" onClick={() => choose(rule)}>
-            {asWords[rule].replace(/^a /, '')}, {costText(outcome, store.efficacy.value)}
+            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store.efficacy.value)}
           </button>
         ))}
       </div>
@@ -54,13 +51,13 @@ export function MoreLuminaires() {
   if (fewest === null) return null;
   const more = fewest - most;
   const add = () =>
-    store.edit('Add luminaires', ({ luminaires }) => {
+    store.edit(words.value.steps.addLuminaires, ({ luminaires }) => {
       if (luminaires.most === undefined) luminaires.count = fewest;
       else luminaires.most = fewest;
     });
   return (
     <button class="button small" onClick={add}>
-      Or {more} more {more === 1 ? 'luminaire' : 'luminaires'}
+      {words.value.luminaires.arrangement.more(more)}
     </button>
   );
 }

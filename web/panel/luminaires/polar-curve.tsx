@@ -3,6 +3,7 @@
  * dashed, as the trade draws them.
  */
 import { planeOf, type PhotometricDescription } from '../../document/photometry.ts';
+import { words } from '../../language/language.ts';
 
 const radius = 46; // of the strongest light, in a picture of 100 x 100
 const step = 3; // degrees between two points of a curve
@@ -23,8 +24,8 @@ function curveOf(description: PhotometricDescription, c: number): string {
 
 export function PolarCurve({ description }: { description: PhotometricDescription | undefined }) {
   const say = description
-    ? `Polar curve: beam ${Math.round(description.beamAngle)} degrees, ${Math.round(description.maxCandela)} candela at most`
-    : 'No polar curve yet';
+    ? words.value.luminaires.polar(Math.round(description.beamAngle), Math.round(description.maxCandela))
+    : words.value.luminaires.noPolar;
   return (
     <svg class="polar" viewBox="0 0 100 100" role="img" aria-label={say}>
       <g class="polar-grid">

@@ -6,10 +6,12 @@ import type { Aim, Point } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import type { TypeProps } from './type-card.tsx';
 import { useTypeEdit } from './type-use.tsx';
+import { words } from '../../language/language.ts';
+import { fixed, listed } from '../../language/numbers.ts';
 
 const most = 64;
 const textOf = (aim: Aim): string =>
-  typeof aim === 'string' ? aim : aim.map((value) => value.toFixed(2)).join(', ');
+  typeof aim === 'string' ? aim : listed(aim.map((value) => fixed(value, 2)));
 
 export function TypeAims({ type }: TypeProps) {
   const { store } = useApp();
@@ -19,7 +21,7 @@ export function TypeAims({ type }: TypeProps) {
   const { aims } = type;
   const add = (aim: Aim) => {
     const isThere = aims.some((other) => textOf(other) === textOf(aim));
-    if (!isThere && aims.length < most) set('Aims', { aims: [...aims, aim] }, false);
+    if (!isThere && aims.length < most) set(words.value.steps.aims, { aims: [...aims, aim] }, false);
   };
   const choose = (value: string) => {
     setPoint(value === 'point');
@@ -29,10 +31,12 @@ export function TypeAims({ type }: TypeProps) {
   return (
     <div class="field">
       <label class="setting-row">
-        <span>Aim at</span>
+        <span>{words.value.luminaires.aims.at}</span>
         <select value={isPoint ? 'point' : ''} onChange={(event) => choose(event.currentTarget.value)}>
-          <option value="">{aims.length > 0 ? 'another surface …' : 'nothing: along the mount'}</option>
-          <option value="point">a point …</option>
+          <option value="">
+            {aims.length > 0 ? words.value.luminaires.aims.another : words.value.luminaires.aims.nothing}
+          </option>
+          <option value="point">{words.value.luminaires.aims.point}</option>
           {surfaces.map(({ name }, index) => (
             <option key={name} value={String(index)}>
               {name}
@@ -49,14 +53,16 @@ export function TypeAims({ type }: TypeProps) {
         />
       )}
       {aims.length > 0 && (
-        <ul class="chips" aria-label={`${type.name} is aimed at`}>
+        <ul class="chips" aria-label={words.value.luminaires.aims.of(type.name)}>
           {aims.map((aim) => (
             <li key={textOf(aim)} class="chip">
               <span>{textOf(aim)}</span>
               <button
                 class="icon-button small"
-                aria-label={`Do not aim at ${textOf(aim)}`}
-                onClick={() => set('Aims', { aims: aims.filter((other) => other !== aim) }, false)}
+                aria-label={words.value.luminaires.aims.remove(textOf(aim))}
+                onClick={() =>
+                  set(words.value.steps.aims, { aims: aims.filter((other) => other !== aim) }, false)
+                }
               >
                 <X size={12} aria-hidden />
               </button>
@@ -76,7 +82,7 @@ function PointField({ add }: { readonly add: (point: Point) => void }) {
     setPoint([next[0] ?? 0, next[1] ?? 0, next[2] ?? 0]);
   };
   return (
-    <div class="point-field" role="group" aria-label="Point to aim at">
+    <div class="point-field" role="group" aria-label={words.value.luminaires.aims.pointField}>
       {(['x', 'y', 'z'] as const).map((axis, i) => (
         <NumberField
           key={axis}
@@ -89,7 +95,11 @@ function PointField({ add }: { readonly add: (point: Point) => void }) {
           onInput={set(i)}
         />
       ))}
-      <button class="icon-button" aria-label="Aim at this point" onClick={() => add(point)}>
+      <button
+        class="icon-button"
+        aria-label={words.value.luminaires.aims.addPoint}
+        onClick={() => add(point)}
+      >
         <Plus size={15} aria-hidden />
       </button>
     </div>

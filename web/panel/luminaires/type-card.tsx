@@ -7,6 +7,8 @@ import type { PhotometricDescription } from '../../document/photometry.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { PolarCurve } from './polar-curve.tsx';
 import { TypeUse } from './type-use.tsx';
+import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
 
 export interface TypeProps {
   readonly type: LuminaireType;
@@ -30,7 +32,7 @@ export function TypeCard({ type }: TypeProps) {
         <span class="card-reached">{usedText(types.used(type.id), type.isAllowed)}</span>
         <button
           class="icon-button small"
-          aria-label={`Remove ${type.name}`}
+          aria-label={words.value.luminaires.type.remove(type.name)}
           onClick={() => types.remove(type.id)}
         >
           <X size={14} aria-hidden />
@@ -50,8 +52,8 @@ export function TypeCard({ type }: TypeProps) {
 }
 
 function usedText(used: number, isAllowed: boolean): string {
-  if (used > 0) return `${used} used`;
-  return isAllowed ? '' : 'not used';
+  if (used > 0) return words.value.luminaires.type.used(used);
+  return isAllowed ? '' : words.value.luminaires.type.unused;
 }
 
 const unknown = '–';
@@ -59,7 +61,7 @@ const unknown = '–';
 /** Below 10 a unified glare rating says no more than that nothing glares. */
 function glareText(rating: number | null | undefined): string {
   if (typeof rating !== 'number') return unknown;
-  return rating < 10 ? '< 10' : rating.toFixed(1);
+  return rating < 10 ? '< 10' : fixed(rating, 1);
 }
 
 interface Described extends TypeProps {
@@ -69,11 +71,11 @@ interface Described extends TypeProps {
 function Facts({ type, description }: Described) {
   const { flux, watts, maker } = type;
   const facts: readonly (readonly [string, string])[] = [
-    ['Flux', `${compact(flux)} lm`],
-    ['Power', watts > 0 ? `${compact(watts)} W` : unknown],
-    ['Efficacy', watts > 0 ? `${compact(flux / watts)} lm/W` : unknown],
-    ['Beam', description ? `${Math.round(description.beamAngle)}°` : unknown],
-    ['Colour', description?.cct ? `${Math.round(description.cct)} K` : unknown],
+    [words.value.luminaires.type.flux, `${compact(flux)} lm`],
+    [words.value.luminaires.type.power, watts > 0 ? `${compact(watts)} W` : unknown],
+    [words.value.luminaires.type.efficacy, watts > 0 ? `${compact(flux / watts)} lm/W` : unknown],
+    [words.value.luminaires.type.beam, description ? `${Math.round(description.beamAngle)}°` : unknown],
+    [words.value.luminaires.type.color, description?.cct ? `${Math.round(description.cct)} K` : unknown],
     ['UGR 4H 8H', glareText(description?.ugr4h8h)],
   ];
   return (
@@ -96,16 +98,14 @@ function Dispute({ type, description }: TypeProps & { description: PhotometricDe
   const { types } = useApp();
   const { flux, integratedFlux } = description;
   const take = (lumens: number, isOverridden: boolean) =>
-    types.change(type.id, `Flux of ${type.name}`, (each) => ({
+    types.change(type.id, words.value.steps.fluxOf(type.name), (each) => ({
       ...each,
       flux: Number(lumens.toPrecision(6)),
       isOverridden,
     }));
   return (
-    <div class="type-question" role="group" aria-label={`Which flux does ${type.name} have?`}>
-      <p>
-        The file says {compact(flux)} lm, its table holds {compact(integratedFlux)}: which?
-      </p>
+    <div class="type-question" role="group" aria-label={words.value.luminaires.type.whichFlux(type.name)}>
+      <p>{words.value.luminaires.type.disputed(compact(flux), compact(integratedFlux))}</p>
       <div class="row">
         <button class="button small" onClick={() => take(flux, true)}>
           {compact(flux)} lm
@@ -129,18 +129,18 @@ function Notes({ type, description }: Described) {
     <>
       {isMissing && (
         <p class="type-note warn">
-          “{type.file}” is not here.{' '}
+          {words.value.luminaires.type.missing(type.file)}{' '}
           <button class="link-button" onClick={() => opening.pick('.ies,.ldt,.gldf,.xml,.zip')}>
-            Open it
+            {words.value.luminaires.type.open}
           </button>
         </p>
       )}
-      {!fits && <p class="type-note warn">It fits on no place of this room.</p>}
+      {!fits && <p class="type-note warn">{words.value.luminaires.type.fitsNowhere}</p>}
       {scene && !scene.hasOperator && (
         <p class="type-note">
           {store.lighting.value && !store.lighting.value.fault
-            ? 'It shines as soon as the room is there in full quality.'
-            : 'This room’s file knows Lambertian squares only: compute it again.'}
+            ? words.value.luminaires.type.soon
+            : words.value.luminaires.type.squaresOnly}
         </p>
       )}
       {warnings.map((text) => (

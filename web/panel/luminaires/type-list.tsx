@@ -3,6 +3,7 @@ import { FileUp, LibraryBig } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { actions } from '../../app/actions.ts';
 import { TypeCard } from './type-card.tsx';
+import { words } from '../../language/language.ts';
 
 const run = (id: string) => actions.find((action) => action.id === id)?.run;
 
@@ -10,10 +11,10 @@ export function TypeList() {
   const app = useApp();
   const { types = [] } = app.store.document.value.luminaires;
   return (
-    <section class="types" aria-label="Luminaire types">
+    <section class="types" aria-label={words.value.luminaires.types.name}>
       <div class="field-head">
-        <span class="field-name">Luminaire types</span>
-        {types.length === 0 && <span class="field-note">plain squares of light</span>}
+        <span class="field-name">{words.value.luminaires.types.name}</span>
+        {types.length === 0 && <span class="field-note">{words.value.luminaires.types.squares}</span>}
       </div>
       {types.map((type) => (
         <TypeCard key={type.id} type={type} />
@@ -21,11 +22,11 @@ export function TypeList() {
       <div class="row">
         <button class="button small" onClick={() => run('luminaire-catalog')?.(app)}>
           <LibraryBig size={14} aria-hidden />
-          <span>Generic luminaires</span>
+          <span>{words.value.luminaires.types.generic}</span>
         </button>
         <button class="button small" onClick={() => run('open-luminaire')?.(app)}>
           <FileUp size={14} aria-hidden />
-          <span>Open .ies or .ldt</span>
+          <span>{words.value.luminaires.types.open}</span>
         </button>
       </div>
     </section>

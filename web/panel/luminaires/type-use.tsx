@@ -7,6 +7,7 @@ import { NumberRow } from '../controls/number-row.tsx';
 import { Check } from '../controls/check.tsx';
 import { TypeAims } from './type-aims.tsx';
 import type { TypeProps } from './type-card.tsx';
+import { words } from '../../language/language.ts';
 
 /** Edits of a type; typing in one field is one step. */
 export function useTypeEdit({ id, name }: LuminaireType) {
@@ -15,7 +16,7 @@ export function useTypeEdit({ id, name }: LuminaireType) {
     set: (what: string, change: Partial<LuminaireType>, isGesture = true) =>
       types.change(
         id,
-        `${what} of ${name}`,
+        words.value.steps.ofType(what, name),
         (type) => ({ ...type, ...change }),
         isGesture ? `type ${id} ${what}` : undefined,
       ),
@@ -30,40 +31,42 @@ export function TypeUse({ type }: TypeProps) {
   return (
     <div class="card-body">
       <Check
-        label="The search may use it"
+        label={words.value.luminaires.use.allowed}
         checked={type.isAllowed}
-        set={(isAllowed) => set('Use', { isAllowed }, false)}
+        set={(isAllowed) => set(words.value.steps.use, { isAllowed }, false)}
       />
       <Count type={type} />
       <NumberRow
-        name="Flux of one"
-        label={`Flux of one ${type.name}`}
+        name={words.value.luminaires.use.flux}
+        label={words.value.luminaires.use.fluxOf(type.name)}
         unit="lm"
         value={type.flux}
         step={50}
         min={1}
-        onInput={(flux) => set('Flux', { flux, isOverridden: held === undefined || flux !== held })}
+        onInput={(flux) =>
+          set(words.value.steps.fluxWord, { flux, isOverridden: held === undefined || flux !== held })
+        }
         onEnd={end}
       />
       <NumberRow
-        name="Power of one"
-        label={`Power of one ${type.name}`}
+        name={words.value.luminaires.use.power}
+        label={words.value.luminaires.use.powerOf(type.name)}
         unit="W"
         value={type.watts}
         step={1}
         max={1e5}
-        onInput={(watts) => set('Power', { watts })}
+        onInput={(watts) => set(words.value.steps.powerWord, { watts })}
         onEnd={end}
       />
       <Turn type={type} />
       <NumberRow
-        name="Tilt from the mount"
-        label={`Tilt of ${type.name}`}
+        name={words.value.luminaires.use.tilt}
+        label={words.value.luminaires.use.tiltOf(type.name)}
         unit="°"
         value={type.tilt}
         step={5}
         max={180}
-        onInput={(tilt) => set('Tilt', { tilt })}
+        onInput={(tilt) => set(words.value.steps.tilt, { tilt })}
         onEnd={end}
       />
       <TypeAims type={type} />
@@ -77,25 +80,29 @@ function Count({ type }: TypeProps) {
   const [least, most] = type.count;
   return (
     <div class="setting-row">
-      <span>How many</span>
+      <span>{words.value.luminaires.use.count}</span>
       <NumberField
-        label={`At least so many ${type.name}`}
+        label={words.value.luminaires.use.atLeast(type.name)}
         value={least}
         whole
         step={1}
         max={mostLuminaires}
-        onInput={(next) => next !== undefined && set('Count', { count: [next, Math.max(next, most)] })}
+        onInput={(next) =>
+          next !== undefined && set(words.value.steps.countWord, { count: [next, Math.max(next, most)] })
+        }
         onEnd={end}
       />
-      <span>to</span>
+      <span>{words.value.luminaires.use.to}</span>
       <NumberField
-        label={`At most so many ${type.name}`}
+        label={words.value.luminaires.use.atMost(type.name)}
         value={most === mostLuminaires ? undefined : most}
-        placeholder="any"
+        placeholder={words.value.luminaires.use.any}
         whole
         step={1}
         max={mostLuminaires}
-        onInput={(next = mostLuminaires) => set('Count', { count: [Math.min(least, next), next] })}
+        onInput={(next = mostLuminaires) =>
+          set(words.value.steps.countWord, { count: [Math.min(least, next), next] })
+        }
         onEnd={end}
       />
     </div>
@@ -108,13 +115,7 @@ const usualTurns: readonly (readonly [string, readonly number[]])[] = [
   ['either', [0, 90]],
   ['quarters', [0, 90, 180, 270]],
 ];
-const titles: Readonly<Record<string, string>> = {
-  0: 'As the mount (0°)',
-  90: 'Crosswise (90°)',
-  either: '0° or 90°, the search picks',
-  quarters: 'Any quarter turn',
-  free: 'By an angle',
-};
+const choices = ['0', '90', 'either', 'quarters', 'free'] as const;
 
 /** The angle about the mount's normal; which way is along the luminaire its file says. */
 function Turn({ type }: TypeProps) {
@@ -122,29 +123,29 @@ function Turn({ type }: TypeProps) {
   const same = (turns: readonly number[]) => turns.join(' ') === type.turns.join(' ');
   const choice = usualTurns.find(([, turns]) => same(turns))?.[0] ?? 'free';
   const choose = (next: string) =>
-    set('Turn', { turns: usualTurns.find(([name]) => name === next)?.[1] ?? [45] }, false);
+    set(words.value.steps.turn, { turns: usualTurns.find(([name]) => name === next)?.[1] ?? [45] }, false);
   return (
     <>
       <label class="setting-row">
-        <span>Turn</span>
+        <span>{words.value.luminaires.use.turn}</span>
         <select value={choice} onChange={(event) => choose(event.currentTarget.value)}>
-          {Object.entries(titles).map(([name, title]) => (
+          {choices.map((name) => (
             <option key={name} value={name}>
-              {title}
+              {words.value.luminaires.use.turns[name]}
             </option>
           ))}
         </select>
       </label>
       {choice === 'free' && (
         <NumberRow
-          name="Angle"
-          label={`Turn of ${type.name}`}
+          name={words.value.luminaires.use.angle}
+          label={words.value.luminaires.use.turnOf(type.name)}
           unit="°"
           value={type.turns[0] ?? 0}
           step={5}
           min={-360}
           max={360}
-          onInput={(turn) => set('Turn', { turns: [turn] })}
+          onInput={(turn) => set(words.value.steps.turn, { turns: [turn] })}
           onEnd={end}
         />
       )}
