@@ -1,4 +1,4 @@
-// Areas in plan: drawn with the pointer, obeyed by the search, told in numbers. Covers plan-overlay, area-list, area-marks.
+// Areas in plan: drawn with the pointer, obeyed by the search, told in numbers; luminaires selected by one. Covers plan-overlay, area-list, area-marks.
 import { expect, openRoom, settled, test } from './app.ts';
 
 test('an area that is drawn in the plan stays free of luminaires', async ({ page }) => {
@@ -29,4 +29,13 @@ test('an area that is drawn in the plan stays free of luminaires', async ({ page
   }
   await row.getByRole('button', { name: 'Remove Keep out 1' }).click();
   await expect(row).toHaveCount(0);
+
+  await page.getByRole('button', { name: 'Select in plan' }).click();
+  await page.mouse.move(plan.x + 4, plan.y + 4);
+  await page.mouse.down();
+  await page.mouse.move(plan.x + plan.width - 4, plan.y + plan.height - 4);
+  await page.mouse.up();
+  const several = page.getByRole('toolbar', { name: 'Luminaires L1, L2, L3, L4' });
+  await several.getByRole('button', { name: 'Pin here' }).click();
+  await expect(page.locator('.luminaire-tag.is-pinned')).toHaveCount(4);
 });

@@ -22,6 +22,7 @@ export interface FakeViewer extends Viewer {
   light: Float32Array | null;
   layout: Layout | null;
   pinned: readonly number[];
+  ghosts: readonly number[];
   opened: number;
   held: boolean;
   other: Parameters<Viewer['compareWith']>[0];
@@ -36,6 +37,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       light: null,
       layout: null,
       pinned: [],
+      ghosts: [],
       opened: 0,
       held: false,
       other: null,
@@ -57,6 +59,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       setAims: () => {},
       reveal: () => {},
       setAreas: () => {},
+      setGhosts: (sites) => void (viewer.ghosts = sites),
       planPoint: () => null,
       setExcluded: () => {},
       setObservers: () => {},

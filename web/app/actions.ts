@@ -112,10 +112,7 @@ const luminaires: readonly Action[] = [
     group: 'Luminaires',
     keys: ['P'],
     enabled: ({ store }) => store.luminaire.value !== null,
-    run({ store, hand }) {
-      const luminaire = store.luminaire.peek();
-      if (luminaire !== null) hand.togglePin(luminaire);
-    },
+    run: ({ store, hand }) => hand.togglePin(store.luminaires.peek()),
   },
   {
     id: 'remove-luminaire',
@@ -123,10 +120,25 @@ const luminaires: readonly Action[] = [
     group: 'Luminaires',
     keys: ['Delete', 'Backspace'],
     enabled: ({ store }) => store.luminaire.value !== null,
-    run({ store, hand }) {
-      const luminaire = store.luminaire.peek();
-      if (luminaire !== null) hand.remove(luminaire);
+    run: ({ store, hand }) => hand.remove(store.luminaires.peek()),
+  },
+  {
+    id: 'select-in-plan',
+    title: () => words.value.actions.selectInPlan,
+    group: 'Luminaires',
+    keys: ['D'],
+    enabled: hasRoom,
+    run({ store, viewer }) {
+      store.drawing.value = 'select';
+      if (!viewer.camera().plan) viewer.view('plan');
     },
+  },
+  {
+    id: 'select-all-luminaires',
+    title: () => words.value.actions.selectAll,
+    group: 'Luminaires',
+    enabled: hasRoom,
+    run: ({ hand }) => hand.pickIn(null),
   },
   {
     id: 'unpin-all',
@@ -354,7 +366,7 @@ export function placesOf({ rooms, store }: App): Action[] {
       id: `luminaire-${luminaire}`,
       title: () => `L${luminaire + 1}`,
       group: 'Luminaires',
-      run: (app) => void (app.store.luminaire.value = luminaire),
+      run: ({ hand }) => hand.pick(luminaire, 'alone'),
     })),
     ...rooms.entries.value.map((entry): Action => ({
       id: `open-${entry.id}`,

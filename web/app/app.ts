@@ -2,6 +2,7 @@
 import { effect } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
+import { markedAreas } from '../document/areas.ts';
 import { keepRange } from '../document/intentions.ts';
 import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
@@ -212,7 +213,7 @@ export class App {
     return {
       hovered: (surface, at) => void (store.hover.value = surface !== null && at ? { surface, ...at } : null),
       surfacePicked: (surface) => this.selectSurface(surface),
-      luminairePicked: (luminaire) => void (store.luminaire.value = luminaire),
+      luminairePicked: (luminaire, how) => this.hand.pick(luminaire, how),
       luminaireDragged: (luminaire, site) => this.hand.moveTo(luminaire, site, true),
       luminaireDropped: (luminaire, site) => this.hand.moveTo(luminaire, site, false),
       cameraMoved: (camera) => void (store.camera.value = camera),
@@ -230,8 +231,9 @@ export class App {
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setBodies(this.types.bodies.value));
     effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
-    effect(() => viewer.setSelection(store.surface.value, store.luminaire.value));
-    effect(() => viewer.setAreas(store.document.value.luminaires.areas ?? null));
+    effect(() => viewer.setSelection(store.surface.value, store.luminaires.value));
+    effect(() => viewer.setGhosts(store.ghosts.value));
+    effect(() => viewer.setAreas(markedAreas(store.document.value.luminaires.areas)));
     effect(() => viewer.setExcluded(store.barred.value));
   }
 }

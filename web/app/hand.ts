@@ -1,15 +1,24 @@
-/** Luminaires under the hand: dragging one pins it where it is dropped and the others compensate while it moves. */
+/**
+ * Luminaires under the hand, one or several: dragging pins what is dragged where it is dropped, and the others compensate
+ * while it moves.
+ */
 import type { Point3 } from '../document/plan-frame.ts';
+import { luminairesIn } from '../document/areas.ts';
 import { nearestSite, siteCount } from '../document/sites.ts';
-import { heldTogether, movedSites, tieOf } from '../document/ties.ts';
-import type { Layout } from '../document/types.ts';
+import { heldTogether, inHand, movedSites, tiedTo } from '../document/ties.ts';
+import type { Layout, PlanArea } from '../document/types.ts';
 import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
+import { words } from '../language/language.ts';
 
 const exactly = 0.005; // m: half of what a place is written to
 
 const tag = (luminaire: number) => `L${luminaire + 1}`;
+
+/** "L3", or "4 luminaires". */
+const named = (luminaires: readonly number[]) =>
+  luminaires.length === 1 ? tag(luminaires[0]!) : words.value.values.luminaires(luminaires.length);
 
 export class Hand {
   readonly #store: Store;
@@ -20,20 +29,52 @@ export class Hand {
     this.#solving = solving;
   }
 
-  /** Moves luminaire i to a site and pins it there. `dragging`: more of the same movement may follow. */
+  /** Selects a luminaire: alone, beside the others (or no longer), or because it is about to be dragged. */
+  pick(luminaire: number | null, how: 'alone' | 'also' | 'held'): void {
+    const { luminaires } = this.#store;
+    const selected = luminaires.peek();
+    const others = selected.filter((other) => other !== luminaire);
+    if (luminaire === null) luminaires.value = [];
+    else if (how === 'alone' || (how === 'held' && others.length === selected.length))
+      luminaires.value = [luminaire];
+    else if (how === 'also' && others.length < selected.length) luminaires.value = others;
+    else luminaires.value = [...others, luminaire];
+    const { length } = luminaires.peek();
+    if (how === 'also') this.#tellSelected(length);
+  }
+
+  /** Selects the luminaires in an area of the plan, beside those that are selected where `isAlso`; null: all there are. */
+  pickIn(area: PlanArea | null, isAlso = false): void {
+    const { luminaires, scene } = this.#store;
+    const layout = this.#layout();
+    const sites = scene.peek()?.sites;
+    if (!layout || !sites) return;
+    const found = area ? luminairesIn(area, layout, sites) : [...layout.sites.keys()];
+    luminaires.value = [...new Set([...(isAlso ? luminaires.peek() : []), ...found])];
+    this.#tellSelected(luminaires.peek().length);
+  }
+
+  /** Moves luminaire i to a site, with all that is in the hand, and pins that. `dragging`: more may follow. */
   moveTo(luminaire: number, site: number, dragging: boolean): void {
     const layout = this.#layout();
     const positions = this.#store.scene.peek()?.sites.position;
     const rule = this.#store.document.peek().luminaires.arrangement?.rule ?? 'free';
-    const sites = layout && positions && movedSites(layout, luminaire, site, rule, positions);
+    const selected = this.#selected(layout);
+    const sites = layout && positions && movedSites(layout, luminaire, site, rule, positions, selected);
+    this.#store.ghosts.value =
+      dragging && sites ? sites.filter((to, i) => i !== luminaire && to !== layout.sites[i]) : [];
     if (!sites) {
-      if (!dragging) this.#solving.relight(); // where it was
+      if (dragging) return;
+      this.#solving.relight(); // where it was
+      if (selected.length > 1 && selected.includes(luminaire))
+        this.#store.announcement.value = words.value.bars.selection.noPlace;
       return;
     }
     const toOf = new Map(layout.sites.map((from, i) => [from, sites[i] ?? from]));
-    const held = new Set(heldTogether(layout, luminaire, rule).map((i) => sites[i] ?? site));
+    const inIt = inHand(luminaire, selected);
+    const held = new Set(heldTogether(layout, inIt, rule).map((i) => sites[i] ?? site));
     this.#store.edit(
-      `Move ${tag(luminaire)}`,
+      `Move ${named(inIt)}`,
       (draft) => {
         const { pinned, excluded } = draft.luminaires;
         draft.luminaires.pinned = [...new Set([...pinned.map((other) => toOf.get(other) ?? other), ...held])];
@@ -44,7 +85,7 @@ export class Hand {
     );
     if (dragging) return;
     this.#store.endGesture();
-    this.#store.announcement.value = `${tag(luminaire)} is pinned; the others compensate.`;
+    this.#store.announcement.value = `${named(inIt)} pinned; the others compensate.`;
   }
 
   /** One step along the mount, for the keyboard; `direction` in the room's axes. */
@@ -53,7 +94,7 @@ export class Hand {
     const layout = this.#layout();
     const from = layout?.sites[luminaire];
     if (!scene || !layout || from === undefined) return;
-    const taken = takenSites(layout, luminaire, this.#store.barred.peek());
+    const taken = this.#taken(layout, luminaire);
     const site = nextFreeSite(scene.sites.position, taken, from, direction);
     if (site !== null) this.moveTo(luminaire, site, false);
     else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
@@ -64,7 +105,7 @@ export class Hand {
     const sites = this.#store.scene.peek()?.sites;
     const layout = this.#layout();
     if (!sites || !layout) return;
-    const taken = takenSites(layout, luminaire, this.#store.barred.peek());
+    const taken = this.#taken(layout, luminaire);
     const { site, distance: away } = nearestSite(sites, place, taken);
     if (site < 0) return;
     if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
@@ -73,13 +114,15 @@ export class Hand {
       this.#store.say('info', `${tag(luminaire)} hangs at the nearest free place, ${apart}.`);
   }
 
-  togglePin(luminaire: number): void {
+  /** Pins luminaires and what is tied to them; unpins them where all are pinned. */
+  togglePin(luminaires: readonly number[]): void {
     const layout = this.#layout();
-    const site = layout?.sites[luminaire];
-    if (!layout || site === undefined) return;
-    const isPinned = this.#store.document.peek().luminaires.pinned.includes(site);
-    const together = tieOf(layout, luminaire).map((each) => layout.sites[each] ?? site);
-    this.#store.edit(isPinned ? `Unpin ${tag(luminaire)}` : `Pin ${tag(luminaire)}`, (draft) => {
+    if (!layout || luminaires.length === 0) return;
+    const { pinned } = this.#store.document.peek().luminaires;
+    const sitesOf = (list: readonly number[]) => list.flatMap((each) => layout.sites[each] ?? []);
+    const isPinned = sitesOf(luminaires).every((site) => pinned.includes(site));
+    const together = sitesOf(tiedTo(layout, luminaires));
+    this.#store.edit(`${isPinned ? 'Unpin' : 'Pin'} ${named(luminaires)}`, (draft) => {
       const { luminaires } = draft;
       luminaires.pinned = isPinned
         ? luminaires.pinned.filter((other) => !together.includes(other))
@@ -101,35 +144,39 @@ export class Hand {
     });
   }
 
-  /** One luminaire less; the others go on from where they hang. */
-  remove(luminaire: number): void {
+  /**
+   * Fewer luminaires; the others go on from where they hang. A mirror image goes with its luminaire, and a row as a whole,
+   * where others are left.
+   */
+  remove(asked: readonly number[]): void {
     const layout = this.#layout();
-    const site = layout?.sites[luminaire];
-    if (!layout || site === undefined) return;
-    if (layout.sites.length === 1) {
+    const gone = layout ? this.#goneWith(layout, asked) : [];
+    if (!layout || gone.length === 0) return;
+    if (layout.sites.length === gone.length) {
       this.#store.say('info', 'The last luminaire stays: there is no light without one.');
       return;
     }
-    const others = <T>(list: readonly T[]): T[] => list.filter((_, i) => i !== luminaire);
+    const others = <T>(list: readonly T[]): T[] => list.filter((_, i) => !gone.includes(i));
     const { sites, flux, mountings } = layout;
     const from = {
       ...layout,
       sites: others(sites),
       flux: others(flux),
       ...(mountings && { mountings: others(mountings) }),
+      ...(layout.ties && { ties: others(layout.ties) }),
     };
-    this.#store.luminaire.value = null;
+    this.#store.luminaires.value = [];
     this.#store.edit(
-      `Remove ${tag(luminaire)}`,
+      `Remove ${named(gone)}`,
       ({ luminaires }) => {
-        luminaires.count = sites.length - 1;
-        luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
-        luminaires.ofType?.splice(luminaire, 1);
+        luminaires.count = from.sites.length;
+        luminaires.pinned = luminaires.pinned.filter((site) => !gone.some((each) => sites[each] === site));
+        if (luminaires.ofType) luminaires.ofType = others(luminaires.ofType);
       },
       null,
       { by: 'search', from },
     );
-    this.#store.announcement.value = `${tag(luminaire)} is removed; the others compensate.`;
+    this.#store.announcement.value = `${named(gone)} removed; the others compensate.`;
   }
 
   unpinAll(): void {
@@ -152,6 +199,28 @@ export class Hand {
 
   includeAll(): void {
     this.#store.edit('Allow every place', (draft) => void (draft.luminaires.excluded = []));
+  }
+
+  #tellSelected(count: number): void {
+    const { bars, values } = words.value;
+    this.#store.announcement.value = bars.selection.selected(values.luminaires(count));
+  }
+
+  /** What goes when some are to go. */
+  #goneWith(layout: Layout, asked: readonly number[]): number[] {
+    const there = asked.filter((luminaire) => luminaire < layout.sites.length);
+    const rule = this.#store.document.peek().luminaires.arrangement?.rule ?? 'free';
+    const tied = rule === 'rows' || rule === 'symmetric' ? tiedTo(layout, there) : there;
+    return tied.length < layout.sites.length ? [...tied] : there;
+  }
+
+  #selected(layout: Layout | null): readonly number[] {
+    return this.#store.luminaires.peek().filter((each) => each < (layout?.sites.length ?? 0));
+  }
+
+  #taken(layout: Layout, luminaire: number): Set<number> {
+    const held = inHand(luminaire, this.#selected(layout));
+    return takenSites(layout, held, this.#store.barred.peek());
   }
 
   #layout(): Layout | null {

@@ -4,7 +4,16 @@
  */
 import { inPlan, type Point2, type RoomPlan } from './plan-frame.ts';
 import { positionOf, siteCount } from './sites.ts';
-import type { Areas, Luminaires, PlanArea, SceneInfo } from './types.ts';
+import type { Areas, Layout, Luminaires, PlanArea, SceneInfo } from './types.ts';
+
+/** What an area in plan is for: where luminaires may hang, or which of them are meant. */
+export type AreaKind = 'keepOut' | 'keepIn' | 'select';
+
+/** An area as it is drawn in the picture. */
+export interface MarkedArea {
+  readonly kind: AreaKind;
+  readonly area: PlanArea;
+}
 
 export const noAreas: Areas = { keepOut: [], keepIn: [], fromWalls: 0 };
 
@@ -16,6 +25,21 @@ const holds = ([x, z, farX, farZ]: PlanArea, px: number, pz: number): boolean =>
 /** The rectangle between two corners. */
 export function areaBetween(a: Point2, b: Point2): PlanArea {
   return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[0], b[0]), Math.max(a[1], b[1])];
+}
+
+/** The areas where luminaires may or may not hang, to be drawn. */
+export function markedAreas(areas: Areas | undefined): MarkedArea[] {
+  return (['keepOut', 'keepIn'] as const).flatMap((kind) =>
+    (areas?.[kind] ?? []).map((area) => ({ kind, area })),
+  );
+}
+
+/** The luminaires of a layout that hang in an area. */
+export function luminairesIn(area: PlanArea, { sites: hung }: Layout, sites: SceneInfo['sites']): number[] {
+  return [...hung.keys()].filter((luminaire) => {
+    const [x, , z] = positionOf(sites, hung[luminaire] ?? -1);
+    return holds(area, x, z);
+  });
 }
 
 /** From a point to the nearest wall of a plan, m; infinite where it has none. */

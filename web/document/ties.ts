@@ -1,47 +1,86 @@
-/** Luminaires that move together: rows and fields as they are, without turning; a mirrored pair is the search's business. */
+/**
+ * Luminaires that move together: rows and fields as they are, without turning, a mirrored pair in the mirror; and those
+ * that are selected together with all that are tied to them.
+ */
 import type { Layout, Rule } from './types.ts';
 
 const samePlace = 0.02; // m
 
+type Tied = Pick<Layout, 'sites' | 'ties'>;
+
 /** The luminaires of the tie that one belongs to, itself included. */
-export function tieOf({ sites, ties }: Pick<Layout, 'sites' | 'ties'>, luminaire: number): number[] {
+export function tieOf({ sites, ties }: Tied, luminaire: number): number[] {
   if (!ties) return [luminaire];
   return [...sites.keys()].filter((other) => ties[other] === ties[luminaire]);
 }
 
-/** Those that a hand on one of them holds, by their places: a mirrored pair is held by either. */
-export function heldTogether(
-  layout: Pick<Layout, 'sites' | 'ties'>,
-  luminaire: number,
-  rule: Rule,
-): number[] {
-  return rule === 'rows' || rule === 'field' ? tieOf(layout, luminaire) : [luminaire];
+/** Some luminaires and all that are tied to them, in their order. */
+export function tiedTo(layout: Tied, luminaires: readonly number[]): number[] {
+  return [...new Set(luminaires.flatMap((each) => tieOf(layout, each)))].sort((a, b) => a - b);
+}
+
+/** What a hand on one luminaire has in it: all that are selected where it is one of them, else it alone. */
+export function inHand(luminaire: number, selected: readonly number[]): readonly number[] {
+  return selected.includes(luminaire) ? selected : [luminaire];
+}
+
+/** Those that a hand on some of them holds, by their places: a mirrored pair is held by either. */
+export function heldTogether(layout: Tied, luminaires: readonly number[], rule: Rule): number[] {
+  return rule === 'rows' || rule === 'field' ? tiedTo(layout, luminaires) : [...luminaires];
 }
 
 /**
- * The sites of a layout after a luminaire has gone to `site`, and its row or field with it; null where there is no place
- * for all of them. `positions`: three a site, m.
+ * The sites of a layout after a luminaire has gone to `site`, and with it all that is in the hand (`selected`, where it is
+ * one of them), their rows or their field; null where there is no place for all of them. Mirror images go the mirrored way
+ * where they can, and else stay, for the search to place. `positions`: three a site, m.
  */
 export function movedSites(
-  layout: Pick<Layout, 'sites' | 'ties'>,
+  layout: Tied,
   luminaire: number,
   site: number,
   rule: Rule,
   positions: ArrayLike<number>,
+  selected: readonly number[] = [],
 ): number[] | null {
   const { sites } = layout;
   const from = sites[luminaire];
   if (from === undefined) return null;
-  const together = heldTogether(layout, luminaire, rule);
-  const placeOf = (of: number, axis: number) => positions[3 * of + axis] ?? NaN;
-  const shifted = (of: number) => [0, 1, 2].map((a) => placeOf(of, a) + placeOf(site, a) - placeOf(from, a));
+  const placeOf = (of: number) => [0, 1, 2].map((axis) => positions[3 * of + axis] ?? NaN);
+  const [start, end] = [placeOf(from), placeOf(site)];
+  const way = end.map((value, axis) => value - start[axis]!);
+  const held = inHand(luminaire, selected);
   const next = [...sites];
-  for (const other of together) {
-    const to = other === luminaire ? site : siteAt(positions, shifted(sites[other] ?? from));
+  for (const other of heldTogether(layout, held, rule)) {
+    const place = placeOf(sites[other] ?? from).map((value, axis) => value + way[axis]!);
+    const to = other === luminaire ? site : siteAt(positions, place);
     if (to === null) return null;
     next[other] = to;
   }
-  return new Set(next).size === next.length ? next : null;
+  if (new Set(next).size < next.length) return null;
+  return rule === 'symmetric' ? withImages(layout, held, way, next, positions) : next;
+}
+
+/** Also with the mirror images of those that have gone, where they find places. */
+function withImages(
+  layout: Tied,
+  gone: readonly number[],
+  way: readonly number[],
+  sites: readonly number[],
+  positions: ArrayLike<number>,
+): number[] {
+  const next = [...sites];
+  for (const luminaire of gone)
+    for (const image of tieOf(layout, luminaire)) {
+      if (gone.includes(image)) continue;
+      const [own, there] = [layout.sites[luminaire]!, layout.sites[image]!];
+      const place = way.map((step, axis) => {
+        const at = positions[3 * there + axis] ?? NaN;
+        return Math.abs(at - (positions[3 * own + axis] ?? NaN)) > samePlace ? at - step : at + step;
+      });
+      const to = siteAt(positions, place);
+      if (to !== null && !next.includes(to)) next[image] = to;
+    }
+  return next;
 }
 
 function siteAt(positions: ArrayLike<number>, place: readonly number[]): number | null {

@@ -1,9 +1,8 @@
 /** Over the plan: a scale bar, north and the corner that coordinates count from; and the hand that draws an area. */
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import { areaBetween, noAreas } from '../document/areas.ts';
+import { areaBetween, markedAreas, noAreas, type AreaKind } from '../document/areas.ts';
 import { inPlan, type Point2 } from '../document/plan-frame.ts';
-import type { AreaKind } from '../app/state/store.ts';
 import { words } from '../language/language.ts';
 import { fixed, listed, shortest } from '../language/numbers.ts';
 
@@ -52,15 +51,15 @@ function ScaleBar() {
   );
 }
 
-/** One drag makes an area; Escape ends it. */
+/** One drag makes an area, or selects what is in it; Escape ends it. */
 function DrawArea({ kind }: { kind: AreaKind }) {
-  const { store, viewer } = useApp();
+  const { store, viewer, hand } = useApp();
   const [at, setAt] = useState<Point2 | null>(null);
   const begun = useRef<Point2 | null>(null);
   const { areas } = store.document.value.luminaires;
   const end = () => {
     begun.current = null;
-    viewer.setAreas(store.document.peek().luminaires.areas ?? null);
+    viewer.setAreas(markedAreas(store.document.peek().luminaires.areas));
   };
   useEffect(() => {
     const key = (event: KeyboardEvent) => {
@@ -76,7 +75,7 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     const point = viewer.planPoint(event.clientX, event.clientY);
     setAt(point);
     if (!begun.current || !point) return;
-    viewer.setAreas(areas ?? null, { area: areaBetween(begun.current, point), isOut: kind === 'keepOut' });
+    viewer.setAreas([...markedAreas(areas), { kind, area: areaBetween(begun.current, point) }]);
   };
   const release = (event: PointerEvent) => {
     const point = viewer.planPoint(event.clientX, event.clientY);
@@ -85,14 +84,13 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     if (!point || !from) return;
     const area = areaBetween(from, point);
     if (area[2] - area[0] < least || area[3] - area[1] < least) return;
-    store.edit(
-      kind === 'keepOut' ? words.value.steps.keepOut : words.value.steps.keepIn,
-      ({ luminaires }) => {
-        luminaires.areas ??= structuredClone(noAreas) as never;
-        luminaires.areas[kind].push([...area]);
-      },
-    );
     store.drawing.value = null;
+    if (kind === 'select') return hand.pickIn(area, event.shiftKey);
+    const { keepOut, keepIn } = words.value.steps;
+    store.edit(kind === 'keepOut' ? keepOut : keepIn, ({ luminaires }) => {
+      luminaires.areas ??= structuredClone(noAreas) as never;
+      luminaires.areas[kind].push([...area]);
+    });
   };
   const frame = viewer.frame();
   const place = at && frame && inPlan(frame, [at[0], frame.floor, at[1]]);
@@ -109,8 +107,7 @@ function DrawArea({ kind }: { kind: AreaKind }) {
       onPointerCancel={end}
     >
       <p role="status">
-        {kind === 'keepOut' ? words.value.bars.plan.dragOut : words.value.bars.plan.dragIn}{' '}
-        {words.value.bars.plan.ends}
+        {words.value.bars.plan.drag[kind]} {words.value.bars.plan.ends}
         {place && <output> {listed([fixed(place[0], 2), fixed(place[1], 2)])} m</output>}
       </p>
     </div>

@@ -4,6 +4,7 @@ import { useApp } from '../app/app.ts';
 import { compact, unitOf } from '../app/words/format.ts';
 import { inPlan, inRoom } from '../document/plan-frame.ts';
 import { positionOf } from '../document/sites.ts';
+import type { SceneInfo } from '../document/types.ts';
 import { NumberField } from './controls/number-field.tsx';
 import { verbs } from './intentions/verbs.ts';
 import { words } from '../language/language.ts';
@@ -11,7 +12,9 @@ import { words } from '../language/language.ts';
 export function SelectionBar() {
   const { store } = useApp();
   if (!store.scene.value || store.preview.value !== null) return null;
-  if (store.luminaire.value !== null) return <LuminaireBar luminaire={store.luminaire.value} />;
+  const { length = 0 } = store.shown.value?.layout.sites ?? [];
+  const selected = store.luminaires.value.filter((luminaire) => luminaire < length);
+  if (selected.length > 0) return <LuminaireBar {...{ selected }} />;
   if (store.surface.value !== null) return <SurfaceBar surface={store.surface.value} />;
   return null;
 }
@@ -71,25 +74,35 @@ export const steps = [
   },
 ] as const;
 
-function LuminaireBar({ luminaire }: { luminaire: number }) {
+const tagsOf = (luminaires: readonly number[]) =>
+  [...luminaires]
+    .sort((a, b) => a - b)
+    .map((luminaire) => `L${luminaire + 1}`)
+    .join(', ');
+
+/** Of one luminaire, or of several that are selected together. */
+function LuminaireBar({ selected }: { selected: readonly number[] }) {
   const { store, hand } = useApp();
-  const site = store.shown.value?.layout.sites[luminaire];
-  if (site === undefined) return null;
-  const isPinned = store.document.value.luminaires.pinned.includes(site);
+  const layout = store.shown.value?.layout;
+  const luminaire = selected.at(-1)!;
+  const site = layout?.sites[luminaire];
+  if (!layout || site === undefined) return null;
+  const { pinned } = store.document.value.luminaires;
+  const isPinned = selected.every((each) => pinned.includes(layout.sites[each] ?? -1));
+  const isOne = selected.length === 1;
+  const { luminaire: one, luminaires: several } = words.value.bars.selection;
+  const name = isOne ? one(luminaire + 1) : several(tagsOf(selected));
   return (
-    <div
-      class="selection-bar"
-      role="toolbar"
-      aria-label={words.value.bars.selection.luminaire(luminaire + 1)}
-    >
+    <div class="selection-bar" role="toolbar" aria-label={name}>
       <span class="selection-name">
-        <strong>L{luminaire + 1}</strong>
+        <strong>{isOne ? `L${luminaire + 1}` : words.value.values.luminaires(selected.length)}</strong>
+        {!isOne && selected.length <= 4 && <span>{tagsOf(selected)}</span>}
       </span>
-      <button class="chip" aria-pressed={isPinned} onClick={() => hand.togglePin(luminaire)}>
+      <button class="chip" aria-pressed={isPinned} onClick={() => hand.togglePin(selected)}>
         {isPinned ? <PinOff size={15} aria-hidden /> : <Pin size={15} aria-hidden />}
         <span>{isPinned ? words.value.bars.selection.unpin : words.value.bars.selection.pin}</span>
       </button>
-      <TypedPlace luminaire={luminaire} site={site} />
+      {isOne && <TypedPlace luminaire={luminaire} site={site} />}
       {steps.map(({ key, title, icon: Icon, direction }) => (
         <button
           key={key}
@@ -101,22 +114,20 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
           <Icon size={15} aria-hidden />
         </button>
       ))}
-      <button class="chip" title={words.value.bars.selection.excludeTip} onClick={() => hand.exclude(site)}>
-        <Ban size={15} aria-hidden />
-        <span>{words.value.bars.selection.exclude}</span>
-      </button>
-      <button
-        class="chip"
-        title={words.value.bars.selection.removeTip}
-        onClick={() => hand.remove(luminaire)}
-      >
+      {isOne && (
+        <button class="chip" title={words.value.bars.selection.excludeTip} onClick={() => hand.exclude(site)}>
+          <Ban size={15} aria-hidden />
+          <span>{words.value.bars.selection.exclude}</span>
+        </button>
+      )}
+      <button class="chip" title={words.value.bars.selection.removeTip} onClick={() => hand.remove(selected)}>
         <Trash2 size={15} aria-hidden />
         <span>{words.value.bars.selection.remove}</span>
       </button>
       <button
         class="icon-button small"
         aria-label={words.value.bars.selection.clear}
-        onClick={() => (store.luminaire.value = null)}
+        onClick={() => hand.pick(null, 'alone')}
       >
         <X size={15} aria-hidden />
       </button>
@@ -124,7 +135,13 @@ function LuminaireBar({ luminaire }: { luminaire: number }) {
   );
 }
 
-/** Where it hangs, east and north of the corner: typed exactly, taken to the nearest free place. */
+/** Do the places of a room hang at one height? */
+function isLevel({ position }: SceneInfo['sites']): boolean {
+  const first = position[1] ?? 0;
+  return position.every((value, i) => i % 3 !== 1 || Math.abs(value - first) < 0.01);
+}
+
+/** Where it hangs, east and north of the corner, and above the floor where that differs: taken to the nearest free place. */
 function TypedPlace({ luminaire, site }: { luminaire: number; site: number }) {
   const { store, hand, viewer } = useApp();
   const scene = store.scene.value;
@@ -133,7 +150,7 @@ function TypedPlace({ luminaire, site }: { luminaire: number; site: number }) {
   const place = inPlan(frame, positionOf(scene.sites, site));
   return (
     <span class="typed-place" title={words.value.bars.selection.from(words.value.values.corner)}>
-      {(['x', 'y'] as const).map((name, axis) => (
+      {(isLevel(scene.sites) ? (['x', 'y'] as const) : (['x', 'y', 'z'] as const)).map((name, axis) => (
         <span key={`${name} ${luminaire}`}>
           <small aria-hidden="true">{name}</small>
           <NumberField

@@ -1,6 +1,7 @@
 /** What the app asks of the view; implemented by `createViewer` (viewer/viewer.ts). The viewer draws only on change. */
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
-import type { Areas, Camera, Display, Layout, PlanArea, SceneInfo } from '../document/types.ts';
+import type { MarkedArea } from '../document/areas.ts';
+import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 
 export type ViewName = 'plan' | 'north' | 'east' | 'south' | 'west' | 'corner';
 
@@ -14,7 +15,11 @@ export interface ViewerEvents {
     at: { x: number; y: number; lux: number; exitance: number; point: [number, number, number] } | null,
   ): void;
   surfacePicked(surface: number | null): void;
-  luminairePicked(luminaire: number | null): void;
+  /**
+   * alone: it and no other is selected from now on; also: it joins the selected ones, or leaves them; held: it is about to be
+   * dragged, with all that are selected where it is one of them.
+   */
+  luminairePicked(luminaire: number | null, how: 'alone' | 'also' | 'held'): void;
   /** While a luminaire is dragged: each time it snaps to another free site. */
   luminaireDragged(luminaire: number, site: number): void;
   luminaireDropped(luminaire: number, site: number): void;
@@ -78,13 +83,16 @@ export interface Viewer {
   divide(share: number): void;
   /** Of the types that a layout's mountings name; luminaires of others are drawn as squares. */
   setBodies(bodies: readonly LuminaireBody[]): void;
-  setSelection(surface: number | null, luminaire: number | null): void;
+  /** The luminaire picked last is the last. */
+  setSelection(surface: number | null, luminaires: readonly number[]): void;
   /** The leaf surfaces that the intentions name: the room is first looked at from where they are seen. */
   setAims(surfaces: readonly number[]): void;
   /** Flies to where these leaf surfaces are seen, unless they are. */
   reveal(surfaces: readonly number[]): void;
-  /** Areas in plan, drawn where the luminaires hang; `draft`: one that is being drawn. */
-  setAreas(areas: Areas | null, draft?: { readonly area: PlanArea; readonly isOut: boolean } | null): void;
+  /** Sites that those are going to that move with a luminaire in the hand. */
+  setGhosts(sites: readonly number[]): void;
+  /** Areas in plan, one that is being drawn included. */
+  setAreas(areas: readonly MarkedArea[]): void;
   /** The room's x and z, m, under a point of the page in a plan view; null elsewhere. */
   planPoint(clientX: number, clientY: number): readonly [x: number, z: number] | null;
   setExcluded(sites: readonly number[]): void;

@@ -1,9 +1,10 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { DoubleSide, FrontSide, Mesh } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
-import type { Areas, Camera, Display, Layout, SceneInfo } from '../document/types.ts';
+import type { MarkedArea } from '../document/areas.ts';
+import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 import { Arrival } from './eye/arrival.ts';
-import { AreaMarks, type DraftArea } from './luminaires/area-marks.ts';
+import { AreaMarks } from './luminaires/area-marks.ts';
 import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
 import { Emphasis } from './hand/emphasis.ts';
@@ -52,7 +53,7 @@ class RoomViewer implements Viewer {
   #wipe = new Wipe(this.#loop);
   #marks = new SiteMarks();
   #areaMarks = new AreaMarks();
-  #areas: Areas | null = null;
+  #areas: readonly MarkedArea[] = [];
   #picking: Picking;
   #observers = new ObserverArrows();
   #tags: LuminaireTags;
@@ -190,9 +191,10 @@ class RoomViewer implements Viewer {
     this.#wipe.luminaires.setBodies(bodies);
   }
 
-  setSelection(surface: number | null, luminaire: number | null): void {
-    this.#luminaires.select(luminaire);
-    this.#emphasis.select(surface, luminaire);
+  setSelection(surface: number | null, luminaires: readonly number[]): void {
+    this.#luminaires.select(luminaires.at(-1) ?? null);
+    this.#hand.setSelected(luminaires);
+    this.#emphasis.select(surface, luminaires);
     this.#showPlanes();
   }
 
@@ -207,9 +209,13 @@ class RoomViewer implements Viewer {
     if (better !== null) this.#rig.lookFrom(better);
   }
 
-  setAreas(areas: Areas | null, draft: DraftArea | null = null): void {
+  setGhosts(sites: readonly number[]): void {
+    this.#hand.setGhosts(sites);
+  }
+
+  setAreas(areas: readonly MarkedArea[]): void {
     this.#areas = areas;
-    this.#areaMarks.show(areas, draft, this.#info?.sites ?? null);
+    this.#areaMarks.show(areas, this.#info?.sites ?? null);
     this.#loop.invalidate();
   }
 

@@ -71,12 +71,12 @@ test('while a model without light is shown, the room before it can be neither sh
 
 test('a luminaire that is removed leaves the others where they are, and the last one stays', () => {
   const { sites } = app.store.shown.value!.layout;
-  app.hand.remove(1);
+  app.hand.remove([1]);
   expect(app.store.document.value.luminaires.count).toBe(sites.length - 1);
   expect(solver.last('solve')?.start?.sites).toEqual(sites.filter((_, i) => i !== 1));
   settle();
   for (let i = sites.length; i > 0; i--) {
-    app.hand.remove(0);
+    app.hand.remove([0]);
     settle();
   }
   expect(app.store.document.value.luminaires.count).toBe(1);
@@ -87,7 +87,7 @@ test('a luminaire may have to be of a type, and keeps that when another one goes
   app.hand.setType(2, 't1');
   expect(solver.last('solve')?.intentions.luminaires.ofType).toEqual([null, null, 't1']);
   settle();
-  app.hand.remove(0);
+  app.hand.remove([0]);
   expect(app.store.document.value.luminaires.ofType).toEqual([null, 't1']);
   settle();
   app.hand.setType(1, null);
@@ -245,6 +245,44 @@ describe('a luminaire under the hand', () => {
     expect(app.store.messages.value.at(-1)?.text).toBe(
       'L3 hangs at the nearest free place, 0.30 m from there.',
     );
+  });
+
+  test('takes along all that are selected, in one step, and shows where they go', () => {
+    const { sites } = app.store.shown.value!.layout;
+    expect(sites.slice(0, 3)).toEqual([0, 1, 2]);
+    viewer.events.luminairePicked(0, 'alone');
+    viewer.events.luminairePicked(1, 'also');
+    const steps = app.store.history.value.past.length;
+    viewer.events.luminairePicked(0, 'held');
+    expect(app.store.luminaires.value).toEqual([1, 0]);
+    viewer.events.luminaireDragged(0, 12);
+    expect(viewer.ghosts).toEqual([13]);
+    viewer.events.luminaireDropped(0, 12);
+    expect(viewer.ghosts).toEqual([]);
+    expect(solver.last('solve')?.start?.sites.slice(0, 3)).toEqual([12, 13, 2]);
+    expect(app.store.document.value.luminaires.pinned).toEqual([13, 12]);
+    expect(app.store.history.value.past).toHaveLength(steps + 1);
+    settle();
+    const asked = solver.asked.length;
+    viewer.events.luminaireDropped(0, 15); // L2 would hang beside the room
+    expect(solver.asked).toHaveLength(asked);
+    app.hand.togglePin(app.store.luminaires.value);
+    expect(app.store.document.value.luminaires.pinned).toEqual([]);
+    viewer.events.luminairePicked(1, 'also');
+    expect(app.store.luminaires.value).toEqual([0]);
+  });
+
+  test('is removed with all that are selected', () => {
+    const { sites } = app.store.shown.value!.layout;
+    const count = sites.length;
+    app.hand.pickIn([-0.5, -0.5, 1.5, 0.5]);
+    expect(app.store.luminaires.value).toEqual([0, 1]);
+    app.hand.remove(app.store.luminaires.value);
+    expect(app.store.document.value.luminaires.count).toBe(count - 2);
+    expect(solver.last('solve')?.start?.sites).toEqual(sites.slice(2));
+    app.undo();
+    app.hand.pickIn(null);
+    expect(app.store.luminaires.value).toHaveLength(count);
   });
 
   test('can be told that a place stays free', () => {

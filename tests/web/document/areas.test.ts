@@ -1,6 +1,12 @@
 /** Which sites areas in plan and a distance to walls leave out. */
 import { expect, test } from '@jest/globals';
-import { areaBetween, barredSites, noAreas, wallDistance } from '../../../web/document/areas.ts';
+import {
+  areaBetween,
+  barredSites,
+  luminairesIn,
+  noAreas,
+  wallDistance,
+} from '../../../web/document/areas.ts';
 import type { Areas } from '../../../web/document/types.ts';
 import { fakePlan } from '../fake-viewer.ts';
 import { fakeScene } from '../fake-solver.ts';
@@ -32,4 +38,9 @@ test('a distance to walls leaves the middle', () => {
   const all = [...sites.size.keys()];
   expect(barred({ fromWalls: 0.6 })).toEqual(all.filter((site) => !middle.includes(site)));
   expect(barred({ fromWalls: 0.5 })).toEqual([]);
+});
+
+test('an area holds the luminaires that hang in it', () => {
+  const layout = { sites: [0, 5, 9, 15], flux: [1, 1, 1, 1], dimming: 1 };
+  expect(luminairesIn([-1, -1, 1.5, 1.5], layout, sites)).toEqual([0, 1]);
 });

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { movedSites, tieOf } from '../../../web/document/ties.ts';
+import { heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
 
 // A line of five places, 0.6 m apart, and one of them 2 m beside it.
 const positions = Float32Array.from([0, 1, 2, 3, 4].flatMap((i) => [0.6 * i, 3, 0]).concat([0, 3, 2]));
@@ -23,4 +23,20 @@ test('where one of a row finds no place, none goes', () => {
 test('free luminaires and mirrored ones go alone, but not onto another', () => {
   expect(movedSites(rows, 0, 3, 'symmetric', positions)).toEqual([3, 1, 5]);
   expect(movedSites({ sites: [0, 1] }, 0, 1, 'free', positions)).toBeNull();
+});
+
+test('all that are selected go with the one in the hand, and none where one of them cannot', () => {
+  const free = { sites: [0, 1, 5] };
+  expect(movedSites(free, 0, 2, 'free', positions, [0, 1])).toEqual([2, 3, 5]);
+  expect(movedSites(free, 2, 0, 'free', positions, [0, 1])).toBeNull(); // not in the hand: it goes alone
+  expect(movedSites(free, 0, 4, 'free', positions, [1, 0])).toBeNull();
+  expect(heldTogether(rows, [1, 2], 'rows')).toEqual([0, 1, 2]);
+});
+
+test('the image of a mirrored luminaire goes the mirrored way, and stays where there is no place', () => {
+  const pair = { sites: [0, 4], ties: [0, 0] };
+  expect(movedSites(pair, 0, 1, 'symmetric', positions)).toEqual([1, 3]);
+  expect(movedSites(pair, 1, 3, 'symmetric', positions)).toEqual([1, 3]);
+  expect(movedSites(pair, 0, 2, 'symmetric', positions)).toEqual([2, 4]); // both would hang there
+  expect(movedSites(pair, 0, 5, 'symmetric', positions)).toEqual([5, 4]);
 });

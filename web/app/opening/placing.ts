@@ -172,7 +172,8 @@ export class Placing {
       store.roomTitle.value = title;
       store.preview.value = store.making.value = null;
       store.plan.value = planOfScene(scene);
-      store.surface.value = store.luminaire.value = null;
+      store.surface.value = null;
+      store.luminaires.value = [];
       store.card.value = document.cards[0]?.id ?? null;
       store.alphaRun.value = store.bound.value = store.check.value = null;
       const isFirst = store.document.peek().scene === '';

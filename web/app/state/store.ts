@@ -5,7 +5,7 @@
 import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
-import { barredSites } from '../../document/areas.ts';
+import { barredSites, type AreaKind } from '../../document/areas.ts';
 import { intentionsOf, withExcluded } from '../../document/intentions.ts';
 import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
@@ -66,9 +66,6 @@ export interface LightingState {
   readonly secondsLeft: number | null; // of this pass, once that can be told
   readonly fault: string | null; // why it has ended without light
 }
-
-/** What an area in plan is for. */
-export type AreaKind = 'keepOut' | 'keepIn';
 
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;
 export type Tab = 'intentions' | 'luminaires' | 'results';
@@ -151,7 +148,9 @@ export class Store {
   readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
   readonly alphaRun = signal<AlphaRun | null>(null);
   readonly surface = signal<number | null>(null); // selected leaf
-  readonly luminaire = signal<number | null>(null); // selected, 0 = L1
+  readonly luminaires = signal<readonly number[]>([]); // selected, 0 = L1, the latest last
+  readonly luminaire = computed(() => this.luminaires.value.at(-1) ?? null);
+  readonly ghosts = signal<readonly number[]>([]); // sites where those go that move with a luminaire in the hand
   readonly card = signal<string | null>(null); // opened card
   readonly hover = signal<Hover | null>(null);
   readonly display = signal<Display>(firstDisplay);

@@ -46,7 +46,7 @@ export const luminaires: Words['luminaires'] = {
   },
   list: {
     name: 'Leuchten und ihre Plätze',
-    keys: '(Pfeiltasten auf einer Nummer bewegen sie im Grundriss)',
+    keys: '(Pfeiltasten auf einer Nummer bewegen sie im Grundriss, Umschalt wählt mehrere)',
     tag: 'Nr.',
     placeTip: (corner) => `Osten, Norden und Höhe ab ${corner}`,
     place: 'Ort: x, y, z (m)',

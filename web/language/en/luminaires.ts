@@ -45,7 +45,7 @@ export const luminaires = {
   },
   list: {
     name: 'Luminaires in place',
-    keys: '(arrow keys on a tag move it in plan)',
+    keys: '(arrow keys on a tag move it in plan, Shift selects several)',
     tag: 'Tag',
     placeTip: (corner: string) => `East, north and up from the ${corner}`,
     place: 'Place: x, y, z (m)',

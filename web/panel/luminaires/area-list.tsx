@@ -1,13 +1,14 @@
 /** Where in plan luminaires may hang: areas kept free, areas that they keep to, and how far they stay from walls. */
 import { SquareDashed, Trash2 } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import type { AreaKind } from '../../app/state/store.ts';
 import { noAreas } from '../../document/areas.ts';
 import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
 import { mostAreas } from '../../document/schema.ts';
 import type { Areas, PlanArea } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { words } from '../../language/language.ts';
+
+type AreaKind = 'keepOut' | 'keepIn';
 
 const kinds: readonly AreaKind[] = ['keepOut', 'keepIn'];
 

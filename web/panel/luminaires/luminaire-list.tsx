@@ -1,5 +1,5 @@
 /** The luminaires of the picture as a list: select, pin, and move with the arrow keys; the keyboard's twin of the view. */
-import { Pin } from 'lucide-preact';
+import { Pin, SquareDashedMousePointer } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact } from '../../app/words/format.ts';
 import { inPlan, placeText } from '../../document/plan-frame.ts';
@@ -16,7 +16,12 @@ export function LuminaireList() {
   if (!scene || !layout || !frame) return null;
   const { pinned, types = [], ofType = [] } = store.document.value.luminaires;
   const allowed = scene.hasOperator ? types.filter(({ isAllowed }) => isAllowed) : [];
+  const selected = store.luminaires.value;
   const move = (luminaire: number) => (event: KeyboardEvent) => {
+    if (event.shiftKey && (event.key === ' ' || event.key === 'Enter')) {
+      event.preventDefault();
+      return hand.pick(luminaire, 'also');
+    }
     const step = steps.find(({ key }) => key === event.key);
     if (!step) return;
     event.preventDefault();
@@ -31,14 +36,17 @@ export function LuminaireList() {
       <tbody>
         {layout.sites.map((site, index) => {
           const isPinned = pinned.includes(site);
-          const isSelected = store.luminaire.value === index;
+          const isSelected = selected.includes(index);
           return (
             <tr key={index} class={isSelected ? 'selected' : ''}>
               <th scope="row">
                 <button
                   class="tag"
                   aria-pressed={isSelected}
-                  onClick={() => (store.luminaire.value = isSelected ? null : index)}
+                  onClick={({ shiftKey, ctrlKey, metaKey }) => {
+                    if (shiftKey || ctrlKey || metaKey) hand.pick(index, 'also');
+                    else hand.pick(isSelected && selected.length === 1 ? null : index, 'alone');
+                  }}
                   onKeyDown={move(index)}
                 >
                   L{index + 1}
@@ -65,7 +73,7 @@ export function LuminaireList() {
                       ? words.value.luminaires.list.unpinOf(index + 1)
                       : words.value.luminaires.list.pinOf(index + 1)
                   }
-                  onClick={() => hand.togglePin(index)}
+                  onClick={() => hand.togglePin([index])}
                 >
                   <Pin size={14} aria-hidden />
                 </button>
@@ -93,6 +101,28 @@ function Head({ hasTypes }: { hasTypes: boolean }) {
         <th scope="col">{words.value.luminaires.list.pin}</th>
       </tr>
     </thead>
+  );
+}
+
+/** Several luminaires are moved, pinned and removed as one. */
+export function SelectSeveral() {
+  const { store, hand, viewer } = useApp();
+  const { several, inPlan: ask, inPlanTip, all } = words.value.bars.selection;
+  const isOn = store.drawing.value === 'select';
+  const draw = () => {
+    store.drawing.value = isOn ? null : 'select';
+    if (!isOn && !viewer.camera().plan) viewer.view('plan');
+  };
+  return (
+    <div class="row select-several" role="group" aria-label={several}>
+      <button class="button small" aria-pressed={isOn} title={inPlanTip} onClick={draw}>
+        <SquareDashedMousePointer size={14} aria-hidden />
+        {ask}
+      </button>
+      <button class="button small" onClick={() => hand.pickIn(null)}>
+        {all}
+      </button>
+    </div>
   );
 }
 

@@ -4,7 +4,7 @@ import type { Luminaires } from '../../document/types.ts';
 import { AreaList } from './area-list.tsx';
 import { ArrangementChoice } from './arrangement-choice.tsx';
 import { CountStrip } from './count-strip.tsx';
-import { LuminaireList } from './luminaire-list.tsx';
+import { LuminaireList, SelectSeveral } from './luminaire-list.tsx';
 import { MaintenanceFields } from './maintenance-fields.tsx';
 import { TypeList } from './type-list.tsx';
 import { NumberField } from '../controls/number-field.tsx';
@@ -27,6 +27,7 @@ export function LuminairesTab() {
       <Places luminaires={luminaires} />
       <AreaList />
       <MaintenanceFields />
+      <SelectSeveral />
       <LuminaireList />
     </>
   );

@@ -20,8 +20,8 @@ export interface DragHost {
   place(luminaire: number): { x: number; y: number };
   started(luminaire: number): void;
   moved(luminaire: number, site: number): void;
-  /** `site` = null: a click, nothing was moved. */
-  ended(luminaire: number, site: number | null): void;
+  /** `site` = null: a click, nothing was moved. `isAlso`: pressed with Shift, Ctrl or Cmd, to add to what is selected. */
+  ended(luminaire: number, site: number | null, isAlso: boolean): void;
 }
 
 export class Dragging {
@@ -33,6 +33,7 @@ export class Dragging {
   #press = { x: 0, y: 0 };
   #offset = { x: 0, y: 0 }; // from the pointer to the luminaire when it was pressed
   #moving = false;
+  #isAlso = false;
   #start = -1; // site before the drag
   #site = -1;
 
@@ -50,6 +51,7 @@ export class Dragging {
     this.#press = { x: event.clientX, y: event.clientY };
     this.#offset = { x: place.x - event.clientX, y: place.y - event.clientY };
     this.#moving = false;
+    this.#isAlso = event.shiftKey || event.ctrlKey || event.metaKey;
     this.#start = this.#site = this.#host.siteOf(luminaire);
     element.setPointerCapture(event.pointerId);
     element.addEventListener('pointermove', this.#move);
@@ -64,7 +66,7 @@ export class Dragging {
     const [luminaire, start, site] = [this.luminaire, this.#start, this.#site];
     this.#letGo();
     if (site !== start) this.#host.moved(luminaire, start);
-    this.#host.ended(luminaire, this.#moving ? start : null);
+    this.#host.ended(luminaire, this.#moving ? start : null, this.#isAlso);
   };
 
   #move = (event: PointerEvent): void => {
@@ -93,7 +95,7 @@ export class Dragging {
     if (event.pointerId !== this.#pointer || this.luminaire === null) return;
     const { luminaire } = this;
     this.#letGo();
-    this.#host.ended(luminaire, this.#moving ? this.#site : null);
+    this.#host.ended(luminaire, this.#moving ? this.#site : null, this.#isAlso);
   };
 
   #key = (event: KeyboardEvent): void => {

@@ -16,7 +16,7 @@ const hoverRim = new Color('#ffffff');
 
 export class Emphasis {
   surface: number | null = null; // selected
-  luminaire: number | null = null; // selected
+  luminaires: readonly number[] = []; // selected, the latest last
   pinned: readonly number[] = []; // luminaires
   overSurface: number | null = null;
   overLuminaire: number | null = null;
@@ -36,15 +36,15 @@ export class Emphasis {
 
   setRoom(room: readonly LitMesh[]): void {
     this.#room = room;
-    this.surface = this.luminaire = this.overSurface = this.overLuminaire = null;
-    this.pinned = [];
+    this.surface = this.overSurface = this.overLuminaire = null;
+    this.luminaires = this.pinned = [];
     this.#outlines.setRoom(room);
   }
 
-  select(surface: number | null, luminaire: number | null): void {
+  select(surface: number | null, luminaires: readonly number[]): void {
     const changed = surface !== this.surface;
     this.surface = surface;
-    this.luminaire = luminaire;
+    this.luminaires = luminaires;
     if (changed) {
       this.#outlines.show('selected', surface);
       this.#begun = 0;
@@ -75,12 +75,12 @@ export class Emphasis {
       const rim = this.#rimOf(i);
       this.#luminaires.mark(i, rim, i === this.overLuminaire);
     });
-    this.#tags.setState({ pinned: this.pinned, selected: this.luminaire, hovered: this.overLuminaire });
+    this.#tags.setState({ pinned: this.pinned, selected: this.luminaires, hovered: this.overLuminaire });
     this.#loop.invalidate();
   }
 
   #rimOf(luminaire: number): Color | null {
-    if (luminaire === this.luminaire) return accent;
+    if (this.luminaires.includes(luminaire)) return accent;
     if (luminaire === this.overLuminaire) return hoverRim;
     return this.pinned.includes(luminaire) ? pinnedRim : null;
   }

@@ -3,6 +3,7 @@
  * keys. A moved luminaire is shown on its new site at once; the solver's answer follows.
  */
 import { Vector3 } from 'three';
+import { inHand } from '../../document/ties.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
 import type { CameraRig } from '../eye/camera-rig.ts';
 import { Dragging } from './dragging.ts';
@@ -36,6 +37,7 @@ export class LuminaireHand {
   #sites: SceneInfo['sites'] | null = null;
   #layout = emptyLayout;
   #excluded: readonly number[] = [];
+  #selected: readonly number[] = [];
 
   constructor(parts: HandParts) {
     this.#parts = parts;
@@ -49,7 +51,7 @@ export class LuminaireHand {
       place: (luminaire) => this.#placeOf(luminaire),
       started: (luminaire) => this.#started(luminaire),
       moved: (luminaire, site) => this.#move(luminaire, site),
-      ended: (luminaire, site) => this.#ended(luminaire, site),
+      ended: (luminaire, site, isAlso) => this.#ended(luminaire, site, isAlso),
     });
   }
 
@@ -80,6 +82,17 @@ export class LuminaireHand {
     this.#parts.marks.setExcluded(this.#sites, excluded);
   }
 
+  /** Those that move with any of them. */
+  setSelected(luminaires: readonly number[]): void {
+    this.#selected = luminaires;
+  }
+
+  /** Where those are going that move with the luminaire in the hand. */
+  setGhosts(sites: readonly number[]): void {
+    this.#parts.marks.setGhosts(this.#sites, sites);
+    this.#parts.loop.invalidate();
+  }
+
   grab(luminaire: number, element: HTMLElement, event: PointerEvent): void {
     this.#dragging.grab(luminaire, element, event);
   }
@@ -102,7 +115,7 @@ export class LuminaireHand {
   }
 
   #taken(luminaire: number): Set<number> {
-    return takenSites(this.#layout, luminaire, this.#excluded);
+    return takenSites(this.#layout, inHand(luminaire, this.#selected), this.#excluded);
   }
 
   #move(luminaire: number, site: number): void {
@@ -131,15 +144,15 @@ export class LuminaireHand {
     );
     canvas.style.cursor = 'grabbing';
     loop.invalidate();
-    events.luminairePicked(luminaire);
+    events.luminairePicked(luminaire, 'held');
   }
 
-  #ended(luminaire: number, site: number | null): void {
+  #ended(luminaire: number, site: number | null, isAlso: boolean): void {
     const { canvas, events, loop, marks } = this.#parts;
     canvas.style.cursor = '';
     marks.hideCandidates();
     loop.invalidate();
-    if (site === null) events.luminairePicked(luminaire);
+    if (site === null) events.luminairePicked(luminaire, isAlso ? 'also' : 'alone');
     else events.luminaireDropped(luminaire, site);
   }
 }

@@ -115,7 +115,7 @@ export class ViewInput {
       arrow: (right, up, event) => this.#arrow(right, up, event),
       zoom: (factor) => rig.zoom(factor),
       escape: () => {
-        if (emphasis.luminaire !== null) events.luminairePicked(null);
+        if (emphasis.luminaires.length > 0) events.luminairePicked(null, 'alone');
         else events.surfacePicked(null);
       },
     });
@@ -124,7 +124,7 @@ export class ViewInput {
   /** Arrow keys walk the selected luminaire from site to site; without one they turn the room, with Shift they pan. */
   #arrow(right: number, up: number, event: KeyboardEvent): void {
     const { emphasis, hand, rig } = this.#parts;
-    const { luminaire } = emphasis;
+    const luminaire = emphasis.luminaires.at(-1) ?? null;
     if (event.shiftKey) rig.pan(panStep * right, panStep * up);
     else if (luminaire !== null && !event.altKey) hand.nudge(luminaire, right, up);
     else rig.turn(turnStep * right, turnStep * up);

@@ -47,10 +47,10 @@ export class LuminaireTags {
     this.#labels.classList.toggle('are-hidden', !visible);
   }
 
-  setState(state: { pinned: readonly number[]; selected: number | null; hovered: number | null }): void {
+  setState(state: { pinned: readonly number[]; selected: readonly number[]; hovered: number | null }): void {
     this.#tags.forEach((tag, i) => {
       tag.classList.toggle('is-pinned', state.pinned.includes(i));
-      tag.classList.toggle('is-selected', state.selected === i);
+      tag.classList.toggle('is-selected', state.selected.includes(i));
       tag.classList.toggle('is-hovered', state.hovered === i);
     });
   }

@@ -1,4 +1,7 @@
-/** Sites as marks on their mount: dots on the free ones while a luminaire is dragged, crosses on the excluded ones. */
+/**
+ * Sites as marks on their mount: dots on the free ones while a luminaire is dragged, frames where those go that move with
+ * it, crosses on the excluded ones.
+ */
 import {
   BoxGeometry,
   CircleGeometry,
@@ -8,6 +11,7 @@ import {
   InstancedMesh,
   Matrix4,
   MeshBasicMaterial,
+  RingGeometry,
   Vector3,
   type BufferGeometry,
 } from 'three';
@@ -20,6 +24,11 @@ function crossGeometry(): BufferGeometry {
   const cross = mergeGeometries(bars);
   for (const bar of bars) bar.dispose();
   return cross;
+}
+
+/** A square frame whose outer edge is 1. */
+function frameGeometry(): BufferGeometry {
+  return new RingGeometry(0.86 * Math.SQRT1_2, Math.SQRT1_2, 4).rotateZ(Math.PI / 4);
 }
 
 class Marks {
@@ -74,6 +83,7 @@ class Marks {
 export class SiteMarks {
   readonly root = new Group();
   #candidates = new Marks(this.root, new CircleGeometry(0.5, 20), '#6fb1ff', 0.16);
+  #ghosts = new Marks(this.root, frameGeometry(), '#4f9dff', 1.15);
   #crosses = new Marks(this.root, crossGeometry(), '#e5605c', 0.3);
 
   showCandidates(sites: SceneInfo['sites'], free: readonly number[]): void {
@@ -84,6 +94,11 @@ export class SiteMarks {
     this.#candidates.hide();
   }
 
+  setGhosts(sites: SceneInfo['sites'] | null, shown: readonly number[]): void {
+    if (sites) this.#ghosts.show(sites, shown);
+    else this.#ghosts.hide();
+  }
+
   setExcluded(sites: SceneInfo['sites'] | null, excluded: readonly number[]): void {
     if (sites) this.#crosses.show(sites, excluded);
     else this.#crosses.hide();
@@ -91,6 +106,7 @@ export class SiteMarks {
 
   dispose(): void {
     this.#candidates.dispose();
+    this.#ghosts.dispose();
     this.#crosses.dispose();
   }
 }

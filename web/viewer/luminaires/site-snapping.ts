@@ -2,7 +2,7 @@
  * Which site a hand means: the free one nearest to the ray through the pointer, or the next one in a direction.
  * Distances across the ray are divided by those along it, so "nearest" is nearest on the screen.
  */
-import { tieOf } from '../../document/ties.ts';
+import { tiedTo } from '../../document/ties.ts';
 import type { Layout } from '../../document/types.ts';
 
 type Point = readonly [number, number, number];
@@ -65,14 +65,14 @@ export function nextFreeSite(
   return best;
 }
 
-/** Sites where luminaire `luminaire` may not go: the excluded ones and those of the others that do not move with it. */
+/** Sites where luminaires in the hand may not go: the excluded ones and those of the others that do not move with them. */
 export function takenSites(
   layout: Pick<Layout, 'sites' | 'ties'>,
-  luminaire: number,
+  held: readonly number[],
   excluded: Iterable<number>,
 ): Set<number> {
   const taken = new Set(excluded);
-  const together = new Set(tieOf(layout, luminaire));
+  const together = new Set(tiedTo(layout, held));
   layout.sites.forEach((site, other) => !together.has(other) && taken.add(site));
   return taken;
 }

@@ -46,7 +46,8 @@ describe('the next free site', () => {
 });
 
 test('taken are the sites of the others and the excluded ones', () => {
-  expect([...takenSites({ sites: [4, 5, 6] }, 1, [9])].sort()).toEqual([4, 6, 9]);
+  expect([...takenSites({ sites: [4, 5, 6] }, [1], [9])].sort()).toEqual([4, 6, 9]);
   const row = { sites: [4, 5, 6], ties: [0, 0, 1] };
-  expect([...takenSites(row, 1, [9])].sort()).toEqual([6, 9]);
+  expect([...takenSites(row, [1], [9])].sort()).toEqual([6, 9]);
+  expect([...takenSites(row, [1, 2], [9])]).toEqual([9]);
 });
