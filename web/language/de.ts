@@ -9,6 +9,7 @@ import { luminaires } from './de/luminaires.ts';
 import { maker } from './de/maker.ts';
 import { opening } from './de/opening.ts';
 import { panel } from './de/panel.ts';
+import { results } from './de/results.ts';
 import { steps } from './de/steps.ts';
 import { values } from './de/values.ts';
 
@@ -22,6 +23,7 @@ export const de: Words = {
   maker,
   opening,
   panel,
+  results,
   steps,
   values,
 };

@@ -53,6 +53,19 @@ export async function speak(wished: Language): Promise<void> {
   if (globalThis.document?.documentElement) document.documentElement.lang = wished;
 }
 
+/** What goes into files for other programs is written the same whatever the page speaks. */
+export function inEnglish<Written>(write: () => Written): Written {
+  const [own, ownLocale] = [words.peek(), locale.peek()];
+  return batch(() => {
+    [words.value, locale.value] = [en, 'en'];
+    try {
+      return write();
+    } finally {
+      [words.value, locale.value] = [own, ownLocale];
+    }
+  });
+}
+
 /** Speaks it from now on, here and in later visits; what the address said before no longer counts. */
 export async function chooseLanguage(chosen: Language): Promise<void> {
   await speak(chosen);

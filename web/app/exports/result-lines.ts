@@ -5,7 +5,7 @@ import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
 import { everyVerdict } from '../words/room-types.ts';
-import { words } from '../../language/language.ts';
+import { inEnglish, words } from '../../language/language.ts';
 
 export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[] {
   const shown = store.shown.peek();
@@ -31,7 +31,7 @@ export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[]
     line({ name, statistic: 'U_o', value: min / mean, unit: '' }),
     line({ name, statistic: 'U_d', value: min / max, unit: '' }),
   ]);
-  const asked = everyVerdict(store, frame).map((row) =>
+  const asked = inEnglish(() => everyVerdict(store, frame)).map((row) =>
     line({
       kind: 'intention',
       name: row.where,

@@ -11,14 +11,19 @@ import { compact, ratio, tabular } from './format.ts';
 import { everyVerdict } from './room-types.ts';
 import { targetText, valueText } from './verdict.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
+import { words } from '../../language/language.ts';
 
 /** What the two sides are called: that which is compared with, and the work. */
-export const sides: Record<Against, readonly [string, string]> = {
-  kept: ['A', 'B'],
-  opened: ['Opened', 'Now'],
-  scattered: ['Scattered', 'Now'],
-  best: ['Solver', 'You'],
-};
+export function sidesOf(against: Against): readonly [other: string, work: string] {
+  const { opened, scattered, solver, now, you } = words.value.comparing.sides;
+  const names = {
+    kept: ['A', 'B'],
+    opened: [opened, now],
+    scattered: [scattered, now],
+    best: [solver, you],
+  } as const;
+  return names[against];
+}
 
 /** One reading of one side. */
 export interface Side {
@@ -96,10 +101,12 @@ function costOf([other, before]: Lit, [work, now]: Lit): Difference[] {
   };
   const count = ({ layout }: Shown) => layout.sites.length;
   return [
-    row('Luminaires', '', count(other), count(work)),
-    row('Flux', 'lm', before.flux, now.flux),
-    row('Power', 'W', before.watts, now.watts),
-    ...(now.floor ? [row('Per floor area', 'W/m²', before.watts / now.floor, now.watts / now.floor)] : []),
+    row(words.value.comparing.luminaires, '', count(other), count(work)),
+    row(words.value.comparing.flux, 'lm', before.flux, now.flux),
+    row(words.value.comparing.power, 'W', before.watts, now.watts),
+    ...(now.floor
+      ? [row(words.value.comparing.perFloor, 'W/m²', before.watts / now.floor, now.watts / now.floor)]
+      : []),
   ];
 }
 
@@ -117,7 +124,7 @@ function lightOf(
     const [from, to] = [unionOf(items.map(({ was }) => was)), unionOf(items.map(({ row }) => row))];
     const side = ({ mean, min }: typeof to): Side => ({ text: tabular(mean), remark: ratio(min / mean) });
     return {
-      where: title === 'all' ? 'whole room' : title,
+      where: title === 'all' ? words.value.results.surfaces.wholeRoom : title,
       what: '',
       other: side(from),
       work: side(to),

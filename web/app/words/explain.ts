@@ -4,6 +4,7 @@ import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
 import type { EasedBound, Relief, Way } from '../relief.ts';
 import { alphaText } from './format.ts';
+import { words } from '../../language/language.ts';
 
 /** What a relief says of a bound, in the words of its card. */
 export interface Conflicting {
@@ -48,24 +49,24 @@ export function easedCards(
 
 export function fieldText(card: Card, field: BoundField): string {
   const { by, alpha = 2 } = card.guarantee ?? {};
-  const guaranteed = by === 'patches' ? '' : ` (guaranteed, α ${alphaText(alpha)})`;
+  const guaranteed = by === 'patches' ? '' : words.value.values.fields.guaranteed(alphaText(alpha));
   switch (field) {
     case 'mean.min':
-      return 'mean at least';
+      return words.value.values.fields.meanMin;
     case 'mean.max':
-      return 'mean at most';
+      return words.value.values.fields.meanMax;
     case 'spread.min':
-      return 'spread at least';
+      return words.value.values.fields.spreadMin;
     case 'spread.max':
-      return 'spread at most';
+      return words.value.values.fields.spreadMax;
     case 'guarantee.min':
-      return `darkest spot${guaranteed} at least`;
+      return words.value.values.fields.spotMin(guaranteed);
     case 'guarantee.max':
-      return `brightest spot${guaranteed} at most`;
+      return words.value.values.fields.spotMax(guaranteed);
     case 'uniformity':
-      return 'evenness Uₒ at least';
+      return words.value.values.fields.uniformity;
     case 'contrast':
-      return `contrast over ${card.contrast?.over.join(', ') ?? ''} at least`;
+      return words.value.values.fields.contrast(card.contrast?.over.join(', ') ?? '');
   }
 }
 

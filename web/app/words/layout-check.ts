@@ -4,6 +4,7 @@ import type { FiatLuxDocument, Layout } from '../../document/types.ts';
 import { fieldText } from './explain.ts';
 import { compact, percent, unitOf } from './format.ts';
 import { fine } from './provenance.ts';
+import { words } from '../../language/language.ts';
 
 export interface LayoutCheck {
   readonly layout: Layout; // the one that was checked
@@ -20,13 +21,14 @@ export function checkText(
   document: FiatLuxDocument,
   origins: readonly Origin[],
 ): string {
-  const where = surface === 'all' ? 'the whole room' : `“${surface}”`;
-  const difference = `Recomputed from the patches: means and spreads differ by at most ${fine(largestDifference)} (${where}).`;
+  const where =
+    surface === 'all' ? words.value.results.check.wholeRoom : words.value.results.check.surface(surface);
+  const difference = words.value.results.check.difference(fine(largestDifference), where);
   if (margins.length === 0) return difference;
   const tight = [...margins].filter(({ margin }) => margin < little).sort((a, b) => a.margin - b.margin);
   if (tight.length === 0) {
     const least = Math.min(...margins.map(({ margin }) => margin));
-    return `${difference} Every bound is met with ${percent(least)} or more to spare.`;
+    return words.value.results.check.spare(difference, percent(least));
   }
   const named = tight.slice(0, 3).flatMap(({ constraint, margin }) => {
     const origin = origins[constraint];
@@ -37,8 +39,8 @@ export function checkText(
     const what = `${card.surfaces.join(', ')}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
     return [`${what}, ${marginText(margin)}`];
   });
-  const more = tight.length > 3 ? `; and ${tight.length - 3} more` : '';
-  return `${difference} Little margin: ${named.join('; ')}${more}.`;
+  const more = tight.length > 3 ? words.value.results.check.more(tight.length - 3) : '';
+  return words.value.results.check.little(difference, named.join('; '), more);
 }
 
 // Rounding of the sums, and of bounds that are met exactly.
@@ -46,7 +48,9 @@ const exactly = 1e-6;
 
 /** "3.0 % to spare", "0.4 % short", "within 0.02 %" where that counts as met. */
 export function marginText(margin: number, isMet = false): string {
-  if (Math.abs(margin) <= exactly) return 'met exactly';
-  if (isMet && margin < 0) return `within ${fine(-margin)}`;
-  return margin > 0 ? `${percent(margin)} to spare` : `${percent(-margin)} short`;
+  if (Math.abs(margin) <= exactly) return words.value.values.exactly;
+  if (isMet && margin < 0) return words.value.values.within(fine(-margin));
+  return margin > 0
+    ? words.value.values.toSpare(percent(margin))
+    : words.value.values.short(percent(-margin));
 }

@@ -6,6 +6,7 @@ import * as v from 'valibot';
 import type { SceneInfo } from '../../document/types.ts';
 import { percent } from './format.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
+import { words } from '../../language/language.ts';
 
 const known = <T extends v.GenericSchema>(schema: T) => v.fallback(v.optional(schema), undefined);
 const share = v.pipe(v.number(), v.finite(), v.minValue(0));
@@ -53,10 +54,7 @@ export function roomWarnings(scene: SceneInfo): string[] {
   const losing = scene.surfaces
     .filter(({ lost }) => lost > worthTelling)
     .sort((a, b) => b.lost - a.lost)
-    .map(
-      ({ name, lost }) =>
-        `${percent(lost)} of the light that leaves “${name}” is lost: it leaves the room, or meets the back of a surface`,
-    );
+    .map(({ name, lost }) => words.value.results.room.facts.lostAt(percent(lost), name));
   return [...warnings, ...losing];
 }
 
@@ -67,18 +65,27 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
   );
   const residual = residuals?.at(-1);
   const facts: [string, string | null | undefined][] = [
-    ['Made from', source?.file],
-    ['Patches', `${shortest(scene.patches)} of ${fixed(patchSize(scene), 2)} m`],
-    ['On measuring planes', scene.receivers > 0 ? shortest(scene.receivers) : null],
-    ['Clusters', shortest(scene.clusters)],
-    ['Places for luminaires', shortest(scene.sites.size.length)],
-    ['Rays from each patch', options && `${shortest(options.rays)}, refined ${options.refine} times`],
-    ['Bounced light not settled', residual === undefined ? null : fine(residual)],
-    ['Light lost', (lostLight ?? lost) === undefined ? null : fine(lostLight ?? lost ?? 0)],
-    ['Error of storing, mean', errors && fine(errors.mean)],
-    ['… spread', errors && fine(errors.sigma)],
-    ['… a patch, at worst', errors && fine(errors.patchRmsWorst)],
-    ['Spread uncertain by over 1 %, of few patches', fewPatches?.join(', ')],
+    [words.value.results.room.facts.source, source?.file],
+    [
+      words.value.results.room.facts.patches,
+      words.value.results.room.facts.patchesOf(shortest(scene.patches), fixed(patchSize(scene), 2)),
+    ],
+    [words.value.results.room.facts.planes, scene.receivers > 0 ? shortest(scene.receivers) : null],
+    [words.value.results.room.facts.clusters, shortest(scene.clusters)],
+    [words.value.results.room.facts.places, shortest(scene.sites.size.length)],
+    [
+      words.value.results.room.facts.rays,
+      options && words.value.results.room.facts.raysOf(shortest(options.rays), options.refine),
+    ],
+    [words.value.results.room.facts.residual, residual === undefined ? null : fine(residual)],
+    [
+      words.value.results.room.facts.lost,
+      (lostLight ?? lost) === undefined ? null : fine(lostLight ?? lost ?? 0),
+    ],
+    [words.value.results.room.facts.errorMean, errors && fine(errors.mean)],
+    [words.value.results.room.facts.errorSpread, errors && fine(errors.sigma)],
+    [words.value.results.room.facts.errorPatch, errors && fine(errors.patchRmsWorst)],
+    [words.value.results.room.facts.few, fewPatches?.join(', ')],
   ];
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }
@@ -87,6 +94,6 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
 export function fine(value: number): string {
   const inPercent = value * 100;
   if (inPercent === 0) return '0 %';
-  if (inPercent < 0.0001) return '< 0.0001 %';
+  if (inPercent < 0.0001) return `< ${shortest(0.0001)} %`;
   return `${shortest(Number(inPercent.toPrecision(2)))} %`;
 }

@@ -14,10 +14,12 @@ import { unionOf } from '../state/statistics.ts';
 import { glareVerdict } from './glare.ts';
 import { presets, type Preset } from './standards.ts';
 import { verdicts, type Verdict } from './verdict.ts';
+import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
 
 export interface RoomType {
   readonly id: string;
-  readonly title: string;
+  readonly title: () => string;
   readonly numbers: Preset;
   readonly onFloor: boolean; // the task is the floor, though there be measuring planes
   readonly cylindrical?: number; // lx
@@ -33,7 +35,7 @@ const numbersOf = (id: string): Preset => {
 export const roomTypes: readonly RoomType[] = [
   {
     id: 'writing',
-    title: 'Office, writing',
+    title: () => words.value.values.types.writing,
     numbers: numbersOf('writing'),
     onFloor: false,
     cylindrical: 150,
@@ -41,7 +43,7 @@ export const roomTypes: readonly RoomType[] = [
   },
   {
     id: 'classroom',
-    title: 'Classroom',
+    title: () => words.value.values.types.classroom,
     numbers: numbersOf('classroom'),
     onFloor: false,
     cylindrical: 150,
@@ -49,13 +51,18 @@ export const roomTypes: readonly RoomType[] = [
   },
   {
     id: 'corridor',
-    title: 'Corridor',
+    title: () => words.value.values.types.corridor,
     numbers: numbersOf('corridor'),
     onFloor: true,
     cylindrical: 50,
     ugr: 28,
   },
-  { id: 'museum', title: 'Museum, 50 lx', numbers: numbersOf('museum-high'), onFloor: false },
+  {
+    id: 'museum',
+    title: () => words.value.values.types.museum,
+    numbers: numbersOf('museum-high'),
+    onFloor: false,
+  },
 ];
 
 type Surfaces = SceneInfo['surfaces'];
@@ -134,20 +141,30 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown, fra
     const field = lightField(scene, leaf, shown.illuminance, frame);
     const reading = field && readGrid(field);
     if (numbers.required !== undefined)
-      rows.push(atLeast(name, 'Ēₘ on the EN grid', reading?.mean ?? null, numbers.required, 'lx'));
+      rows.push(atLeast(name, words.value.values.gridMean, reading?.mean ?? null, numbers.required, 'lx'));
     if (numbers.uniformity !== undefined)
-      rows.push(atLeast(name, 'Uₒ on the EN grid', reading?.uniformity ?? null, numbers.uniformity, ''));
+      rows.push(
+        atLeast(name, words.value.values.gridUniformity, reading?.uniformity ?? null, numbers.uniformity, ''),
+      );
   }
   for (const [where, names, target] of [
-    ['walls', walls, numbers.walls],
-    ['ceiling', ceiling, numbers.ceiling],
+    [words.value.results.places.walls, walls, numbers.walls],
+    [words.value.results.places.ceiling, ceiling, numbers.ceiling],
   ] as const) {
     const readings = shown.surfaces.filter(({ name }) => names.includes(name));
     const mean = readings.length > 0 ? unionOf(readings).mean : null;
     if (target !== undefined) rows.push(atLeast(where, 'Ēₘ', mean, target, 'lx'));
   }
   if (cylindrical !== undefined)
-    rows.push(atLeast('at 1.2 m', 'cylindrical Ēz', meanCylindrical(shown), cylindrical, 'lx'));
+    rows.push(
+      atLeast(
+        words.value.values.atHeight,
+        words.value.values.cylindrical,
+        meanCylindrical(shown),
+        cylindrical,
+        'lx',
+      ),
+    );
   if (ugr !== undefined) rows.push(glareVerdict(shown.observers, ugr));
   return rows;
 }
@@ -162,7 +179,7 @@ function atLeast(where: string, what: string, actual: number | null, target: num
   const margin = actual === null ? null : actual / target - 1;
   return {
     where,
-    what: `${what} at least`,
+    what: words.value.values.atLeastOf(what),
     target,
     actual,
     unit,
@@ -173,7 +190,5 @@ function atLeast(where: string, what: string, actual: number | null, target: num
 
 /** "Maintained light, factor 0.80." */
 export function maintenanceText(factor: number): string {
-  return factor === 1
-    ? 'Light of the new installation: no maintenance factor is set.'
-    : `All lux are maintained values: maintenance factor ${factor.toFixed(2)}.`;
+  return factor === 1 ? words.value.values.asNew : words.value.values.maintained(fixed(factor, 2));
 }

@@ -3,10 +3,12 @@
  * the app tells people to check their own copy of the standard.
  */
 import type { Card } from '../../document/types.ts';
+import { words } from '../../language/language.ts';
+import { fixed, shortest } from '../../language/numbers.ts';
 
 export interface Preset {
   readonly id: string;
-  readonly title: string;
+  readonly title: () => string;
   readonly standard: 'EN 12464-1:2021' | 'CIE 157';
   readonly required?: number; // maintained mean, lx
   readonly modified?: number; // where the context asks for more, lx
@@ -18,22 +20,22 @@ export interface Preset {
 
 const task = (
   id: string,
-  title: string,
+  title: () => string,
   [required, modified, uniformity, walls, ceiling]: [number, number, number, number, number],
 ): Preset => ({ id, title, standard: 'EN 12464-1:2021', required, modified, uniformity, walls, ceiling });
 
 export const presets: readonly Preset[] = [
-  task('writing', 'Office: writing, reading', [500, 1000, 0.6, 150, 100]),
-  task('filing', 'Office: filing, copying', [300, 500, 0.4, 100, 75]),
-  task('meeting', 'Meeting room', [500, 1000, 0.6, 150, 100]),
-  task('reception', 'Reception desk', [300, 750, 0.6, 100, 75]),
-  task('archive', 'Archive', [200, 300, 0.4, 75, 50]),
-  task('classroom', 'Classroom', [500, 1000, 0.6, 150, 100]),
-  task('entrance', 'Entrance hall', [200, 300, 0.4, 75, 50]),
-  task('corridor', 'Corridor (floor)', [100, 150, 0.4, 50, 30]),
-  task('stairs', 'Stairs', [150, 200, 0.4, 50, 30]),
-  { id: 'museum-low', title: 'Exhibit, low sensitivity', standard: 'CIE 157', most: 200 },
-  { id: 'museum-high', title: 'Exhibit, medium or high sensitivity', standard: 'CIE 157', most: 50 },
+  task('writing', () => words.value.values.presets.writing, [500, 1000, 0.6, 150, 100]),
+  task('filing', () => words.value.values.presets.filing, [300, 500, 0.4, 100, 75]),
+  task('meeting', () => words.value.values.presets.meeting, [500, 1000, 0.6, 150, 100]),
+  task('reception', () => words.value.values.presets.reception, [300, 750, 0.6, 100, 75]),
+  task('archive', () => words.value.values.presets.archive, [200, 300, 0.4, 75, 50]),
+  task('classroom', () => words.value.values.presets.classroom, [500, 1000, 0.6, 150, 100]),
+  task('entrance', () => words.value.values.presets.entrance, [200, 300, 0.4, 75, 50]),
+  task('corridor', () => words.value.values.presets.corridor, [100, 150, 0.4, 50, 30]),
+  task('stairs', () => words.value.values.presets.stairs, [150, 200, 0.4, 50, 30]),
+  { id: 'museum-low', title: () => words.value.values.presets.exhibitLow, standard: 'CIE 157', most: 200 },
+  { id: 'museum-high', title: () => words.value.values.presets.exhibitHigh, standard: 'CIE 157', most: 50 },
 ];
 
 /** The card with a preset's numbers for the task itself; other bounds of the card go. */
@@ -57,8 +59,16 @@ export function withPreset(card: Card, preset: Preset): Card {
   };
 }
 
+const plain = (value = 0): string => shortest(value);
+
 /** "500 lx, U_o 0.60; walls 150 lx, ceiling 100 lx". */
 export function presetText(preset: Preset): string {
-  if (preset.most !== undefined) return `at most ${preset.most} lx anywhere`;
-  return `${preset.required} lx (modified ${preset.modified}), Uₒ ${preset.uniformity?.toFixed(2)}; walls ${preset.walls} lx, ceiling ${preset.ceiling} lx`;
+  if (preset.most !== undefined) return words.value.values.presets.mostAnywhere(preset.most);
+  return words.value.values.presets.numbers(
+    plain(preset.required),
+    plain(preset.modified),
+    fixed(preset.uniformity ?? 0, 2),
+    plain(preset.walls),
+    plain(preset.ceiling),
+  );
 }

@@ -7,6 +7,7 @@ import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
 import { fieldText } from './explain.ts';
 import { compact, ratio, unitOf } from './format.ts';
+import { words } from '../../language/language.ts';
 
 export interface Verdict {
   readonly where: string;
@@ -52,7 +53,7 @@ export function verdicts(
 
 /** "612 lx", "0.62". */
 export function valueText(value: number | null, unit: string): string {
-  if (value === null) return 'not in this file';
+  if (value === null) return words.value.values.notInFile;
   if (unit === 'UGR') return ugrText(value);
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
 }
@@ -62,7 +63,7 @@ export function targetText({ target, unit }: Verdict): string {
 }
 
 const namesOf = (names: SurfaceNames): string =>
-  names.map((name) => (name === 'all' ? 'whole room' : name)).join(', ');
+  names.map((name) => (name === 'all' ? words.value.results.surfaces.wholeRoom : name)).join(', ');
 
 type Readings = Pick<SurfaceResult, 'mean' | 'sigma'>;
 
@@ -70,13 +71,13 @@ function wishesOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 
   if (!reached || !(card.weight > 0) || card.verb === 'keep') return [];
   const { mean, sigma } = reached;
   const best = {
-    illuminate: { what: 'mean as high as can be', target: null, actual: mean },
-    overshadow: { what: 'mean as low as can be', target: null, actual: mean },
-    homogenize: { what: 'as even as can be (σ)', target: null, actual: sigma },
-    vary: { what: 'as varied as can be (σ)', target: null, actual: sigma },
+    illuminate: { what: words.value.values.best.illuminate, target: null, actual: mean },
+    overshadow: { what: words.value.values.best.overshadow, target: null, actual: mean },
+    homogenize: { what: words.value.values.best.homogenize, target: null, actual: sigma },
+    vary: { what: words.value.values.best.vary, target: null, actual: sigma },
   }[card.verb];
   if (card.aim === undefined) return [best];
-  const about = { what: 'mean about', target: card.aim, actual: mean };
+  const about = { what: words.value.values.about, target: card.aim, actual: mean };
   return card.verb === 'illuminate' || card.verb === 'overshadow' ? [about] : [about, best];
 }
 

@@ -1,6 +1,7 @@
 /** The score while somebody plays against the solver: against the solver's layout and what is proved, in one sentence each. */
 import { useApp } from '../../app/app.ts';
 import { lamps, type Standing } from '../../app/challenge.ts';
+import { words } from '../../language/language.ts';
 
 export function ChallengeCard() {
   const { challenge, store, variants } = useApp();
@@ -9,41 +10,33 @@ export function ChallengeCard() {
   if (!stage || store.preview.value !== null) return null;
   const isSeen = variants.against.value === 'best';
   return (
-    <section class="challenge" aria-label="Beat the solver">
+    <section class="challenge" aria-label={words.value.comparing.challenge.name}>
       {stage === 'solving' ? (
         <p role="status">
-          <span class="spinner" aria-hidden="true" /> The solver goes first: {lamps} luminaires for what is
-          asked …
+          <span class="spinner" aria-hidden="true" /> {words.value.comparing.challenge.solverFirst(lamps)}
         </p>
       ) : (
         <>
-          {standing ? (
-            <Score {...standing} />
-          ) : (
-            <p>
-              What is asked has changed, or not all luminaires are pinned: the score counts for {lamps}{' '}
-              luminaires placed by hand.
-            </p>
-          )}
+          {standing ? <Score {...standing} /> : <p>{words.value.comparing.challenge.changed(lamps)}</p>}
           <div class="row">
             <button
               class="button small"
               aria-pressed={isSeen}
               onClick={() => (isSeen ? variants.close() : variants.compare('best'))}
             >
-              {isSeen ? 'Hide the solver’s' : 'See the solver’s'}
+              {isSeen ? words.value.comparing.challenge.hide : words.value.comparing.challenge.see}
             </button>
             {standing ? (
               <button class="button small" onClick={() => (store.dialog.value = 'share')}>
-                Share
+                {words.value.comparing.challenge.share}
               </button>
             ) : (
               <button class="button small" onClick={() => void challenge.start()}>
-                Start again
+                {words.value.comparing.challenge.again}
               </button>
             )}
             <button class="button small" onClick={() => challenge.end()}>
-              Done
+              {words.value.comparing.challenge.done}
             </button>
           </div>
         </>
@@ -60,8 +53,8 @@ function Score({ score, highest, outcome, bound }: Standing) {
       <p class="score">
         <strong>{Math.round(score)}</strong>
         <span>
-          your score; the solver’s is 100
-          {highest !== null && `, no layout can pass ${Math.ceil(highest - 1e-6)}`}
+          {words.value.comparing.challenge.score}
+          {highest !== null && words.value.comparing.challenge.limit(Math.ceil(highest - 1e-6))}
         </span>
       </p>
       <div class="score-bar" aria-hidden="true">

@@ -2,12 +2,13 @@
 import { ArrowLeftRight, Table2, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import type { Against } from '../../app/variants.ts';
+import { words } from '../../language/language.ts';
 
-const choices: readonly [Against, string][] = [
-  ['kept', 'A, as kept'],
-  ['opened', 'As it was opened'],
-  ['scattered', 'Scattered at random'],
-  ['best', 'The solver’s layout'],
+const choices: readonly [Against, () => string][] = [
+  ['kept', () => words.value.comparing.bar.kept],
+  ['opened', () => words.value.comparing.bar.opened],
+  ['scattered', () => words.value.comparing.bar.scattered],
+  ['best', () => words.value.comparing.bar.best],
 ];
 
 /** A bracket as photographers take it: darker, as it is, brighter; EV. */
@@ -20,20 +21,20 @@ export function CompareBar() {
   if (!against || !store.other.value) return null;
   const { mode, exposure } = store.display.value;
   return (
-    <div class="compare-bar" role="toolbar" aria-label="Comparison">
+    <div class="compare-bar" role="toolbar" aria-label={words.value.comparing.bar.name}>
       <select
-        aria-label="Compared with"
+        aria-label={words.value.comparing.bar.with}
         value={against}
         onChange={(event) => variants.compare(event.currentTarget.value as Against)}
       >
         {choices.map(([id, title]) => (
           <option key={id} value={id} disabled={!variants.isThere(id)}>
-            {title}
+            {title()}
           </option>
         ))}
       </select>
       {mode === 'realistic' && (
-        <div class="segments" role="group" aria-label="Exposure of both">
+        <div class="segments" role="group" aria-label={words.value.comparing.bar.exposure}>
           {bracket.map((ev) => (
             <button key={ev} aria-pressed={exposure === ev} onClick={() => app.setDisplay({ exposure: ev })}>
               {ev === 0 ? '0' : `${ev > 0 ? '+' : '−'}${Math.abs(ev)}`}
@@ -45,8 +46,8 @@ export function CompareBar() {
       {against === 'kept' && (
         <button
           class="icon-button"
-          aria-label="Switch A and B"
-          title="Switch A and B: A becomes the work"
+          aria-label={words.value.comparing.bar.switch}
+          title={words.value.actions.comparing.switch}
           onClick={() => variants.switch()}
         >
           <ArrowLeftRight size={16} aria-hidden />
@@ -54,16 +55,16 @@ export function CompareBar() {
       )}
       <button
         class="icon-button"
-        aria-label="Table of differences"
-        title="Table of differences"
+        aria-label={words.value.comparing.bar.table}
+        title={words.value.comparing.bar.table}
         onClick={() => (store.tab.value = 'results')}
       >
         <Table2 size={16} aria-hidden />
       </button>
       <button
         class="icon-button"
-        aria-label="End the comparison"
-        title="End the comparison"
+        aria-label={words.value.comparing.bar.end}
+        title={words.value.comparing.bar.end}
         onClick={() => variants.close()}
       >
         <X size={16} aria-hidden />

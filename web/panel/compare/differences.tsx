@@ -1,24 +1,25 @@
 /** The table of differences between the work and what it is compared with. */
 import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { differencesOf, sides, type Difference, type Side } from '../../app/words/differences.ts';
+import { differencesOf, sidesOf, type Difference, type Side } from '../../app/words/differences.ts';
 import { unitOf } from '../../app/words/format.ts';
+import { words } from '../../language/language.ts';
 
 export function Differences() {
   const { store, variants, viewer } = useApp();
   const against = variants.against.value;
   const differences = differencesOf(store, viewer.frame(), variants.types);
   if (!against || !differences) return null;
-  const [other, work] = sides[against];
+  const [other, work] = sidesOf(against);
   const groups = [
-    ['Asked', differences.asked],
-    ['Cost', differences.cost],
-    [`Mean, ${unitOf(store.document.value.quantity)}, and evenness`, differences.light],
+    [words.value.comparing.table.asked, differences.asked],
+    [words.value.comparing.table.cost, differences.cost],
+    [words.value.comparing.table.light(unitOf(store.document.value.quantity)), differences.light],
   ] as const;
   return (
     <table class="list differences">
       <caption>
-        {other} beside {work} <small>both judged by what is asked now</small>
+        {words.value.comparing.table.beside(other, work)} <small>{words.value.comparing.table.judged}</small>
       </caption>
       <thead>
         <tr>
@@ -68,13 +69,17 @@ function Cell({ side: { text, remark, met = null }, change }: { side: Side; chan
     <td class="number">
       <strong>{text}</strong>
       {met !== null && (
-        <span class={`met ${met ? 'met' : 'unmet'}`} role="img" aria-label={met ? 'met' : 'not met'}>
+        <span
+          class={`met ${met ? 'met' : 'unmet'}`}
+          role="img"
+          aria-label={met ? words.value.intentions.card.isMet : words.value.values.unmet}
+        >
           <Icon size={13} aria-hidden />
         </span>
       )}
       {(remark || change) && (
         <small>
-          {remark && <span title="Evenness: darkest spot / mean">{remark}</span>}
+          {remark && <span title={words.value.comparing.table.evenness}>{remark}</span>}
           {change && <span class="change">{change}</span>}
         </small>
       )}

@@ -1,7 +1,8 @@
 /** The line between the two lights in the picture: dragged, or moved by the arrow keys. */
 import { useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { sides } from '../../app/words/differences.ts';
+import { sidesOf } from '../../app/words/differences.ts';
+import { words } from '../../language/language.ts';
 
 const [step, longStep] = [0.01, 0.1]; // of the picture's width
 
@@ -10,7 +11,7 @@ export function Divider() {
   const line = useRef<HTMLDivElement>(null);
   const against = variants.against.value;
   if (!against || !store.other.value) return null;
-  const [other, work] = sides[against];
+  const [other, work] = sidesOf(against);
   const at = variants.divider.value;
   const move = (share: number) => void (variants.divider.value = Math.min(1, Math.max(0, share)));
   const drag = (event: PointerEvent) => {
@@ -35,11 +36,11 @@ export function Divider() {
         class="divider-handle"
         role="slider"
         tabIndex={0}
-        aria-label={`Divider between ${other} and ${work}`}
+        aria-label={words.value.comparing.divider.name(other, work)}
         aria-valuemin={0}
         aria-valuemax={100}
         aria-valuenow={Math.round(100 * at)}
-        aria-valuetext={`${other} on the left ${Math.round(100 * at)} %`}
+        aria-valuetext={words.value.comparing.divider.at(other, Math.round(100 * at))}
         onPointerDown={press}
         onPointerMove={drag}
         onKeyDown={key}

@@ -1,6 +1,7 @@
 /** How far a film is; Escape or its button ends it without one. */
 import { useEffect } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { words } from '../../language/language.ts';
 
 export function FilmNote() {
   const { film } = useApp();
@@ -20,15 +21,17 @@ export function FilmNote() {
   if (!progress) return null;
   const isRecording = progress.stage === 'recording';
   return (
-    <section class="film-note" aria-label="Five-second loop">
-      <span role="status">{isRecording ? 'Recording five seconds' : 'Computing the light on the way'}</span>
+    <section class="film-note" aria-label={words.value.comparing.film.name}>
+      <span role="status">
+        {isRecording ? words.value.comparing.film.recording : words.value.comparing.film.computing}
+      </span>
       <progress
         max={1}
         value={progress.share}
-        aria-label={isRecording ? 'Recorded so far' : 'Computed so far'}
+        aria-label={isRecording ? words.value.comparing.film.recorded : words.value.comparing.film.computed}
       />
       <button class="button small" onClick={() => film.cancel()}>
-        Cancel (Esc)
+        {words.value.comparing.film.cancel}
       </button>
     </section>
   );

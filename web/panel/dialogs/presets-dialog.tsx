@@ -17,16 +17,16 @@ export function PresetsDialog({ close }: { close: () => void }) {
     if (quantity === 'exitance') app.setQuantity('illuminance');
     if (!target) app.addCard('homogenize', [...names]);
     const id = store.card.peek();
-    if (id) app.changeCard(id, `Ask for ${preset.title}`, (card) => withPreset(card, preset));
+    if (id) app.changeCard(id, `Ask for ${preset.title()}`, (card) => withPreset(card, preset));
   };
   const applyType = (type: RoomType) => {
     close();
     const surfaces = store.scene.peek()?.surfaces ?? [];
     if (cardsOf(type, surfaces).length === 0) {
-      store.say('warning', `This room has no surface that “${type.title}” could be asked of.`);
+      store.say('warning', `This room has no surface that “${type.title()}” could be asked of.`);
       return;
     }
-    store.edit(`Ask for ${type.title}`, (draft) => askForType(draft, type, surfaces));
+    store.edit(`Ask for ${type.title()}`, (draft) => askForType(draft, type, surfaces));
     store.tab.value = 'results';
   };
   return (
@@ -41,7 +41,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
           {roomTypes.map((type) => (
             <li key={type.id}>
               <button onClick={() => applyType(type)}>
-                <strong>{type.title}</strong>
+                <strong>{type.title()}</strong>
                 <span>{presetText(type.numbers)}; maintained</span>
               </button>
             </li>
@@ -57,7 +57,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
               .map((preset) => (
                 <li key={preset.id}>
                   <button onClick={() => apply(preset)}>
-                    <strong>{preset.title}</strong>
+                    <strong>{preset.title()}</strong>
                     <span>{presetText(preset)}</span>
                   </button>
                 </li>

@@ -3,6 +3,8 @@ import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { patchSize, roomFacts, roomWarnings } from '../../app/words/provenance.ts';
 import type { Saving } from '../../app/state/store.ts';
+import { words } from '../../language/language.ts';
+import { fixed, locale } from '../../language/numbers.ts';
 
 const mostRemarks = 5; // that are seen without asking for more
 
@@ -13,24 +15,23 @@ export function AboutRoom() {
   const warnings = roomWarnings(scene);
   return (
     <>
-      <p class="fine-print">
-        Darkest and brightest are of patches of {patchSize(scene).toFixed(2)} m, and evenness is darkest /
-        mean: smaller patches would show more contrast.
-      </p>
+      <p class="fine-print">{words.value.results.room.patches(fixed(patchSize(scene), 2))}</p>
       <details class="about-room">
         <summary>
-          About this room
+          {words.value.results.room.about}
           {warnings.length > 0 && (
             <span class="about-warnings">
               <TriangleAlert size={13} aria-hidden />
-              {warnings.length === 1 ? 'one remark' : `${warnings.length} remarks`}
+              {warnings.length === 1
+                ? words.value.results.room.oneRemark
+                : words.value.results.room.remarks(warnings.length)}
             </span>
           )}
         </summary>
         <Remarks lines={warnings.slice(0, mostRemarks)} />
         {warnings.length > mostRemarks && (
           <details>
-            <summary>{warnings.length - mostRemarks} more</summary>
+            <summary>{words.value.results.room.more(warnings.length - mostRemarks)}</summary>
             <Remarks lines={warnings.slice(mostRemarks)} />
           </details>
         )}
@@ -42,13 +43,11 @@ export function AboutRoom() {
             </div>
           ))}
           <div>
-            <dt>Identity</dt>
+            <dt>{words.value.results.room.identity}</dt>
             <dd>{scene.identity}</dd>
           </div>
         </dl>
-        <p class="fine-print">
-          Surfaces are matt; shine and daylight are not computed. Autosave: {savingText(store.saving.value)}.
-        </p>
+        <p class="fine-print">{words.value.results.room.limits(savingText(store.saving.value))}</p>
       </details>
     </>
   );
@@ -68,10 +67,10 @@ function Remarks({ lines }: { readonly lines: readonly string[] }) {
 function savingText(saving: Saving): string {
   switch (saving.state) {
     case 'saved':
-      return `kept in this browser at ${new Date(saving.at).toLocaleTimeString()}`;
+      return words.value.results.room.savedAt(new Date(saving.at).toLocaleTimeString(locale.value));
     case 'refused':
-      return `refused by the browser (${saving.why})`;
+      return words.value.results.room.refused(saving.why);
     case 'unsaved':
-      return 'nothing kept yet';
+      return words.value.results.room.unsaved;
   }
 }

@@ -2,6 +2,7 @@
 import { ScanSearch } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { checkText } from '../../app/words/layout-check.ts';
+import { words } from '../../language/language.ts';
 
 export function CheckLayout() {
   const { store, solving } = useApp();
@@ -12,11 +13,11 @@ export function CheckLayout() {
       <button
         class="button small"
         disabled={store.progress.value.state === 'improving'}
-        title="Recompute every surface from its patches, and see which bounds have little margin"
+        title={words.value.results.check.tip}
         onClick={() => solving.check()}
       >
         <ScanSearch size={14} aria-hidden />
-        Check this layout
+        {words.value.results.check.button}
       </button>
       <p class="fine-print" aria-live="polite">
         {isCurrent && checkText(check, store.document.value, store.traced.value.origins)}

@@ -4,6 +4,7 @@ import { byGlare } from '../../app/words/glare.ts';
 import { compact } from '../../app/words/format.ts';
 import { glareColor, ugrText } from '../../document/glare.ts';
 import type { ObserverResult } from '../../solver/protocol.ts';
+import { words } from '../../language/language.ts';
 
 const first = 4; // rows that are seen without asking
 
@@ -17,7 +18,7 @@ export function GlareTable() {
       <Rows observers={observers.slice(0, first)} isFirst />
       {rest.length > 0 && (
         <details class="about-room">
-          <summary>{rest.length} more observers</summary>
+          <summary>{words.value.results.glare.more(rest.length)}</summary>
           <Rows observers={rest} />
         </details>
       )}
@@ -27,20 +28,20 @@ export function GlareTable() {
 
 function Rows({ observers, isFirst }: { observers: readonly ObserverResult[]; isFirst?: boolean }) {
   return (
-    <table class="list results" aria-label={isFirst ? undefined : 'Glare of the other observers'}>
+    <table class="list results" aria-label={isFirst ? undefined : words.value.results.glare.others}>
       {isFirst && (
         <caption>
-          Glare by observer <small>UGR</small>
+          {words.value.results.glare.name} <small>UGR</small>
         </caption>
       )}
       <thead>
         <tr>
-          <th scope="col">Observer</th>
+          <th scope="col">{words.value.results.glare.observer}</th>
           <th scope="col" class="number">
             UGR
           </th>
-          <th scope="col" class="number" title="Luminance of the background, cd/m²">
-            Background
+          <th scope="col" class="number" title={words.value.results.glare.backgroundTip}>
+            {words.value.results.glare.background}
           </th>
         </tr>
       </thead>

@@ -9,10 +9,11 @@ import { GlareTable } from './glare-table.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { SurfaceTable } from './surface-table.tsx';
 import { VerdictTable } from './verdict-table.tsx';
+import { words } from '../../language/language.ts';
 
 export function ResultsTab() {
   const { store } = useApp();
-  if (!store.shown.value || !store.scene.value) return <p class="empty">No layout is shown yet.</p>;
+  if (!store.shown.value || !store.scene.value) return <p class="empty">{words.value.results.none}</p>;
   return (
     <>
       <Differences />
@@ -42,32 +43,33 @@ function Power() {
   return (
     <dl class="totals">
       <div>
-        <dt>Flux</dt>
+        <dt>{words.value.results.power.flux}</dt>
         <dd>{compact(lumens)} lm</dd>
       </div>
       <div>
-        <dt>{floor ? 'Per floor area' : 'Per surface area'}</dt>
+        <dt>{floor ? words.value.results.power.perFloor : words.value.results.power.perSurface}</dt>
         <dd>{compact(lumens / (floor ?? surfaces.at(-1)?.area ?? 1))} lm/m²</dd>
       </div>
       <div>
-        <dt>Power</dt>
+        <dt>{words.value.results.power.power}</dt>
         <dd>
           {compact(watts)} W{floor ? `, ${compact(watts / floor)} W/m²` : ''}
         </dd>
       </div>
       {floor !== null && (
-        <div title="EN 15193-1: 2500 h a year, nobody switching or dimming">
+        <div title={words.value.results.power.leniTip}>
           <dt>LENI</dt>
           <dd>
-            {compact(leni(watts, floor))} kWh/(m² a){per100 && `, ${compact(per100)} W/m² per 100 lx`}
+            {compact(leni(watts, floor))} kWh/(m² a)
+            {per100 && words.value.results.power.per100(compact(per100))}
           </dd>
         </div>
       )}
       <div>
-        <dt>Efficacy</dt>
+        <dt>{words.value.results.power.efficacy}</dt>
         <dd>
           <NumberField
-            label="Luminous efficacy"
+            label={words.value.results.power.luminousEfficacy}
             unit="lm/W"
             value={store.efficacy.value}
             step={5}

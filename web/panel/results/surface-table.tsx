@@ -10,6 +10,7 @@ import { ratio, spanText, tabular, unitOf } from '../../app/words/format.ts';
 import { unionOf } from '../../app/state/statistics.ts';
 import { usePaperWords } from '../intentions/card-hooks.ts';
 import type { SurfaceResult } from '../../solver/protocol.ts';
+import { words } from '../../language/language.ts';
 
 const enough = 12; // surfaces: more of them get a field to find one by
 
@@ -44,15 +45,15 @@ export function SurfaceTable() {
         <input
           type="search"
           class="filter"
-          placeholder={`Find among ${scene.surfaces.length} surfaces`}
-          aria-label="Find a surface"
+          placeholder={words.value.results.surfaces.findAmong(scene.surfaces.length)}
+          aria-label={words.value.results.surfaces.find}
           value={filter}
           onInput={(event) => setFilter(event.currentTarget.value)}
         />
       )}
       <table class="list results">
         <caption>
-          Light by surface <small>{unitOf(quantity)}</small>
+          {words.value.results.surfaces.name} <small>{unitOf(quantity)}</small>
         </caption>
         <Head />
         <tbody>
@@ -70,34 +71,32 @@ export function SurfaceTable() {
   );
 }
 
+/** A word that may be parted where a stroke stands. */
+const breakable = (word: string) =>
+  word.split('|').map((part, i) => (i === 0 ? part : [<wbr key={i} />, part]));
+
 function Head() {
   const inPaperWords = usePaperWords();
   return (
     <thead>
       <tr>
-        <th scope="col">Surface</th>
+        <th scope="col">{words.value.results.surfaces.surface}</th>
         <th scope="col" class="number">
-          Mean
+          {words.value.results.surfaces.mean}
         </th>
-        <th scope="col" class="number" title="Darkest spot: the least of the patches">
-          Dark
-          <wbr />
-          est
+        <th scope="col" class="number" title={words.value.results.surfaces.darkestTip}>
+          {breakable(words.value.results.surfaces.darkest)}
         </th>
-        <th scope="col" class="number" title="Brightest spot: the most of the patches">
-          Bright
-          <wbr />
-          est
+        <th scope="col" class="number" title={words.value.results.surfaces.brightestTip}>
+          {breakable(words.value.results.surfaces.brightest)}
         </th>
         {inPaperWords && (
-          <th scope="col" class="number" title="Spread">
+          <th scope="col" class="number" title={words.value.results.surfaces.spread}>
             σ
           </th>
         )}
-        <th scope="col" class="number" title="Uₒ: darkest spot / mean">
-          Even
-          <wbr />
-          ness
+        <th scope="col" class="number" title={words.value.results.surfaces.evennessTip}>
+          {breakable(words.value.results.surfaces.evenness)}
         </th>
       </tr>
     </thead>
@@ -115,12 +114,17 @@ function FamilyRows({ fold, isOpen, toggle }: { fold: Fold<Line>; isOpen: boolea
     <>
       <tr class="family">
         <th scope="row">
-          <button class="plain" aria-expanded={isOpen} title={`${rows.length} surfaces`} onClick={toggle}>
+          <button
+            class="plain"
+            aria-expanded={isOpen}
+            title={words.value.results.surfaces.count(rows.length)}
+            onClick={toggle}
+          >
             <ChevronRight size={13} aria-hidden class="twist" />
             {fold.title}
           </button>
         </th>
-        <td class="number strong" title="Least and largest mean">
+        <td class="number strong" title={words.value.results.surfaces.meansTip}>
           {spanText(Math.min(...means), Math.max(...means))}
         </td>
         <Readings {...unionOf(rows)} />
@@ -140,7 +144,7 @@ function SurfaceRow({ row, leaf, isMember }: Line & { isMember?: boolean }) {
     <tr class={isMember ? `member ${look}` : look}>
       <th scope="row">
         {leaf === null ? (
-          'whole room'
+          words.value.results.surfaces.wholeRoom
         ) : (
           <button
             class="plain"
@@ -165,7 +169,7 @@ function Readings({ mean, sigma, min, max }: Pick<SurfaceResult, 'mean' | 'sigma
       <td class="number">{tabular(min)}</td>
       <td class="number">{tabular(max)}</td>
       {inPaperWords && <td class="number">{tabular(sigma)}</td>}
-      <td class="number" title={`darkest / brightest ${ratio(min / max)}`}>
+      <td class="number" title={words.value.results.surfaces.ratio(ratio(min / max))}>
         {ratio(min / mean)}
       </td>
     </>

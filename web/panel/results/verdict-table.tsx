@@ -5,6 +5,7 @@ import { marginText } from '../../app/words/layout-check.ts';
 import { everyVerdict, maintenanceText, roomTypes } from '../../app/words/room-types.ts';
 import { targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
+import { words } from '../../language/language.ts';
 
 export function VerdictTable() {
   const { store, viewer } = useApp();
@@ -15,18 +16,26 @@ export function VerdictTable() {
   return (
     <>
       <table class="list verdicts">
-        <caption>Verdict {type && <small>{type.title}: check your own copy of the standard</small>}</caption>
+        <caption>
+          {words.value.results.verdict.name}{' '}
+          {type && (
+            <small>
+              {type.title()}
+              {words.value.results.verdict.ownCopy}
+            </small>
+          )}
+        </caption>
         <thead>
           <tr>
-            <th scope="col">Asked</th>
+            <th scope="col">{words.value.results.verdict.asked}</th>
             <th scope="col" class="number">
-              Target
+              {words.value.results.verdict.target}
             </th>
             <th scope="col" class="number">
-              Actual
+              {words.value.results.verdict.actual}
             </th>
             <th scope="col">
-              <span class="unseen">Met</span>
+              <span class="unseen">{words.value.results.verdict.met}</span>
             </th>
           </tr>
         </thead>
@@ -51,7 +60,11 @@ function Row({ row }: { row: Verdict }) {
       </th>
       <td class="number">{targetText(row)}</td>
       <td class="number">
-        {actual === null ? <small>not in this file</small> : <strong>{valueText(actual, unit)}</strong>}
+        {actual === null ? (
+          <small>{words.value.values.notInFile}</small>
+        ) : (
+          <strong>{valueText(actual, unit)}</strong>
+        )}
         {spare && <small class="verdict-margin">{spare}</small>}
       </td>
       <td>
@@ -59,7 +72,7 @@ function Row({ row }: { row: Verdict }) {
           <span
             class={`met ${met ? 'met' : 'unmet'}`}
             role="img"
-            aria-label={met ? 'met' : 'not met'}
+            aria-label={met ? words.value.intentions.card.isMet : words.value.values.unmet}
             title={spare ?? undefined}
           >
             {met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
