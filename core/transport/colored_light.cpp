@@ -12,12 +12,21 @@ constexpr std::array<double, 3> kLuminance = {0.2126, 0.7152, 0.0722};  // of li
 constexpr float kMostReflectance = 0.95f;
 constexpr std::uint32_t kMostRegions = 256;  // smaller surfaces share the last one
 constexpr double kGreyUpTo = 1e-4;           // of a reflectance: no colour, but rounding
+constexpr float kMostTaken = 0.6f;           // of the light in a channel, by what it has met
 
 using GroupMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 template <class Values>
 double luminanceOf(const Values& color) {
   return kLuminance[0] * color[0] + kLuminance[1] * color[1] + kLuminance[2] * color[2];
+}
+
+/// Groups overrate what reaches a gap that they do not resolve. Keeps the hue of D_k, `added`, and takes of
+/// no channel of E, `white`, more than light loses that has met colours once or twice.
+void moderate(float* added, float white) {
+  const float taken = -std::min({added[0], added[1], added[2]});
+  if (taken <= kMostTaken * white) return;
+  for (int k = 0; k < 3; ++k) added[k] *= kMostTaken * white / taken;
 }
 
 /// The region of each group: its surface, or one for all but the largest.
@@ -104,7 +113,11 @@ std::vector<float> ColoredLight::of(const std::vector<float>& illuminance) const
   // D_k between groups; receivers take that of no surface, for nobody sees what is measured there.
   const Eigen::Map<const GroupMatrix> exchange(scene_.lightOperator->exchange.means.data(), groups.count,
                                                groups.count);
-  std::vector<float> more(std::size_t{groups.total} * kChannels, 0.0f), onRow(patches.rows() * kChannels);
+  constexpr std::size_t kWhite = kChannels, kColumns = kChannels + 1;  // D_k, and E beside it
+  std::vector<float> smooth(std::size_t{groups.total} * kColumns, 0.0f), onRow(patches.rows() * kColumns);
+  std::vector<float> white(groups.total);
+  interpolation_.means(illuminance.data(), 1, white.data());
+  for (std::uint32_t c = 0; c < groups.count; ++c) smooth[c * kColumns + kWhite] = white[c];
   for (int k = 0; k < kChannels; ++k) {
     Eigen::VectorXf lumens = Eigen::VectorXf::Zero(groups.count);
     for (std::uint32_t p = 0; p < patches.count; ++p)
@@ -113,17 +126,20 @@ std::vector<float> ColoredLight::of(const std::vector<float>& illuminance) const
     for (std::uint32_t d = 0; d < groups.count; ++d)
       lumens[d] += lumens_[k][d] * static_cast<float>(means[regions_->ofGroup[d]]);
     const Eigen::VectorXf added = exchange * lumens;
-    for (std::uint32_t c = 0; c < groups.count; ++c) more[c * kChannels + k] = added[c];
+    for (std::uint32_t c = 0; c < groups.count; ++c) smooth[c * kColumns + k] = added[c];
   }
 
-  // What is smooth is spread over the patches; their own light is known patch by patch.
-  interpolation_.apply(more.data(), kChannels, onRow.data());
+  // What is smooth is spread over the patches; their own light is known patch by patch. Where that is more,
+  // it came directly and met no colour; where it is less, in a gap or a shadow, less colour reached it, too.
+  interpolation_.apply(smooth.data(), kColumns, onRow.data());
   for (std::uint32_t p = 0; p < patches.count; ++p) {
+    if (!(illuminance[p] > 0)) continue;
+    float* added = &onRow[p * kColumns];
+    const float around = std::max(added[kWhite], illuminance[p]);
+    moderate(added, around);
     std::array<float, kChannels> light;
-    for (int k = 0; k < kChannels; ++k)
-      light[k] = std::max(0.0f, illuminance[p] + onRow[std::size_t{p} * kChannels + k]);
+    for (int k = 0; k < kChannels; ++k) light[k] = 1 + added[k] / around;
     const double luminance = luminanceOf(light);
-    if (!(illuminance[p] > 0) || !(luminance > 0)) continue;
     colors[2 * p] = static_cast<float>(light[0] / luminance);
     colors[2 * p + 1] = static_cast<float>(light[2] / luminance);
   }
