@@ -135,4 +135,12 @@ WeldedMesh weld(const SourceScene& source, const std::vector<std::uint32_t>& mes
   return result;
 }
 
+std::vector<Fragment> trianglesOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Fragment> triangles;
+  for (const Face& face : faces)
+    triangles.push_back(
+        {{mesh.positions[face.vertex[0]], mesh.positions[face.vertex[1]], mesh.positions[face.vertex[2]]}});
+  return triangles;
+}
+
 }  // namespace fiatlux

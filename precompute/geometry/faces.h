@@ -8,6 +8,7 @@
 
 #include "core/scene/patches.h"
 #include "precompute/gltf/source_scene.h"
+#include "precompute/room/room.h"
 
 namespace fiatlux {
 
@@ -38,6 +39,9 @@ struct Face {
   std::uint32_t mesh = 0, source = 0;   // where its material comes from
   bool back = false;
 };
+
+/// Where the faces are, for points and rays on them.
+std::vector<Fragment> trianglesOf(const WeldedMesh& mesh, const std::vector<Face>& faces);
 
 inline Vec3 areaVector(const std::vector<Vec3>& positions, const std::array<std::uint32_t, 3>& v) {
   return 0.5 * cross(positions[v[1]] - positions[v[0]], positions[v[2]] - positions[v[0]]);

@@ -16,14 +16,6 @@ constexpr double kFarAway = 10;       // m: as far counts what a ray meets nothi
 constexpr double kFloorLevel = 0.7;   // cos 45 degrees
 constexpr Vec3 kDownward{0, -1, 0}, kUpward{0, 1, 0};
 
-AreaSampler samplerOn(const WeldedMesh& mesh, const std::vector<Face>& faces) {
-  std::vector<Fragment> triangles;
-  for (const Face& face : faces)
-    triangles.push_back(
-        {{mesh.positions[face.vertex[0]], mesh.positions[face.vertex[1]], mesh.positions[face.vertex[2]]}});
-  return AreaSampler(triangles);
-}
-
 }  // namespace
 
 double FreeSpace::View::floorsWithin(double low, double high) const {
@@ -56,7 +48,7 @@ std::optional<double> FreeSpace::floorAt(const Met& met) const {
 }
 
 FreeSpace::View FreeSpace::from(const std::vector<Face>& faces, std::uint64_t seed) const {
-  const AreaSampler sampler = samplerOn(mesh_, faces);
+  const AreaSampler sampler(trianglesOf(mesh_, faces));
   View view;
   if (sampler.empty()) return view;
   const auto scramble = RaySequence::scramble(mixBits(seed));

@@ -18,14 +18,6 @@ constexpr std::uint32_t kLightRays = 256;                 // from a piece, or a 
 constexpr double kOpen = 0.5;                             // share of lost rays from which a space is open
 constexpr double kSees = 0.005;                           // share of rays that must meet what is lit
 
-AreaSampler samplerOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
-  std::vector<Fragment> triangles;
-  for (const Face& face : faces)
-    triangles.push_back(
-        {{mesh.positions[face.vertex[0]], mesh.positions[face.vertex[1]], mesh.positions[face.vertex[2]]}});
-  return AreaSampler(triangles);
-}
-
 }  // namespace
 
 Outlook::Outlook(const WeldedMesh& mesh, const RayTracer& tracer, const std::vector<ChartDraft>& pieces)
@@ -37,7 +29,7 @@ Outlook::Outlook(const WeldedMesh& mesh, const RayTracer& tracer, const std::vec
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
     for (const Face& face : pieces[p].faces) pieceOfSide_[face.triangle][face.back] = p;
-    pieces_.push_back({samplerOf(mesh, pieces[p].faces), 0, 0, {}});
+    pieces_.push_back({AreaSampler(trianglesOf(mesh, pieces[p].faces)), 0, 0, {}});
     area += pieces_.back().sampler.area();
   }
 
@@ -162,7 +154,7 @@ Outlook::Unlit Outlook::unlit(const std::vector<Face>& mounts, const std::vector
   if (pieces_.empty() || (mounts.empty() && places.empty())) return unlit;
   std::vector<LightPlace> lights = places;
   if (!mounts.empty()) {
-    const AreaSampler sampler = samplerOf(mesh_, mounts);
+    const AreaSampler sampler(trianglesOf(mesh_, mounts));
     const auto scramble = RaySequence::scramble(0);
     for (std::uint32_t i = 0; i < kLightRays; ++i) {
       const auto random = sequence_.point(i, scramble);

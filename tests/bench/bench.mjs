@@ -14,7 +14,7 @@ import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
 import { dropsOnOffice } from './drop-bench.mjs';
 import { firstVisits } from './first-bench.mjs';
 import { describeRun } from './machine.mjs';
-import { openSession } from './open-session.mjs';
+import { openSession, wishOf } from './open-session.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const inRoot = (...parts) => path.join(root, ...parts);
@@ -83,36 +83,13 @@ function kernels() {
   }
 }
 
-/** So many luminaires of 1000 lm anywhere, as the core takes them. */
-function luminairesOf(count) {
-  const none = new Uint32Array();
-  return {
-    count,
-    countHigh: 0,
-    rule: 0,
-    axis: 0,
-    flux: Float64Array.of(1e3),
-    dimmingLow: 1,
-    dimmingHigh: 1,
-    pinned: none,
-    excluded: none,
-    minDistance: 0,
-    types: [],
-    ofType: none,
-  };
-}
-
 /** 25 000 evaluations on the E corridor: N = 6, least sigma of all surfaces, 40 seeds a batch. */
 async function solve25000() {
   const tool = need(inRoot('build/native/tests/solve_bench'));
   const session = await openSession(need(inRoot('web/solver/core.wasm')), need(corridor), inflateSync);
-  const none = new Uint32Array();
-  const error = session.setIntentions({
-    quantity: 0,
-    luminaires: luminairesOf(6),
-    goals: [{ statistic: 1, sense: 0, weight: 1, surfaces: none, over: none }],
-    constraints: [],
-  });
+  const error = session.setIntentions(
+    wishOf(session, { goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }] }),
+  );
   if (error) throw new Error(error);
   const inWasm = () => {
     const times = [];
@@ -138,23 +115,22 @@ async function solve25000() {
 /** The strip of counts on the office: 3 to 24 luminaires, each from the layout of the one before, as the page asks. */
 async function countStrip() {
   const session = await openSession(need(inRoot('web/solver/core.wasm')), need(office), inflateSync);
-  const none = new Uint32Array();
+  const all = ['all'];
+  const wish = {
+    goals: [
+      { statistic: 'sigma', sense: 'min', weight: 1, surfaces: all },
+      { statistic: 'power', sense: 'min', weight: 1, surfaces: [] },
+    ],
+    constraints: [
+      { statistic: 'mean', min: 150, surfaces: all },
+      { statistic: 'chebyshev', min: 10, surfaces: all },
+    ],
+  };
   const strip = () => {
-    let start = none;
+    let start = new Uint32Array();
     const begin = performance.now();
     for (let count = 3; count <= 24; ++count) {
-      const asked = {
-        quantity: 0,
-        luminaires: { ...luminairesOf(count), flux: Float64Array.of(4e3), dimmingLow: 0.1 },
-        goals: [
-          { statistic: 1, sense: 0, weight: 1, target: 0, surfaces: none, over: none },
-          { statistic: 2, sense: 0, weight: 1, target: 0, surfaces: none, over: none },
-        ],
-        constraints: [
-          { statistic: 0, lower: 150, upper: Infinity, alpha: 1, surfaces: none, over: none },
-          { statistic: 3, lower: 10, upper: Infinity, alpha: 1, surfaces: none, over: none },
-        ],
-      };
+      const asked = wishOf(session, { ...wish, luminaires: { count, flux: 4e3, dimming: [0.1, 1] } });
       const found = session.tryAside(asked, 1, start, 3000);
       if (typeof found === 'string') throw new Error(found);
       start = found.layout.sites;

@@ -7,7 +7,7 @@ import { spawn } from 'node:child_process';
 import path from 'node:path';
 import { chromium } from 'playwright-core';
 import { createServer } from 'vite';
-import { openSession } from './open-session.mjs';
+import { openSession, wishOf } from './open-session.mjs';
 
 const inputs = 60; // of the slider
 const interval = 50; // ms between them
@@ -159,46 +159,8 @@ const isBetter = (a, b) =>
   a.violation < b.violation - 1e-9 || (a.violation <= b.violation + 1e-9 && a.value < b.value);
 
 /** The best that long searches from two starts find for a wish of the page. */
-function bestOf(session, { intentions, start }, leaves, milliseconds) {
-  const indices = (names) =>
-    Uint32Array.from(names.filter((name) => name !== 'all').map((name) => leaves.indexOf(name)));
-  const none = new Uint32Array();
-  const codes = { mean: 0, sigma: 1, chebyshev: 3 };
-  const error = session.setIntentions({
-    quantity: 0,
-    luminaires: {
-      count: intentions.luminaires.count,
-      countHigh: 0,
-      rule: 0,
-      axis: 0,
-      flux: Float64Array.of(intentions.luminaires.flux),
-      dimmingLow: 1,
-      dimmingHigh: 1,
-      pinned: none,
-      excluded: none,
-      minDistance: 0,
-      types: [],
-      ofType: none,
-    },
-    goals: [
-      {
-        statistic: 1,
-        sense: 0,
-        weight: 1,
-        surfaces: indices(intentions.goals[0].surfaces),
-        over: none,
-        target: 0,
-      },
-    ],
-    constraints: intentions.constraints.map(({ statistic, min, max, alpha, surfaces }) => ({
-      statistic: codes[statistic],
-      lower: min ?? -Infinity,
-      upper: max ?? Infinity,
-      alpha: alpha ?? 1,
-      surfaces: indices(surfaces),
-      over: none,
-    })),
-  });
+function bestOf(session, { intentions, start }, milliseconds) {
+  const error = session.setIntentions(wishOf(session, intentions));
   if (error) throw new Error(error);
   const ends = [null, start].map((from) => {
     if (from) session.startFrom(7, Uint32Array.from(from.sites), Float64Array.from(from.flux), from.dimming);
@@ -219,8 +181,7 @@ const quantile = (values, share) =>
 
 export async function dragToLayout(root, flux, inflate) {
   const session = await openSession(path.join(root, 'web/solver/core.wasm'), flux, inflate);
-  const { identity, surfaces } = session.info();
-  const leaves = surfaces.map(({ name }) => name);
+  const { identity } = session.info();
   const link = await linkOf(root, identity);
   const { asked, answered, canvas } = await served(root, (address) => record(root, address + link));
   const first = [];
@@ -231,7 +192,7 @@ export async function dragToLayout(root, flux, inflate) {
     const mine = answered.filter(({ revision }) => revision === wish.revision);
     first.push(mine.length > 0 ? mine[0].postedAt - wish.askedAt : Infinity);
     page.push(wish.sentAt - wish.askedAt);
-    const best = bestOf(session, wish, leaves, i % 10 === 0 ? longSearch : longSearch / 10);
+    const best = bestOf(session, wish, i % 10 === 0 ? longSearch : longSearch / 10);
     const isNear = ({ violation, value }) =>
       violation <= best.violation + 1e-6 && value <= best.value * (1 + settledWithin);
     near.push((mine.find(isNear)?.postedAt ?? Infinity) - wish.askedAt);

@@ -12,14 +12,15 @@ const settled = 60_000; // ms that a search may take to settle
 
 /** In the page, before its scripts: every Worker writes down what it answers about luminaires of types. */
 function recordTypes() {
-  const record = (globalThis.__types = { answers: [], settled: 0 });
+  const record = (globalThis.__types = { answers: [], settled: 0, plain: 0 });
   globalThis.Worker = class extends Worker {
     constructor(...args) {
       super(...args);
       this.addEventListener('message', ({ data: { type, shown, postedAt, evaluations } }) => {
         if (type === 'settled') record.settled += 1;
-        if ((type !== 'improved' && type !== 'settled') || !shown.layout.mountings) return;
-        record.answers.push({ at: postedAt - performance.timeOrigin, evaluations });
+        if (type !== 'improved' && type !== 'settled') return;
+        if (!shown.layout.mountings) record.plain += 1;
+        else record.answers.push({ at: postedAt - performance.timeOrigin, evaluations });
       });
     }
   };
@@ -61,9 +62,9 @@ export async function dropsOnOffice(root) {
       const times = [];
       for (let i = 0; i < drops; ++i) {
         times.push(await drop(page, `panel-${i}.ldt`, panel.replace('Panel 600', `Panel ${i}`)));
-        await page.evaluate(() => (globalThis.__types.settled = 0));
+        await page.evaluate(() => (globalThis.__types.plain = 0));
         await page.keyboard.press('Control+z');
-        await page.waitForFunction(() => globalThis.__types.settled > 0, null, { timeout: settled });
+        await page.waitForFunction(() => globalThis.__types.plain > 0, null, { timeout: settled });
       }
       return times;
     }),
