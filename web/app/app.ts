@@ -23,6 +23,7 @@ import { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 import { Variants } from './variants.ts';
+import { words } from '../language/language.ts';
 
 export interface Parts {
   readonly canvas: HTMLCanvasElement;
@@ -81,10 +82,16 @@ export class App {
     const row = store.shown.peek()?.surfaces.find((each) => each.name === surfaces[0]);
     const mean = verb === 'keep' && row ? { mean: keepRange(row.mean) } : {};
     const card: Card = { id: crypto.randomUUID().slice(0, 8), surfaces, verb, weight: 1, ...mean };
-    store.edit(`Add ${verb}`, (draft) => void draft.cards.push(structuredClone(card) as never));
+    store.edit(
+      words.value.steps.addCard(words.value.intentions.verbs[verb].title.toLowerCase()),
+      (draft) => void draft.cards.push(structuredClone(card) as never),
+    );
     store.tab.value = 'intentions';
     store.card.value = card.id;
-    store.announcement.value = `Intention added: ${verb} ${surfaces.join(', ')}.`;
+    store.announcement.value = words.value.steps.cardAdded(
+      words.value.intentions.verbs[verb].title.toLowerCase(),
+      surfaces.join(', '),
+    );
   }
 
   changeCard(id: string, label: string, change: (card: Card) => Card, gesture?: string): void {
@@ -101,7 +108,7 @@ export class App {
   }
 
   removeCard(id: string): void {
-    this.store.edit('Remove an intention', (draft) => {
+    this.store.edit(words.value.steps.removeCard, (draft) => {
       draft.cards = draft.cards.filter((card) => card.id !== id);
     });
   }
@@ -110,13 +117,10 @@ export class App {
     const { store } = this;
     const plane = quantity === 'exitance' ? this.#planeAskedFor() : undefined;
     if (plane === undefined) {
-      store.edit('Change the quantity', (draft) => void (draft.quantity = quantity));
+      store.edit(words.value.steps.quantity, (draft) => void (draft.quantity = quantity));
       return;
     }
-    store.say(
-      'warning',
-      `“${plane}” is a measuring plane and reflects nothing: aim its intention at a surface first.`,
-    );
+    store.say('warning', words.value.steps.planeReflects(plane));
   }
 
   setMode(mode: Display['mode']): void {
@@ -146,26 +150,24 @@ export class App {
 
   /** Searches from nowhere, with another seed. */
   reseed(): void {
-    this.store.edit(
-      'Search with another seed',
-      (draft) => void (draft.seed = (draft.seed % 0xffff) + 1),
-      null,
-      { by: 'search', from: null },
-    );
+    this.store.edit(words.value.steps.seed, (draft) => void (draft.seed = (draft.seed % 0xffff) + 1), null, {
+      by: 'search',
+      from: null,
+    });
   }
 
   /** Keeps the view that is on the screen; one of the same name goes. */
   keepView(name: string): void {
     const view = { name, camera: this.viewer.camera() };
     const others = (this.store.document.peek().views ?? []).filter((each) => each.name !== name);
-    this.#setViews(`Keep the view ${name}`, [...others, view]);
-    this.store.announcement.value = `The view ${name} is kept.`;
+    this.#setViews(words.value.steps.keepView(name), [...others, view]);
+    this.store.announcement.value = words.value.steps.viewKept(name);
   }
 
   forgetView(name: string): void {
     const views = this.store.document.peek().views ?? [];
     this.#setViews(
-      `Forget the view ${name}`,
+      words.value.steps.forgetView(name),
       views.filter((each) => each.name !== name),
     );
   }
@@ -183,17 +185,17 @@ export class App {
     if (name === undefined) return;
     const card = store.document.peek().cards.find((each) => each.surfaces.includes(name));
     if (card) store.card.value = card.id;
-    store.announcement.value = `Selected ${name}.`;
+    store.announcement.value = words.value.steps.selected(name);
   }
 
   undo(): void {
     if (this.store.undoes.peek() === 'room') globalThis.history.back();
-    else this.#announce('Undone', this.store.undo());
+    else this.#announce(words.value.steps.undone, this.store.undo());
   }
 
   redo(): void {
     if (this.store.redoes.peek() === 'room') globalThis.history.forward();
-    else this.#announce('Redone', this.store.redo());
+    else this.#announce(words.value.steps.redone, this.store.redo());
   }
 
   #announce(done: string, label: string | undefined): void {
@@ -218,8 +220,8 @@ export class App {
       luminaireDropped: (luminaire, site) => this.hand.moveTo(luminaire, site, false),
       cameraMoved: (camera) => void (store.camera.value = camera),
       contextLost(lost) {
-        if (lost) store.say('warning', 'The graphics card was taken away. The picture comes back by itself.');
-        else store.announcement.value = 'The picture is back.';
+        if (lost) store.say('warning', words.value.steps.graphicsLost);
+        else store.announcement.value = words.value.steps.graphicsBack;
       },
     };
   }

@@ -11,6 +11,7 @@ import type { Store } from './state/store.ts';
 import { scatteredLayout, type Variants } from './variants.ts';
 import { sentence } from './words/format.ts';
 import { boundText, highestScore, outcomeText, scoreOf, type Best } from './words/score.ts';
+import { words } from '../language/language.ts';
 
 export const lamps = 6;
 const patience = 3000; // ms for a proof
@@ -51,12 +52,8 @@ export class Challenge {
       const sent = store.sentScore.value;
       if (sent === null || store.shown.value === null) return;
       store.sentScore.value = null;
-      const play = { label: 'Play', run: () => void this.start() };
-      store.say(
-        'warning',
-        `Placed by hand: ${sent} points, the sender says, where the solver’s layout has 100. Can you do better?`,
-        play,
-      );
+      const play = { label: words.value.comparing.challenge.play, run: () => void this.start() };
+      store.say('warning', words.value.comparing.challenge.sent(sent), play);
     });
   }
 
@@ -100,7 +97,7 @@ export class Challenge {
       const from = scatteredLayout(layout, document, scene);
       this.#variants.best.value = layout;
       this.#store.edit(
-        'Beat the solver',
+        words.value.steps.challenge,
         (draft) => {
           Object.assign(draft, structuredClone(rules));
           draft.luminaires.pinned = [...from.sites];
@@ -109,7 +106,7 @@ export class Challenge {
         { by: 'search', from },
       );
       this.#game.value = { asked, shown, gap, layout, scene };
-      this.#store.announcement.value = 'Your turn: drag the luminaires.';
+      this.#store.announcement.value = words.value.comparing.challenge.yourTurn;
     } catch (error) {
       this.#game.value = null;
       if (!(error instanceof Superseded))

@@ -11,6 +11,7 @@ import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { scatteredLayout, type Variants } from './variants.ts';
 import { sentence } from './words/format.ts';
+import { words } from '../language/language.ts';
 
 const length = 5000; // ms
 const [still, gliding] = [600, 3000]; // ms before the luminaires set out, and of their way
@@ -76,11 +77,11 @@ export class Film {
         }),
       );
     } catch (error) {
-      if (error instanceof Cut) this.#store.announcement.value = 'The loop is not recorded.';
+      if (error instanceof Cut) this.#store.announcement.value = words.value.comparing.film.notRecorded;
       else
         this.#store.say(
           'error',
-          `The loop could not be recorded: ${sentence(String((error as Error).message))}`,
+          words.value.comparing.film.failed(sentence(String((error as Error).message))),
         );
       return null;
     } finally {
@@ -103,14 +104,14 @@ export class Film {
   /** Plays the film once and records what is drawn. */
   async #shot(scene: SceneInfo, show: (share: number) => void): Promise<Blob> {
     const video = this.#viewer.video(framesPerSecond);
-    if (!video) throw new Error('this browser gives no video of a picture');
+    if (!video) throw new Error(words.value.comparing.film.noVideo);
     const mimeType = formats.find((format) => MediaRecorder.isTypeSupported(format)) ?? 'video/webm';
     const recorder = new MediaRecorder(video, { mimeType, videoBitsPerSecond: bitsPerSecond });
     const parts: Blob[] = [];
     const ended = new Promise<Blob>((resolve, reject) => {
       recorder.ondataavailable = ({ data }) => void parts.push(data);
       recorder.onstop = () => resolve(new Blob(parts, { type: 'video/webm' }));
-      recorder.onerror = () => reject(new Error('the browser could not encode it'));
+      recorder.onerror = () => reject(new Error(words.value.comparing.film.notEncoded));
     });
     this.#viewer.divide(1);
     show(0);
@@ -122,8 +123,7 @@ export class Film {
       for (const track of video.getTracks()) track.stop();
     }
     const film = await ended;
-    if (film.size < leastBytes)
-      throw new Error('not one picture of it was ready in time: make the window smaller and try again');
+    if (film.size < leastBytes) throw new Error(words.value.comparing.film.tooSlow);
     return film;
   }
 

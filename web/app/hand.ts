@@ -11,6 +11,7 @@ import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts'
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
+import { fixed } from '../language/numbers.ts';
 
 const exactly = 0.005; // m: half of what a place is written to
 
@@ -74,7 +75,7 @@ export class Hand {
     const inIt = inHand(luminaire, selected);
     const held = new Set(heldTogether(layout, inIt, rule).map((i) => sites[i] ?? site));
     this.#store.edit(
-      `Move ${named(inIt)}`,
+      words.value.steps.move(named(inIt)),
       (draft) => {
         const { pinned, excluded } = draft.luminaires;
         draft.luminaires.pinned = [...new Set([...pinned.map((other) => toOf.get(other) ?? other), ...held])];
@@ -85,7 +86,7 @@ export class Hand {
     );
     if (dragging) return;
     this.#store.endGesture();
-    this.#store.announcement.value = `${named(inIt)} pinned; the others compensate.`;
+    this.#store.announcement.value = words.value.steps.pinnedNow(named(inIt));
   }
 
   /** One step along the mount, for the keyboard; `direction` in the room's axes. */
@@ -97,7 +98,7 @@ export class Hand {
     const taken = this.#taken(layout, luminaire);
     const site = nextFreeSite(scene.sites.position, taken, from, direction);
     if (site !== null) this.moveTo(luminaire, site, false);
-    else this.#store.announcement.value = `${tag(luminaire)} cannot go further that way.`;
+    else this.#store.announcement.value = words.value.steps.noFurther(tag(luminaire));
   }
 
   /** To the free site nearest to a typed place (m, in the room's axes); says so where that is somewhere else. */
@@ -109,9 +110,8 @@ export class Hand {
     const { site, distance: away } = nearestSite(sites, place, taken);
     if (site < 0) return;
     if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
-    const apart = `${away.toFixed(2)} m from there`;
-    if (away > exactly)
-      this.#store.say('info', `${tag(luminaire)} hangs at the nearest free place, ${apart}.`);
+    const apart = words.value.steps.apartFrom(fixed(away, 2));
+    if (away > exactly) this.#store.say('info', words.value.steps.nearest(tag(luminaire), apart));
   }
 
   /** Pins luminaires and what is tied to them; unpins them where all are pinned. */
@@ -122,19 +122,22 @@ export class Hand {
     const sitesOf = (list: readonly number[]) => list.flatMap((each) => layout.sites[each] ?? []);
     const isPinned = sitesOf(luminaires).every((site) => pinned.includes(site));
     const together = sitesOf(tiedTo(layout, luminaires));
-    this.#store.edit(`${isPinned ? 'Unpin' : 'Pin'} ${named(luminaires)}`, (draft) => {
-      const { luminaires } = draft;
-      luminaires.pinned = isPinned
-        ? luminaires.pinned.filter((other) => !together.includes(other))
-        : [...luminaires.pinned.filter((other) => !together.includes(other)), ...together];
-    });
+    this.#store.edit(
+      isPinned ? words.value.steps.unpin(named(luminaires)) : words.value.steps.pin(named(luminaires)),
+      (draft) => {
+        const { luminaires } = draft;
+        luminaires.pinned = isPinned
+          ? luminaires.pinned.filter((other) => !together.includes(other))
+          : [...luminaires.pinned.filter((other) => !together.includes(other)), ...together];
+      },
+    );
   }
 
   /** A luminaire must be of a type, by its id, or may be of any again. */
   setType(luminaire: number, type: string | null): void {
     const known = this.#store.document.peek().luminaires.types ?? [];
-    const name = known.find(({ id }) => id === type)?.name ?? 'any type';
-    this.#store.edit(`${tag(luminaire)} of ${name}`, ({ luminaires }) => {
+    const name = known.find(({ id }) => id === type)?.name ?? words.value.steps.anyType;
+    this.#store.edit(words.value.steps.typed(tag(luminaire), name), ({ luminaires }) => {
       const list = [...(luminaires.ofType ?? [])];
       while (list.length <= luminaire) list.push(null);
       list[luminaire] = type;
@@ -153,7 +156,7 @@ export class Hand {
     const gone = layout ? this.#goneWith(layout, asked) : [];
     if (!layout || gone.length === 0) return;
     if (layout.sites.length === gone.length) {
-      this.#store.say('info', 'The last luminaire stays: there is no light without one.');
+      this.#store.say('info', words.value.steps.lastStays);
       return;
     }
     const others = <T>(list: readonly T[]): T[] => list.filter((_, i) => !gone.includes(i));
@@ -167,7 +170,7 @@ export class Hand {
     };
     this.#store.luminaires.value = [];
     this.#store.edit(
-      `Remove ${named(gone)}`,
+      words.value.steps.removeLuminaires(named(gone)),
       ({ luminaires }) => {
         luminaires.count = from.sites.length;
         luminaires.pinned = luminaires.pinned.filter((site) => !gone.some((each) => sites[each] === site));
@@ -176,11 +179,11 @@ export class Hand {
       null,
       { by: 'search', from },
     );
-    this.#store.announcement.value = `${named(gone)} removed; the others compensate.`;
+    this.#store.announcement.value = words.value.steps.removedNow(named(gone));
   }
 
   unpinAll(): void {
-    this.#store.edit('Unpin all', (draft) => void (draft.luminaires.pinned = []));
+    this.#store.edit(words.value.steps.unpinAll, (draft) => void (draft.luminaires.pinned = []));
   }
 
   /** Keeps a site free of luminaires. */
@@ -188,17 +191,17 @@ export class Hand {
     const scene = this.#store.scene.peek();
     const { count, excluded } = this.#store.document.peek().luminaires;
     if (!scene || excluded.length + count >= siteCount(scene.sites)) {
-      this.#store.say('warning', 'No more places can be left free: the luminaires need the rest.');
+      this.#store.say('warning', words.value.steps.noMoreFree);
       return;
     }
-    this.#store.edit('Keep a place free', ({ luminaires }) => {
+    this.#store.edit(words.value.steps.keepFree, ({ luminaires }) => {
       luminaires.pinned = luminaires.pinned.filter((other) => other !== site);
       if (!luminaires.excluded.includes(site)) luminaires.excluded.push(site);
     });
   }
 
   includeAll(): void {
-    this.#store.edit('Allow every place', (draft) => void (draft.luminaires.excluded = []));
+    this.#store.edit(words.value.steps.allowAll, (draft) => void (draft.luminaires.excluded = []));
   }
 
   #tellSelected(count: number): void {

@@ -12,6 +12,7 @@ import type { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { hasLink, isEmbedded, pageOf } from './opening/address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
+import { words } from '../language/language.ts';
 
 /** A room that was open: what was done in it, and the bytes of one that the site does not have. */
 export interface Visited {
@@ -88,7 +89,7 @@ export class Keeping {
   link(): SharedLink {
     const { scene, display, document, plan } = this.#store;
     const sites = scene.peek()?.sites;
-    if (!sites) throw new Error('No room is open yet.');
+    if (!sites) throw new Error(words.value.opening.noRoom);
     const view = { camera: this.#viewer.camera(), display: display.peek() };
     const files = this.#types.files.peek();
     const link = linkOf(document.peek(), this.layout(), sites, view, files, plan.peek());
@@ -150,10 +151,7 @@ export class Keeping {
   #tellRefusal(): void {
     if (this.#isRefusalTold) return;
     this.#isRefusalTold = true;
-    this.#store.say(
-      'warning',
-      'This browser refuses to store the work. Save a project file or a link to keep it.',
-    );
+    this.#store.say('warning', words.value.opening.notStored);
   }
 }
 

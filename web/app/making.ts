@@ -11,6 +11,7 @@ import { outlines } from '../room-maker/plan-shapes.mjs';
 import { planOf, readPlan, type RoomPlan } from '../room-maker/room-plan.mjs';
 import type { PackedPlan } from '../document/made-room.ts';
 import type { App } from './app.ts';
+import { words } from '../language/language.ts';
 
 /** What of a plan is selected; indices into its lists, a wall by its first corner. */
 export interface Selected {
@@ -43,7 +44,7 @@ export class Making {
     this.#app = app;
     const { plan, fault } = packed ? unpackedPlan(packed) : {};
     if (plan) this.plan.value = plan;
-    if (fault) app.store.say('error', `The plan of this room cannot be read: ${fault}.`);
+    if (fault) app.store.say('error', words.value.maker.planUnreadable(fault));
     const first = this.plan.peek();
     this.#end = effect(() => {
       const latest = this.plan.value;
@@ -130,7 +131,7 @@ export class Making {
         this.#drawn = plan;
       }
     } catch (error) {
-      this.#app.store.say('error', `The room cannot be drawn: ${error instanceof Error ? error.message : String(error)}.`); // prettier-ignore
+      this.#app.store.say('error', words.value.maker.notDrawn(error instanceof Error ? error.message : String(error))); // prettier-ignore
     } finally {
       this.#isDrawing = false;
     }

@@ -19,6 +19,7 @@ import { hash } from '../room-maker/random.mjs';
 import type { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
+import { words } from '../language/language.ts';
 
 export type Against = 'kept' | 'opened' | 'scattered' | 'best';
 
@@ -91,11 +92,16 @@ export class Variants {
     if (!layout) return;
     const { document } = this.#store;
     const variant = variantOf(document.peek(), layout);
-    this.#store.edit('Keep as A', (draft) => void (draft.kept = variant as Draft<Variant>), null, {
-      by: 'nothing',
-    });
+    this.#store.edit(
+      words.value.steps.keepA,
+      (draft) => void (draft.kept = variant as Draft<Variant>),
+      null,
+      {
+        by: 'nothing',
+      },
+    );
     this.compare('kept');
-    this.#store.announcement.value = 'Kept as A. What you change from now on is B.';
+    this.#store.announcement.value = words.value.steps.keptA;
   }
 
   /** A becomes the work, and the work is kept in its place. */
@@ -104,16 +110,16 @@ export class Variants {
     const { kept } = of;
     const layout = this.#solving.layout();
     if (!kept || !layout) return;
-    this.#store.edit('Switch A and B', (draft) => switchVariant(draft, of, layout), null, {
+    this.#store.edit(words.value.steps.switch, (draft) => switchVariant(draft, of, layout), null, {
       by: 'layout',
       layout: kept.layout,
     });
-    this.#store.announcement.value = 'Switched: what was A is the work now.';
+    this.#store.announcement.value = words.value.steps.switched;
   }
 
   /** A is not needed any more. */
   forget(): void {
-    this.#store.edit('Forget A', (draft) => void delete draft.kept, null, { by: 'nothing' });
+    this.#store.edit(words.value.steps.forgetA, (draft) => void delete draft.kept, null, { by: 'nothing' });
   }
 
   compare(against: Against): void {
@@ -156,7 +162,7 @@ export class Variants {
       if (turn !== this.#turn) return;
       this.close();
       const why = error instanceof Error ? error.message : String(error);
-      this.#store.say('warning', `There is nothing to compare with: ${why}.`);
+      this.#store.say('warning', words.value.steps.nothingToCompare(why));
     }
   }
 

@@ -9,6 +9,7 @@ import { luminaires } from './de/luminaires.ts';
 import { maker } from './de/maker.ts';
 import { opening } from './de/opening.ts';
 import { panel } from './de/panel.ts';
+import { report } from './de/report.ts';
 import { results } from './de/results.ts';
 import { steps } from './de/steps.ts';
 import { values } from './de/values.ts';
@@ -23,6 +24,7 @@ export const de: Words = {
   maker,
   opening,
   panel,
+  report,
   results,
   steps,
   values,

@@ -8,6 +8,7 @@ import { luminaires } from './en/luminaires.ts';
 import { maker } from './en/maker.ts';
 import { opening } from './en/opening.ts';
 import { panel } from './en/panel.ts';
+import { report } from './en/report.ts';
 import { results } from './en/results.ts';
 import { steps } from './en/steps.ts';
 import { values } from './en/values.ts';
@@ -22,6 +23,7 @@ export const en = {
   maker,
   opening,
   panel,
+  report,
   results,
   steps,
   values,

@@ -3,6 +3,7 @@ import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { titleOf } from '../app/lighting/lighting.ts';
 import type { LightingState } from '../app/state/store.ts';
+import { words } from '../language/language.ts';
 
 /** A file name as one word of a shell. */
 function shellWord(name: string): string {
@@ -12,13 +13,6 @@ function shellWord(name: string): string {
 export function precomputeLine(name: string): string {
   return `fiatlux precompute ${shellWord(name)} -o ${shellWord(name.replace(/\.gl(b|tf)$/i, '.flux'))}`;
 }
-
-const stages = {
-  reading: 'Reading the model',
-  casting: 'Casting light',
-  exchanging: 'Reflecting light',
-  writing: 'Writing the room',
-} as const;
 
 /** "12 s", "3 min": a promise that need not be exact. */
 export function timeLeft(seconds: number): string {
@@ -33,15 +27,17 @@ export function PreviewNote() {
   if (store.making.value || (!name && !state)) return null;
   if (state && !state.fault) return <Working state={state} />;
   return (
-    <section class="preview-note" aria-label="A room without light">
+    <section class="preview-note" aria-label={words.value.opening.preview.name}>
       <header>
-        <h2>“{state ? titleOf(state.name) : name}” could not be lit</h2>
+        <h2>{words.value.opening.preview.failed(state ? titleOf(state.name) : (name ?? ''))}</h2>
         <Close />
       </header>
-      <p>{state?.fault ?? 'It was stopped.'} Nothing was uploaded.</p>
+      <p>
+        {state?.fault ?? words.value.opening.preview.stopped} {words.value.opening.preview.notUploaded}
+      </p>
       <div class="row">
         <button class="button small primary" onClick={() => opening.lighting.again()}>
-          Try again
+          {words.value.opening.again}
         </button>
         <EditRoom />
       </div>
@@ -58,16 +54,22 @@ function Working({ state }: { readonly state: LightingState }) {
   return (
     <section
       class={store.preview.value ? 'preview-note' : 'preview-note small'}
-      aria-label="Light is being computed"
+      aria-label={words.value.opening.preview.working}
     >
       <header>
-        <h2>{isDraftShown ? `Preview of “${titleOf(name)}”` : `Lighting “${titleOf(name)}”`}</h2>
+        <h2>
+          {isDraftShown
+            ? words.value.opening.preview.of(titleOf(name))
+            : words.value.opening.preview.lighting(titleOf(name))}
+        </h2>
         <Close />
       </header>
-      <progress max={1} value={share} aria-label={stages[stage]} />
+      <progress max={1} value={share} aria-label={words.value.opening.preview.stages[stage]} />
       <p>
-        {isDraftShown ? 'Full quality' : stages[stage]}: {Math.floor(100 * share)} %
-        {secondsLeft !== null && `, about ${timeLeft(secondsLeft)} left`}. It stays on this computer.
+        {isDraftShown ? words.value.opening.preview.full : words.value.opening.preview.stages[stage]}:{' '}
+        {Math.floor(100 * share)} %
+        {secondsLeft !== null && words.value.opening.preview.left(timeLeft(secondsLeft))}
+        {words.value.opening.preview.stays}
       </p>
       <EditRoom />
     </section>
@@ -82,7 +84,7 @@ function EditRoom() {
   return (
     <button class="button small" onClick={() => opening.make(plan)}>
       <PencilRuler size={14} aria-hidden />
-      <span>Edit the room</span>
+      <span>{words.value.opening.preview.edit}</span>
     </button>
   );
 }
@@ -92,7 +94,7 @@ function Close() {
   const { store, opening } = useApp();
   const isPreview = store.preview.value !== null;
   const close = () => (isPreview ? void opening.endPreview() : opening.lighting.cancel());
-  const label = isPreview ? 'Close the preview' : 'Stop computing';
+  const label = isPreview ? words.value.opening.preview.close : words.value.opening.preview.stop;
   return (
     <button class="icon-button small" aria-label={label} title={label} onClick={close}>
       <X size={15} aria-hidden />
@@ -107,17 +109,21 @@ function Command({ name }: { readonly name: string }) {
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(line);
-      store.say('info', 'The line is on the clipboard.');
+      store.say('info', words.value.opening.preview.lineCopied);
     } catch {
-      store.say('warning', 'The browser does not let the page copy: select the line and copy it.');
+      store.say('warning', words.value.opening.preview.lineNotCopied);
     }
   };
   return (
     <>
-      <p>The command does it with all of this computer's memory; then drop the .flux file here.</p>
+      <p>{words.value.opening.preview.command}</p>
       <div class="command">
         <code>{line}</code>
-        <button class="icon-button small" aria-label="Copy the command" onClick={() => void copy()}>
+        <button
+          class="icon-button small"
+          aria-label={words.value.opening.preview.copy}
+          onClick={() => void copy()}
+        >
           <Copy size={15} aria-hidden />
         </button>
       </div>

@@ -4,6 +4,7 @@
  */
 import { Box3, Group, LoadingManager, Mesh, MeshStandardMaterial, Vector3, type Object3D } from 'three';
 import { isModel } from './model-files.ts';
+import { words } from '../../language/language.ts';
 
 export interface Imported {
   readonly file: File; // binary glTF
@@ -19,7 +20,7 @@ const plainName = (path: string) => decodeURIComponent(path).replace(/^.*[\\/]/,
 /** Throws one clause where the model cannot be read. */
 export async function importModel(files: readonly File[]): Promise<Imported> {
   const main = files.find(({ name }) => isModel(name));
-  if (!main) throw new Error('there is no model among these files');
+  if (!main) throw new Error(words.value.opening.import.noModel);
   const stem = main.name.replace(/\.[^.]*$/, '');
   const urls = new Map(files.map((file) => [file.name.toLowerCase(), URL.createObjectURL(file)]));
   try {
@@ -71,7 +72,7 @@ async function loaded(main: File, files: readonly File[], manager: LoadingManage
     case 'dae': {
       const { ColladaLoader } = await import('three/examples/jsm/loaders/ColladaLoader.js');
       const read = new ColladaLoader(manager).parse(await main.text(), '');
-      if (!read) throw new Error('it is no Collada file');
+      if (!read) throw new Error(words.value.opening.import.noCollada);
       return read.scene;
     }
     case 'fbx': {
@@ -100,10 +101,11 @@ function fitted(object: Object3D): string | null {
   object.updateMatrixWorld(true);
   const size = new Box3().setFromObject(object).getSize(new Vector3());
   const widest = Math.max(size.x, size.y, size.z);
-  if (!(widest > 0) || !Number.isFinite(widest)) throw new Error('it holds no surfaces');
+  if (!(widest > 0) || !Number.isFinite(widest)) throw new Error(words.value.opening.import.noSurfaces);
   const factor = widest > inMillimetres ? 0.001 : widest > inCentimetres ? 0.01 : 1;
   if (factor === 1) return null;
   object.scale.multiplyScalar(factor);
-  const unit = factor === 0.001 ? 'millimetres' : 'centimetres';
-  return `It is ${Math.round(widest)} units wide, so these were taken as ${unit}.`;
+  const { millimetres, centimetres } = words.value.opening.import.units;
+  const unit = factor === 0.001 ? millimetres : centimetres;
+  return words.value.opening.import.scaled(Math.round(widest), unit);
 }

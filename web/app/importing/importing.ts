@@ -4,6 +4,7 @@ import { readStf } from '../../document/stf.ts';
 import { importModel, type Imported } from './import-model.ts';
 import { cureOf, isModel } from './model-files.ts';
 import { planOfStf } from './stf-plan.ts';
+import { words } from '../../language/language.ts';
 
 export type Import = Imported | { readonly plan: PackedPlan; readonly note: string | null };
 
@@ -11,21 +12,25 @@ export type Import = Imported | { readonly plan: PackedPlan; readonly note: stri
 export async function imported(files: readonly File[]): Promise<Import> {
   const stf = files.find(({ name }) => /\.stf$/i.test(name));
   const main = files.find((file) => isModel(file.name)) ?? stf ?? files.find((file) => cureOf(file.name));
-  const name = main?.name ?? 'The file';
+  const name = main?.name ?? words.value.opening.import.theFile;
   try {
     if (main && isModel(main.name)) return await importModel(files);
     if (stf) return stfRoom(await stf.text());
   } catch (error) {
-    throw new Error(`“${name}” cannot be read: ${error instanceof Error ? error.message : String(error)}.`);
+    throw new Error(
+      words.value.opening.import.unreadable(name, error instanceof Error ? error.message : String(error)),
+    );
   }
-  throw new Error(`“${name}” cannot be read here. It comes from ${cureOf(name) ?? 'another program'}.`);
+  throw new Error(
+    words.value.opening.import.comesFrom(name, cureOf(name) ?? words.value.opening.import.anotherProgram),
+  );
 }
 
 function stfRoom(text: string): Import {
   const project = readStf(text);
   if (typeof project === 'string') throw new Error(project);
   const [room, ...others] = project.rooms;
-  if (!room) throw new Error('it holds no room');
-  const note = others.length > 0 ? `Of its ${others.length + 1} rooms the first is opened.` : null;
+  if (!room) throw new Error(words.value.opening.import.noRoom);
+  const note = others.length > 0 ? words.value.opening.import.firstRoom(others.length + 1) : null;
   return { plan: planOfStf(room), note };
 }

@@ -1,5 +1,6 @@
 /** The models in a .zip, with what they name; nothing is inflated that is not wanted or is too large. */
 import { unzipSync } from 'fflate';
+import { words } from '../../language/language.ts';
 
 const mostBytes = 256 << 20; // inflated, all together
 const mostFiles = 2000;
@@ -20,13 +21,11 @@ export async function unzippedModel(file: File): Promise<File[] | null> {
   try {
     unzipSync(bytes, { filter: look });
   } catch {
-    throw new Error(`“${file.name}” is a damaged zip file; fetch it again.`);
+    throw new Error(words.value.opening.import.zipDamaged(file.name));
   }
   if (!hasModel) return null;
   if (total > mostBytes || count > mostFiles)
-    throw new Error(
-      `“${file.name}” unpacks to ${Math.round(total / 1e6)} MB in ${count} files: take out what is not needed.`,
-    );
+    throw new Error(words.value.opening.import.zipTooLarge(file.name, Math.round(total / 1e6), count));
   const inside = unzipSync(bytes, { filter: ({ name }) => wanted.test(name) });
   return Object.entries(inside).map(
     ([name, content]) => new File([new Uint8Array(content)], name.replace(/^.*[\\/]/, '')),

@@ -15,6 +15,7 @@ import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { carriedOver } from './carried-over.ts';
 import { TimeLeft } from './time-left.ts';
+import { words } from '../../language/language.ts';
 
 /** The draft: patches so many times as long, and so many rays from each; light of squares only. */
 const draft = { coarseness: 2.5, rays: 256, exchange: false };
@@ -128,7 +129,7 @@ export class Lighting {
     let identity = '';
     const plan = this.#store.plan.peek();
     if (signal.aborted || this.#placing.turn !== running.turn) return identity;
-    await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
+    await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const make = (scene: SceneInfo): Placement => {
         identity = scene.identity;
         return this.#placementOf(name, room, scene);
@@ -155,7 +156,7 @@ export class Lighting {
     const from = scene.peek();
     if (!from || from.identity !== shown) {
       this.#store.lighting.value = null;
-      if (isKept) this.#store.say('info', `“${title}” is lit: it is among your rooms.`);
+      if (isKept) this.#store.say('info', words.value.opening.lit(title));
       return;
     }
     const plan = this.#store.plan.peek();
@@ -169,7 +170,7 @@ export class Lighting {
     if (!replaced) return;
     this.#store.plan.value ??= plan;
     if (isSearched) this.#solving.solve();
-    this.#store.announcement.value = `${title} is lit in full quality.`;
+    this.#store.announcement.value = words.value.opening.litFully(title);
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */
@@ -196,7 +197,7 @@ export class Lighting {
   }
 
   #warn(title: string, warning: string): void {
-    this.#store.say('warning', `“${title}”: ${sentence(warning)}`);
+    this.#store.say('warning', words.value.opening.about(title, sentence(warning)));
   }
 }
 

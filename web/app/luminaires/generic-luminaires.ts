@@ -1,6 +1,7 @@
 /** The generic luminaires of the site: a list, and a photometric file for each. */
 import * as v from 'valibot';
 import { nameSchema } from '../../document/schema.ts';
+import { words } from '../../language/language.ts';
 
 export interface GenericLuminaire {
   readonly title: string;
@@ -20,10 +21,10 @@ const addressOf = (file: string) => new URL(`./luminaires/${file}`, document.bas
 
 async function request(file: string): Promise<Response> {
   const response = await fetch(addressOf(file)).catch(() => null);
-  if (!response) throw new Error('the luminaires of the site could not be loaded: no connection; try again');
+  if (!response) throw new Error(words.value.luminaires.generic.offline);
   // note: some hosts answer with a page where a file is missing
   if (!response.ok || response.headers.get('content-type')?.startsWith('text/html'))
-    throw new Error(`luminaires/${file} is not on this server; build it with npm run build`);
+    throw new Error(words.value.luminaires.generic.missing(file));
   return response;
 }
 
@@ -31,7 +32,7 @@ async function request(file: string): Promise<Response> {
 export async function genericLuminaires(): Promise<readonly GenericLuminaire[]> {
   const json: unknown = await (await request('catalog.json')).json().catch(() => null);
   const list = v.safeParse(listSchema, json);
-  if (!list.success) throw new Error('luminaires/catalog.json is not a list of luminaires');
+  if (!list.success) throw new Error(words.value.luminaires.generic.noList);
   return list.output;
 }
 

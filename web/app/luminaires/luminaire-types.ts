@@ -19,6 +19,7 @@ import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { genericFile, genericLuminaires } from './generic-luminaires.ts';
+import { words } from '../../language/language.ts';
 
 /** Files to choose from, and what holds them. */
 export interface Offer {
@@ -69,7 +70,7 @@ export class LuminaireTypes {
   /** A photometric file, or a container of them, that a person opens. What cannot be read is told in one sentence. */
   async open(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
     if (!this.#store.scene.peek()) {
-      this.#store.say('warning', 'Open a room first: a luminaire is chosen for a room.');
+      this.#store.say('warning', words.value.luminaires.type.roomFirst);
       return;
     }
     try {
@@ -77,7 +78,7 @@ export class LuminaireTypes {
       if (parts.length > 1) this.#choose({ from: name, parts });
       else if (parts[0]) await this.#add(parts[0], true);
     } catch (error) {
-      this.#store.say('error', sentence(`“${cleanName(name)}”: ${reason(error)}`));
+      this.#store.say('error', sentence(words.value.opening.about(cleanName(name), reason(error))));
     }
   }
 
@@ -86,7 +87,7 @@ export class LuminaireTypes {
     try {
       await this.#add(part, false);
     } catch (error) {
-      this.#store.say('error', sentence(`“${cleanName(part.name)}”: ${reason(error)}`));
+      this.#store.say('error', sentence(words.value.opening.about(cleanName(part.name), reason(error))));
     }
   }
 
@@ -106,12 +107,9 @@ export class LuminaireTypes {
     const lost = missing.filter(isMissing);
     if (lost.length < missing.length) this.#solving.answerAgain();
     if (lost.length === 0) return;
-    const names = lost.map(({ file }) => `“${file}”`).join(', ');
-    const [are, them] = lost.length === 1 ? ['is', 'it'] : ['are', 'them'];
-    this.#store.say(
-      'warning',
-      `This layout uses luminaires of ${names}, which ${are} not here: open ${them}, and the light appears.`,
-    );
+    const names = lost.map(({ file }) => words.value.values.quoted(file)).join(', ');
+    const { one, many } = words.value.luminaires.type.lost;
+    this.#store.say('warning', (lost.length === 1 ? one : many)(names));
   }
 
   change(id: string, label: string, change: (type: LuminaireType) => LuminaireType, gesture?: string): void {
@@ -129,7 +127,7 @@ export class LuminaireTypes {
 
   remove(id: string): void {
     this.#store.edit(
-      'Remove a luminaire type',
+      words.value.steps.removeType,
       ({ luminaires }) => {
         const left = luminaires.types?.filter((type) => type.id !== id) ?? [];
         if (left.length > 0) luminaires.types = left;
@@ -167,8 +165,7 @@ export class LuminaireTypes {
   }
 
   async #add({ name, bytes }: PhotometricPart, isOpened: boolean): Promise<void> {
-    if (bytes.length > largestPhotometricFile)
-      throw new Error('it has more than 4 MB, which no photometric table has');
+    if (bytes.length > largestPhotometricFile) throw new Error(words.value.luminaires.type.tooLarge);
     const description = await this.#solving.describe(bytes);
     const { hash, files } = withFile(this.files.peek(), bytes);
     const isNew = files !== this.files.peek();
@@ -177,11 +174,11 @@ export class LuminaireTypes {
     this.#store.tab.value = 'luminaires';
     const known = this.all.find((type) => type.hash === hash);
     if (!known && this.all.length >= mostTypes)
-      throw new Error(`there are ${mostTypes} luminaire types already; remove one first`);
+      throw new Error(words.value.luminaires.type.tooMany(mostTypes));
     const type = known ?? this.#typeOf(cleanName(name) || 'luminaire', hash, description);
     if (!known)
       this.#store.edit(
-        `Add ${type.name}`,
+        words.value.steps.addType(type.name),
         ({ luminaires }) => void (luminaires.types ??= []).push(structuredClone(type) as never),
         null,
         this.#answering,
@@ -189,8 +186,8 @@ export class LuminaireTypes {
     else if (isNew) this.#solving.answerAgain();
     if (isOpened) this.opened.value = type.id;
     this.#store.announcement.value = known
-      ? `${type.name} is here already.`
-      : `Luminaire type added: ${type.name}.`;
+      ? words.value.luminaires.type.isHere(type.name)
+      : words.value.luminaires.type.added(type.name);
   }
 
   #typeOf(file: string, hash: string, description: PhotometricDescription): LuminaireType {
@@ -220,7 +217,7 @@ export class LuminaireTypes {
       const description = await this.#solving.describe(bytesOfText(text));
       this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
     } catch (error) {
-      this.#store.say('error', sentence(`A luminaire’s file cannot be read: ${reason(error)}`));
+      this.#store.say('error', sentence(words.value.luminaires.type.unreadable(reason(error))));
     }
   }
 

@@ -5,6 +5,7 @@
 import { isEmbedded, wishedRoom } from './address.ts';
 import { sceneBytes } from '../../solver/scene-bytes.ts';
 import type { FileBytes } from '../../solver/solver-client.ts';
+import { words } from '../../language/language.ts';
 
 export const firstRoom = 'office'; // of the sample rooms; on a site without it the first of its list is opened
 
@@ -83,8 +84,8 @@ function hasBegun({ begun }: EarlyFile): Promise<boolean> {
 
 async function request(room: string): Promise<ArrayBuffer> {
   const response = await fetch(sceneAddress(room)).catch(() => null);
-  if (!response) throw new Error(`the room "${room}" could not be loaded: no connection; try again`);
+  if (!response) throw new Error(words.value.opening.roomOffline(room));
   const bytes = await sceneBytes(response);
-  if (!bytes) throw new Error(`the room "${room}" is not on this server; build it with: npm run build`);
+  if (!bytes) throw new Error(words.value.opening.roomMissing(room));
   return bytes;
 }

@@ -15,6 +15,7 @@ import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Lighting } from '../lighting/lighting.ts';
 import type { Placement, Placing } from './placing.ts';
+import { words } from '../../language/language.ts';
 
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
@@ -60,7 +61,7 @@ export class FileOpening {
     }
     for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file, []);
     if (!arePhotometric && files.length > 1)
-      this.#store.say('info', `Of ${files.length} files the first is opened.`);
+      this.#store.say('info', words.value.opening.firstOf(files.length));
   }
 
   /** What a zip holds of a model; null where the files are none, or other things are in it. */
@@ -82,28 +83,24 @@ export class FileOpening {
 
   async #open(file: File, others: readonly File[]): Promise<void> {
     const name = cleanName(file.name);
-    if (file.size > largestFile)
-      return this.#refuse(`“${name}” is larger than 256 MB, which is more than the browser can hold.`);
+    if (file.size > largestFile) return this.#refuse(words.value.opening.tooLarge(name));
     const bytes = await file.arrayBuffer().catch(() => null);
-    if (!bytes) return this.#refuse(`“${name}” could not be read from the disk.`);
+    if (!bytes) return this.#refuse(words.value.opening.unreadable(name));
     if (isPhotometricName(name)) return this.#types.open(name, new Uint8Array(bytes));
     if (isModel.test(name)) return this.#light(name, bytes, others);
     if (/\.flux$/i.test(name)) return this.#openFlux(name, bytes);
     const project = readProject(new TextDecoder().decode(bytes));
     if (typeof project !== 'string') await this.#openProject(project);
-    else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(`“${name}”: ${project}`);
-    else
-      this.#refuse(
-        `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .gltf, .ies, .ldt and project files.`,
-      );
+    else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(words.value.opening.about(name, project));
+    else this.#refuse(words.value.opening.notOurs(name));
   }
 
   async #openFlux(name: string, bytes: ArrayBuffer): Promise<void> {
     const title = name.replace(/\.flux$/i, '');
-    const opened = await this.#placing.attempt(`Opening ${name}`, (isCurrent) =>
+    const opened = await this.#placing.attempt(words.value.opening.opening(name), (isCurrent) =>
       this.#placing.place(bytes, title, isCurrent, (scene) => this.#placementOf(name, scene)),
     );
-    if (opened) this.#store.say('info', `“${name}” is open. It stays on this computer: nothing is uploaded.`);
+    if (opened) this.#store.say('info', words.value.opening.isOpen(name));
   }
 
   /** What a link asks of this room that waited for its file, or else what is asked of any room at first. */
@@ -123,7 +120,7 @@ export class FileOpening {
     const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
     for (const other of others) siblings.set(other.name, new Uint8Array(await other.arrayBuffer()));
     const isWhole = siblings.size === 0;
-    const isOpen = await this.#placing.attempt(`Opening ${name}`, async (isCurrent) => {
+    const isOpen = await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       if (isWhole) await this.#viewer.preview(bytes);
       if (!isCurrent()) return;
       this.#store.making.value = null;

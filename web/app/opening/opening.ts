@@ -29,6 +29,7 @@ import { Lighting, type CreatePool } from '../lighting/lighting.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
+import { words } from '../../language/language.ts';
 
 export class Opening {
   readonly #store: Store;
@@ -93,7 +94,7 @@ export class Opening {
   async own(room: string): Promise<void> {
     this.#store.messages.value = [];
     const title = this.#own.titleOf(room);
-    await this.#placing.attempt(`Opening ${title}`, async (isCurrent) => {
+    await this.#placing.attempt(words.value.opening.opening(title), async (isCurrent) => {
       const bytes = await this.#own.read(room);
       await this.#placing.place(bytes, title, isCurrent, async (scene) => {
         const kept = await this.#keeping.kept(room, scene.identity);
@@ -112,7 +113,7 @@ export class Opening {
     this.#store.messages.value = [];
     if (this.#rooms.has(room)) await this.#openEntry(room, true);
     else if (visited?.bytes) await this.#openVisited(visited.bytes, visited.title, visited.work);
-    else this.#store.say('warning', `“${room}” is not here any more: open its file again.`);
+    else this.#store.say('warning', words.value.opening.gone(room));
   }
 
   /** What is asked of the room at first, as a step that can be undone. */
@@ -125,7 +126,7 @@ export class Opening {
       ? askedOf(entry, scene)
       : askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
     const document = documentFrom(asked, scene.identity, room);
-    this.#store.edit('Start afresh', (draft) => void Object.assign(draft, document), null, {
+    this.#store.edit(words.value.steps.afresh, (draft) => void Object.assign(draft, document), null, {
       by: 'search',
       from: null,
     });
@@ -155,7 +156,7 @@ export class Opening {
     if (decoded.ok) return this.#openLink(decoded.link, true);
     const { readable, message } = decoded;
     const run = () => readable && void this.#openLink(readable, false);
-    this.#store.say('error', message, readable && { label: 'Open what can be read', run });
+    this.#store.say('error', message, readable && { label: words.value.opening.readable, run });
     return false;
   }
 
@@ -196,27 +197,27 @@ export class Opening {
   async #hasRooms(again: () => void): Promise<boolean> {
     if (this.#rooms.isThere) return true;
     let isThere = false;
-    await this.#placing.attempt('Looking for the rooms', async () => {
+    await this.#placing.attempt(words.value.opening.lookingForRooms, async () => {
       isThere = await this.#rooms.load();
     });
     const fault = this.#rooms.fault.peek();
-    if (!isThere && fault) this.#store.say('error', fault, { label: 'Try again', run: again });
+    if (!isThere && fault) this.#store.say('error', fault, { label: words.value.opening.again, run: again });
     return isThere;
   }
 
   async #openFirst(wished: string | null = null): Promise<void> {
     const entry = wished === null ? undefined : this.#rooms.roomOf(wished);
     if (wished !== null && !entry)
-      this.#store.say('warning', `There is no room “${cleanName(wished)}” here; this is another one.`);
+      this.#store.say('warning', words.value.opening.otherRoom(cleanName(wished)));
     const first = entry ?? this.#rooms.first();
     if (first) await this.#openEntry(first.id);
   }
 
   /** A room opens as it was left; an experiment anew, as a step after the work that is in its room. */
   #openEntry(id: string, isReturn = false): Promise<boolean> {
-    return this.#placing.attempt('Opening the room', async (isCurrent) => {
+    return this.#placing.attempt(words.value.opening.openingRoom, async (isCurrent) => {
       const entry = this.#rooms.entryOf(id);
-      if (!entry) throw new Error(`there is no room "${cleanName(id)}"`);
+      if (!entry) throw new Error(words.value.opening.noSuchRoom(cleanName(id)));
       let isAsLeft = false;
       const make = async (scene: SceneInfo): Promise<Placement> => {
         const document = documentFrom(askedOf(entry, scene), scene.identity, entry.room);
@@ -234,7 +235,7 @@ export class Opening {
   }
 
   #openVisited(bytes: ArrayBuffer, title: string, work: Work): Promise<boolean> {
-    return this.#placing.attempt('Going back', (isCurrent) =>
+    return this.#placing.attempt(words.value.opening.goingBack, (isCurrent) =>
       this.#placing.place(bytes, title, isCurrent, () => placementOf(work), { isReturn: true }),
     );
   }
@@ -260,19 +261,16 @@ export class Opening {
     if (link.plan && !this.#rooms.has(link.room)) return this.#openMade(link.room, link.plan);
     if (!hasRooms) return false;
     if (!this.#rooms.has(link.room)) {
-      this.#store.say(
-        'warning',
-        `This link is about “${link.room}”, a file that is not part of this site. Open that .flux file here and the layout appears.`,
-      );
+      this.#store.say('warning', words.value.opening.linkOfFile(link.room));
       return false;
     }
     const title = this.#rooms.titleOf(link.room);
-    return this.#placing.attempt('Opening the link', (isCurrent) =>
+    return this.#placing.attempt(words.value.opening.openingLink, (isCurrent) =>
       this.#place(link.room, title, isCurrent, (scene) => {
         const same = scene.identity === link.scene;
         if (!same && exact) {
           this.#offerOther(link);
-          throw new Error(`the link was not shown: “${title}” has changed since it was made`);
+          throw new Error(words.value.opening.linkOutdated(title));
         }
         const document = documentOf(link, scene, same);
         if (typeof document === 'string') throw new Error(document);
@@ -290,17 +288,16 @@ export class Opening {
       return true;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      this.#store.say('error', `The room in this link cannot be made: ${why}.`);
+      this.#store.say('error', words.value.opening.linkNotMade(why));
       return false;
     }
   }
 
   #offerOther(link: Link): void {
-    this.#store.say(
-      'warning',
-      `This link was made for another version of “${this.#rooms.titleOf(link.room)}”. In the present one the light will differ.`,
-      { label: 'Show it anyway', run: () => void this.#openLink(link, false) },
-    );
+    this.#store.say('warning', words.value.opening.otherVersion(this.#rooms.titleOf(link.room)), {
+      label: words.value.opening.showAnyway,
+      run: () => void this.#openLink(link, false),
+    });
   }
 
   #openProject(project: Project): Promise<boolean> {
@@ -317,15 +314,11 @@ export class Opening {
   }
 
   #openWork(work: Work): Promise<boolean> {
-    return this.#placing.attempt('Opening the project', async (isCurrent) => {
+    return this.#placing.attempt(words.value.opening.openingProject, async (isCurrent) => {
       const { document } = work.project;
-      if (!this.#rooms.has(document.room))
-        throw new Error(
-          `this project is about “${document.room}”, which is not part of this site; open its .flux file first`,
-        );
+      if (!this.#rooms.has(document.room)) throw new Error(words.value.opening.projectOfFile(document.room));
       await this.#place(document.room, this.#rooms.titleOf(document.room), isCurrent, (scene) => {
-        if (scene.identity !== document.scene)
-          throw new Error('the room has changed since this project was saved; its places no longer fit');
+        if (scene.identity !== document.scene) throw new Error(words.value.opening.projectOutdated);
         return placementOf(work);
       });
       if (isCurrent()) forgetLink();
@@ -342,7 +335,7 @@ export class Opening {
   ): Promise<void> {
     const entry = this.#rooms.roomOf(room);
     const waiting = entry && progressText(entry);
-    if (waiting) throw new Error(`“${title}” is not ready yet: ${waiting}`);
+    if (waiting) throw new Error(words.value.opening.notReady(title, waiting));
     const { bytes } = await requestScene(room);
     await this.#placing.place(bytes, title, isCurrent, make, { isReturn });
   }
@@ -365,7 +358,7 @@ function afterWork({ project, past, future }: Work, title: string, document: Fia
   const before = { document: project.document, past, future };
   return edit(
     before,
-    `Open “${title}”`,
+    words.value.steps.open(title),
     (draft) => void Object.assign(draft, document),
     project.document.layout,
   );

@@ -16,6 +16,7 @@ import { firstDisplay, type Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { tellRoom } from './address.ts';
 import { rememberRoom } from './first-scene.ts';
+import { words } from '../../language/language.ts';
 
 /** What is on the screen: its file, and what the solver made of it. */
 interface Placed {
@@ -82,7 +83,7 @@ export class Placing {
       return true;
     } catch (error) {
       if (isCurrent() && !(error instanceof Superseded)) {
-        const again = { label: 'Try again', run: () => void this.attempt(what, action) };
+        const again = { label: words.value.opening.again, run: () => void this.attempt(what, action) };
         this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)), again);
       }
       return false;
@@ -152,7 +153,7 @@ export class Placing {
   async restore(): Promise<boolean> {
     const back = this.#placed;
     if (!back) return false;
-    return this.attempt('Going back', async (isCurrent) => {
+    return this.attempt(words.value.opening.goingBack, async (isCurrent) => {
       await this.#viewer.open(back.room, back.scene);
       if (!isCurrent()) return;
       this.#store.preview.value = null;

@@ -1,4 +1,5 @@
 /** Asks for the list of rooms: once before the app has arrived, and whenever the app wants it anew. */
+import { words } from '../../language/language.ts';
 
 let early: Promise<Response | null> | null = null;
 
@@ -12,12 +13,12 @@ export async function requestCatalog(): Promise<unknown> {
   const waiting = early;
   early = null;
   const response = (await waiting) ?? (await request());
-  if (!response) throw new Error('no connection');
+  if (!response) throw new Error(words.value.opening.catalog.offline);
   // note: some hosts answer with a page where a file is missing
   const isThere = response.ok && !response.headers.get('content-type')?.startsWith('text/html');
-  if (!isThere) throw new Error('scenes/catalog.json is not on this server; build it with npm run build');
+  if (!isThere) throw new Error(words.value.opening.catalog.missing);
   return response.json().catch(() => {
-    throw new Error('scenes/catalog.json is not JSON');
+    throw new Error(words.value.opening.catalog.notJson);
   });
 }
 

@@ -1,6 +1,7 @@
 /** "Your rooms": those whose light was computed in this browser, as its storage holds them. */
 import { signal } from '@preact/signals';
 import type { OwnRoom, Quota } from '../../document/own-rooms.ts';
+import { words } from '../../language/language.ts';
 
 const storage = () => import('../../document/own-rooms.ts');
 
@@ -41,8 +42,8 @@ export class OwnRooms {
       await keepRoom({ room, title, source }, file);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === 'QuotaExceededError';
-      const why = isFull ? 'its storage is full' : 'it refuses to store files';
-      throw new Error(`“${title}” is not kept in this browser: ${why}. Save the room as .flux to keep it.`);
+      const why = isFull ? words.value.opening.own.full : words.value.opening.own.refused;
+      throw new Error(words.value.opening.own.notKept(title, why));
     }
     await this.load();
   }
@@ -56,7 +57,7 @@ export class OwnRooms {
   async read(room: string): Promise<ArrayBuffer> {
     const { readRoom } = await storage();
     const file = await readRoom(room);
-    if (!file) throw new Error(`“${this.titleOf(room)}” is no longer in this browser's storage`);
+    if (!file) throw new Error(words.value.opening.own.gone(this.titleOf(room)));
     return file;
   }
 

@@ -3,6 +3,7 @@ import { computed, signal } from '@preact/signals';
 import { firstRoom } from '../opening/first-scene.ts';
 import { readCatalog, type Catalog, type GalleryEntry } from './catalog-file.ts';
 import { requestCatalog } from './catalog-request.ts';
+import { words } from '../../language/language.ts';
 
 const pause = 3000; // ms between looks at a list with rooms that are not ready
 
@@ -54,12 +55,12 @@ export class Rooms {
   async #read(): Promise<boolean> {
     try {
       const read = readCatalog(await requestCatalog());
-      if (typeof read === 'string') throw new Error(`scenes/catalog.json cannot be read: ${read}`);
+      if (typeof read === 'string') throw new Error(words.value.opening.catalog.unreadable(read));
       this.catalog.value = read;
       this.fault.value = null;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      if (!this.isThere) this.fault.value = `The list of rooms could not be loaded: ${why}.`;
+      if (!this.isThere) this.fault.value = words.value.opening.catalog.notLoaded(why);
     }
     // A list that cannot be had again stays as it was; the next look may find it.
     if (this.catalog.peek().rooms.some((entry) => entry.progress !== null && !entry.failed))
@@ -70,6 +71,6 @@ export class Rooms {
 
 /** "being computed, 40 %", or that it failed; null where it is ready. */
 export function progressText({ progress, failed }: GalleryEntry): string | null {
-  if (failed) return 'it could not be computed';
-  return progress === null ? null : `being computed, ${Math.floor(progress * 100)} %`;
+  if (failed) return words.value.opening.catalog.notComputed;
+  return progress === null ? null : words.value.opening.catalog.progress(Math.floor(progress * 100));
 }

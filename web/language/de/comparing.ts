@@ -33,6 +33,10 @@ export const comparing: Words['comparing'] = {
     solverFirst: (lamps) => `Zuerst der Solver: ${lamps} Leuchten für das Verlangte …`,
     changed: (lamps) =>
       `Das Verlangte hat sich geändert, oder nicht alle Leuchten sind fixiert: Punkte gibt es für ${lamps} von Hand platzierte Leuchten.`,
+    play: 'Spielen',
+    sent: (points) =>
+      `Von Hand platziert: ${points} Punkte, sagt der Absender, wo der Solver 100 hat. Geht es besser?`,
+    yourTurn: 'Los: die Leuchten ziehen.',
   },
   bar: {
     kept: 'A, wie gemerkt',
@@ -65,5 +69,10 @@ export const comparing: Words['comparing'] = {
     recorded: 'Bisher aufgenommen',
     computed: 'Bisher berechnet',
     cancel: 'Abbrechen (Esc)',
+    notRecorded: 'Die Schleife wurde nicht aufgenommen.',
+    failed: (why) => `Die Schleife konnte nicht aufgenommen werden: ${why}`,
+    noVideo: 'dieser Browser gibt kein Video eines Bildes',
+    notEncoded: 'der Browser konnte es nicht kodieren',
+    tooSlow: 'kein Bild davon war rechtzeitig fertig: das Fenster verkleinern und noch einmal versuchen',
   },
 };

@@ -103,6 +103,18 @@ export const luminaires: Words['luminaires'] = {
     squaresOnly: 'Die Datei dieses Raums kennt nur Lambert-Quadrate: neu berechnen.',
     disputed: (said, held) => `Die Datei nennt ${said} lm, ihre Tabelle ergibt ${held}: Was gilt?`,
     missing: (file) => `„${file}“ fehlt hier.`,
+    roomFirst: 'Zuerst einen Raum öffnen: Leuchten werden für einen Raum gewählt.',
+    tooLarge: 'die Datei hat mehr als 4 MB, was keine photometrische Tabelle hat',
+    tooMany: (most) => `es gibt schon ${most} Leuchtentypen; zuerst einen entfernen`,
+    isHere: (name) => `${name} ist schon da.`,
+    added: (name) => `Leuchtentyp hinzugefügt: ${name}.`,
+    unreadable: (reason) => `Die Datei einer Leuchte ist nicht lesbar: ${reason}`,
+    lost: {
+      one: (name) =>
+        `Diese Anordnung verwendet Leuchten aus ${name}, das hier fehlt: Datei öffnen, dann erscheint das Licht.`,
+      many: (names) =>
+        `Diese Anordnung verwendet Leuchten aus ${names}, die hier fehlen: Dateien öffnen, dann erscheint das Licht.`,
+    },
   },
   types: {
     name: 'Leuchtentypen',
@@ -133,5 +145,10 @@ export const luminaires: Words['luminaires'] = {
       quarters: 'Jede Vierteldrehung',
       free: 'Um einen Winkel',
     },
+  },
+  generic: {
+    offline: 'die Leuchten der Seite konnten nicht geladen werden: keine Verbindung; noch einmal versuchen',
+    missing: (file) => `luminaires/${file} ist nicht auf diesem Server; mit npm run build erstellen`,
+    noList: 'luminaires/catalog.json ist keine Liste von Leuchten',
   },
 };

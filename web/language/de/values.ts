@@ -69,4 +69,5 @@ export const values: Words['values'] = {
     numbers: (required, modified, uniformity, walls, ceiling) =>
       `${required} lx (modifiziert ${modified}), Uₒ ${uniformity}; Wände ${walls} lx, Decke ${ceiling} lx`,
   },
+  quoted: (name) => `„${name}“`,
 };

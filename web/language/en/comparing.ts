@@ -31,6 +31,10 @@ export const comparing = {
     solverFirst: (lamps: number) => `The solver goes first: ${lamps} luminaires for what is asked …`,
     changed: (lamps: number) =>
       `What is asked has changed, or not all luminaires are pinned: the score counts for ${lamps} luminaires placed by hand.`,
+    play: 'Play',
+    sent: (points: number) =>
+      `Placed by hand: ${points} points, the sender says, where the solver’s layout has 100. Can you do better?`,
+    yourTurn: 'Your turn: drag the luminaires.',
   },
   bar: {
     kept: 'A, as kept',
@@ -63,5 +67,10 @@ export const comparing = {
     recorded: 'Recorded so far',
     computed: 'Computed so far',
     cancel: 'Cancel (Esc)',
+    notRecorded: 'The loop is not recorded.',
+    failed: (why: string) => `The loop could not be recorded: ${why}`,
+    noVideo: 'this browser gives no video of a picture',
+    notEncoded: 'the browser could not encode it',
+    tooSlow: 'not one picture of it was ready in time: make the window smaller and try again',
   },
 };

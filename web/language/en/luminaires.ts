@@ -106,6 +106,18 @@ export const luminaires = {
     squaresOnly: 'This room’s file knows Lambertian squares only: compute it again.',
     disputed: (said: string, held: string) => `The file says ${said} lm, its table holds ${held}: which?`,
     missing: (file: string) => `“${file}” is not here.`,
+    roomFirst: 'Open a room first: a luminaire is chosen for a room.',
+    tooLarge: 'it has more than 4 MB, which no photometric table has',
+    tooMany: (most: number) => `there are ${most} luminaire types already; remove one first`,
+    isHere: (name: string) => `${name} is here already.`,
+    added: (name: string) => `Luminaire type added: ${name}.`,
+    unreadable: (reason: string) => `A luminaire’s file cannot be read: ${reason}`,
+    lost: {
+      one: (name: string) =>
+        `This layout uses luminaires of ${name}, which is not here: open it, and the light appears.`,
+      many: (names: string) =>
+        `This layout uses luminaires of ${names}, which are not here: open them, and the light appears.`,
+    },
   },
   types: {
     name: 'Luminaire types',
@@ -136,5 +148,10 @@ export const luminaires = {
       quarters: 'Any quarter turn',
       free: 'By an angle',
     },
+  },
+  generic: {
+    offline: 'the luminaires of the site could not be loaded: no connection; try again',
+    missing: (file: string) => `luminaires/${file} is not on this server; build it with npm run build`,
+    noList: 'luminaires/catalog.json is not a list of luminaires',
   },
 };

@@ -68,4 +68,5 @@ export const values = {
     numbers: (required: string, modified: string, uniformity: string, walls: string, ceiling: string) =>
       `${required} lx (modified ${modified}), Uₒ ${uniformity}; walls ${walls} lx, ceiling ${ceiling} lx`,
   },
+  quoted: (name: string) => `“${name}”`,
 };

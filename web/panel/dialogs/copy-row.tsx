@@ -3,6 +3,7 @@ import { Copy } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { words } from '../../language/language.ts';
 
 interface Props {
   readonly label: string;
@@ -14,7 +15,15 @@ interface Props {
   readonly children?: ComponentChildren;
 }
 
-export function CopyRow({ label, text, button = 'Copy', copied, close, children, ...props }: Props) {
+export function CopyRow({
+  label,
+  text,
+  button = words.value.dialogs.copy,
+  copied,
+  close,
+  children,
+  ...props
+}: Props) {
   const { store } = useApp();
   const field = useRef<HTMLInputElement>(null);
   const { isFirst = true } = props;
@@ -25,7 +34,7 @@ export function CopyRow({ label, text, button = 'Copy', copied, close, children,
       close();
     } catch {
       field.current?.select();
-      store.say('warning', 'The browser does not let the page copy. The line is selected: press Ctrl+C.');
+      store.say('warning', words.value.dialogs.noCopy);
     }
   };
   return (

@@ -2,6 +2,7 @@
 import { X } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { words } from '../../language/language.ts';
 
 interface Props {
   readonly title: string;
@@ -27,7 +28,7 @@ export function Dialog({ title, close, children, ...props }: Props) {
       <div class="dialog-inside">
         <header>
           <h2 id="dialog-title">{title}</h2>
-          <button class="icon-button" aria-label="Close" onClick={close}>
+          <button class="icon-button" aria-label={words.value.dialogs.close} onClick={close}>
             <X size={17} aria-hidden />
           </button>
         </header>

@@ -7,6 +7,7 @@ import { progressText } from '../../app/rooms/rooms.ts';
 import { Dialog } from './dialog.tsx';
 import { OwnRooms } from './own-rooms.tsx';
 import { RoomPicture } from '../room-picture.tsx';
+import { words } from '../../language/language.ts';
 
 export function GalleryDialog({ close }: { close: () => void }) {
   const app = useApp();
@@ -16,7 +17,7 @@ export function GalleryDialog({ close }: { close: () => void }) {
   };
   const { rooms, experiments } = app.rooms.catalog.value;
   return (
-    <Dialog title="Rooms" class="wide" close={close}>
+    <Dialog title={words.value.bars.rooms} class="wide" close={close}>
       <Fault />
       <ul class="room-grid">
         {rooms.map((entry) => (
@@ -39,8 +40,8 @@ export function GalleryDialog({ close }: { close: () => void }) {
             <span class="thumbnail empty">
               <PencilRuler size={26} aria-hidden />
             </span>
-            <strong>New room</strong>
-            <span>From its size or its plan: walls, windows, furniture, where luminaires hang.</span>
+            <strong>{words.value.actions.newRoom}</strong>
+            <span>{words.value.dialogs.gallery.newHint}</span>
           </button>
         </li>
         <li>
@@ -54,13 +55,13 @@ export function GalleryDialog({ close }: { close: () => void }) {
             <span class="thumbnail empty">
               <FolderOpen size={26} aria-hidden />
             </span>
-            <strong>A file of your own</strong>
-            <span>A model (.glb, .gltf), a scene (.flux) or a project. It stays on this computer.</span>
+            <strong>{words.value.dialogs.gallery.ownFile}</strong>
+            <span>{words.value.dialogs.gallery.ownFileHint}</span>
           </button>
         </li>
       </ul>
       <OwnRooms close={close} />
-      {experiments.length > 0 && <h3>Experiments of the paper, on the E corridor</h3>}
+      {experiments.length > 0 && <h3>{words.value.dialogs.gallery.experiments}</h3>}
       <ul class="room-grid small">
         {experiments.map((entry) => (
           <li key={entry.id}>
@@ -99,7 +100,7 @@ function Fault() {
     <p class="row fault" role="alert">
       <span class="grow">{fault}</span>
       <button class="button small" onClick={() => void rooms.load()}>
-        Try again
+        {words.value.opening.again}
       </button>
     </p>
   );

@@ -8,6 +8,7 @@ import { cleanName } from '../../document/schema.ts';
 import type { PhotometricDescription } from '../../document/photometry.ts';
 import { PolarCurve } from '../luminaires/polar-curve.tsx';
 import { Dialog } from './dialog.tsx';
+import { words } from '../../language/language.ts';
 
 interface Choice {
   readonly title: string;
@@ -25,7 +26,11 @@ export function LuminaireDialog({ close }: { close: () => void }) {
   const found = choices?.filter((choice) => matches(choice, query)) ?? [];
   return (
     <Dialog
-      title={offer ? `Luminaires in ${cleanName(offer.from)}` : 'Generic luminaires'}
+      title={
+        offer
+          ? words.value.dialogs.luminaires.in(cleanName(offer.from))
+          : words.value.luminaires.types.generic
+      }
       class="wide"
       close={close}
     >
@@ -33,8 +38,8 @@ export function LuminaireDialog({ close }: { close: () => void }) {
         <input
           type="search"
           class="find-field"
-          aria-label="Find a luminaire"
-          placeholder="Find: panel, spot, 24 degrees, pendant …"
+          aria-label={words.value.dialogs.luminaires.find}
+          placeholder={words.value.dialogs.luminaires.prompt}
           autoFocus
           value={query}
           onInput={(event) => setQuery(event.currentTarget.value)}
@@ -47,7 +52,7 @@ export function LuminaireDialog({ close }: { close: () => void }) {
           }}
         >
           <FileUp size={15} aria-hidden />
-          <span>Open a file</span>
+          <span>{words.value.dialogs.luminaires.open}</span>
         </button>
       </div>
       {fault && <p class="fault">{sentence(fault)}</p>}
@@ -58,7 +63,7 @@ export function LuminaireDialog({ close }: { close: () => void }) {
           </li>
         ))}
       </ul>
-      {choices && found.length === 0 && <p class="empty">No luminaire is called that.</p>}
+      {choices && found.length === 0 && <p class="empty">{words.value.dialogs.luminaires.none}</p>}
     </Dialog>
   );
 }
@@ -90,8 +95,8 @@ function ChoiceCard({ choice, close }: { choice: Choice; close: () => void }) {
         {description && (
           <span class="field-note">
             {compact(description.integratedFlux)} lm
-            {description.watts > 0 && ` · ${compact(description.watts)} W`} · beam{' '}
-            {Math.round(description.beamAngle)}°
+            {description.watts > 0 && ` · ${compact(description.watts)} W`} ·{' '}
+            {words.value.dialogs.luminaires.beam(Math.round(description.beamAngle))}
           </span>
         )}
       </span>

@@ -4,8 +4,10 @@ import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { download } from '../../app/exports/save-as.ts';
 import type { OwnRoom, Quota } from '../../document/own-rooms.ts';
+import { words } from '../../language/language.ts';
+import { fixed, locale } from '../../language/numbers.ts';
 
-const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+const megabytes = (bytes: number) => `${fixed(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
 
 export function OwnRooms({ close }: { readonly close: () => void }) {
   const { own } = useApp();
@@ -14,7 +16,7 @@ export function OwnRooms({ close }: { readonly close: () => void }) {
   if (rooms.length === 0) return null;
   return (
     <>
-      <h3>Your rooms</h3>
+      <h3>{words.value.dialogs.own.name}</h3>
       <ul class="own-rooms">
         {rooms.map((room) => (
           <li key={room.room}>
@@ -28,8 +30,10 @@ export function OwnRooms({ close }: { readonly close: () => void }) {
 }
 
 function quotaText(quota: Quota | null): string {
-  const where = 'They are kept in this browser only.';
-  return quota ? `${where} ${megabytes(quota.taken)} of ${megabytes(quota.granted)} are taken.` : where;
+  const where = words.value.dialogs.own.where;
+  return quota
+    ? words.value.dialogs.own.taken(where, megabytes(quota.taken), megabytes(quota.granted))
+    : where;
 }
 
 function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => void }) {
@@ -43,7 +47,7 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
   };
   const remove = async () => {
     const bringBack = await own.delete(room.room);
-    store.say('info', `“${room.title}” is deleted.`, { label: 'Bring it back', run: () => told(bringBack()) }); // prettier-ignore
+    store.say('info', words.value.dialogs.own.deleted(room.title), { label: words.value.dialogs.own.bringBack, run: () => told(bringBack()) }); // prettier-ignore
   };
   return (
     <div class="row own-room">
@@ -57,20 +61,28 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
       >
         <strong>{room.title}</strong>
         <span>
-          {new Date(room.at).toLocaleDateString()}, {megabytes(room.bytes)}
+          {new Date(room.at).toLocaleDateString(locale.value)}, {megabytes(room.bytes)}
         </span>
       </button>
-      <button class="icon-button small" aria-label={`Rename ${room.title}`} onClick={() => setNaming(true)}>
+      <button
+        class="icon-button small"
+        aria-label={words.value.dialogs.own.rename(room.title)}
+        onClick={() => setNaming(true)}
+      >
         <Pencil size={14} aria-hidden />
       </button>
       <button
         class="icon-button small"
-        aria-label={`Save ${room.title} as .flux`}
+        aria-label={words.value.dialogs.own.save(room.title)}
         onClick={() => told(save())}
       >
         <Download size={14} aria-hidden />
       </button>
-      <button class="icon-button small" aria-label={`Delete ${room.title}`} onClick={() => told(remove())}>
+      <button
+        class="icon-button small"
+        aria-label={words.value.dialogs.own.delete(room.title)}
+        onClick={() => told(remove())}
+      >
         <Trash2 size={14} aria-hidden />
       </button>
     </div>
@@ -111,13 +123,13 @@ function Naming({ room, done }: { readonly room: OwnRoom; readonly done: () => v
     >
       <input
         class="grow"
-        aria-label="Name of the room"
+        aria-label={words.value.dialogs.own.nameOf}
         value={title}
         autoFocus
         onInput={({ currentTarget }) => setTitle(currentTarget.value)}
       />
       <button class="button small" type="submit">
-        Rename
+        {words.value.dialogs.own.doRename}
       </button>
     </form>
   );

@@ -4,6 +4,7 @@ import { askForType, cardsOf, roomTypes, type RoomType } from '../../app/words/r
 import { presets, presetText, withPreset, type Preset } from '../../app/words/standards.ts';
 import { Dialog } from './dialog.tsx';
 import { namesText } from '../intentions/surface-picker.tsx';
+import { words } from '../../language/language.ts';
 
 export function PresetsDialog({ close }: { close: () => void }) {
   const app = useApp();
@@ -17,32 +18,35 @@ export function PresetsDialog({ close }: { close: () => void }) {
     if (quantity === 'exitance') app.setQuantity('illuminance');
     if (!target) app.addCard('homogenize', [...names]);
     const id = store.card.peek();
-    if (id) app.changeCard(id, `Ask for ${preset.title()}`, (card) => withPreset(card, preset));
+    if (id) app.changeCard(id, words.value.steps.preset(preset.title()), (card) => withPreset(card, preset));
   };
   const applyType = (type: RoomType) => {
     close();
     const surfaces = store.scene.peek()?.surfaces ?? [];
     if (cardsOf(type, surfaces).length === 0) {
-      store.say('warning', `This room has no surface that “${type.title()}” could be asked of.`);
+      store.say('warning', words.value.dialogs.presets.noSurface(type.title()));
       return;
     }
-    store.edit(`Ask for ${type.title()}`, (draft) => askForType(draft, type, surfaces));
+    store.edit(words.value.steps.preset(type.title()), (draft) => askForType(draft, type, surfaces));
     store.tab.value = 'results';
   };
   return (
-    <Dialog title="Ready-made intentions" close={close}>
+    <Dialog title={words.value.dialogs.presets.name} close={close}>
       <p>
-        For <strong>{namesText(names)}</strong>. These are numbers to start from; check them in your own copy
-        of the standard.
+        {words.value.dialogs.presets.for} <strong>{namesText(names)}</strong>
+        {words.value.dialogs.presets.check}
       </p>
       <section>
-        <h3>The whole room: all cards at once</h3>
+        <h3>{words.value.dialogs.presets.wholeRoom}</h3>
         <ul class="preset-list">
           {roomTypes.map((type) => (
             <li key={type.id}>
               <button onClick={() => applyType(type)}>
                 <strong>{type.title()}</strong>
-                <span>{presetText(type.numbers)}; maintained</span>
+                <span>
+                  {presetText(type.numbers)}
+                  {words.value.dialogs.presets.maintained}
+                </span>
               </button>
             </li>
           ))}

@@ -2,6 +2,7 @@
 import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { words } from '../../language/language.ts';
 
 export function ReportDialog({ close }: { close: () => void }) {
   const { store } = useApp();
@@ -10,7 +11,7 @@ export function ReportDialog({ close }: { close: () => void }) {
     import('../../report/report-page.tsx').then(
       ({ ReportPage }) => setPage({ Report: ReportPage }),
       () => {
-        store.say('error', 'The report could not be fetched. Is there a connection?');
+        store.say('error', words.value.report.notFetched);
         close();
       },
     );

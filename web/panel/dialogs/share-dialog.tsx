@@ -7,6 +7,8 @@ import { saveAs } from '../../app/exports/save-as.ts';
 import { CopyRow } from './copy-row.tsx';
 import { Dialog } from './dialog.tsx';
 import { ShareEmbed } from './share-embed.tsx';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 /** Where fingers are, the system has a list of people and apps to send things to. */
 const canSend = (): boolean =>
@@ -25,30 +27,25 @@ export function ShareDialog({ close }: { close: () => void }) {
   const isOwn = !app.rooms.has(store.document.value.room);
   const holdsRoom = !isOwn || store.plan.value !== null;
   return (
-    <Dialog title="Share this layout" close={close}>
+    <Dialog title={words.value.dialogs.share.name} close={close}>
       {shared ? (
         <>
-          <p>
-            Whoever opens the link sees this very layout, its intentions and this view. Nothing is uploaded:
-            it is all in the link.
-          </p>
-          <CopyRow label="Link" text={shared.address} copied="The link is on the clipboard." close={close}>
+          <p>{words.value.dialogs.share.how}</p>
+          <CopyRow
+            label={words.value.dialogs.share.link}
+            text={shared.address}
+            copied={words.value.dialogs.share.copied}
+            close={close}
+          >
             {canSend() && <SendButton address={shared.address} title={store.roomTitle.value} />}
           </CopyRow>
           <p class="fine-print">
-            {shared.address.length} characters.{' '}
-            {shared.holdsKept && 'It takes A along, to be compared with. '}
-            {isOwn && holdsRoom && 'It holds the room, too: whoever opens it has it made and computed there.'}
-            {!holdsRoom &&
-              `It names the room “${store.document.value.room}” but does not hold it: send the .flux file along.`}
+            {words.value.dialogs.share.characters(shortest(shared.address.length))}{' '}
+            {shared.holdsKept && words.value.dialogs.share.holdsKept}
+            {isOwn && holdsRoom && words.value.dialogs.share.holdsRoom}
+            {!holdsRoom && words.value.dialogs.share.namesRoom(store.document.value.room)}
           </p>
-          {shared.left.length > 0 && (
-            <p class="fine-print">
-              {shared.left.length === 1 ? 'One photometric file is' : 'Photometric files are'} too long for a
-              link and only named in it: send {shared.left.map((name) => `“${name}”`).join(', ')} along, or a
-              project file, which holds all.
-            </p>
-          )}
+          {shared.left.length > 0 && <p class="fine-print">{leftText(shared.left)}</p>}
         </>
       ) : (
         <p class="fault">{fault}</p>
@@ -65,6 +62,11 @@ export function ShareDialog({ close }: { close: () => void }) {
   );
 }
 
+function leftText(left: readonly string[]): string {
+  const { one, many } = words.value.dialogs.share.left;
+  return (left.length === 1 ? one : many)(left.map((name) => words.value.values.quoted(name)).join(', '));
+}
+
 function SendButton({ address, title }: { address: string; title: string }) {
   const send = async () => {
     try {
@@ -76,7 +78,7 @@ function SendButton({ address, title }: { address: string; title: string }) {
   return (
     <button class="button" onClick={() => void send()}>
       <Send size={15} aria-hidden />
-      <span>Send</span>
+      <span>{words.value.dialogs.share.send}</span>
     </button>
   );
 }
