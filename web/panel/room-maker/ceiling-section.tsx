@@ -2,12 +2,14 @@
 import type { Mount, MountKind } from '../../room-maker/room-plan.mjs';
 import { Choice, Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
-const kinds: readonly (readonly [MountKind, string])[] = [
-  ['ceiling', 'Ceiling'],
-  ['tiles', 'Tiles'],
-  ['rails', 'Rails'],
-  ['plane', 'Suspended'],
+const kinds: readonly (readonly [MountKind, () => string])[] = [
+  ['ceiling', () => words.value.maker.ceiling.kinds.ceiling],
+  ['tiles', () => words.value.maker.ceiling.kinds.tiles],
+  ['rails', () => words.value.maker.ceiling.kinds.rails],
+  ['plane', () => words.value.maker.ceiling.kinds.plane],
 ];
 
 const usual: Record<MountKind, Partial<Mount>> = {
@@ -44,9 +46,9 @@ export function CeilingSection() {
     />
   );
   return (
-    <Section title="Luminaires may hang on">
+    <Section title={words.value.maker.ceiling.title}>
       <Choice
-        label="Where luminaires may hang"
+        label={words.value.maker.ceiling.name}
         choices={kinds}
         value={mount.kind}
         choose={(kind) => change({ kind, ...usual[kind] })}
@@ -54,30 +56,38 @@ export function CeilingSection() {
       <div class="maker-grid three">
         {mount.kind === 'tiles' ? (
           <>
-            {field('Tile', 'spacing', 0.1, 3)}
-            {field('Luminaire', 'luminaire', 0.02, 3)}
-            {turn('Angle')}
+            {field(words.value.maker.ceiling.tile, 'spacing', 0.1, 3)}
+            {field(words.value.maker.ceiling.luminaire, 'luminaire', 0.02, 3)}
+            {turn(words.value.maker.ceiling.angle)}
             <Origin axis={0} />
             <Origin axis={1} />
             <div class="maker-tiles">
               {[0.6, 0.625].map((tile) => (
                 <button
-                  key={tile}
+                  key={shortest(tile)}
                   class="button small"
                   onClick={() => change({ spacing: tile, luminaire: tile })}
                 >
-                  {tile}
+                  {shortest(tile)}
                 </button>
               ))}
             </div>
           </>
         ) : (
           <>
-            {field('Place every', 'spacing', 0.05, 20)}
-            {field(mount.kind === 'rails' ? 'Rail width' : 'Luminaire', 'luminaire', 0.02, 5)}
-            {mount.kind !== 'ceiling' && field('Below ceiling', 'drop', 0, Math.max(0.1, height - 0.2))}
-            {mount.kind === 'rails' && field('Between rails', 'rows', 0.1, 50, 0.1)}
-            {mount.kind === 'rails' && turn('Angle')}
+            {field(words.value.maker.ceiling.every, 'spacing', 0.05, 20)}
+            {field(
+              mount.kind === 'rails'
+                ? words.value.maker.ceiling.railWidth
+                : words.value.maker.ceiling.luminaire,
+              'luminaire',
+              0.02,
+              5,
+            )}
+            {mount.kind !== 'ceiling' &&
+              field(words.value.maker.ceiling.below, 'drop', 0, Math.max(0.1, height - 0.2))}
+            {mount.kind === 'rails' && field(words.value.maker.ceiling.between, 'rows', 0.1, 50, 0.1)}
+            {mount.kind === 'rails' && turn(words.value.maker.ceiling.angle)}
           </>
         )}
       </div>
@@ -91,7 +101,7 @@ function Origin({ axis }: { axis: 0 | 1 }) {
   const { origin } = making.plan.value.mount;
   return (
     <Field
-      label={axis === 0 ? 'Origin x' : 'Origin y'}
+      label={axis === 0 ? words.value.maker.ceiling.originX : words.value.maker.ceiling.originY}
       value={origin[axis]}
       min={-1000}
       max={1000}

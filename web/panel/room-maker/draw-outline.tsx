@@ -6,6 +6,8 @@ import { mostCorners, type Point } from '../../room-maker/room-plan.mjs';
 import { NumberField } from '../controls/number-field.tsx';
 import { useMaking } from './making-context.ts';
 import { gridOf, pointUnder, useSize, viewOf } from './plan-view.ts';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 const grid = 0.1; // m
 const near = 14; // px within which a click on the first corner closes the outline
@@ -24,9 +26,7 @@ export function DrawOutline({ end }: { end: () => void }) {
   const close = () => {
     const isMade = making.edit((plan) => ({ ...withNewOutline(plan, corners), openings: [] }));
     if (isMade) return end();
-    setFault(
-      corners.length < 3 ? 'A room has at least three corners.' : 'These walls cross or touch each other.',
-    );
+    setFault(corners.length < 3 ? words.value.maker.draw.threeCorners : words.value.maker.draw.crossing);
   };
   const add = (corner: Point) => {
     const [first] = corners;
@@ -44,7 +44,7 @@ export function DrawOutline({ end }: { end: () => void }) {
         <svg
           ref={svg}
           role="group"
-          aria-label="Draw the plan: click its corners one after the other"
+          aria-label={words.value.maker.draw.name}
           viewBox={`${view.x} ${view.z} ${view.width} ${view.depth}`}
           onPointerMove={(event) => setAt(under(event))}
           onPointerUp={(event) => add(under(event))}
@@ -85,24 +85,24 @@ function Fields({ corners, at, fault, setAt, add, back, close, end }: FieldsProp
   return (
     <div class="maker-fields">
       <p>
-        Click the corners one after the other; the first one again closes the room.
-        {last && ` This wall: ${Number(distance(last, at).toFixed(2))} m.`}
+        {words.value.maker.draw.how}
+        {last && words.value.maker.draw.thisWall(shortest(Number(distance(last, at).toFixed(2))))}
       </p>
       <div class="maker-line">
         <NumberField
-          label="x of the next corner"
+          label={words.value.maker.draw.x}
           value={at[0]}
           {...coordinate}
           onInput={(x) => setAt([x ?? 0, at[1]])}
         />
         <NumberField
-          label="y of the next corner"
+          label={words.value.maker.draw.y}
           value={at[1]}
           {...coordinate}
           onInput={(z) => setAt([at[0], z ?? 0])}
         />
         <button class="button small" onClick={() => add(at)}>
-          Add the corner
+          {words.value.maker.draw.add}
         </button>
       </div>
       {fault && (
@@ -112,13 +112,13 @@ function Fields({ corners, at, fault, setAt, add, back, close, end }: FieldsProp
       )}
       <div class="row">
         <button class="button small primary" disabled={corners.length < 3} onClick={close}>
-          Close the room
+          {words.value.maker.draw.close}
         </button>
         <button class="button small" disabled={corners.length === 0} onClick={back}>
-          Take the last corner back
+          {words.value.maker.draw.back}
         </button>
         <button class="button small" onClick={end}>
-          Cancel
+          {words.value.maker.draw.cancel}
         </button>
       </div>
     </div>

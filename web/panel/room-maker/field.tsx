@@ -57,7 +57,7 @@ export function Section({ title, children }: { title: string; children: Componen
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
-  readonly choices: readonly (readonly [T, string])[];
+  readonly choices: readonly (readonly [T, () => string])[];
   readonly value: T | null;
   readonly choose: (value: T) => void;
 }
@@ -67,7 +67,7 @@ export function Choice<T extends string>({ label, choices, value, choose }: Choi
     <div class="segments wide" role="group" aria-label={label}>
       {choices.map(([each, title]) => (
         <button key={each} aria-pressed={each === value} onClick={() => choose(each)}>
-          {title}
+          {title()}
         </button>
       ))}
     </div>

@@ -12,11 +12,11 @@ import {
 import { snapped } from '../../room-maker/plan-edits.ts';
 import { Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
+import { words } from '../../language/language.ts';
+import { kindName, kindTitle } from './names.ts';
 
 const step = 0.25; // m between the places that are tried
 const mostTries = 4000;
-
-const capital = (text: string) => (text[0] ?? '').toUpperCase() + text.slice(1);
 
 /** The free place for a new piece nearest to where the room is widest; that place where none is free. */
 function placeFor(kind: ItemKind, plan: RoomPlan): Point {
@@ -54,19 +54,23 @@ export function FurnitureSection() {
   const { items, openings, tasks } = plan;
   const count = items.length + openings.length + tasks.length;
   return (
-    <Section title="Furniture and columns">
+    <Section title={words.value.maker.furniture.title}>
       <ul class="maker-kinds">
         {itemKinds.map((kind) => (
           <li key={kind}>
-            <button class="button small" aria-label={`Add a ${kind}`} onClick={() => add(kind)}>
-              {capital(kind)}
+            <button
+              class="button small"
+              aria-label={words.value.maker.furniture.add(kindName(kind))}
+              onClick={() => add(kind)}
+            >
+              {kindTitle(kind)}
             </button>
           </li>
         ))}
       </ul>
       {count > 0 && (
         <button class="button small" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
-          {isOpen ? 'Hide the list' : `All ${count} things in the room`}
+          {isOpen ? words.value.maker.furniture.hide : words.value.maker.furniture.all(count)}
         </button>
       )}
       {isOpen && <Things />}
@@ -83,9 +87,17 @@ function Things() {
     return `${name} ${numbers.get(name)}`;
   };
   const entries = [
-    ...openings.map((each, index) => ({ what: 'opening' as const, index, title: numbered(each.kind) })),
-    ...items.map((each, index) => ({ what: 'item' as const, index, title: numbered(each.kind) })),
-    ...tasks.map((_, index) => ({ what: 'task' as const, index, title: numbered('task area') })),
+    ...openings.map((each, index) => ({
+      what: 'opening' as const,
+      index,
+      title: numbered(kindName(each.kind)),
+    })),
+    ...items.map((each, index) => ({ what: 'item' as const, index, title: numbered(kindName(each.kind)) })),
+    ...tasks.map((_, index) => ({
+      what: 'task' as const,
+      index,
+      title: numbered(words.value.maker.furniture.task),
+    })),
   ];
   const selected = making.selected.value;
   return (

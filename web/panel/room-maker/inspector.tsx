@@ -16,22 +16,21 @@ import {
 import {
   sizesOf,
   usualOpening,
-  wallName,
   type Item,
   type OpeningKind,
   type Task,
 } from '../../room-maker/room-plan.mjs';
 import { Field } from './field.tsx';
 import { useMaking } from './making-context.ts';
-
-const capital = (text: string) => (text[0] ?? '').toUpperCase() + text.slice(1);
+import { words } from '../../language/language.ts';
+import { kindTitle, wallTitle, wallWords } from './names.ts';
 
 export function Inspector() {
   const making = useMaking();
   const selected = making.selected.value;
   if (!selected) return null;
   return (
-    <section class="maker-inspector" aria-label="Selected in the plan">
+    <section class="maker-inspector" aria-label={words.value.maker.selected.name}>
       <Selection selected={selected} />
     </section>
   );
@@ -58,7 +57,11 @@ function Title({ text, canDelete = true }: { text: string; canDelete?: boolean }
     <header>
       <h3>{text}</h3>
       {canDelete && (
-        <button class="icon-button small" aria-label={`Delete ${text}`} onClick={() => making.remove()}>
+        <button
+          class="icon-button small"
+          aria-label={words.value.maker.selected.delete(text)}
+          onClick={() => making.remove()}
+        >
           <Trash2 size={15} aria-hidden />
         </button>
       )}
@@ -76,7 +79,7 @@ function CornerFields({ corner }: { corner: number }) {
     making.edit((plan) => withCorner(plan, corner, to), gesture);
   return (
     <>
-      <Title text={`Corner ${corner + 1}`} canDelete={outline.length > 3} />
+      <Title text={words.value.maker.selected.corner(corner + 1)} canDelete={outline.length > 3} />
       <div class="maker-grid">
         <Field label="x" value={x} min={-1000} max={1000} onInput={(value, g) => move([value, z], g)} />
         <Field label="y" value={z} min={-1000} max={1000} onInput={(value, g) => move([x, value], g)} />
@@ -102,10 +105,10 @@ function WallFields({ wall }: { wall: number }) {
   };
   return (
     <>
-      <Title text={capital(wallName(plan, wall))} canDelete={false} />
+      <Title text={wallTitle(plan, wall)} canDelete={false} />
       <div class="maker-grid">
         <Field
-          label="Length"
+          label={words.value.maker.selected.length}
           value={toMillimetres(wallLength(plan, wall))}
           min={0.05}
           max={1000}
@@ -117,20 +120,20 @@ function WallFields({ wall }: { wall: number }) {
       <div class="row">
         <button class="button small" onClick={() => add('door')}>
           <DoorOpen size={14} aria-hidden />
-          <span>Door</span>
+          <span>{words.value.maker.selected.door}</span>
         </button>
         <button class="button small" onClick={() => add('window')}>
           <PanelTop size={14} aria-hidden />
-          <span>Window</span>
+          <span>{words.value.maker.selected.window}</span>
         </button>
         <button class="button small" onClick={() => making.edit((before) => withWallSplit(before, wall))}>
           <SquareSplitHorizontal size={14} aria-hidden />
-          <span>Add a corner</span>
+          <span>{words.value.maker.selected.addCorner}</span>
         </button>
       </div>
       {isFull && (
         <p class="fault" role="status">
-          This wall has no free stretch for it.
+          {words.value.maker.selected.noStretch}
         </p>
       )}
     </>
@@ -154,12 +157,18 @@ function OpeningFields({ index }: { index: number }) {
   ); // prettier-ignore
   return (
     <>
-      <Title text={`${capital(opening.kind)} ${number}, ${wallName(plan, opening.wall)}`} />
+      <Title
+        text={words.value.maker.selected.opening(
+          kindTitle(opening.kind),
+          number,
+          wallWords(plan, opening.wall),
+        )}
+      />
       <div class="maker-grid four">
-        {field('From corner', 'at', 0, 1000)}
-        {field('Width', 'width', 0.1, 100)}
-        {opening.kind === 'window' && field('Sill', 'sill', 0, 50)}
-        {field('Height', 'height', 0.1, 50)}
+        {field(words.value.maker.selected.fromCorner, 'at', 0, 1000)}
+        {field(words.value.maker.selected.width, 'width', 0.1, 100)}
+        {opening.kind === 'window' && field(words.value.maker.selected.sill, 'sill', 0, 50)}
+        {field(words.value.maker.selected.height, 'height', 0.1, 50)}
       </div>
     </>
   );
@@ -185,12 +194,12 @@ function ItemFields({ index }: { index: number }) {
     ); // prettier-ignore
   return (
     <>
-      <Title text={`${capital(item.kind)} ${number}`} />
+      <Title text={`${kindTitle(item.kind)} ${number}`} />
       <div class="maker-grid four">
         <Field label="x" value={item.x} min={-1000} max={1000} onInput={(x, g) => change({ x }, g)} />
         <Field label="y" value={item.z} min={-1000} max={1000} onInput={(z, g) => change({ z }, g)} />
         <Field
-          label="Turn"
+          label={words.value.maker.selected.turn}
           unit="°"
           step={15}
           min={-360}
@@ -198,18 +207,24 @@ function ItemFields({ index }: { index: number }) {
           value={item.turn}
           onInput={(turn, g) => change({ turn }, g)}
         />
-        {size('w', 0, item.kind.startsWith('round') ? 'Diameter' : 'Width')}
-        {size('d', 1, 'Depth')}
-        {size('h', 2, 'Height')}
+        {size(
+          'w',
+          0,
+          item.kind.startsWith('round')
+            ? words.value.maker.selected.diameter
+            : words.value.maker.selected.width,
+        )}
+        {size('d', 1, words.value.maker.selected.depth)}
+        {size('h', 2, words.value.maker.selected.height)}
       </div>
       <div class="row">
         <button class="button small" onClick={() => change({ turn: (item.turn + 90) % 360 })}>
           <RotateCw size={14} aria-hidden />
-          <span>Turn by 90°</span>
+          <span>{words.value.maker.selected.turnBy90}</span>
         </button>
         <button class="button small" onClick={() => making.edit((before) => copied(before, index))}>
           <Copy size={14} aria-hidden />
-          <span>Copy</span>
+          <span>{words.value.maker.selected.copy}</span>
         </button>
       </div>
       <RowFields index={index} item={item} key={`${item.kind} ${index}`} />
@@ -251,16 +266,16 @@ function RowFields({ index, item }: { index: number; item: Item }) {
   );
   return (
     <details class="maker-rows">
-      <summary>Repeat in rows</summary>
+      <summary>{words.value.maker.selected.repeat}</summary>
       <div class="maker-grid four">
-        {field('Across', 'across', true)}
-        {field('Every', 'acrossPitch', false)}
-        {field('Rows', 'down', true)}
-        {field('Row every', 'downPitch', false)}
+        {field(words.value.maker.selected.across, 'across', true)}
+        {field(words.value.maker.selected.every, 'acrossPitch', false)}
+        {field(words.value.maker.selected.rows, 'down', true)}
+        {field(words.value.maker.selected.rowEvery, 'downPitch', false)}
       </div>
       <button class="button small" onClick={() => making.edit((before) => withRows(before, index, rows))}>
         <Grid2x2 size={14} aria-hidden />
-        <span>Place {rows.across * rows.down}</span>
+        <span>{words.value.maker.selected.place(rows.across * rows.down)}</span>
       </button>
     </details>
   );
@@ -288,14 +303,14 @@ function TaskFields({ index }: { index: number }) {
   ); // prettier-ignore
   return (
     <>
-      <Title text={`Task area ${index + 1}`} />
+      <Title text={words.value.maker.taskArea(index + 1)} />
       <div class="maker-grid four">
         {field('x', 'x', -1000, 1000)}
         {field('y', 'z', -1000, 1000)}
-        {field('Turn', 'turn', -360, 360, '°', 15)}
-        {field('Width', 'width', 0.05, 100)}
-        {field('Depth', 'depth', 0.05, 100)}
-        {field('Height', 'height', 0, 50, 'm', 0.05)}
+        {field(words.value.maker.selected.turn, 'turn', -360, 360, '°', 15)}
+        {field(words.value.maker.selected.width, 'width', 0.05, 100)}
+        {field(words.value.maker.selected.depth, 'depth', 0.05, 100)}
+        {field(words.value.maker.selected.height, 'height', 0, 50, 'm', 0.05)}
       </div>
     </>
   );

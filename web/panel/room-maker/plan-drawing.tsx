@@ -6,18 +6,21 @@ import { footprint, isColumn } from '../../room-maker/items.mjs';
 import { builtOpenings, planeOutline } from '../../room-maker/make-room.mjs';
 import { toMillimetres, wallLength, withWallLength } from '../../room-maker/plan-edits.ts';
 import { distance, rotated } from '../../room-maker/polygon.mjs';
-import { wallName, type Item, type Point, type RoomPlan } from '../../room-maker/room-plan.mjs';
+import { type Item, type Point, type RoomPlan } from '../../room-maker/room-plan.mjs';
 import { NumberField } from '../controls/number-field.tsx';
 import { stepped } from '../controls/slider.tsx';
 import { useMaking } from './making-context.ts';
 import { dragged, moved } from './plan-moves.ts';
 import { gridOf, pointUnder, useSize, viewOf, type PlanView } from './plan-view.ts';
+import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
+import { kindName, wallWords } from './names.ts';
 
 const cornerRadius = 5.5; // px
 const keyStep = 0.1; // m; Shift x 10, Alt x 0.1
 
 const pointsOf = (points: readonly Point[]) => points.map((point) => point.join(',')).join(' ');
-const metres = (value: number) => `${Number(value.toFixed(2))} m`;
+const metres = (value: number) => `${shortest(Number(value.toFixed(2)))} m`;
 
 /** What is held: where it was grabbed, and the plan then. */
 interface Held {
@@ -98,7 +101,7 @@ export function PlanDrawing() {
     <div class="plan" ref={element}>
       <svg
         role="group"
-        aria-label="Plan of the room"
+        aria-label={words.value.maker.plan.name}
         viewBox={`${view.x} ${view.z} ${view.width} ${view.depth}`}
         {...onSvg}
       >
@@ -122,7 +125,7 @@ function Things({ plan, handle }: { plan: RoomPlan; handle: HandleOf }) {
           key={`task ${index}`}
           class="plan-task"
           points={pointsOf(footprint({ ...task, kind: 'desk', size: [task.width, task.depth, 0] }))}
-          {...handle({ what: 'task', index }, `Task area ${index + 1}`)}
+          {...handle({ what: 'task', index }, words.value.maker.taskArea(index + 1))}
         />
       ))}
       {plan.items.map((item, index) => (
@@ -141,7 +144,7 @@ function Walls({ plan, handle, pixel }: { plan: RoomPlan; handle: HandleOf; pixe
   return (
     <>
       {plan.outline.map((_, index) => {
-        const label = `${wallName(plan, index)}, ${metres(wallLength(plan, index))}`;
+        const label = words.value.maker.plan.wall(wallWords(plan, index), metres(wallLength(plan, index)));
         return (
           <Wall
             key={`wall ${index}`}
@@ -161,7 +164,10 @@ function Walls({ plan, handle, pixel }: { plan: RoomPlan; handle: HandleOf; pixe
           cx={x}
           cy={z}
           r={cornerRadius * pixel}
-          {...handle({ what: 'corner', index }, `Corner ${index + 1}, ${metres(x)} by ${metres(z)}`)}
+          {...handle(
+            { what: 'corner', index },
+            words.value.maker.plan.corner(index + 1, metres(x), metres(z)),
+          )}
         />
       ))}
     </>
@@ -169,7 +175,7 @@ function Walls({ plan, handle, pixel }: { plan: RoomPlan; handle: HandleOf; pixe
 }
 
 const isSame = (a: Selected | null, b: Selected) => a?.what === b.what && a.index === b.index;
-const labelOf = ({ kind, x, z }: Item) => `${kind} at ${metres(x)} by ${metres(z)}`;
+const labelOf = ({ kind, x, z }: Item) => words.value.maker.plan.item(kindName(kind), metres(x), metres(z));
 
 function Grid({ view }: { view: PlanView }) {
   const [step, strong] = gridOf(view.scale);
@@ -277,7 +283,11 @@ function OpeningMark({ plan, index, handle, pixel }: OpeningMarkProps) {
   const [from, to] = [point(opening.at), point(opening.at + opening.width)];
   const isBuilt = builtOpenings(plan, opening.wall).includes(opening);
   const ends = { x1: from[0], y1: from[1], x2: to[0], y2: to[1] };
-  const label = `${opening.kind} in ${wallName(plan, opening.wall)}, ${metres(opening.at)} from its corner`;
+  const label = words.value.maker.plan.opening(
+    kindName(opening.kind),
+    wallWords(plan, opening.wall),
+    metres(opening.at),
+  );
   return (
     <g class={`plan-opening ${opening.kind} ${isBuilt ? '' : 'unbuilt'}`} {...handle({ what: 'opening', index }, label)}>
       <Reach from={from} to={to} pixel={pixel} />
@@ -307,7 +317,7 @@ function Lengths({ view }: { view: PlanView }) {
         isTyped ? (
           <span key={wall} class="plan-length typed" style={{ left, top }}>
             <NumberField
-              label={`Length of ${wallName(plan, wall)} in the plan`}
+              label={words.value.maker.plan.lengthOf(wallWords(plan, wall))}
               value={toMillimetres(length)}
               unit="m"
               step={0.1}
@@ -323,7 +333,7 @@ function Lengths({ view }: { view: PlanView }) {
         ) : (
           length * view.scale > 40 && (
             <span key={wall} class="plan-length" style={{ left, top }} aria-hidden="true">
-              {Number(length.toFixed(2))}
+              {shortest(Number(length.toFixed(2)))}
             </span>
           )
         ),

@@ -5,6 +5,7 @@ import { toMillimetres } from '../../room-maker/plan-edits.ts';
 import { Check } from '../controls/check.tsx';
 import { Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
+import { words } from '../../language/language.ts';
 
 const usualPlane = { height: 0.75, rim: 0.5 };
 
@@ -27,25 +28,25 @@ export function PlaneSection() {
     making.selected.value = { what: 'task', index: making.plan.peek().tasks.length - 1 };
   };
   return (
-    <Section title="Where light is measured">
+    <Section title={words.value.maker.plane.title}>
       <Check
-        label="A working plane"
+        label={words.value.maker.plane.working}
         checked={plane !== null}
         set={(on) => making.edit((plan) => ({ ...plan, plane: on ? usualPlane : null }))}
       />
       {plane && (
         <div class="maker-grid">
           <Field
-            label="Height"
-            spoken="Height of the working plane"
+            label={words.value.maker.plane.height}
+            spoken={words.value.maker.plane.heightOf}
             value={plane.height}
             max={50}
             step={0.05}
             onInput={(height, gesture) => change({ height }, gesture)}
           />
           <Field
-            label="Rim"
-            spoken="Rim of the working plane"
+            label={words.value.maker.plane.rim}
+            spoken={words.value.maker.plane.rimOf}
             value={plane.rim}
             max={50}
             onInput={(rim, gesture) => change({ rim }, gesture)}
@@ -55,7 +56,7 @@ export function PlaneSection() {
       <div class="row">
         <button class="button small" onClick={addTask}>
           <Plus size={14} aria-hidden />
-          <span>Task area</span>
+          <span>{words.value.maker.plane.task}</span>
         </button>
       </div>
     </Section>

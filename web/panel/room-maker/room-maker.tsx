@@ -16,6 +16,7 @@ import { PlanDrawing } from './plan-drawing.tsx';
 import { PlaneSection } from './plane-section.tsx';
 import { ShapeSection } from './shape-section.tsx';
 import { SurfacesSection } from './surfaces-section.tsx';
+import { words } from '../../language/language.ts';
 
 export function RoomMaker({ plan }: { plan: PackedPlan | null }) {
   const app = useApp();
@@ -39,7 +40,7 @@ export function RoomMaker({ plan }: { plan: PackedPlan | null }) {
   }, [making]);
   return (
     <MakingContext.Provider value={making}>
-      <aside class="panel maker" aria-label="Room maker">
+      <aside class="panel maker" aria-label={words.value.maker.name}>
         <Header making={making} isNew={plan === null} />
         <div class="maker-body">
           {isDrawing ? <DrawOutline end={() => setDrawing(false)} /> : <PlanDrawing />}
@@ -68,17 +69,17 @@ function Header({ making, isNew }: { making: Making; isNew: boolean }) {
   const isUntouched = making.past.value.length === 0;
   return (
     <header class="maker-header">
-      <h2>{isNew ? 'New room' : 'Edit the room'}</h2>
+      <h2>{isNew ? words.value.actions.newRoom : words.value.maker.edit}</h2>
       {last && isUntouched && (
         <button class="button small" onClick={() => making.edit(() => last)}>
-          Go on with the last one
+          {words.value.maker.goOn}
         </button>
       )}
       <span class="spacer" />
       <button
         class="icon-button"
-        aria-label="Undo in the plan"
-        title={`Undo (${keyText('Mod+Z')})`}
+        aria-label={words.value.maker.undo}
+        title={words.value.maker.undoTip(keyText('Mod+Z'))}
         disabled={isUntouched}
         onClick={() => making.undo()}
       >
@@ -86,14 +87,18 @@ function Header({ making, isNew }: { making: Making; isNew: boolean }) {
       </button>
       <button
         class="icon-button"
-        aria-label="Redo in the plan"
-        title={`Redo (${keyText('Mod+Shift+Z')})`}
+        aria-label={words.value.maker.redo}
+        title={words.value.maker.redoTip(keyText('Mod+Shift+Z'))}
         disabled={making.future.value.length === 0}
         onClick={() => making.redo()}
       >
         <Redo2 size={17} aria-hidden />
       </button>
-      <button class="icon-button" aria-label="Close the room maker" onClick={() => void opening.endMaking()}>
+      <button
+        class="icon-button"
+        aria-label={words.value.maker.close}
+        onClick={() => void opening.endMaking()}
+      >
         <X size={17} aria-hidden />
       </button>
     </header>
@@ -109,7 +114,7 @@ function Footer({ making }: { making: Making }) {
           {faults.slice(0, 3).map((fault) => (
             <li key={fault}>{fault}</li>
           ))}
-          {faults.length > 3 && <li>And {faults.length - 3} more.</li>}
+          {faults.length > 3 && <li>{words.value.maker.moreFaults(faults.length - 3)}</li>}
         </ul>
       )}
       <div class="row">
@@ -118,11 +123,11 @@ function Footer({ making }: { making: Making }) {
           onClick={() => void making.file().then((file) => download(file.name, file))}
         >
           <Download size={15} aria-hidden />
-          <span>Save as .glb</span>
+          <span>{words.value.maker.save}</span>
         </button>
         <button class="button primary grow" onClick={() => void making.light()}>
           <Lightbulb size={15} aria-hidden />
-          <span>Light it</span>
+          <span>{words.value.maker.light}</span>
         </button>
       </div>
     </footer>

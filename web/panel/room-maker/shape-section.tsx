@@ -7,12 +7,14 @@ import { signedArea } from '../../room-maker/polygon.mjs';
 import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { Choice, Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
+import { words } from '../../language/language.ts';
+import { fixed, shortest } from '../../language/numbers.ts';
 
-const shapes: readonly (readonly [ShapeName, string])[] = [
-  ['rectangle', 'Rectangle'],
-  ['L', 'L'],
-  ['U', 'U'],
-  ['T', 'T'],
+const shapes: readonly (readonly [ShapeName, () => string])[] = [
+  ['rectangle', () => words.value.maker.shape.rectangle],
+  ['L', () => 'L'],
+  ['U', () => 'U'],
+  ['T', () => 'T'],
 ];
 
 /** The letter by the number of right angles; null for any other outline. */
@@ -47,25 +49,25 @@ export function ShapeSection({ draw }: { draw: () => void }) {
     making.selected.value = null;
   };
   return (
-    <Section title="Room">
+    <Section title={words.value.maker.shape.room}>
       <SizeField />
       <div class="maker-line">
-        <Choice label="Shape of the plan" choices={shapes} value={shapeOf(plan)} choose={choose} />
+        <Choice label={words.value.maker.shape.name} choices={shapes} value={shapeOf(plan)} choose={choose} />
         <button class="button small" onClick={draw}>
           <PencilRuler size={14} aria-hidden />
-          <span>Draw</span>
+          <span>{words.value.maker.shape.draw}</span>
         </button>
       </div>
       <div class="maker-grid">
         <Field
-          label="Height"
+          label={words.value.maker.shape.height}
           value={plan.height}
           min={0.5}
           max={50}
           onInput={(height, gesture) => making.edit((before) => ({ ...before, height }), gesture)}
         />
         <label class="maker-field">
-          <span>Name</span>
+          <span>{words.value.maker.shape.nameOf}</span>
           <input
             type="text"
             class="maker-text"
@@ -81,8 +83,7 @@ export function ShapeSection({ draw }: { draw: () => void }) {
         </label>
       </div>
       <p class="fine-print">
-        {plan.outline.length} walls, {signedArea(plan.outline).toFixed(1)} m² floor. Drag corners and walls in
-        the plan, or choose a wall to type its length and to put doors and windows in it.
+        {words.value.maker.shape.about(plan.outline.length, fixed(signedArea(plan.outline), 1))}
       </p>
     </Section>
   );
@@ -104,14 +105,14 @@ function SizeField() {
   };
   return (
     <label class="maker-field wide">
-      <span>Width × depth × height</span>
+      <span>{words.value.maker.shape.size}</span>
       <input
         type="text"
         class="maker-text"
         autoFocus
         spellcheck={false}
         autoComplete="off"
-        placeholder="6 x 4 x 2.8"
+        placeholder={`6 x 4 x ${shortest(2.8)}`}
         aria-invalid={isWrong}
         value={text}
         onInput={(event) => take(event.currentTarget.value)}

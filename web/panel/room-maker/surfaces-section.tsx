@@ -2,11 +2,12 @@
 import type { FinishName, RoomPlan } from '../../room-maker/room-plan.mjs';
 import { Choice, Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
+import { words } from '../../language/language.ts';
 
-const names: readonly (readonly [FinishName, string])[] = [
-  ['ceiling', 'Ceiling'],
-  ['walls', 'Walls'],
-  ['floor', 'Floor'],
+const names: readonly (readonly [FinishName, () => string])[] = [
+  ['ceiling', () => words.value.maker.surfaces.ceiling],
+  ['walls', () => words.value.maker.surfaces.walls],
+  ['floor', () => words.value.maker.surfaces.floor],
 ];
 
 const presets: readonly (readonly [string, string, readonly [number, number, number]])[] = [
@@ -38,10 +39,10 @@ export function SurfacesSection() {
     names.every(([name], i) => finishes[name].reflectance === each[i]),
   );
   return (
-    <Section title="Reflectances">
+    <Section title={words.value.maker.surfaces.title}>
       <Choice
-        label="Reflectances of ceiling, walls and floor"
-        choices={presets.map(([id, title]) => [id, title] as const)}
+        label={words.value.maker.surfaces.name}
+        choices={presets.map(([id, title]) => [id, () => title] as const)}
         value={chosen?.[0] ?? null}
         choose={(id) => {
           const reflectances = presets.find(([each]) => each === id)?.[2];
@@ -52,8 +53,8 @@ export function SurfacesSection() {
         {names.map(([name, title]) => (
           <div class="maker-finish" key={name}>
             <Field
-              label={title}
-              spoken={`Reflectance of the ${name}`}
+              label={title()}
+              spoken={words.value.maker.surfaces.reflectanceOf[name]}
               unit="%"
               step={5}
               max={95}
@@ -64,7 +65,7 @@ export function SurfacesSection() {
             />
             <input
               type="color"
-              aria-label={`Colour of the ${name}`}
+              aria-label={words.value.maker.surfaces.colorOf[name]}
               value={finishes[name].colour}
               onInput={(event) => change(name, { colour: event.currentTarget.value.toLowerCase() }, `colour ${name}`)} // prettier-ignore
               onChange={() => making.endGesture()}

@@ -1,0 +1,20 @@
+/** What the things of a plan are called in the page's language; in the room's file they keep their own names. */
+import { words } from '../../language/language.ts';
+import { wallName, type ItemKind, type OpeningKind, type RoomPlan } from '../../room-maker/room-plan.mjs';
+
+const capital = (text: string) => (text[0] ?? '').toUpperCase() + text.slice(1);
+
+/** "desk", as within a sentence. */
+export const kindName = (kind: ItemKind | OpeningKind): string => words.value.maker.kinds[kind];
+
+/** "Desk", as at its beginning. */
+export const kindTitle = (kind: ItemKind | OpeningKind): string => capital(kindName(kind));
+
+/** "wall north" */
+export function wallWords(plan: RoomPlan, wall: number): string {
+  const { numbered, ...sides } = words.value.maker.walls;
+  const side = wallName(plan, wall).replace('wall ', '');
+  return side in sides ? sides[side as keyof typeof sides] : numbered(side);
+}
+
+export const wallTitle = (plan: RoomPlan, wall: number): string => capital(wallWords(plan, wall));
