@@ -1,5 +1,5 @@
-// The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run pictures`,
-// `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
+// The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run bench:search`,
+// `npm run pictures`, `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
 import { parseArgs } from 'node:util';
 import { builder, cmake, programs, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
@@ -63,6 +63,14 @@ const commands = {
   async bench() {
     await buildAll();
     run('node', ['tests/bench/bench.mjs', ...others]);
+  },
+
+  async 'bench:search'() {
+    recentNode();
+    await systemPackages(packages.build);
+    await cmake('native', ['fiatlux', 'search_bench']);
+    await makeAll(sampleRooms());
+    run('node', ['tests/bench/search-bench.mjs', ...others]);
   },
 
   async pictures() {
