@@ -1,6 +1,7 @@
 /** Keys of the registry, wherever the focus is, except where a person is typing. */
 import { isEnabled, type Action } from './actions.ts';
 import type { App } from './app.ts';
+import { words } from '../language/language.ts';
 
 /** "Mod+Shift+Z" of an event; letters by what is on the key, so that other keyboard layouts work. */
 export function keyOf(
@@ -53,7 +54,11 @@ const isMac = typeof navigator !== 'undefined' && /mac|iphone|ipad/i.test(naviga
 
 /** "Mod+Shift+Z" as a person reads it. */
 export function keyText(key: string): string {
-  return isMac
-    ? key.replace('Mod', '⌘').replace('Shift', '⇧').replace('Alt', '⌥').replace(/\+/g, '')
-    : key.replace('Mod', 'Ctrl');
+  if (isMac) return key.replace('Mod', '⌘').replace('Shift', '⇧').replace('Alt', '⌥').replace(/\+/g, '');
+  const { ctrl, shift, enter, delete: remove } = words.value.values.keys;
+  const named: Readonly<Record<string, string>> = { Mod: ctrl, Shift: shift, Enter: enter, Delete: remove };
+  return key
+    .split('+')
+    .map((part) => named[part] ?? part)
+    .join('+');
 }

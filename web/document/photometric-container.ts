@@ -5,6 +5,7 @@
 import { strFromU8, unzipSync, type UnzipFileInfo } from 'fflate';
 import { largestPhotometricFile } from './photometric-files.ts';
 import { iesOfTm33 } from './tm33.ts';
+import { words } from '../language/language.ts';
 
 export interface PhotometricPart {
   readonly name: string; // of the file, without folders
@@ -37,8 +38,7 @@ export function partsOf(
 const bytesOf = (text: string) => new Uint8Array(new TextEncoder().encode(text));
 
 function zipParts(bytes: Uint8Array): PhotometricPart[] {
-  if (bytes.length > largestContainer)
-    throw new Error('it has more than 64 MB; take the .ldt or .ies file out of it');
+  if (bytes.length > largestContainer) throw new Error(words.value.files.photometric.tooLarge);
   let isGldf = false;
   let tooLarge: string | null = null;
   let count = 0;
@@ -53,20 +53,15 @@ function zipParts(bytes: Uint8Array): PhotometricPart[] {
   try {
     inside = unzipSync(bytes, { filter: isWanted });
   } catch {
-    throw new Error('it is a damaged zip file; fetch it again');
+    throw new Error(words.value.files.photometric.zipDamaged);
   }
-  const kind = isGldf ? 'this GLDF container' : 'this zip file';
-  if (tooLarge !== null)
-    throw new Error(
-      `${kind} unpacks to a file of more than 4 MB (${tooLarge}), which no photometric table is`,
-    );
-  if (count > mostParts)
-    throw new Error(`${kind} holds more than ${mostParts} photometric files; take out the ones you need`);
+  const kind = isGldf ? words.value.files.photometric.gldf : words.value.files.photometric.zip;
+  if (tooLarge !== null) throw new Error(words.value.files.photometric.partTooLarge(kind, tooLarge));
+  if (count > mostParts) throw new Error(words.value.files.photometric.tooManyParts(kind, mostParts));
   const parts = Object.entries(inside).map(([name, part]) => ({
     name: baseName(name),
     bytes: new Uint8Array(part),
   }));
-  if (parts.length === 0)
-    throw new Error(`${kind} has no .ldt or .ies file in it; ask its maker for one of these`);
+  if (parts.length === 0) throw new Error(words.value.files.photometric.noParts(kind));
   return parts;
 }

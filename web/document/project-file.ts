@@ -3,6 +3,7 @@ import * as v from 'valibot';
 import { filesSchema, type PhotometricFiles } from './photometric-files.ts';
 import { cameraSchema, displaySchema, documentSchema, firstFault } from './schema.ts';
 import type { Camera, Display, FiatLuxDocument } from './types.ts';
+import { words } from '../language/language.ts';
 
 export interface Project {
   readonly document: FiatLuxDocument;
@@ -29,18 +30,18 @@ export function writeProject(project: Project): string {
 
 /** The project, or one readable line. */
 export function readProject(text: string): Project | string {
-  if (text.length > largest) return 'This file is too large for a project (32 MB at most).';
+  if (text.length > largest) return words.value.files.project.tooLarge;
   let json: unknown;
   try {
     json = JSON.parse(text);
   } catch {
-    return 'This is not a Fiat Lux project: the file is not JSON.';
+    return words.value.files.project.notJson;
   }
   const claimed = (json as { version?: unknown } | null)?.version;
   if (typeof claimed === 'number' && claimed > version)
-    return `This project was made by a newer Fiat Lux (file version ${claimed}; this app reads up to ${version}).`;
+    return words.value.files.project.newer(claimed, version);
   const parsed = v.safeParse(projectSchema, json);
-  if (!parsed.success) return `This is not a Fiat Lux project (${firstFault(parsed.issues)}).`;
+  if (!parsed.success) return words.value.files.project.fault(firstFault(parsed.issues));
   const { document, camera, display, files } = parsed.output;
   return { document, camera, display, ...(files && { files }) };
 }

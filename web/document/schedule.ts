@@ -2,6 +2,8 @@
 import { inPlan, type PlanFrame } from './plan-frame.ts';
 import { positionOf } from './sites.ts';
 import type { Layout, LuminaireType, SceneInfo } from './types.ts';
+import { words } from '../language/language.ts';
+import { fixed } from '../language/numbers.ts';
 
 /** What luminaire i shines and draws, after dimming. */
 export interface Drawn {
@@ -39,9 +41,12 @@ export function scheduleOf(
   const rows = new Map<string, ScheduleRow & { tags: string[] }>();
   layout.sites.forEach((site, index) => {
     const drawn = drawnBy(layout, index, efficacy, types);
-    const name = drawn.type?.name ?? `Lambertian square, ${(sites.size[site] ?? 0).toFixed(2)} m`;
+    const name = drawn.type?.name ?? words.value.report.schedule.square(fixed(sites.size[site] ?? 0, 2));
     const height = inPlan(frame, positionOf(sites, site))[2];
-    const mounting = `${facing(sites.normal[3 * site + 1] ?? 0)} at ${height.toFixed(2)} m`;
+    const mounting = words.value.report.schedule.at(
+      facing(sites.normal[3 * site + 1] ?? 0),
+      fixed(height, 2),
+    );
     const key = [name, drawn.flux.toFixed(1), drawn.watts.toFixed(2), mounting].join('\n');
     const row = rows.get(key);
     if (row) row.tags.push(`L${index + 1}`);
@@ -51,6 +56,6 @@ export function scheduleOf(
 }
 
 function facing(up: number): string {
-  if (up < -0.7) return 'facing down';
-  return up > 0.7 ? 'facing up' : 'on a wall,';
+  if (up < -0.7) return words.value.report.schedule.down;
+  return up > 0.7 ? words.value.report.schedule.up : words.value.report.schedule.wall;
 }

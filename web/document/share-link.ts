@@ -28,6 +28,7 @@ import {
   typeEntries,
 } from './schema.ts';
 import type { Camera, Card, Display, Glare, Luminaires, LuminaireType, Mounting, Quantity } from './types.ts';
+import { words } from '../language/language.ts';
 
 export const linkVersion = 2;
 export const longestLink = 1800; // characters that are made
@@ -159,8 +160,7 @@ export function fitLink(link: Link): FittedLink {
     if (hash.length <= longestLink) return { hash, holdsKept, left };
     if (holdsKept) continue;
     const longest = Object.keys(carried).sort((a, b) => carried[b]!.length - carried[a]!.length)[0];
-    if (longest === undefined)
-      throw new Error('This is more than a link can carry (1800 characters). Save a project file instead.');
+    if (longest === undefined) throw new Error(words.value.files.link.tooLong);
     delete carried[longest];
   }
 }
@@ -253,25 +253,25 @@ function mountingIn(
 
 const damaged = (what: string): Decoded => ({
   ok: false,
-  message: `This link cannot be read: ${what}. Ask for it again; the app starts without it.`,
+  message: words.value.files.link.unreadable(what),
 });
 
 /** Reads any hash; never throws. */
 export function decodeLink(hash: string): Decoded {
   if (hash.length > longestRead)
-    return damaged(`it is ${Math.round(hash.length / 1000)} 000 characters long`);
+    return damaged(words.value.files.link.characters(Math.round(hash.length / 1000)));
   const parts = /^#f(\d{1,6})\.([\w-]+)\.([0-9a-f]{8})$/.exec(hash);
-  if (!parts) return damaged('it is damaged or cut off');
+  if (!parts) return damaged(words.value.files.link.damaged);
   const version = Number(parts[1]);
   const bytes = fromBase64Url(parts[2] ?? '');
   if (!bytes || crc32(bytes) !== Number.parseInt(parts[3] ?? '', 16))
-    return damaged('its checksum does not fit, so a part of it was changed or lost');
+    return damaged(words.value.files.link.checksum);
   const link = readPayload(bytes);
   if (version >= 1 && version <= linkVersion)
     return typeof link === 'string' ? damaged(link) : { ok: true, link };
   return {
     ok: false,
-    message: `This link was made by another version of Fiat Lux (link version ${version}; this app reads up to version ${linkVersion}).`,
+    message: words.value.files.link.otherVersion(version, linkVersion),
     ...(typeof link !== 'string' && { readable: link }),
   };
 }
@@ -281,15 +281,15 @@ function readPayload(bytes: Uint8Array): Link | string {
   let json: unknown;
   try {
     const text = inflateSync(bytes);
-    if (text.length > largestPayload) return 'it unpacks to too much';
+    if (text.length > largestPayload) return words.value.files.link.tooMuch;
     json = JSON.parse(strFromU8(text));
   } catch {
-    return 'its contents are not what a link holds';
+    return words.value.files.link.otherContents;
   }
   const parsed = v.safeParse(payloadSchema, json);
-  if (!parsed.success) return `its contents are not what a link holds (${firstFault(parsed.issues)})`;
+  if (!parsed.success) return words.value.files.link.fault(firstFault(parsed.issues));
   const { i, r, c, w, l, q, s, e, g, u, y, b, t, m, k, d } = parsed.output;
-  if (y?.n.some((index) => index >= y.p.length)) return 'it pins a luminaire that it does not have';
+  if (y?.n.some((index) => index >= y.p.length)) return words.value.files.link.missingPin;
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
   const layout = y && layoutFrom(y, types?.types ?? []);
@@ -321,10 +321,10 @@ function layoutFrom(
   { p, f, t, h }: v.InferOutput<typeof layoutSchema>,
   types: readonly LuminaireType[],
 ): LinkedLayout | string {
-  if (f.length !== p.length && f.length !== 1) return 'luminaires and fluxes differ in number';
+  if (f.length !== p.length && f.length !== 1) return words.value.files.link.countsDiffer;
   const mountings = h && mountingsFrom(h, types);
   if (typeof mountings === 'string') return mountings;
-  if (mountings && mountings.length !== p.length) return 'luminaires and mountings differ in number';
+  if (mountings && mountings.length !== p.length) return words.value.files.link.mountsDiffer;
   return {
     positions: p.map((point) => point.map((value) => value / 100) as [number, number, number]),
     flux: p.map((_, index) => f[index] ?? f[0] ?? 0),
@@ -340,9 +340,9 @@ function typesFrom(
   const files: Record<string, string> = {};
   const types: LuminaireType[] = [];
   for (const { i, n, m, f, h, d, l, w, o, x, c, u, k, a } of list) {
-    if (types.some((other) => other.id === i)) return 'two of its luminaire types have one name';
+    if (types.some((other) => other.id === i)) return words.value.files.link.sameName;
     const own = d === undefined ? h : hashOf(bytesOfText(d));
-    if (own === undefined) return 'it does not say which file a luminaire type is of';
+    if (own === undefined) return words.value.files.link.whichFile;
     if (d !== undefined) files[own] = d;
     const overridden = o !== undefined && { isOverridden: o };
     const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a };
@@ -356,7 +356,7 @@ function mountingsFrom(
   types: readonly LuminaireType[],
 ): Mounting[] | string {
   const isBounded = list.every((each) => each.every((value) => Math.abs(value) <= 1e7));
-  if (!isBounded || list.some(([number]) => !types[number])) return 'a luminaire is of no type that it has';
+  if (!isBounded || list.some(([number]) => !types[number])) return words.value.files.link.noSuchType;
   return list.map(([number, turn, ...aim]) => ({
     type: types[number]!.id,
     turn,

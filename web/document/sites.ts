@@ -4,6 +4,7 @@ import { filesOf, type PhotometricFiles } from './photometric-files.ts';
 import type { Link, LinkedLayout } from './share-link.ts';
 import type { FiatLuxDocument, Layout, Luminaires, SceneInfo, Variant } from './types.ts';
 import { variantOf } from './variants.ts';
+import { words } from '../language/language.ts';
 
 type Sites = SceneInfo['sites'];
 
@@ -94,12 +95,11 @@ function hungOn(
   for (const [index, position] of positions.entries()) {
     const { site, distance: away } = nearestSite(sites, position);
     const reach = exact ? 0.5 * (sites.size[site] ?? 0) : Infinity;
-    if (site < 0 || away > reach)
-      return `Luminaire L${index + 1} of this link hangs where this room has no place for it.`;
+    if (site < 0 || away > reach) return words.value.files.link.noPlace(index + 1);
     if (!chosen.includes(site)) {
       chosen.push(site);
       numbers.push(index);
-    } else if (exact) return `Two luminaires of this link hang at the same place (L${index + 1}).`;
+    } else if (exact) return words.value.files.link.samePlace(index + 1);
   }
   const layout = {
     sites: chosen,
@@ -127,8 +127,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   );
   const ofType =
     hung && link.luminaires.ofType && hung.numbers.map((index) => link.luminaires.ofType?.[index] ?? null);
-  if (link.luminaires.count > m)
-    return `This link has ${link.luminaires.count} luminaires, this room ${m} places.`;
+  if (link.luminaires.count > m) return words.value.files.link.tooMany(link.luminaires.count, m);
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned, ...(ofType && { ofType }) };
   const { room, cards, saving, quantity, seed, roomType, glare } = link;

@@ -2,6 +2,7 @@
  * A TM-33 or ATLA S001 document as LM-63 text, so that it is read, and refused, like any other photometric file. Its first
  * emitter is taken; intensities are given one by one, each with its two angles.
  */
+import { words } from '../language/language.ts';
 const mostIntensities = 361 * 721;
 
 const textIn = (element: Element | undefined, name: string): string =>
@@ -16,17 +17,14 @@ const numberIn = (element: Element | undefined, name: string, usual: number): nu
 export function iesOfTm33(xml: Document): string {
   const root = xml.documentElement;
   if (root.localName === 'parsererror' || root.getElementsByTagName('parsererror').length > 0)
-    throw new Error('its XML is damaged; fetch it again');
+    throw new Error(words.value.files.photometric.xmlDamaged);
   const isKnown = /^IESTM33/i.test(root.localName) || root.localName === 'LuminaireOpticalData';
-  if (!isKnown)
-    throw new Error('this XML is neither TM-33 nor ATLA S001; take the luminaire’s .ies or .ldt file');
+  if (!isKnown) throw new Error(words.value.files.photometric.noTm33);
   const emitter = root.getElementsByTagName('Emitter')[0];
-  if (!emitter) throw new Error('it describes no emitter; ask its maker for an .ies or .ldt file');
+  if (!emitter) throw new Error(words.value.files.photometric.noEmitter);
   const type = textIn(emitter, 'PhotometryType');
   if (type !== '' && !/C$/i.test(type))
-    throw new Error(
-      `its photometry is of type ${type.slice(0, 20)}, and only type C is read from XML; take an .ies file`,
-    );
+    throw new Error(words.value.files.photometric.wrongType(type.slice(0, 20)));
   const { gammas, planes, rows } = gridOf(emitter);
   const multiplier = numberIn(emitter, 'Multiplier', 1) * numberIn(emitter, 'Quantity', 1);
   const [header] = root.getElementsByTagName('Header');
@@ -52,9 +50,8 @@ export function iesOfTm33(xml: Document): string {
 function gridOf(emitter: Element) {
   const compact = emitter.getElementsByTagName('IntData');
   const nodes = compact.length > 0 ? compact : emitter.getElementsByTagName('IntensityData');
-  if (nodes.length === 0)
-    throw new Error('it holds no luminous intensities, perhaps a spectrum only; take an .ies or .ldt file');
-  if (nodes.length > mostIntensities) throw new Error('it holds more intensities than any table (361 x 721)');
+  if (nodes.length === 0) throw new Error(words.value.files.photometric.noIntensities);
+  if (nodes.length > mostIntensities) throw new Error(words.value.files.photometric.tooManyIntensities);
   const byPlane = new Map<number, Map<number, number>>();
   for (const node of nodes) {
     const plane = Number(node.getAttribute('h') ?? node.getAttribute('horz') ?? Number.NaN);
@@ -68,9 +65,7 @@ function gridOf(emitter: Element) {
   const rows = planes.map((plane) => {
     const row = byPlane.get(plane)!;
     if (row.size !== gammas.length || gammas.some((gamma) => !row.has(gamma)))
-      throw new Error(
-        `its plane ${plane} has other angles than its first one; ask its maker for an .ies file`,
-      );
+      throw new Error(words.value.files.photometric.otherAngles(plane));
     return gammas.map((gamma) => row.get(gamma)!);
   });
   return { gammas, planes, rows };

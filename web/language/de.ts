@@ -4,6 +4,7 @@ import { actions } from './de/actions.ts';
 import { bars } from './de/bars.ts';
 import { comparing } from './de/comparing.ts';
 import { dialogs } from './de/dialogs.ts';
+import { files } from './de/files.ts';
 import { intentions } from './de/intentions.ts';
 import { luminaires } from './de/luminaires.ts';
 import { maker } from './de/maker.ts';
@@ -19,6 +20,7 @@ export const de: Words = {
   bars,
   comparing,
   dialogs,
+  files,
   intentions,
   luminaires,
   maker,

@@ -3,6 +3,7 @@ import { actions } from './en/actions.ts';
 import { bars } from './en/bars.ts';
 import { comparing } from './en/comparing.ts';
 import { dialogs } from './en/dialogs.ts';
+import { files } from './en/files.ts';
 import { intentions } from './en/intentions.ts';
 import { luminaires } from './en/luminaires.ts';
 import { maker } from './en/maker.ts';
@@ -18,6 +19,7 @@ export const en = {
   bars,
   comparing,
   dialogs,
+  files,
   intentions,
   luminaires,
   maker,

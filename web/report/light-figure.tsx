@@ -13,6 +13,7 @@ import {
 } from '../viewer/light/false-color.ts';
 import { isoluxLevels } from '../viewer/light/isolux.ts';
 import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
+import { words } from '../language/language.ts';
 
 const fineness = 4; // pixels a cell, each way
 const apart = 14; // mm between levels that are written
@@ -35,7 +36,7 @@ export function LightFigure({ plan, field, scale }: Props) {
   return (
     <PlanFigure
       plan={plan}
-      label="The light in plan, in false colours with isolux lines"
+      label={words.value.report.light.label}
       below={
         <image
           href={picture}
@@ -104,7 +105,7 @@ const width = 176; // mm
 
 export function ScaleBar({ scale }: { scale: Scale }) {
   return (
-    <svg class="scale-bar" viewBox={`0 0 ${width} 9`} role="img" aria-label="Scale of the colours, lx">
+    <svg class="scale-bar" viewBox={`0 0 ${width} 9`} role="img" aria-label={words.value.report.light.scale}>
       <defs>
         <linearGradient id="report-colors">
           {legendStops(scale).map(({ at, color }, index) => (

@@ -1,6 +1,8 @@
 /** The room in plan as a drawing: to scale, with dimensions, corner, north and a scale bar. Text stays text. */
 import type { ComponentChildren } from 'preact';
 import type { Point2, RoomPlan } from '../document/plan-frame.ts';
+import { words } from '../language/language.ts';
+import { fixed, listed } from '../language/numbers.ts';
 
 const paper = { width: 176, height: 117 }; // mm that a drawing may take
 const margin = 11; // mm for dimensions, north and scale bar
@@ -93,22 +95,22 @@ function Dimensions({ east, north, mm }: { east: number; north: number; mm: numb
     <g class="dimensions" stroke-width={0.18 * mm}>
       <path d={`M0 ${below}H${east}M0 ${below - tick}v${2 * tick}M${east} ${below - tick}v${2 * tick}`} />
       <Note at={[east / 2, below - mm]} mm={mm}>
-        {east.toFixed(2)} m
+        {fixed(east, 2)} m
       </Note>
       <path d={`M${left} 0V${north}M${left - tick} 0h${2 * tick}M${left - tick} ${north}h${2 * tick}`} />
       <Note at={[left - mm, north / 2]} mm={mm} turned>
-        {north.toFixed(2)} m
+        {fixed(north, 2)} m
       </Note>
       <circle class="corner" cx={0} cy={north} r={0.9 * mm} />
       <Note at={[mm, north + 9.5 * mm]} mm={mm} anchor="start">
-        0, 0
+        {listed(['0', '0'])}
       </Note>
       <path
         class="north"
         d={`M${east + 6 * mm} ${9 * mm}v${-7 * mm}l${-1.3 * mm} ${2.6 * mm}h${2.6 * mm}l${-1.3 * mm} ${-2.6 * mm}`}
       />
       <Note at={[east + 6 * mm, 12.4 * mm]} mm={mm}>
-        N
+        {words.value.report.plan.north}
       </Note>
       <path class="bar" d={`M${east - bar} ${north + 9.5 * mm}h${bar}`} stroke-width={0.9 * mm} />
       <Note at={[east - bar - mm, north + 10.2 * mm]} mm={mm} anchor="end">

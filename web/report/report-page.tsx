@@ -13,10 +13,11 @@ import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { reportOf, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
+import { fixed } from '../language/numbers.ts';
 
 export function ReportPage({ close }: { close: () => void }) {
   const app = useApp();
-  const report = useMemo(() => reportOf(app), []);
+  const report = useMemo(() => reportOf(app), [words.value]);
   const picture = usePicture();
   const root = useRef<HTMLElement>(null);
   useEffect(() => {
@@ -30,22 +31,27 @@ export function ReportPage({ close }: { close: () => void }) {
     };
   }, []);
   return (
-    <section ref={root} class="report" role="dialog" aria-modal="true" aria-label="Report" tabIndex={-1}>
+    <section
+      ref={root}
+      class="report"
+      role="dialog"
+      aria-modal="true"
+      aria-label={words.value.report.name}
+      tabIndex={-1}
+    >
       <div class="report-bar">
         <button class="button primary" onClick={() => window.print()}>
           <Printer size={15} aria-hidden />
-          <span>Print or save as PDF</span>
+          <span>{words.value.report.print}</span>
         </button>
         <span class="spacer" />
-        <button class="icon-button" aria-label="Close the report" onClick={close}>
+        <button class="icon-button" aria-label={words.value.report.close} onClick={close}>
           <X size={17} aria-hidden />
         </button>
       </div>
       <article class="sheets">
         <Head report={report} />
-        {picture && (
-          <img class="report-view" src={picture} alt="The room as it is lit, from the present view" />
-        )}
+        {picture && <img class="report-view" src={picture} alt={words.value.report.picture} />}
         <Verdicts report={report} />
         <Schedule report={report} />
         <Places report={report} />
@@ -88,24 +94,24 @@ function Head({ report: { title, date, link, plan, power, identity } }: Props) {
         <h1>{title}</h1>
         <p>{date}</p>
         <dl>
-          <Fact name="Room">
-            {east.toFixed(2)} × {north.toFixed(2)} × {up.toFixed(2)} m
+          <Fact name={words.value.report.head.room}>
+            {fixed(east, 2)} × {fixed(north, 2)} × {fixed(up, 2)} m
             {power.floor ? `, ${compact(power.floor)} m²` : ''}
           </Fact>
-          <Fact name="Flux">{compact(power.flux)} lm</Fact>
-          <Fact name="Power">
+          <Fact name={words.value.report.head.flux}>{compact(power.flux)} lm</Fact>
+          <Fact name={words.value.report.head.power}>
             {compact(power.watts)} W{power.floor ? `, ${compact(power.watts / power.floor)} W/m²` : ''}
           </Fact>
-          <Fact name="Scene">{identity}</Fact>
+          <Fact name={words.value.report.head.scene}>{identity}</Fact>
         </dl>
       </div>
       {link ? (
         <a class="report-link" href={link}>
           <Code text={link} />
-          <span>This layout, live</span>
+          <span>{words.value.report.head.live}</span>
         </a>
       ) : (
-        <p class="fine-print">This layout is more than a link can carry.</p>
+        <p class="fine-print">{words.value.report.head.noLink}</p>
       )}
     </header>
   );
@@ -134,7 +140,7 @@ function Code({ text }: { text: string }) {
     <svg
       viewBox={`0 0 ${rows.length} ${rows.length}`}
       role="img"
-      aria-label="QR code of the link"
+      aria-label={words.value.report.head.code}
       shape-rendering="crispEdges"
     >
       <path d={runs.join('')} />
@@ -146,18 +152,18 @@ function Verdicts({ report: { verdicts } }: Props) {
   if (verdicts.length === 0) return null;
   return (
     <table>
-      <caption>Intentions</caption>
+      <caption>{words.value.report.verdicts.name}</caption>
       <thead>
         <tr>
-          <th scope="col">Where</th>
-          <th scope="col">What</th>
+          <th scope="col">{words.value.report.verdicts.where}</th>
+          <th scope="col">{words.value.report.verdicts.what}</th>
           <th scope="col" class="number">
-            Target
+            {words.value.report.verdicts.target}
           </th>
           <th scope="col" class="number">
-            Actual
+            {words.value.report.verdicts.actual}
           </th>
-          <th scope="col">Verdict</th>
+          <th scope="col">{words.value.report.verdicts.verdict}</th>
         </tr>
       </thead>
       <tbody>
@@ -168,7 +174,11 @@ function Verdicts({ report: { verdicts } }: Props) {
             <td class="number">{targetText(row)}</td>
             <td class="number">{valueText(row.actual, row.unit)}</td>
             <td>
-              {row.met === null ? 'wish' : row.met ? '✓ met' : '✗ not met'}
+              {row.met === null
+                ? words.value.report.verdicts.wish
+                : row.met
+                  ? words.value.report.verdicts.met
+                  : words.value.report.verdicts.unmet}
               {row.margin !== null && Number.isFinite(row.margin) && `, ${marginText(row.margin)}`}
             </td>
           </tr>
@@ -181,20 +191,20 @@ function Verdicts({ report: { verdicts } }: Props) {
 function Schedule({ report: { schedule } }: Props) {
   return (
     <table>
-      <caption>Luminaires</caption>
+      <caption>{words.value.report.schedule.name}</caption>
       <thead>
         <tr>
-          <th scope="col">Type</th>
+          <th scope="col">{words.value.report.schedule.type}</th>
           <th scope="col" class="number">
-            Count
+            {words.value.report.schedule.count}
           </th>
           <th scope="col" class="number">
-            lm each
+            {words.value.report.schedule.flux}
           </th>
           <th scope="col" class="number">
-            W each
+            {words.value.report.schedule.watts}
           </th>
-          <th scope="col">Mounting</th>
+          <th scope="col">{words.value.report.schedule.mounting}</th>
         </tr>
       </thead>
       <tbody>
@@ -216,10 +226,8 @@ function Plan({ report: { plan, luminaires } }: Props) {
   const { at, millimetre: mm } = figureOf(plan);
   return (
     <figure class="break-before">
-      <figcaption>
-        Plan: luminaires and dimensions; coordinates from the {words.value.values.corner}
-      </figcaption>
-      <PlanFigure plan={plan} label="The plan with its luminaires">
+      <figcaption>{words.value.report.plan.caption(words.value.values.corner)}</figcaption>
+      <PlanFigure plan={plan} label={words.value.report.plan.label}>
         {luminaires.map(({ tag, place: [x, y], axis: [ax, ay], size }) => {
           const half = Math.max(size, 2 * mm) / 2;
           const corner = (u: number, v: number) =>
@@ -246,9 +254,7 @@ function Light({ report: { plan, light } }: Props) {
   if (!light) return null;
   return (
     <figure>
-      <figcaption>
-        Illuminance on “{light.name}”, {light.field.height.toFixed(2)} m above the floor: isolux lines in lx
-      </figcaption>
+      <figcaption>{words.value.report.light.caption(light.name, fixed(light.field.height, 2))}</figcaption>
       <LightFigure plan={plan} field={light.field} scale={light.scale} />
       <ScaleBar scale={light.scale} />
     </figure>
@@ -256,13 +262,14 @@ function Light({ report: { plan, light } }: Props) {
 }
 
 function Surfaces({ report: { surfaces, quantity } }: Props) {
+  const { mean: meanWord, min: minWord, max: maxWord } = words.value.report.surfaces;
   return (
     <table class="break-before">
-      <caption>Light by surface, {unitOf(quantity)}</caption>
+      <caption>{words.value.report.surfaces.caption(unitOf(quantity))}</caption>
       <thead>
         <tr>
-          <th scope="col">Surface</th>
-          {['m²', 'mean', 'min', 'max', 'σ', 'Uₒ', 'U_d'].map((name) => (
+          <th scope="col">{words.value.report.surfaces.surface}</th>
+          {['m²', meanWord, minWord, maxWord, 'σ', 'Uₒ', 'U_d'].map((name) => (
             <th key={name} scope="col" class="number">
               {name === 'U_d' ? (
                 <>
@@ -282,7 +289,7 @@ function Surfaces({ report: { surfaces, quantity } }: Props) {
           const area = items.reduce((sum, row) => sum + row.area, 0);
           return (
             <tr key={title}>
-              <th scope="row">{title === 'all' ? 'whole room' : title}</th>
+              <th scope="row">{title === 'all' ? words.value.results.surfaces.wholeRoom : title}</th>
               <td class="number">{compact(area)}</td>
               <td class="number">{spanText(Math.min(...means), Math.max(...means))}</td>
               <td class="number">{tabular(min)}</td>
@@ -301,7 +308,7 @@ function Surfaces({ report: { surfaces, quantity } }: Props) {
 function Places({ report: { luminaires } }: Props) {
   return (
     <section>
-      <h2>Places of the luminaires: x, y, z in m from the {words.value.values.corner}</h2>
+      <h2>{words.value.report.places(words.value.values.corner)}</h2>
       <ul class="places">
         {luminaires.map(({ tag, place }) => (
           <li key={tag}>
@@ -316,7 +323,7 @@ function Places({ report: { luminaires } }: Props) {
 function Basis({ report: { assumptions, facts } }: Props) {
   return (
     <section class="basis">
-      <h2>What the figures rest on</h2>
+      <h2>{words.value.report.basis}</h2>
       <ul>
         {assumptions.map((text) => (
           <li key={text}>{text}</li>
@@ -336,7 +343,11 @@ function Basis({ report: { assumptions, facts } }: Props) {
 function Signature() {
   return (
     <footer class="signature">
-      {['Designed by', 'Checked by', 'Place and date'].map((text) => (
+      {[
+        words.value.report.signature.designed,
+        words.value.report.signature.checked,
+        words.value.report.signature.place,
+      ].map((text) => (
         <span key={text}>{text}</span>
       ))}
     </footer>

@@ -15,6 +15,8 @@ import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
 import type { Display, Quantity, SceneInfo } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
 import { roundRange, type Scale } from '../viewer/light/false-color.ts';
+import { words } from '../language/language.ts';
+import { fixed, locale, shortest } from '../language/numbers.ts';
 
 export interface Report {
   readonly title: string;
@@ -40,7 +42,7 @@ export function reportOf(app: App): Report {
   const what = drawn(app);
   const { scene, plan, layout } = what;
   const shown = store.shown.peek();
-  if (!shown) throw new Error('no layout is shown yet');
+  if (!shown) throw new Error(words.value.actions.exports.noLayout);
   const document = store.document.peek();
   const { types } = document.luminaires;
   const efficacy = store.efficacy.peek();
@@ -51,7 +53,7 @@ export function reportOf(app: App): Report {
     .sort((a, b) => Number(isPlane(b)) - Number(isPlane(a)));
   return {
     title: store.roomTitle.peek(),
-    date: new Date().toLocaleDateString(undefined, { dateStyle: 'long' }),
+    date: new Date().toLocaleDateString(locale.value, { dateStyle: 'long' }),
     quantity: document.quantity,
     verdicts: everyVerdict(store, plan.frame),
     power: powerOf(layout, scene.surfaces, efficacy, types),
@@ -91,13 +93,11 @@ function lightInPlan(
 
 function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): string[] {
   return [
-    'Interreflections are included; surfaces are matt, one reflectance each. Daylight and shine are not computed.',
-    isOfTypes
-      ? 'Luminaires shine as their photometric files say.'
-      : 'Luminaires are Lambertian squares: a product with another distribution gives other light.',
-    `Power: ${efficacy} lm/W where a type does not state its own.`,
-    `σ, min, max and Uₒ are of patches of ${patchSize(scene).toFixed(2)} m: smaller patches would show more contrast.`,
-    'Numbers of standards are to be checked in your own copy.',
+    words.value.report.assumptions.scope,
+    isOfTypes ? words.value.report.assumptions.files : words.value.report.assumptions.squares,
+    words.value.report.assumptions.power(shortest(efficacy)),
+    words.value.report.assumptions.patches(fixed(patchSize(scene), 2)),
+    words.value.report.assumptions.ownCopy,
     ...roomWarnings(scene),
   ];
 }

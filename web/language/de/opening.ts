@@ -112,4 +112,9 @@ export const opening: Words['opening'] = {
     copy: 'Befehl kopieren',
     failed: (title) => `„${title}“ bekam kein Licht`,
   },
+  view: {
+    notShown: (reason) => `Die Geometrie des Raums kann nicht gezeigt werden: ${reason}`,
+    nothing: 'Der Raum hat keine Geometrie.',
+    emptyCanvas: 'Das Bild konnte nicht gesichert werden: Die Zeichenfläche ist leer.',
+  },
 };

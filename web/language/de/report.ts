@@ -3,4 +3,72 @@ import type { Words } from '../en.ts';
 
 export const report: Words['report'] = {
   notFetched: 'Der Bericht konnte nicht geladen werden. Besteht eine Verbindung?',
+  name: 'Bericht',
+  print: 'Drucken oder als PDF sichern',
+  close: 'Bericht schließen',
+  picture: 'Der beleuchtete Raum aus der jetzigen Ansicht',
+  head: {
+    room: 'Raum',
+    flux: 'Lichtstrom',
+    power: 'Leistung',
+    scene: 'Szene',
+    live: 'Diese Anordnung, live',
+    noLink: 'Diese Anordnung passt nicht in einen Link.',
+    code: 'QR-Code des Links',
+  },
+  verdicts: {
+    name: 'Ziele',
+    where: 'Wo',
+    what: 'Was',
+    target: 'Soll',
+    actual: 'Ist',
+    verdict: 'Bewertung',
+    met: '✓ erfüllt',
+    unmet: '✗ nicht erfüllt',
+    wish: 'Wunsch',
+  },
+  schedule: {
+    name: 'Leuchten',
+    type: 'Typ',
+    count: 'Anzahl',
+    flux: 'je lm',
+    watts: 'je W',
+    mounting: 'Montage',
+    square: (size) => `Lambert-Quadrat, ${size} m`,
+    at: (facing, height) => `${facing} in ${height} m`,
+    down: 'nach unten',
+    up: 'nach oben',
+    wall: 'an einer Wand,',
+  },
+  plan: {
+    label: 'Der Grundriss mit den Leuchten',
+    caption: (corner) => `Grundriss: Leuchten und Maße; Koordinaten ab ${corner}`,
+    north: 'N',
+  },
+  surfaces: {
+    surface: 'Fläche',
+    caption: (unit) => `Licht je Fläche, ${unit}`,
+    mean: 'Mittel',
+    min: 'min',
+    max: 'max',
+  },
+  basis: 'Worauf die Zahlen beruhen',
+  signature: { designed: 'Geplant von', checked: 'Geprüft von', place: 'Ort und Datum' },
+  places: (corner) => `Orte der Leuchten: x, y, z in m ab ${corner}`,
+  light: {
+    caption: (name, height) =>
+      `Beleuchtungsstärke auf „${name}“, ${height} m über dem Boden: Isoluxlinien in lx`,
+    label: 'Das Licht im Grundriss, in Falschfarben mit Isoluxlinien',
+    scale: 'Skala der Farben, lx',
+  },
+  assumptions: {
+    scope:
+      'Mit allen Reflexionen; Flächen sind matt, mit je einem Reflexionsgrad. Tageslicht und Glanz sind nicht berechnet.',
+    files: 'Leuchten strahlen, wie ihre photometrischen Dateien sagen.',
+    squares: 'Leuchten sind Lambert-Quadrate: Ein Produkt mit anderer Lichtverteilung gibt anderes Licht.',
+    power: (efficacy) => `Leistung: ${efficacy} lm/W, wo ein Typ keine eigene nennt.`,
+    patches: (size) =>
+      `σ, min, max und Uₒ gelten für Teilflächen von ${size} m: Kleinere Teilflächen zeigten mehr Kontrast.`,
+    ownCopy: 'Zahlen aus Normen am eigenen Exemplar prüfen.',
+  },
 };

@@ -105,4 +105,9 @@ export const opening = {
     copy: 'Copy the command',
     failed: (title: string) => `“${title}” could not be lit`,
   },
+  view: {
+    notShown: (reason: string) => `The room's geometry cannot be displayed: ${reason}`,
+    nothing: 'The room has no geometry to display.',
+    emptyCanvas: 'The picture could not be saved: the canvas is empty.',
+  },
 };

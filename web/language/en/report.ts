@@ -1,3 +1,73 @@
 /** The report that is printed. */
 
-export const report = { notFetched: 'The report could not be fetched. Is there a connection?' };
+export const report = {
+  notFetched: 'The report could not be fetched. Is there a connection?',
+  name: 'Report',
+  print: 'Print or save as PDF',
+  close: 'Close the report',
+  picture: 'The room as it is lit, from the present view',
+  head: {
+    room: 'Room',
+    flux: 'Flux',
+    power: 'Power',
+    scene: 'Scene',
+    live: 'This layout, live',
+    noLink: 'This layout is more than a link can carry.',
+    code: 'QR code of the link',
+  },
+  verdicts: {
+    name: 'Intentions',
+    where: 'Where',
+    what: 'What',
+    target: 'Target',
+    actual: 'Actual',
+    verdict: 'Verdict',
+    met: '✓ met',
+    unmet: '✗ not met',
+    wish: 'wish',
+  },
+  schedule: {
+    name: 'Luminaires',
+    type: 'Type',
+    count: 'Count',
+    flux: 'lm each',
+    watts: 'W each',
+    mounting: 'Mounting',
+    square: (size: string) => `Lambertian square, ${size} m`,
+    at: (facing: string, height: string) => `${facing} at ${height} m`,
+    down: 'facing down',
+    up: 'facing up',
+    wall: 'on a wall,',
+  },
+  plan: {
+    label: 'The plan with its luminaires',
+    caption: (corner: string) => `Plan: luminaires and dimensions; coordinates from the ${corner}`,
+    north: 'N',
+  },
+  surfaces: {
+    surface: 'Surface',
+    caption: (unit: string) => `Light by surface, ${unit}`,
+    mean: 'mean',
+    min: 'min',
+    max: 'max',
+  },
+  basis: 'What the figures rest on',
+  signature: { designed: 'Designed by', checked: 'Checked by', place: 'Place and date' },
+  places: (corner: string) => `Places of the luminaires: x, y, z in m from the ${corner}`,
+  light: {
+    caption: (name: string, height: string) =>
+      `Illuminance on “${name}”, ${height} m above the floor: isolux lines in lx`,
+    label: 'The light in plan, in false colours with isolux lines',
+    scale: 'Scale of the colours, lx',
+  },
+  assumptions: {
+    scope:
+      'Interreflections are included; surfaces are matt, one reflectance each. Daylight and shine are not computed.',
+    files: 'Luminaires shine as their photometric files say.',
+    squares: 'Luminaires are Lambertian squares: a product with another distribution gives other light.',
+    power: (efficacy: string) => `Power: ${efficacy} lm/W where a type does not state its own.`,
+    patches: (size: string) =>
+      `σ, min, max and Uₒ are of patches of ${size} m: smaller patches would show more contrast.`,
+    ownCopy: 'Numbers of standards are to be checked in your own copy.',
+  },
+};

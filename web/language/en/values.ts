@@ -69,4 +69,5 @@ export const values = {
       `${required} lx (modified ${modified}), Uₒ ${uniformity}; walls ${walls} lx, ceiling ${ceiling} lx`,
   },
   quoted: (name: string) => `“${name}”`,
+  keys: { ctrl: 'Ctrl', shift: 'Shift', delete: 'Delete', enter: 'Enter' },
 };

@@ -1,6 +1,7 @@
 /** A picture in false colours says nothing without its scale: the legend, drawn into the lower left corner of it. */
 import { legendStops, legendTicks } from './false-color.ts';
 import type { Display } from '../../document/types.ts';
+import { words } from '../../language/language.ts';
 
 // px at a pixel ratio of 1
 const width = 260;
@@ -32,8 +33,11 @@ function drawLegend(context: CanvasRenderingContext2D, display: Display): void {
   context.fillStyle = '#1b1b1a';
   context.font = '12px system-ui, sans-serif';
   context.textBaseline = 'middle';
-  const title = display.quantity === 'illuminance' ? 'Illuminance, lx' : 'Exitance, lm/m²';
-  context.fillText(display.logarithmic ? `${title} (logarithmic)` : title, padding, 15);
+  const title =
+    display.quantity === 'illuminance'
+      ? words.value.bars.legend.illuminance
+      : words.value.bars.legend.exitance;
+  context.fillText(display.logarithmic ? words.value.bars.legend.logarithmic(title) : title, padding, 15);
   const span = width - 2 * padding;
   const colors = context.createLinearGradient(padding, 0, padding + span, 0);
   for (const { at, color } of legendStops(display)) colors.addColorStop(at, color);

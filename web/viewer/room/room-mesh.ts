@@ -24,6 +24,7 @@ import { facingOf, type Facing } from './facing.ts';
 import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
+import { words } from '../../language/language.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
 export interface LitMesh {
@@ -91,13 +92,13 @@ export async function readGlb(glb: ArrayBuffer): Promise<Group> {
     return gltf.scene;
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
-    throw new Error(`The room's geometry cannot be displayed: ${reason}`, { cause: error });
+    throw new Error(words.value.opening.view.notShown(reason), { cause: error });
   }
 }
 
 function boundsOf(root: Object3D): Box {
   const box = new Box3().setFromObject(root);
-  if (box.isEmpty()) throw new Error('The room has no geometry to display.');
+  if (box.isEmpty()) throw new Error(words.value.opening.view.nothing);
   return { min: box.min.toArray(), max: box.max.toArray() };
 }
 

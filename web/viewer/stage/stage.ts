@@ -13,6 +13,7 @@ import {
   type Camera,
 } from 'three';
 import { createBackground } from './background.ts';
+import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
 const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
@@ -85,7 +86,7 @@ export class Stage {
   async png(): Promise<Blob> {
     return new Promise((resolve, reject) => {
       const done = (blob: Blob | null) =>
-        blob ? resolve(blob) : reject(new Error('The picture could not be saved: the canvas is empty.'));
+        blob ? resolve(blob) : reject(new Error(words.value.opening.view.emptyCanvas));
       this.#canvas.toBlob(done, 'image/png');
     });
   }
