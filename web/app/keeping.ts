@@ -5,7 +5,7 @@ import type { Project } from '../document/project-file.ts';
 import type { Work } from '../document/work.ts';
 import { keepForReload } from '../document/reload.ts';
 import { fitLink } from '../document/share-link.ts';
-import { linkOf } from '../document/sites.ts';
+import { linkOf } from '../document/linked-document.ts';
 import type { Layout } from '../document/types.ts';
 import type { Viewer } from '../viewer/types.ts';
 import type { LuminaireTypes } from './luminaires/luminaire-types.ts';

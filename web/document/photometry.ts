@@ -3,6 +3,8 @@
  * (core/photometry/photometric_description.h), told in the type card.
  */
 
+export const usualEfficacy = 120; // lm/W of a luminaire that states none, until a person says another
+
 export interface PhotometricDescription {
   readonly name: string; // may be empty, as may be the maker
   readonly maker: string;

@@ -12,8 +12,6 @@ export interface Drawn {
   readonly watts: number; // of its type where that is known, else by the efficacy
 }
 
-export const usualEfficacy = 120; // lm/W, until a person says another
-
 export function drawnBy(
   { flux, dimming, mountings }: Layout,
   index: number,

@@ -3,7 +3,7 @@
  * site, a type on it, its turn and aim); above, layouts are of sites and mountings again.
  */
 import { candidateOf, type Candidate } from '../document/candidates.ts';
-import { usualEfficacy } from '../document/schedule.ts';
+import { usualEfficacy } from '../document/photometry.ts';
 import type { Layout, Luminaires, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import {
   anyType,

@@ -1,9 +1,10 @@
-/** Between sites and positions. */
+/** Between sites and positions, and documents as links (linked-document.ts). */
 import { describe, expect, test } from '@jest/globals';
 import { sampleDocument } from '../sample-rooms.ts';
 import { decodeLink, encodeLink } from '../../../web/document/share-link.ts';
 import { variantOf } from '../../../web/document/variants.ts';
-import { documentOf, linkOf, nearestSite } from '../../../web/document/sites.ts';
+import { documentOf, linkOf } from '../../../web/document/linked-document.ts';
+import { nearestSite } from '../../../web/document/sites.ts';
 import { fakeScene } from '../fake-solver.ts';
 
 const scene = fakeScene();

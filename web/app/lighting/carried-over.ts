@@ -1,6 +1,7 @@
 /** What was asked of a room, for a better scene of the same room: its places are the same, or else the nearest ones. */
 import type { History } from '../../document/history.ts';
-import { documentOf, linkOf, siteCount } from '../../document/sites.ts';
+import { documentOf, linkOf } from '../../document/linked-document.ts';
+import { siteCount } from '../../document/sites.ts';
 import type { Display, FiatLuxDocument, Layout, SceneInfo } from '../../document/types.ts';
 
 type Sites = SceneInfo['sites'];

@@ -5,7 +5,7 @@
 import { usualOptions } from '../../builder/builder.ts';
 import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
-import { documentOf } from '../../document/sites.ts';
+import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';

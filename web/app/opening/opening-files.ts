@@ -6,7 +6,7 @@ import { readProject, type Project } from '../../document/project-file.ts';
 import { isPhotometricName } from '../../document/photometric-container.ts';
 import { planOfGlb } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
-import { documentOf } from '../../document/sites.ts';
+import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import { isForImport } from '../importing/model-files.ts';

@@ -6,7 +6,7 @@ import type { Work } from '../../document/work.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
 import { decodeLink, type Link } from '../../document/share-link.ts';
-import { documentOf } from '../../document/sites.ts';
+import { documentOf } from '../../document/linked-document.ts';
 import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { Keeping } from '../keeping.ts';

@@ -11,7 +11,7 @@ import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { RoomPlan } from '../../document/plan-frame.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
-import { usualEfficacy } from '../../document/schedule.ts';
+import { usualEfficacy } from '../../document/photometry.ts';
 import type { Link } from '../../document/share-link.ts';
 import type {
   Camera,

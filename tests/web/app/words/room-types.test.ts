@@ -13,7 +13,7 @@ import { intentionsOf } from '../../../../web/document/intentions.ts';
 import { maintenanceOf } from '../../../../web/document/maintenance.ts';
 import { documentSchema } from '../../../../web/document/schema.ts';
 import { decodeLink, encodeLink } from '../../../../web/document/share-link.ts';
-import { documentOf, linkOf } from '../../../../web/document/sites.ts';
+import { documentOf, linkOf } from '../../../../web/document/linked-document.ts';
 import * as v from 'valibot';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
 import { fakePlan } from '../../fake-viewer.ts';
