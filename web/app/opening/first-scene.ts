@@ -5,7 +5,6 @@
 import { isEmbedded, wishedRoom } from './address.ts';
 import { sceneBytes } from '../../solver/scene-bytes.ts';
 import type { FileBytes } from '../../solver/solver-client.ts';
-import { words } from '../../language/language.ts';
 
 export const firstRoom = 'office'; // of the sample rooms; on a site without it the first of its list is opened
 
@@ -84,8 +83,14 @@ function hasBegun({ begun }: EarlyFile): Promise<boolean> {
 
 async function request(room: string): Promise<ArrayBuffer> {
   const response = await fetch(sceneAddress(room)).catch(() => null);
-  if (!response) throw new Error(words.value.opening.roomOffline(room));
+  if (!response) throw new Error((await sentences()).roomOffline(room));
   const bytes = await sceneBytes(response);
-  if (!bytes) throw new Error(words.value.opening.roomMissing(room));
+  if (!bytes) throw new Error((await sentences()).roomMissing(room));
   return bytes;
+}
+
+/** note: not with the first script, which waits for no words */
+async function sentences() {
+  const { words } = await import('../../language/language.ts');
+  return words.value.opening;
 }

@@ -1,5 +1,4 @@
 /** Asks for the list of rooms: once before the app has arrived, and whenever the app wants it anew. */
-import { words } from '../../language/language.ts';
 
 let early: Promise<Response | null> | null = null;
 
@@ -13,12 +12,12 @@ export async function requestCatalog(): Promise<unknown> {
   const waiting = early;
   early = null;
   const response = (await waiting) ?? (await request());
-  if (!response) throw new Error(words.value.opening.catalog.offline);
+  if (!response) throw new Error((await sentences()).offline);
   // note: some hosts answer with a page where a file is missing
   const isThere = response.ok && !response.headers.get('content-type')?.startsWith('text/html');
-  if (!isThere) throw new Error(words.value.opening.catalog.missing);
-  return response.json().catch(() => {
-    throw new Error(words.value.opening.catalog.notJson);
+  if (!isThere) throw new Error((await sentences()).missing);
+  return response.json().catch(async () => {
+    throw new Error((await sentences()).notJson);
   });
 }
 
@@ -26,4 +25,10 @@ export async function requestCatalog(): Promise<unknown> {
 function request(): Promise<Response | null> {
   const address = new URL('./scenes/catalog.json', document.baseURI).href;
   return fetch(address, { cache: 'no-cache' }).catch(() => null);
+}
+
+/** note: not with the first script, which waits for no words */
+async function sentences() {
+  const { words } = await import('../../language/language.ts');
+  return words.value.opening.catalog;
 }
