@@ -18,16 +18,40 @@ function goalsOf({ verb, aim, surfaces, weight = 1 }) {
   return goal.statistic === 'mean' ? [{ ...near, weight }] : [{ ...near, weight: aimWeight * weight }, goal];
 }
 
-/** `opening`: cards and luminaires as in the catalogue, with numbers for its bounds, and bounds on means alone. */
-export function openingIntentions({ cards, luminaires, quantity = 'illuminance' }) {
-  const bounds = ({ surfaces, mean = {} }) =>
+/** One constraint a bound of a card, in the order of its fields. */
+function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, uniformity, contrast }) {
+  const ends = (range, statistic) =>
     ['min', 'max']
-      .filter((end) => mean[end] !== undefined)
-      .map((end) => ({ surface: surfaces, statistic: 'mean', [end]: mean[end] }));
+      .filter((end) => range[end] !== undefined)
+      .map((end) => ({ surface: surfaces, ...statistic(end), [end]: range[end] }));
+  const ofPatches = { min: { statistic: 'minimum' }, max: { statistic: 'maximum' } };
+  const { by, alpha } = guarantee;
+  return [
+    ...ends(mean, () => ({ statistic: 'mean' })),
+    ...ends(spread, () => ({ statistic: 'sigma' })),
+    ...ends(guarantee, (end) => (by === 'patches' ? ofPatches[end] : { statistic: 'chebyshev', alpha })),
+    ...(uniformity ? [{ surface: surfaces, statistic: 'uniformity', min: uniformity }] : []),
+    ...(contrast ? [{ surface: surfaces, statistic: 'contrast', ...contrast }] : []),
+  ];
+}
+
+/** Where photometric files lie, as `fiatlux` sees it from the root of the project. */
+const luminaireFolder = 'public/luminaires/';
+
+/** `opening`: as in the catalogue, with numbers for its bounds. */
+export function openingIntentions({ cards, luminaires, types, quantity = 'illuminance' }) {
+  const inFolder = ({ photometry, count, turns, aims, flux, watts }) => ({
+    photometry: luminaireFolder + photometry,
+    count,
+    turns,
+    aims,
+    flux,
+    watts,
+  });
   return {
-    luminaires,
+    luminaires: { ...luminaires, ...(types && { types: types.map(inFolder) }) },
     goals: cards.flatMap(goalsOf),
-    constraints: cards.flatMap(bounds),
+    constraints: cards.flatMap(constraintsOf),
     quantity,
   };
 }

@@ -6,13 +6,16 @@
 #include <memory>
 
 #include "core/search/layout_search.h"
+#include "core/search/prepared_scene.h"
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/option_checks.h"
 #include "precompute/commands/room_command_options.h"
+#include "precompute/files/asked_search.h"
 #include "precompute/files/command_host.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/intentions_json.h"
+#include "precompute/files/named_files.h"
 
 namespace fiatlux {
 namespace {
@@ -48,17 +51,24 @@ void printReport(const std::string& output, const MadeScene& scene, double secon
       std::max(r.errors.mean, r.errors.sigma), 100 * r.errors.patchRmsMedian);
 }
 
-/// What a short search finds for the intentions of --opening, which are there as text or in a file.
-Result<Layout> openingLayout(const std::string& option, const Scene& scene) {
-  const Result<Intentions> asked =
-      option.front() == '{' ? parseIntentions(scene, option) : readSquareIntentions(scene, option);
+/// What a short search finds for the intentions of --opening, which are there in a file, or as text that
+/// names photometric files from the working folder.
+Result<OpeningLight> openingLight(const std::string& option, const Scene& scene) {
+  Result<IntentionsFile> asked = option.front() == '{'
+                                     ? parseIntentionsFile(scene, option, filesBeside("./", "working folder"))
+                                     : readIntentionsFile(scene, option);
   if (!asked) return Error{"--opening: " + asked.error().message};
-  if (!asked->observers.empty()) return Error{"--opening: it knows no observers; leave \"ugr\" out"};
+  if (!asked->intentions.observers.empty())
+    return Error{"--opening: it knows no observers; leave \"ugr\" out"};
+  Scene room = scene;  // note: candidates are made of a room that may change
+  const Result<AskedSearch> search = AskedSearch::make(room, std::move(*asked));
+  if (!search) return Error{"--opening: " + search.error().message};
   constexpr std::uint32_t kEvaluations = 100000;
-  PreparedScene prepared(scene);
-  LayoutSearch search(prepared, *asked, 1);
-  search.advance(kEvaluations);
-  return search.incumbent();
+  PreparedScene prepared(search->scene());
+  LayoutSearch found(prepared, search->intentions(), 1);
+  found.advance(kEvaluations);
+  const Layout layout = found.incumbent();
+  return OpeningLight{search->onSites(layout), illuminanceOf(search->scene(), layout)};
 }
 
 void precompute(PrecomputeOptions options) {
@@ -67,7 +77,7 @@ void precompute(PrecomputeOptions options) {
   if (!opening.empty()) {
     // What is missing is told before the work, not after.
     if (opening.front() != '{') orThrow(readFileBytes(opening));
-    options.scene.opening = [&](const Scene& scene) { return openingLayout(opening, scene); };
+    options.scene.opening = [&](const Scene& scene) { return openingLight(opening, scene); };
   }
   TerminalProgress progress;
   const Host host = commandHost(options.source, options.scene.transport.threads, progress, options.verbose);

@@ -122,6 +122,16 @@ nlohmann::ordered_json AskedSearch::layoutJson(const Layout& layout) const {
   return {{"dimming", layout.dimming}, {"luminaires", std::move(luminaires)}};
 }
 
+Layout AskedSearch::onSites(const Layout& layout) const {
+  if (!isOfTypes()) return layout;
+  Layout hung{{}, {}, layout.dimming};
+  for (const std::uint32_t c : layout.sites) {
+    hung.sites.push_back(candidates_[c].site);
+    hung.flux.push_back(flux_[candidates_[c].type]);
+  }
+  return hung;
+}
+
 std::string AskedSearch::luminaireLine(const Layout& layout, std::size_t i) const {
   const std::uint32_t c = layout.sites[i];
   const std::uint32_t site = isOfTypes() ? candidates_[c].site : c;

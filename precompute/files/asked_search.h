@@ -31,6 +31,8 @@ class AskedSearch {
   /// A layout of that scene as readLayoutFile reads it, on sites of the room; photometric files are named as
   /// in the intentions.
   nlohmann::ordered_json layoutJson(const Layout& layout) const;
+  /// A layout of that scene as one of the room's sites: where luminaires hang, and their lm.
+  Layout onSites(const Layout& layout) const;
   /// "L1 on site 4 at (1.000, 2.800, 3.000) m, 1200 lm", and of types the file, turn and aim.
   std::string luminaireLine(const Layout& layout, std::size_t i) const;
 

@@ -303,10 +303,4 @@ Result<Intentions> parseIntentions(const Scene& scene, const std::string& text) 
   return ofSquares(parseIntentionsFile(scene, text));
 }
 
-Result<Intentions> readSquareIntentions(const Scene& scene, const std::string& path) {
-  return parsedFile(path, kLongestJson, [&](const std::string& text) {
-    return ofSquares(parseIntentionsFile(scene, text, filesBeside(path, "intentions file")));
-  });
-}
-
 }  // namespace fiatlux

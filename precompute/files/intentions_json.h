@@ -38,6 +38,5 @@ Result<IntentionsFile> readIntentionsFile(const Scene& room, const std::string& 
 
 /// Intentions that know no types, for what is about squares alone.
 Result<Intentions> parseIntentions(const Scene& scene, const std::string& text);
-Result<Intentions> readSquareIntentions(const Scene& scene, const std::string& path);
 
 }  // namespace fiatlux

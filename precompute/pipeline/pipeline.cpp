@@ -91,7 +91,7 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
   const FormFactors factors = std::move(transport.factors);
   const Scene scene = sceneOf(room, std::move(transport), report.identity);
   if (scene.lightOperator) report.operatorErrors = orThrow(measureOperator(scene, factors));
-  std::optional<Layout> opening;
+  std::optional<OpeningLight> opening;
   if (options.opening) opening = orThrow(options.opening(scene));
   EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate));
   report.errors = encoded.errors;

@@ -33,9 +33,9 @@ struct ModelFile {
 struct SceneOptions {
   RoomOptions room;
   TransportOptions transport;
-  /// Chooses the layout whose light the file's readers are to see first; empty: no such light. Changes
-  /// nothing else, not even the identity.
-  std::function<Result<Layout>(const Scene&)> opening;
+  /// Chooses the layout and the light that the file's readers are to see first; empty: none. Changes nothing
+  /// else, not even the identity.
+  std::function<Result<OpeningLight>(const Scene&)> opening;
 };
 
 /// What the machine around the pipeline lends it.

@@ -6,7 +6,6 @@
 
 #include "core/base/random.h"
 #include "core/scene/covariance_codec.h"
-#include "core/scene/opening_light.h"
 #include "core/scene/scene_reader.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
@@ -168,15 +167,14 @@ Scene sceneOf(const Room& room, Transport&& transport, const std::string& identi
 
 Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
                                      const std::optional<PaperTransport>& paper,
-                                     const std::optional<Layout>& opening, const Deflate& deflate) {
+                                     const std::optional<OpeningLight>& opening, const Deflate& deflate) {
   EncodingReport report;
   Result<std::vector<PlainSection>> sections = encodeScene(scene, &report);
   if (!sections) return sections.error();
   if (paper) addPaper(scene, *paper, sections.value());
   std::vector<PlainSection> early;
   if (opening)
-    early = encodeOpening(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()),
-                          {*opening, illuminanceOf(scene, *opening)});
+    early = encodeOpening(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()), *opening);
   if (!picture.empty()) early.push_back(bytesSection("room", std::move(picture)));
   insertEarly(*sections, std::move(early));
   for (const PlainSection& section : sections.value())

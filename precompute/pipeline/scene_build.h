@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scene/opening_light.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 #include "precompute/light/transport.h"
@@ -46,12 +47,12 @@ struct EncodedScene {
 };
 
 /// Encodes, deflates, reads the result back and measures it. `picture`: a .glb to display, empty: none;
-/// `paper`: the paper's matrices, to be written too; `opening`: the layout whose light is to be seen first,
-/// none: no such light. What is seen first comes first. An error where the scene is too large for a file, or
+/// `paper`: the paper's matrices, to be written too; `opening`: the light that is to be seen first, if any.
+/// What is seen first comes first. An error where the scene is too large for a file, or
 /// where what was read back is not what was written.
 Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
                                      const std::optional<PaperTransport>& paper,
-                                     const std::optional<Layout>& opening, const Deflate& deflate);
+                                     const std::optional<OpeningLight>& opening, const Deflate& deflate);
 
 /// The file's bytes, with `provenance` (JSON text).
 Result<std::vector<std::uint8_t>> closeSceneFile(EncodedScene scene, const std::string& provenance,

@@ -8,11 +8,15 @@ import { intentionsOf } from '../../web/document/intentions.ts';
 const inPageWords = ({ surface, ...rest }) => ({ ...rest, surfaces: surface });
 
 test.each(catalog)('$id', ({ opening, precompute }) => {
-  const { saving = false, quantity = 'illuminance', cards, luminaires } = opening;
+  const { saving = false, quantity = 'illuminance', cards, luminaires, types } = opening;
   const document = { cards: cards.map((card) => ({ weight: 1, ...card })), saving, quantity, luminaires };
   const asked = openingIntentions(opening);
+  const inFolder = ({ photometry }) => `public/luminaires/${photometry}`;
+  expect(asked.luminaires).toMatchObject(luminaires);
+  expect(asked.luminaires.types?.map(({ photometry }) => photometry)).toEqual(types?.map(inFolder));
   expect({
     ...asked,
+    luminaires,
     goals: asked.goals.map(inPageWords),
     constraints: asked.constraints.map(inPageWords),
   }).toEqual(intentionsOf(document).intentions);

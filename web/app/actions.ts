@@ -281,7 +281,7 @@ const file: readonly Action[] = [
     title: () => words.value.actions.afresh,
     group: 'File',
     enabled: hasRoom,
-    run: ({ opening }) => opening.restart(),
+    run: ({ opening }) => void opening.restart(),
   },
   {
     id: 'open',

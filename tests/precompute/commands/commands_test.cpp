@@ -266,8 +266,6 @@ TEST_F(Commands, TypesAreRefusedWithACure) {
   writeTextFile(*folder_ / "good.json", "{\"luminaires\": {" + lamp + "}}");
   EXPECT_THAT(failure("solve box.flux --intentions good.json -o lamps/l.json"),
               HasSubstr("must lie beside it"));
-  EXPECT_THAT(failure("precompute box.gltf -o x.flux --patch 0.5 --rays 64 --opening good.json"),
-              HasSubstr("are for fiatlux solve and alpha"));
 }
 
 TEST_F(Commands, ExperimentsWriteAReportWithItsPlots) {
@@ -311,6 +309,12 @@ TEST_F(Commands, AnOpeningComesBeforeTheLightAndChangesNothingElse) {
   EXPECT_LT(at("room"), at("responses"));
   EXPECT_LT(at("provenance"), at("responses"));
   EXPECT_THAT(failure(precompute + "none.json"), HasSubstr("none.json"));
+  writeTextFile(*folder_ / "lamp.ies", samples::IesFile().text());
+  const std::string types = R"({"luminaires": {"count": 2, "types": [{"photometry": "lamp.ies"}]},
+      "goals": [{"surface": "floor", "statistic": "mean", "sense": "max"}]})";
+  writeTextFile(*folder_ / "types.json", types);
+  EXPECT_EQ(runFiatlux(*folder_, precompute + "types.json").status, 0);
+  EXPECT_EQ(runFiatlux(*folder_, precompute + "'" + types + "'").status, 0);
   writeTextFile(*folder_ / "wish.json", R"({"luminaires": {"count": 2, "flux": 900},
       "goals": [{"surface": "flour", "statistic": "sigma", "sense": "min"}]})");
   EXPECT_THAT(failure(precompute + "wish.json"), HasSubstr("floor"));

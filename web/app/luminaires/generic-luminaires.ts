@@ -9,11 +9,14 @@ export interface GenericLuminaire {
   readonly file: string; // its name
 }
 
+/** What a photometric file of the site is called. */
+export const genericName = /^[A-Za-z0-9][\w.-]{0,79}\.(ies|ldt)$/;
+
 const listSchema = v.array(
   v.object({
     title: nameSchema,
     description: nameSchema,
-    file: v.pipe(v.string(), v.regex(/^[A-Za-z0-9][\w.-]{0,79}\.(ies|ldt)$/)),
+    file: v.pipe(v.string(), v.regex(genericName)),
   }),
 );
 

@@ -16,6 +16,7 @@ import { cleanName, mostLuminaires, mostTypes } from '../../document/schema.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import type { LuminaireBody } from '../../viewer/types.ts';
 import type { Solving } from '../solving.ts';
+import type { OpeningType } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { genericFile, genericLuminaires } from './generic-luminaires.ts';
@@ -89,6 +90,20 @@ export class LuminaireTypes {
     } catch (error) {
       this.#store.say('error', sentence(words.value.opening.about(cleanName(part.name), reason(error))));
     }
+  }
+
+  /** The types that a room opens with, their files had from the site. Rejects with one readable clause. */
+  async fromSite(wished: readonly OpeningType[]): Promise<readonly LuminaireType[]> {
+    const read = async ({ photometry, ...asked }: OpeningType, index: number): Promise<LuminaireType> => {
+      const bytes = await genericFile(photometry);
+      const description = await this.#solving.describe(bytes);
+      const { hash, files } = withFile(this.files.peek(), bytes);
+      this.#keep(files);
+      this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
+      const type = { ...this.#typeOf(photometry, hash, description), ...asked, id: `t${index + 1}` };
+      return asked.flux === undefined ? type : { ...type, isOverridden: true };
+    };
+    return Promise.all(wished.map(read));
   }
 
   /** Files that came with a project or a link; for those that are still missing the site is asked, and then the person. */

@@ -19,10 +19,12 @@ import {
   withoutShares,
   withSharesFound,
   type Asked,
+  type OpeningWish,
 } from '../rooms/opening-wish.ts';
 import { progressText, type Rooms } from '../rooms/rooms.ts';
 import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
 import { forgetLink } from './address.ts';
 import { isFirstVisit, requestScene } from './first-scene.ts';
 import { Lighting, type CreatePool } from '../lighting/lighting.ts';
@@ -40,6 +42,7 @@ export class Opening {
   readonly #keeping: Keeping;
   readonly #viewer: Viewer;
   readonly #own: OwnRooms;
+  readonly #types: LuminaireTypes;
   readonly lighting: Lighting;
 
   constructor(
@@ -58,6 +61,7 @@ export class Opening {
     this.#keeping = keeping;
     this.#viewer = viewer;
     this.#own = own;
+    this.#types = types;
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
     this.lighting = new Lighting(store, solving, this.#placing, own, createPool);
     const openProject = (project: Project) => this.#openProject(project);
@@ -117,14 +121,18 @@ export class Opening {
   }
 
   /** What is asked of the room at first, as a step that can be undone. */
-  restart(): void {
+  async restart(): Promise<void> {
     const scene = this.#store.scene.peek();
     const { room } = this.#store.document.peek();
     if (!scene) return;
-    const entry = this.#rooms.roomOf(room);
-    const asked = entry
-      ? askedOf(entry, scene)
-      : askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
+    let asked: Asked;
+    try {
+      asked = askedOf(await this.#wishOf(this.#rooms.roomOf(room)), scene);
+    } catch (error) {
+      this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      return;
+    }
+    if (this.#store.scene.peek() !== scene) return;
     const document = documentFrom(asked, scene.identity, room);
     this.#store.edit(words.value.steps.afresh, (draft) => void Object.assign(draft, document), null, {
       by: 'search',
@@ -218,19 +226,22 @@ export class Opening {
     return this.#placing.attempt(words.value.opening.openingRoom, async (isCurrent) => {
       const entry = this.#rooms.entryOf(id);
       if (!entry) throw new Error(words.value.opening.noSuchRoom(cleanName(id)));
-      let isAsLeft = false;
+      let wish: OpeningWish | null = null; // nothing where the room opens as it was left
       const make = async (scene: SceneInfo): Promise<Placement> => {
-        const document = documentFrom(askedOf(entry, scene), scene.identity, entry.room);
         const kept = await this.#keeping.kept(entry.room, scene.identity);
-        isAsLeft = kept !== null && entry.id === entry.room;
-        if (!kept) return { document };
-        return isAsLeft ? placementOf(kept) : { document, history: afterWork(kept, entry.title, document) };
+        if (kept && entry.id === entry.room) return placementOf(kept);
+        wish = await this.#wishOf(entry);
+        const document = documentFrom(askedOf(wish, scene), scene.identity, entry.room);
+        const first = entry.view;
+        return kept
+          ? { document, first, history: afterWork(kept, entry.title, document) }
+          : { document, first };
       };
       await this.#place(entry.room, entry.title, isCurrent, make, isReturn);
       const scene = this.#store.scene.peek();
       if (!isCurrent() || !scene) return;
       forgetLink();
-      if (!isAsLeft) await this.#settleBounds(entry, scene);
+      if (wish) await this.#settleBounds(wish, entry.room, scene);
     });
   }
 
@@ -241,17 +252,24 @@ export class Opening {
   }
 
   /** An experiment's bounds are shares of what can be had in this room: find that out first. */
-  async #settleBounds({ opening, room }: GalleryEntry, scene: SceneInfo): Promise<void> {
-    if (!opening || !hasShares(opening)) return;
-    const asked = await withSharesFound(opening, async (verb, surfaces) => {
-      const wish = [{ id: 'best', surfaces, verb, weight: 1 }];
-      const probe = documentFrom({ ...opening, cards: wish }, scene.identity, room);
+  async #settleBounds(wish: OpeningWish, room: string, scene: SceneInfo): Promise<void> {
+    if (!hasShares(wish)) return;
+    const asked = await withSharesFound(wish, async (verb, surfaces) => {
+      const cards = [{ id: 'best', surfaces, verb, weight: 1 }];
+      const probe = documentFrom({ ...wish, cards }, scene.identity, room);
       const { goals } = await this.#solving.probe(intentionsOf(probe).intentions);
       return goals[0]?.value ?? 0;
     });
     const { past, future } = this.#store.history.peek();
     this.#store.reset(documentFrom(asked, scene.identity, room), { past, future });
     this.#store.card.value = asked.cards[0]?.id ?? null;
+  }
+
+  /** What an entry wishes, with the luminaire types that it names; null where it wishes nothing. */
+  async #wishOf(entry: GalleryEntry | undefined): Promise<OpeningWish | null> {
+    const wish = entry?.opening ?? null;
+    if (!wish?.types) return wish;
+    return { ...wish, luminaires: { ...wish.luminaires, types: await this.#types.fromSite(wish.types) } };
   }
 
   /** Shows a link; where the room is another version of the one it names, only when `exact` is not insisted on. */
@@ -341,9 +359,9 @@ export class Opening {
   }
 }
 
-/** What an entry asks at first, as far as that is known before anything is searched. */
-function askedOf({ opening }: GalleryEntry, { surfaces, sites, provenance }: SceneInfo): Asked {
-  return opening ? withoutShares(opening) : askedOfUnknown(surfaces, sites.size.length, provenance);
+/** What is asked of a room at first, as far as that is known before anything is searched. */
+function askedOf(wish: OpeningWish | null, { surfaces, sites, provenance }: SceneInfo): Asked {
+  return wish ? withoutShares(wish) : askedOfUnknown(surfaces, sites.size.length, provenance);
 }
 
 const placementOf = ({ project, past, future }: Work): Placement => ({

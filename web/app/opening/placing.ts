@@ -9,6 +9,7 @@ import type { History } from '../../document/history.ts';
 import type { PhotometricFiles } from '../../document/photometric-files.ts';
 import type { Keeping } from '../keeping.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
+import type { OpeningView } from '../rooms/catalog-file.ts';
 import type { Rooms } from '../rooms/rooms.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import { leavesOf } from '../../document/surface-names.ts';
@@ -29,6 +30,7 @@ export interface Placement {
   readonly document: FiatLuxDocument;
   readonly history?: Pick<History, 'past' | 'future'>;
   readonly view?: Pick<Link, 'camera' | 'display'>;
+  readonly first?: OpeningView | null; // where there is no view
   readonly files?: PhotometricFiles | undefined; // of its luminaire types
 }
 
@@ -164,7 +166,7 @@ export class Placing {
 
   /** The app's whole state in one step; the new document then asks the solver by itself. */
   #show(scene: SceneInfo, title: string, placement: Placement, isReturn: boolean): void {
-    const { document, history, view, files = {} } = placement;
+    const { document, history, view, first, files = {} } = placement;
     const store = this.#store;
     if (this.#rooms.has(document.room)) rememberRoom(document.room);
     batch(() => {
@@ -181,12 +183,19 @@ export class Placing {
       store.reset(document, history);
       const { past } = store.history.peek();
       store.arrival.value = isFirst ? null : { past, by: isReturn ? 'return' : 'opening' };
-      const display = view?.display ?? { ...firstDisplay, mode: store.display.peek().mode };
+      const display = view?.display ?? {
+        ...firstDisplay,
+        mode: store.display.peek().mode,
+        exposure: first?.exposure ?? 0,
+      };
       store.legendLocked.value = Boolean(view?.display);
       store.display.value = { ...display, quantity: document.quantity };
     });
     void this.#types.findMissing();
+    // An eye within the room sees too little of it in a narrow picture.
+    const within = first && window.matchMedia('(orientation: landscape)').matches;
     if (view?.camera) this.#viewer.setCamera(view.camera);
+    else if (within) this.#viewer.setCamera({ ...first, plan: false });
     else this.#viewer.home();
   }
 

@@ -7,14 +7,20 @@ import * as v from 'valibot';
 import {
   cardOf,
   firstFault,
+  mostLuminaires,
+  mostTypes,
   lux,
   luminairesSchema,
   mostCards,
   nameSchema,
   number,
+  pointSchema,
   quantitySchema,
   seedSchema,
+  typeEntries,
 } from '../../document/schema.ts';
+import { genericName } from '../luminaires/generic-luminaires.ts';
+import type { Point } from '../../document/types.ts';
 import { sceneFile } from '../opening/first-scene.ts';
 import { usualLuminaires, type OpeningCard, type OpeningWish } from './opening-wish.ts';
 
@@ -24,8 +30,16 @@ export interface GalleryEntry {
   readonly title: string;
   readonly description: string;
   readonly opening: OpeningWish | null; // null: what is asked of any room at first
+  readonly view: OpeningView | null; // null: the whole room from outside
   readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
   readonly failed: boolean; // the server could not compute the room; progress is then where it ended
+}
+
+/** Where the eye stands in a room at first, and how much brighter than usual it sees. */
+export interface OpeningView {
+  readonly position: Point;
+  readonly target: Point;
+  readonly exposure: number; // EV
 }
 
 export interface Catalog {
@@ -43,6 +57,16 @@ const openingCard = v.object({
 });
 
 const { count, flux, dimming, pinned, excluded, minDistance } = luminairesSchema.entries;
+const openingType = v.object({
+  photometry: v.pipe(v.string(), v.regex(genericName, 'it is not the name of a file of luminaires/')),
+  name: v.exactOptional(typeEntries.name),
+  flux: v.exactOptional(typeEntries.flux),
+  watts: v.exactOptional(typeEntries.watts),
+  count: v.optional(typeEntries.count, [0, mostLuminaires]),
+  turns: v.optional(typeEntries.turns, [0]),
+  aims: v.optional(typeEntries.aims, []),
+});
+
 const opening = v.object({
   cards: v.pipe(
     v.array(openingCard),
@@ -60,9 +84,16 @@ const opening = v.object({
     }),
     {},
   ),
+  types: v.exactOptional(v.pipe(v.array(openingType), v.minLength(1), v.maxLength(mostTypes))),
   saving: v.optional(v.boolean(), false),
   quantity: v.optional(quantitySchema, 'illuminance'),
   seed: v.optional(seedSchema, 1),
+});
+
+const view = v.object({
+  position: pointSchema,
+  target: pointSchema,
+  exposure: v.optional(number(-20, 20), 0),
 });
 
 const entry = v.pipe(
@@ -72,6 +103,7 @@ const entry = v.pipe(
     description: v.optional(nameSchema),
     file: v.pipe(v.string(), v.regex(sceneFile, 'it is not the name of a .flux file in this folder')),
     opening: v.optional(opening),
+    view: v.optional(view),
     state: v.optional(v.picklist(['ready', 'computing', 'failed']), 'ready'),
     progress: v.optional(number(0, 1), 0),
   }),
@@ -81,6 +113,7 @@ const entry = v.pipe(
     title: rest.title,
     description,
     opening: rest.opening ?? null,
+    view: rest.view ?? null,
     progress: state === 'ready' ? null : progress,
     failed: state === 'failed',
   })),

@@ -3,7 +3,14 @@
  * room: they are found out by searches for a verb alone, and until then nothing is asked of them.
  */
 import { readProvenance } from '../words/provenance.ts';
-import type { Card, FiatLuxDocument, Luminaires, SurfaceNames, Verb } from '../../document/types.ts';
+import type {
+  Card,
+  FiatLuxDocument,
+  Luminaires,
+  LuminaireType,
+  SurfaceNames,
+  Verb,
+} from '../../document/types.ts';
 
 export type Asked = Pick<FiatLuxDocument, 'cards' | 'saving' | 'luminaires' | 'quantity' | 'seed'>;
 
@@ -23,8 +30,17 @@ export interface OpeningCard extends Omit<Card, 'mean' | 'spread' | 'guarantee'>
   readonly guarantee?: OpeningRange & Pick<NonNullable<Card['guarantee']>, 'by' | 'alpha'>;
 }
 
+/** A luminaire type by its photometric file in luminaires/ of the site; what is left out is as the file says. */
+export interface OpeningType
+  extends
+    Pick<LuminaireType, 'count' | 'turns' | 'aims'>,
+    Partial<Pick<LuminaireType, 'name' | 'flux' | 'watts'>> {
+  readonly photometry: string;
+}
+
 export interface OpeningWish extends Omit<Asked, 'cards'> {
   readonly cards: readonly OpeningCard[];
+  readonly types?: readonly OpeningType[]; // absent: Lambertian squares
 }
 
 /** The mean (illuminate, overshadow) or the spread (homogenize, vary) that a verb alone reaches on surfaces. */

@@ -36,6 +36,19 @@ beforeEach(() => {
 });
 afterEach(() => void (globalThis.fetch = realFetch));
 
+test('types that a room opens with are had from the site, and are as it says', async () => {
+  globalThis.fetch = async () => new Response(bytes);
+  const asked = { photometry: 'spot-12.ies', count: [2, 2], turns: [0], aims: ['picture 1'] } as const;
+  const [plain, brighter] = await types.fromSite([asked, { ...asked, name: 'Pendant', flux: 270, watts: 3 }]);
+  expect(plain).toMatchObject({ id: 't1', name: 'Spot', file: 'spot-12.ies', flux: 1234.57, count: [2, 2] });
+  expect(plain).not.toHaveProperty('isOverridden');
+  expect(brighter).toMatchObject({ id: 't2', name: 'Pendant', flux: 270, watts: 3, isOverridden: true });
+  expect(types.files.value).toEqual({ [plain!.hash]: text });
+  expect(types.all).toEqual([]); // until the room is there
+  globalThis.fetch = async () => new Response('', { status: 404 });
+  await expect(types.fromSite([asked])).rejects.toThrow('not on this server');
+});
+
 describe('a photometric file that is opened', () => {
   test('becomes a type with what it says, as a step that can be undone', async () => {
     await types.open('spot.ies', bytes);
