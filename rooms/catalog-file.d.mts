@@ -4,5 +4,9 @@ export type RoomStates = Readonly<
 >;
 
 /** What the page checks when it reads it (web/app/rooms/catalog-file.ts). */
-export declare function catalogFile(states?: RoomStates): unknown;
-export declare function writeCatalog(folder: string, states?: RoomStates): Promise<void>;
+export declare function catalogFile(states?: RoomStates, ids?: readonly string[]): unknown;
+export declare function writeCatalog(
+  folder: string,
+  states?: RoomStates,
+  ids?: readonly string[],
+): Promise<void>;

@@ -7,25 +7,27 @@ import { catalog, experiments } from './catalog.mjs';
 /**
  * What the file says. `states`: by room, what of an entry is not as it should be in the end, such as
  * { office: { state: 'computing', progress: 0.4 } }; an entry without a state is ready.
+ * `ids`: the rooms that it names.
  */
-export function catalogFile(states = {}) {
-  const entry = ({ id, title, description, opening }, room) => ({
+export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
+  const entry = ({ id, title, description, opening, view }, room) => ({
     id,
     title,
     description,
     file: `${room}.flux`,
     ...states[room],
     opening,
+    view,
   });
   return {
-    rooms: catalog.map((room) => entry(room, room.id)),
+    rooms: catalog.filter(({ id }) => ids.includes(id)).map((room) => entry(room, room.id)),
     experiments: experiments.map((experiment) => entry(experiment, experiment.room)),
   };
 }
 
 /** Writes it into a folder in one step, so that a page that reads it meanwhile gets all of it. */
-export async function writeCatalog(folder, states) {
+export async function writeCatalog(folder, states, ids) {
   const file = path.join(folder, 'catalog.json');
-  await writeFile(`${file}.tmp`, `${JSON.stringify(catalogFile(states), null, 2)}\n`);
+  await writeFile(`${file}.tmp`, `${JSON.stringify(catalogFile(states, ids), null, 2)}\n`);
   await rename(`${file}.tmp`, file);
 }

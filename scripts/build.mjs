@@ -2,7 +2,6 @@
 import { existsSync } from 'node:fs';
 import { cpus } from 'node:os';
 import path from 'node:path';
-import { writeLuminaires } from '../rooms/luminaire-files.mjs';
 import { output, root, runBeside, say } from './processes.mjs';
 import { writeRoomPages } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
@@ -32,7 +31,6 @@ export async function cmake(preset, targets = []) {
 
 /** dist/ anew: the page, what public/ holds, and, where the address of the site is known, a page a room. */
 export async function site(origin = null) {
-  await writeLuminaires(path.join(root, 'public', 'luminaires'));
   say('Building the site');
   await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
   if (origin) await writeRoomPages(path.join(root, 'dist'), origin);

@@ -3,7 +3,7 @@
 import { parseArgs } from 'node:util';
 import { builder, cmake, programs, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
-import { makeAll, sampleRooms } from './sample-rooms.mjs';
+import { isForTests, makeAll, sampleRooms } from './sample-rooms.mjs';
 import { siteAddress } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 import { start } from './start.mjs';
@@ -11,10 +11,13 @@ import { ctest, testSuites } from './test-suites.mjs';
 
 const others = process.argv.slice(3);
 
-/** Everything but tests: all rooms, then the site with them. `origin`: the address it will have, where that is known. */
-async function build(origin = null) {
+/**
+ * Everything but tests: rooms, all of them unless said otherwise, then the site with them. `origin`: the address it will
+ * have, where that is known.
+ */
+async function build(origin = null, isWanted = () => true) {
   await programs(builder);
-  await makeAll(sampleRooms());
+  await makeAll(sampleRooms(), isWanted);
   await site(origin);
 }
 
@@ -32,7 +35,7 @@ function originAsked() {
 async function buildAll() {
   recentNode();
   await systemPackages([...packages.build, ...packages.browser, ...packages.sizes]);
-  await build();
+  await build(null, isForTests);
   await Promise.all([cmake('native'), cmake('wasm')]);
 }
 

@@ -5,6 +5,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { catalog } from '../rooms/catalog.mjs';
 import { writeCatalog } from '../rooms/catalog-file.mjs';
+import { writeLuminaires } from '../rooms/luminaire-files.mjs';
 import { root, run, runToEnd, say } from './processes.mjs';
 import { roomKeys } from './staleness.mjs';
 
@@ -38,10 +39,24 @@ export function sampleRooms() {
   });
 }
 
-/** The list of rooms, and no scene that is not what it should be: what the site is built from. */
-export async function tidyScenes(rooms) {
+// The rooms that tests and benchmarks open. The others take no part of their time.
+const tested = ['office', 'e-corridor', 'classroom', 'gallery', 'box'];
+
+/** Whether tests and benchmarks have a room beside them: those that they need, and any that is there already. */
+export const isForTests = ({ id, isReady }) => isReady || tested.includes(id);
+
+/**
+ * The list of the rooms that are wanted, no scene that is not what it should be, and the luminaires that openings name:
+ * what rooms and the site are made of.
+ */
+export async function tidyScenes(rooms, isWanted = () => true) {
   await mkdir(scenes, { recursive: true });
-  await writeCatalog(scenes);
+  await writeCatalog(
+    scenes,
+    {},
+    rooms.filter(isWanted).map(({ id }) => id),
+  );
+  await writeLuminaires(path.join(root, 'public', 'luminaires'));
   for (const { id, isReady } of rooms) if (!isReady) await rm(sceneOf(id), { force: true });
 }
 
@@ -59,10 +74,10 @@ const precompute = ({ id, precompute: options }) => [
   ...options,
 ];
 
-/** Makes what is stale, one room after another, the output shown; ends the script where one fails. */
-export async function makeAll(rooms) {
-  await tidyScenes(rooms);
-  for (const room of rooms) {
+/** Makes what is stale of the wanted rooms, one after another, the output shown; ends the script where one fails. */
+export async function makeAll(rooms, isWanted = () => true) {
+  await tidyScenes(rooms, isWanted);
+  for (const room of rooms.filter(isWanted)) {
     if (!room.hasModel) {
       run('node', makeModel(room));
       await stamp('model', room);
