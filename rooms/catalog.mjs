@@ -2,12 +2,18 @@
 // at first. rooms/make.mjs writes it as scenes/catalog.json, which the page reads.
 // precompute: command-line options for `fiatlux precompute`; the opening's intentions are added to them.
 // opening: cards as in a project file (`aim`: about this mean), the luminaires, and what differs from { saving: false, quantity: 'illuminance',
-//   seed: 1 }. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
+//   seed: 1 }. `types`: luminaires by their files in luminaires/, in the words of intentions.json and with a name. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
 //   { illuminate: 0.5 } is half of the largest mean there is.
+// view: where the eye stands at first, where it looks (m), and how much brighter than usual it sees (EV); without one it
+//   sees the whole room from outside.
 
 import { precomputeOptions } from './opening-intentions.mjs';
 
-const pictures = Array.from({ length: 12 }, (_, i) => `picture ${i + 1}`);
+const numbered = (name, count) => Array.from({ length: count }, (_, i) => `${name} ${i + 1}`);
+const pictures = numbered('picture', 12);
+const sheets = numbered('picture', 8);
+const sculptures = numbered('sculpture', 2);
+const tables = numbered('table', 9);
 
 const rooms = [
   {
@@ -58,6 +64,62 @@ const rooms = [
         { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
       ],
       luminaires: { count: 14, flux: 2200 },
+    },
+  },
+  {
+    id: 'restaurant',
+    view: { position: [1.5, 1.65, 6.55], target: [6.2, 0.85, 2.6], exposure: -0.6 },
+    title: 'Restaurant at night',
+    description: 'Each table is an island of light, and the room around it stays in the dark.',
+    precompute: ['--patch', '0.3', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
+    opening: {
+      cards: [
+        { verb: 'homogenize', surfaces: tables, aim: 150, contrast: { over: ['floor'], min: 6 } },
+        { verb: 'illuminate', surfaces: ['bar'], aim: 50 },
+      ],
+      luminaires: { count: 11, dimming: [0.5, 1], minDistance: 1.2 },
+      types: [
+        { photometry: 'downlight-60.ies', name: 'Cylinder, pendant', flux: 270, watts: 3, count: [9, 9] },
+        { photometry: 'pendant.ies', flux: 400, watts: 4, count: [2, 2] },
+      ],
+    },
+  },
+  {
+    id: 'museum',
+    view: { position: [11.2, 1.65, 7.3], target: [5.2, 1.35, 1.2] },
+    title: 'Museum',
+    description: 'Works on paper that no spot may light with more than 50 lx, in a dark room.',
+    precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.3'],
+    opening: {
+      cards: [
+        { verb: 'homogenize', surfaces: sheets, aim: 45, guarantee: { by: 'patches', alpha: 1, max: 50 } },
+        { verb: 'illuminate', surfaces: sculptures, aim: 100, weight: 0.3 },
+        { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
+      ],
+      luminaires: { count: 14, dimming: [0.02, 1] },
+      types: [
+        { photometry: 'spot-24.ldt', count: [12, 12], aims: sheets },
+        { photometry: 'spot-36.ies', count: [2, 2], aims: sculptures },
+      ],
+    },
+  },
+  {
+    id: 'home',
+    view: { position: [1.25, 1.65, 4.45], target: [5.5, 0.8, 1.45], exposure: -0.3 },
+    title: 'Home',
+    description: 'Light to read by in one corner, and as much as an evening needs in the rest.',
+    precompute: ['--patch', '0.25', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
+    opening: {
+      cards: [
+        { verb: 'illuminate', surfaces: ['reading place'], aim: 400 },
+        { verb: 'homogenize', surfaces: ['floor'], aim: 50 },
+        { verb: 'illuminate', surfaces: ['dining table'], aim: 100 },
+      ],
+      luminaires: { count: 7, dimming: [0.2, 1], minDistance: 0.9 },
+      types: [
+        { photometry: 'spot-36.ies', flux: 700, watts: 7, count: [1, 1], aims: ['reading place'] },
+        { photometry: 'downlight-90.ldt', flux: 450, watts: 5, count: [6, 6] },
+      ],
     },
   },
   {

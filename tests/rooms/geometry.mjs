@@ -58,6 +58,44 @@ function change(net, key, step, from, to) {
   else net.set(key, entry);
 }
 
+const boxOf = (points) => [0, 1, 2].map((axis) => { const at = points.map((p) => p[axis]); return [Math.min(...at), Math.max(...at)]; }); // prettier-ignore
+const meet = (a, b) => a.every(([low, high], axis) => low < b[axis][1] - grid && b[axis][0] < high - grid);
+
+/** Whether a stretch from `from` to `to` goes through a triangle, well within both. */
+function pierces(from, to, [a, b, c]) {
+  const [along, u, v] = [subtract(to, from), subtract(b, a), subtract(c, a)];
+  const across = cross(along, v);
+  const determinant = dot(u, across);
+  if (Math.abs(determinant) < 1e-12) return false;
+  const start = subtract(from, a);
+  const s = dot(start, across) / determinant;
+  const q = cross(start, u);
+  const t = dot(along, q) / determinant;
+  const at = dot(v, q) / determinant;
+  const inside = 1e-4;
+  return s > inside && t > inside && s + t < 1 - inside && at > inside && at < 1 - inside;
+}
+
+/** Pairs of names whose triangles go through one another. `objects`: { name, triangles } each. */
+export function crossings(objects) {
+  const boxed = objects.map(({ name, triangles }) => {
+    const parts = triangles.map((points) => ({ points, box: boxOf(points) }));
+    return { name, parts, box: boxOf(triangles.flat()) };
+  });
+  const edges = ([a, b, c]) => [[a, b], [b, c], [c, a]]; // prettier-ignore
+  const goThrough = (a, b) => edges(a).some(([p, q]) => pierces(p, q, b)) || edges(b).some(([p, q]) => pierces(p, q, a)); // prettier-ignore
+  const found = [];
+  boxed.forEach((one, i) => {
+    for (const other of boxed.slice(i + 1)) {
+      if (!meet(one.box, other.box)) continue;
+      const near = other.parts.filter(({ box }) => meet(box, one.box));
+      const isCrossed = one.parts.some((a) => meet(a.box, other.box) && near.some((b) => meet(a.box, b.box) && goThrough(a.points, b.points))); // prettier-ignore
+      if (isCrossed) found.push(`${one.name} and ${other.name}`);
+    }
+  });
+  return found;
+}
+
 /** Square metres in which two triangles lie in one plane over one another, whichever way they face. */
 export function doubleSurfaceArea(triangles) {
   const planes = new Map();

@@ -36,10 +36,27 @@ describe('the list that is shipped', () => {
     expect(ladder?.opening?.cards[0]?.spread).toEqual({ min: { homogenize: 0.25, vary: 0.75 } });
   });
 
+  test('names the luminaires that a room opens with, by files of the site', () => {
+    const museum = sampleCatalog().rooms.find(({ id }) => id === 'museum');
+    expect(museum?.opening?.types?.map(({ photometry }) => photometry)).toEqual([
+      'spot-24.ldt',
+      'spot-36.ies',
+    ]);
+    expect(museum?.opening?.types?.[0]).toMatchObject({
+      count: [12, 12],
+      turns: [0],
+      aims: expect.any(Array),
+    });
+  });
+
+  test('names some of the rooms where not all are there', () => {
+    expect(read(catalogFile({}, ['box', 'office'])).rooms.map(({ id }) => id)).toEqual(['office', 'box']);
+  });
+
   test('tells of rooms that are being computed, and so do the experiments in them', () => {
     const states = { 'e-corridor': { state: 'computing', progress: 0.4 } } as const;
     const { rooms, experiments } = read(catalogFile(states));
-    expect(rooms.map(({ progress }) => progress)).toEqual([null, 0.4, null, null, null]);
+    for (const { id, progress } of rooms) expect(progress).toBe(id === 'e-corridor' ? 0.4 : null);
     expect(experiments.every(({ progress }) => progress === 0.4)).toBe(true);
   });
 });
@@ -53,6 +70,7 @@ describe("an owner's list", () => {
         title: 'Attic',
         description: '',
         opening: null,
+        view: null,
         progress: null,
         failed: false,
       },
@@ -65,6 +83,11 @@ describe("an owner's list", () => {
     ['a file elsewhere', { rooms: [{ ...attic, file: '../secret.flux' }] }, /rooms\.0\.file: .*\.flux file/],
     ['a file on another host', { rooms: [{ ...attic, file: '//evil.test/a.flux' }] }, /rooms\.0\.file/],
     ['an unknown verb', { rooms: [{ ...attic, opening: { cards: [{ verb: 'dim' }] } }] }, /cards\.0/],
+    [
+      'a luminaire elsewhere',
+      { rooms: [{ ...attic, opening: { cards: [], types: [{ photometry: '../a.ies' }] } }] },
+      /photometry: .*luminaires/,
+    ],
     ['progress beyond the end', { rooms: [{ ...attic, state: 'computing', progress: 40 }] }, /progress/],
     ['an unknown state', { rooms: [{ ...attic, state: 'soon' }] }, /state/],
   ])('with %s is refused by naming the fault', (_, file, fault) => {
