@@ -61,7 +61,7 @@ const rooms = [
     opening: {
       cards: [
         { verb: 'homogenize', surfaces: pictures, aim: 150 },
-        { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
+        { verb: 'overshadow', surfaces: ['floor'], weight: 0.1 },
       ],
       luminaires: { count: 14, flux: 2200 },
     },
@@ -92,8 +92,8 @@ const rooms = [
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.3'],
     opening: {
       cards: [
-        { verb: 'homogenize', surfaces: sheets, aim: 45, guarantee: { by: 'patches', alpha: 1, max: 50 } },
-        { verb: 'illuminate', surfaces: sculptures, aim: 100, weight: 0.3 },
+        { verb: 'homogenize', surfaces: sheets, aim: 42, guarantee: { by: 'patches', alpha: 1, max: 50 } },
+        { verb: 'illuminate', surfaces: sculptures, aim: 20, weight: 0.5 },
         { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
       ],
       luminaires: { count: 14, dimming: [0.02, 1] },
