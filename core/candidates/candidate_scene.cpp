@@ -1,11 +1,13 @@
 #include "core/candidates/candidate_scene.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string>
 #include <utility>
 
 #include "core/candidates/candidate_list.h"
 #include "core/transport/room_view.h"
+#include "core/transport/surface_statistics.h"
 
 namespace fiatlux {
 namespace {
@@ -27,32 +29,17 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
   return Done{};
 }
 
-/// Mean rows alone, over the patches that count.
-void addMeans(Quantity quantity, Scene& scene) {
-  const Patches& patches = scene.patches;
-  const std::size_t m = scene.responses.sites, surfaces = scene.surfaces.size();
-  const bool exitance = quantity == Quantity::kExitance;
-  std::vector<SurfaceStatistics>& leaves = exitance ? scene.exitance : scene.illuminance;
-  leaves.assign(surfaces, {std::vector<double>(m), {}});
-  std::vector<double> area(surfaces);
-  for (std::uint32_t p = 0; p < patches.rows(); ++p)
-    if (patches.counts(p)) area[patches.surface[p]] += patches.area[p];
-  for (std::uint32_t j = 0; j < m; ++j) {
-    const float* column = scene.responses.column(j);
-    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-      if (!patches.counts(p)) continue;
-      const double factor = exitance ? patches.reflectance[p] : 1.0;
-      leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
-    }
-  }
-}
-
 }  // namespace
 
 CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> types,
                                std::vector<Candidate> candidates,
-                               std::shared_ptr<const PhotometricLight> light)
-    : room_(&room), light_(std::move(light)), types_(std::move(types)), candidates_(std::move(candidates)) {
+                               std::shared_ptr<const PhotometricLight> light,
+                               std::shared_ptr<const Repaint> paint)
+    : room_(&room),
+      light_(std::move(light)),
+      paint_(std::move(paint)),
+      types_(std::move(types)),
+      candidates_(std::move(candidates)) {
   responses_.rows = room.responses.rows;
   responses_.sites = static_cast<std::uint32_t>(candidates_.size());
   responses_.illuminance.reserve(std::size_t{responses_.rows} * responses_.sites);
@@ -60,30 +47,61 @@ CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> typ
 
 Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
                                              std::vector<Candidate> candidates,
-                                             std::shared_ptr<const PhotometricLight> light) {
+                                             std::shared_ptr<const PhotometricLight> light,
+                                             std::shared_ptr<const Repaint> paint) {
   const Result<Done> checked = check(room, types, candidates);
   if (!checked) return checked.error();
   if (!light) light = std::make_shared<const PhotometricLight>(room);
-  return CandidateScene(room, std::move(types), std::move(candidates), std::move(light));
+  return CandidateScene(room, std::move(types), std::move(candidates), std::move(light), std::move(paint));
+}
+
+Result<CandidateScene> CandidateScene::ofSquares(const Scene& room, const std::vector<std::uint32_t>& sites,
+                                                 std::shared_ptr<const Repaint> paint) {
+  if (sites.empty()) return Error{"no luminaire is asked for in the painted room"};
+  std::vector<Candidate> candidates;
+  for (const std::uint32_t site : sites) {
+    if (site >= room.sites.size())
+      return Error{"there is no site " + std::to_string(site) + " in the painted room"};
+    candidates.push_back({site, 0, 0, 0, {}});
+  }
+  return CandidateScene(room, {}, std::move(candidates), nullptr, std::move(paint));
 }
 
 Luminaire CandidateScene::luminaireOf(const Candidate& candidate) const {
+  const Site& site = room_->sites[candidate.site];
+  if (types_.empty()) return fiatlux::luminaireOf(site);
   const CandidateType& type = types_[candidate.type];
-  return mountedLuminaire(type.photometric, type.flux, room_->sites[candidate.site], mountingOf(candidate));
+  return mountedLuminaire(type.photometric, type.flux, site, mountingOf(candidate));
 }
 
-bool CandidateScene::advance(std::uint32_t count) {
+/// In the room as its file has it.
+std::vector<float> CandidateScene::columnsOf(std::size_t first, std::size_t count) const {
+  if (types_.empty()) {
+    std::vector<float> columns;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const float* column = room_->responses.column(candidates_[i].site);
+      columns.insert(columns.end(), column, column + room_->responses.rows);
+    }
+    return columns;
+  }
   std::vector<PhotometricCandidate> some;
-  for (; some.size() < count && done_ < candidates_.size(); ++done_) {
-    const Candidate& candidate = candidates_[done_];
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Candidate& candidate = candidates_[i];
     const PhotometricType& photometric = types_[candidate.type].photometric;
     const double flux = types_[candidate.type].flux;
     const double scale = photometric.flux > 0 && flux > 0 ? flux / photometric.flux : 1;
     some.push_back({candidate.site, luminaireOf(candidate), photometric.map, static_cast<float>(scale)});
   }
-  if (!some.empty()) {
-    const std::vector<float> columns = light_->total(some, light_->direct(some));
+  return light_->total(some, light_->direct(some));
+}
+
+bool CandidateScene::advance(std::uint32_t count) {
+  const std::size_t some = std::min<std::size_t>(count, candidates_.size() - done_);
+  if (some > 0) {
+    std::vector<float> columns = columnsOf(done_, some);
+    if (paint_) columns = paint_->light(columns, static_cast<std::uint32_t>(some));
     responses_.illuminance.insert(responses_.illuminance.end(), columns.begin(), columns.end());
+    done_ += some;
   }
   return done_ == candidates_.size();
 }
@@ -92,7 +110,8 @@ std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& ob
   if (observers.empty()) return {};
   std::vector<Luminaire> luminaires;
   for (const Candidate& candidate : candidates_) luminaires.push_back(luminaireOf(candidate));
-  return RoomView(*room_).rows(observers, luminaires, responses_);
+  return RoomView(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance)
+      .rows(observers, luminaires, responses_);
 }
 
 Scene CandidateScene::finish(Quantity quantity) {
@@ -104,10 +123,16 @@ Scene CandidateScene::finish(Quantity quantity) {
   scene.errorBound = room_->errorBound;
   for (const Candidate& candidate : candidates_) {
     scene.sites.push_back(room_->sites[candidate.site]);
-    scene.hangings.push_back({candidate.site, candidate.type, candidate.way, types_[candidate.type].power});
+    if (!types_.empty())
+      scene.hangings.push_back({candidate.site, candidate.type, candidate.way, types_[candidate.type].power});
+  }
+  if (paint_) {
+    std::copy(paint_->reflectance().begin(), paint_->reflectance().end(), scene.patches.reflectance.begin());
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+      if (!scene.surfaces[s].measuring) scene.surfaces[s].reflectance = paint_->meanReflectance(s);
   }
   scene.responses = std::move(responses_);
-  addMeans(quantity, scene);
+  setMeanRows(quantity, scene);
   return scene;
 }
 

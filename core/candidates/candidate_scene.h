@@ -1,6 +1,7 @@
 // A room seen through the luminaires that may hang in it: each candidate (a site, a luminaire type on it, its
 // turn and aim) becomes a site of its own, whose response is the light of that luminaire. Searches, bounds
-// and readings then work as they do for squares of light; a layout's flux is 1 for each luminaire.
+// and readings then work as they do for squares of light; a layout's flux is 1 for each luminaire. The room
+// may be painted otherwise than its file says, and then the squares of its sites are such candidates, too.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include "core/scene/scene.h"
 #include "core/transport/mounted_luminaire.h"
 #include "core/transport/photometric_light.h"
+#include "core/transport/repaint.h"
 
 namespace fiatlux {
 
@@ -38,10 +40,15 @@ inline constexpr double kCandidatesApart = 1e-3;
 class CandidateScene {
  public:
   /// An error where the room has no light operator, a candidate no site or type, or there are none or too
-  /// many. `light`: the room's, where it is there already.
+  /// many. `light`: the room's, where it is there already. `paint`: of that room; nullptr: it stays as it is.
   static Result<CandidateScene> begin(const Scene& room, std::vector<CandidateType> types,
                                       std::vector<Candidate> candidates,
-                                      std::shared_ptr<const PhotometricLight> light = nullptr);
+                                      std::shared_ptr<const PhotometricLight> light = nullptr,
+                                      std::shared_ptr<const Repaint> paint = nullptr);
+  /// Squares of 1 lm on some sites of a painted room: candidate i on sites[i]. Layouts have fluxes in lm. An
+  /// error where a site is not there, or there are none.
+  static Result<CandidateScene> ofSquares(const Scene& room, const std::vector<std::uint32_t>& sites,
+                                          std::shared_ptr<const Repaint> paint);
 
   /// Computes the columns of `count` more; true when all are there. What lies on one site costs less
   /// together.
@@ -60,12 +67,14 @@ class CandidateScene {
 
  private:
   CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates,
-                 std::shared_ptr<const PhotometricLight> light);
+                 std::shared_ptr<const PhotometricLight> light, std::shared_ptr<const Repaint> paint);
+  std::vector<float> columnsOf(std::size_t first, std::size_t count) const;
   Luminaire luminaireOf(const Candidate& candidate) const;
 
   const Scene* room_;
-  std::shared_ptr<const PhotometricLight> light_;
-  std::vector<CandidateType> types_;
+  std::shared_ptr<const PhotometricLight> light_;  // nullptr of squares
+  std::shared_ptr<const Repaint> paint_;           // nullptr: as in the file
+  std::vector<CandidateType> types_;               // none of squares
   std::vector<Candidate> candidates_;
   std::size_t done_ = 0;  // candidates
   Responses responses_;

@@ -67,6 +67,7 @@ void Session::adopt(Scene scene) {
   bound_.reset();
   before_.reset();
   prepared_.reset();
+  repaint_.reset();
   light_.reset();
   asked_ = false;
   intentions_ = {};
@@ -77,6 +78,18 @@ void Session::adopt(Scene scene) {
 std::shared_ptr<const PhotometricLight> Session::photometricLight() {
   if (!light_) light_ = std::make_shared<const PhotometricLight>(*scene_);
   return light_;
+}
+
+Result<std::shared_ptr<const Repaint>> Session::repaint(const std::vector<SurfacePaint>& paint) {
+  if (!scene_) return Error{"no scene is open"};
+  const Result<Done> checked = checkPaint(*scene_, paint);
+  if (!checked) return checked.error();
+  if (!repaint_ || !(paint == paint_)) {
+    repaint_ = std::make_shared<const Repaint>(*scene_, photometricLight()->exchange(),
+                                               paintedReflectance(*scene_, paint));
+    paint_ = paint;
+  }
+  return repaint_;
 }
 
 void Session::setPowers(const std::vector<double>& watts) {

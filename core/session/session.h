@@ -17,6 +17,7 @@
 #include "core/search/layout_search.h"
 #include "core/search/shown.h"
 #include "core/transport/photometric_light.h"
+#include "core/transport/repaint.h"
 
 namespace fiatlux {
 
@@ -65,6 +66,9 @@ class Session {
   /// The light of luminaires on the sites of the scene, which keeps what it finds out about them.
   /// Precondition: the scene has a light operator.
   std::shared_ptr<const PhotometricLight> photometricLight();
+  /// The room under other paint, kept until another paint is asked for. An Error where the scene has no light
+  /// operator, or a surface is none that can be painted. Refers to the scene and to its photometricLight().
+  Result<std::shared_ptr<const Repaint>> repaint(const std::vector<SurfacePaint>& paint);
 
   // --- Intentions: surfaces are sorted leaf indices, none for "all".
 
@@ -117,6 +121,8 @@ class Session {
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
   std::unique_ptr<Scene> scene_;
   std::shared_ptr<const PhotometricLight> light_;
+  std::vector<SurfacePaint> paint_;  // of repaint_
+  std::shared_ptr<const Repaint> repaint_;
   std::unique_ptr<PreparedScene> prepared_;
   bool asked_ = false;
   Intentions intentions_;

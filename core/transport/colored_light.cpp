@@ -51,10 +51,12 @@ struct ColoredLight::Regions {
   std::array<Eigen::PartialPivLU<Eigen::MatrixXd>, kChannels> solver;  // of I - mean Delta, between regions
 };
 
-ColoredLight::ColoredLight(const Scene& scene, const std::vector<float>& colors)
+ColoredLight::ColoredLight(const Scene& scene, const std::vector<float>& colors,
+                           const std::vector<float>& reflectance)
     : scene_(scene), interpolation_(scene.patches, scene.lightOperator->groups) {
   assert(colors.size() == std::size_t{3} * scene.patches.count);
-  setChanges(colors);
+  assert(reflectance.size() >= scene.patches.count);
+  setChanges(colors, reflectance);
   if (grey_) return;
   const std::uint32_t groups = scene.lightOperator->groups.count;
   const Eigen::Map<const GroupMatrix> exchange(scene.lightOperator->exchange.means.data(), groups, groups);
@@ -81,7 +83,7 @@ ColoredLight::ColoredLight(const Scene& scene, const std::vector<float>& colors)
 
 ColoredLight::~ColoredLight() = default;
 
-void ColoredLight::setChanges(const std::vector<float>& colors) {
+void ColoredLight::setChanges(const std::vector<float>& colors, const std::vector<float>& reflectance) {
   const Patches& patches = scene_.patches;
   const ExchangeGroups& groups = scene_.lightOperator->groups;
   for (int k = 0; k < kChannels; ++k) {
@@ -92,12 +94,13 @@ void ColoredLight::setChanges(const std::vector<float>& colors) {
     const float* color = &colors[std::size_t{3} * p];
     const double luminance = luminanceOf(color);
     for (int k = 0; k < kChannels; ++k) {
-      const float own = patches.reflectance[p];
+      const float own = reflectance[p];
       float change = 0;
       if (luminance > 0 && std::abs(color[k] / luminance - 1) > kGreyUpTo)
         change = std::min(kMostReflectance, static_cast<float>(own * color[k] / luminance)) - own;
       change_[k][p] = change;
-      lumens_[k][groups.ofRow[p]] += static_cast<float>(patches.area[p]) * change;
+      lumens_[k][groups.ofRow[p]] +=
+          static_cast<float>(patches.area[p]) * (own + change - patches.reflectance[p]);
       if (change != 0) grey_ = false;
     }
   }

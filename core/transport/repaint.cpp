@@ -3,6 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <string>
+
+#include "core/base/short_number.h"
 
 namespace fiatlux {
 
@@ -10,8 +13,35 @@ struct Repaint::Solver {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors;
 };
 
+Result<Done> checkPaint(const Scene& scene, const std::vector<SurfacePaint>& paint) {
+  if (!scene.lightOperator)
+    return Error{
+        "this room's file does not tell how its surfaces light each other, so nobody can say what other "
+        "paint does; make it again with fiatlux precompute, without --no-exchange"};
+  for (const auto& [surface, reflectance] : paint) {
+    if (surface >= scene.surfaces.size())
+      return Error{"paint: there is no surface " + std::to_string(surface)};
+    const std::string name = "paint: \"" + scene.surfaces[surface].name + "\"";
+    if (scene.surfaces[surface].measuring)
+      return Error{name + " only measures light; name a surface that can be painted"};
+    if (!(reflectance >= kLeastPaint && reflectance <= kMostPaint))
+      return Error{name + ": a reflectance lies between 0.05 and 0.9"};
+  }
+  return Done{};
+}
+
+std::vector<float> paintedReflectance(const Scene& scene, const std::vector<SurfacePaint>& paint) {
+  const Patches& patches = scene.patches;
+  std::vector<float> reflectance(patches.reflectance.begin(), patches.reflectance.begin() + patches.count);
+  std::vector<float> painted(scene.surfaces.size(), -1);
+  for (const SurfacePaint& each : paint) painted[each.surface] = static_cast<float>(each.reflectance);
+  for (std::uint32_t p = 0; p < patches.count; ++p)
+    if (painted[patches.surface[p]] >= 0) reflectance[p] = painted[patches.surface[p]];
+  return reflectance;
+}
+
 Repaint::Repaint(const Scene& scene, const ExchangeOperator& exchange, const std::vector<float>& reflectance)
-    : scene_(scene), exchange_(exchange) {
+    : scene_(scene), exchange_(exchange), reflectance_(reflectance) {
   const Patches& patches = scene.patches;
   const std::vector<std::uint32_t>& ofRow = scene.lightOperator->groups.ofRow;
   assert(reflectance.size() == patches.count);
@@ -35,6 +65,17 @@ Repaint::Repaint(const Scene& scene, const ExchangeOperator& exchange, const std
 }
 
 Repaint::~Repaint() = default;
+
+double Repaint::meanReflectance(std::uint32_t surface) const {
+  const Patches& patches = scene_.patches;
+  double area = 0, sum = 0;
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    if (patches.surface[p] != surface) continue;
+    area += patches.area[p];
+    sum += patches.area[p] * reflectance_[p];
+  }
+  return area > 0 ? sum / area : 0;
+}
 
 std::vector<float> Repaint::light(const std::vector<float>& light, std::uint32_t columns) const {
   if (groups_.empty()) return light;
@@ -64,14 +105,19 @@ std::vector<float> Repaint::light(const std::vector<float>& light, std::uint32_t
 }
 
 std::vector<float> lightPerReflectance(const Scene& scene, const ExchangeOperator& exchange,
-                                       const std::vector<float>& light, std::uint32_t surface) {
+                                       const std::vector<float>& light,
+                                       const std::vector<std::uint32_t>& surfaces) {
   const Patches& patches = scene.patches;
   const ExchangeGroups& groups = scene.lightOperator->groups;
-  std::vector<float> sources(groups.count, 0.0f);
-  for (std::uint32_t p = 0; p < patches.count; ++p)
-    if (patches.surface[p] == surface)
-      sources[groups.ofRow[p]] += static_cast<float>(patches.area[p] * light[p]);
-  return exchange.spread(sources, 1);
+  std::vector<std::uint32_t> column(scene.surfaces.size(), kNone);
+  for (std::uint32_t j = 0; j < surfaces.size(); ++j) column[surfaces[j]] = j;
+  std::vector<float> sources(groups.count * surfaces.size(), 0.0f);
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    const std::uint32_t j = column[patches.surface[p]];
+    if (j != kNone)
+      sources[groups.ofRow[p] * surfaces.size() + j] += static_cast<float>(patches.area[p] * light[p]);
+  }
+  return exchange.spread(sources, static_cast<std::uint32_t>(surfaces.size()));
 }
 
 }  // namespace fiatlux

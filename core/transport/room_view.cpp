@@ -106,7 +106,7 @@ std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3
   std::vector<Part> parts;
   for (const Sight& sight : place.sights) {
     if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
-    const double share = 4.0 / kSights * room_.patches.reflectance[sight.patch] / std::numbers::pi;
+    const double share = 4.0 / kSights * reflectance_[sight.patch] / std::numbers::pi;
     parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
     parts.back().cylindrical += share * std::hypot(sight.direction.x, sight.direction.z);
   }

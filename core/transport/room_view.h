@@ -25,7 +25,10 @@ double glareOf(const Luminaire& luminaire, const Observer& observer);
 /// Refers to the scene, which must have a light operator and outlive it.
 class RoomView {
  public:
-  explicit RoomView(const Scene& room) : room_(room), tree_(room) {}
+  explicit RoomView(const Scene& room) : RoomView(room, room.patches.reflectance) {}
+  /// Under other paint: `reflectance` of the patches, referred to as well.
+  RoomView(const Scene& room, const std::vector<float>& reflectance)
+      : room_(room), reflectance_(reflectance), tree_(room) {}
 
   /// Of luminaires at their fluxes under a common dimming, which have made that illuminance (lx, rows).
   std::vector<ObserverReading> readings(const std::vector<Observer>& observers,
@@ -62,6 +65,7 @@ class RoomView {
   void visit(const std::vector<Observer>& observers, std::size_t luminaires, const Visit& visit) const;
 
   const Scene& room_;
+  const std::vector<float>& reflectance_;  // of the patches
   TileTree tree_;
 };
 

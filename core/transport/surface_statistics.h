@@ -19,4 +19,8 @@ SurfaceStatistics surfaceStatistics(const float* values, const double* weights, 
 SurfaceStatistics responseStatistics(const Patches& patches, const Responses& responses, Quantity quantity,
                                      std::uint32_t surface);
 
+/// Sets the statistics of `quantity`, and those of illuminance, to mean rows alone, made of the scene's
+/// responses over the patches that count: unionStatistics then makes covariances where they are asked for.
+void setMeanRows(Quantity quantity, Scene& scene);
+
 }  // namespace fiatlux

@@ -32,21 +32,23 @@ void printNotes(const std::string& path, const std::vector<std::string>& notes) 
 
 void evaluate(const EvaluateOptions& options) {
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
-  const Scene scene = orThrow(readSceneFile(options.scene));
+  Scene scene = orThrow(readSceneFile(options.scene));
   std::vector<std::string> notes;
   const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
 
   const bool photometric = hasPhotometry(file);
-  const std::vector<float> light =
-      photometric ? orThrow(options.scene, photometricIlluminance(file, layout, scene, notes))
-                  : illuminanceOf(scene, layout);
+  std::vector<float> light = photometric
+                                 ? orThrow(options.scene, photometricIlluminance(file, layout, scene, notes))
+                                 : illuminanceOf(scene, layout);
   printNotes(options.layout, notes);
+  orThrow(options.layout, paintScene(file.paint, scene, light));
   const std::vector<Observer> observers = observersFor(file.observers, scene.patches);
   std::vector<ObserverReading> seen;
   if (!observers.empty())
     seen = orThrow(options.layout, observerReadings(file, layout, scene, observers, light));
-  const LightResults results =
-      photometric ? lightResults(scene.patches, scene.surfaces, light) : lightResults(scene, layout);
+  const LightResults results = photometric || !file.paint.empty()
+                                   ? lightResults(scene.patches, scene.surfaces, light)
+                                   : lightResults(scene, layout);
   if (!options.patches.empty())
     orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
   const std::vector<GridReading> grids = readGrids(scene, light);

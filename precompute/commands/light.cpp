@@ -68,8 +68,9 @@ void light(LightOptions options) {
   const Host host = commandHost(options.source, options.forward.threads, progress, options.verbose);
   options.forward.progress = &progress;
   const ModelFile model = orThrow(options.source, modelAt(options.source));
-  const auto [source, room, tracer] =
-      orThrow(options.source, openRoom(model, roomOptions(options, file), host));
+  auto [source, room, tracer] = orThrow(options.source, openRoom(model, roomOptions(options, file), host));
+  setReflectance(orThrow(options.layout, paintOnLeaves(file.paint, room.surfaces)), room.patches,
+                 room.surfaces);
   const std::vector<Luminaire> luminaires = orThrow(options.layout, freeLuminaires(file, room.sites));
 
   const double before = progress.total();

@@ -111,9 +111,10 @@ LayoutEntry entryOf(const JsonField& json, const ReadNamed& read) {
 }
 
 LayoutFile layoutOf(const JsonField& json, const ReadNamed& read) {
-  json.requireKeys({"dimming", "luminaires", "observers"});
+  json.requireKeys({"dimming", "luminaires", "observers", "paint"});
   LayoutFile file;
   if (const auto observers = json.find("observers")) file.observers = observersOf(*observers);
+  if (const auto paint = json.find("paint")) file.paint = paintOf(*paint);
   if (const auto dimming = json.find("dimming")) file.dimming = dimming->number(0, kLargestDimming);
   for (const JsonField& luminaire :
        json.at("luminaires", "list them: [{\"site\": 12, \"flux\": 3000}]").list(kMostLuminaires))

@@ -14,6 +14,7 @@
 #include "core/transport/mounted_luminaire.h"
 #include "precompute/files/named_files.h"
 #include "precompute/files/observers_json.h"
+#include "precompute/files/paint_json.h"
 
 namespace fiatlux {
 
@@ -37,6 +38,7 @@ struct LayoutFile {
   double dimming = 1;
   std::vector<LayoutEntry> luminaires;
   AskedObservers observers;
+  std::vector<NamedPaint> paint;
 };
 
 /// Without `read`, luminaires of photometric files are refused.

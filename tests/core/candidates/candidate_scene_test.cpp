@@ -108,6 +108,40 @@ TEST_P(OfQuantity, ReadingsAreThoseOfTheLightItself) {
     EXPECT_NEAR(leaves[0].mean[j], floor.mean[j], 1e-5 * floor.mean[j]);
 }
 
+/// Each column as if the paint had been there alone; the readings follow the new reflectance.
+TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
+  const Scene room = operatorScene(12, 6);
+  const auto light = std::make_shared<const PhotometricLight>(room);
+  const std::vector<SurfacePaint> wall = {{1, 0.8}};
+  const auto paint = std::make_shared<const Repaint>(room, light->exchange(), paintedReflectance(room, wall));
+  Result<CandidateScene> squares = CandidateScene::ofSquares(room, {4, 1}, paint);
+  Result<CandidateScene> types = CandidateScene::begin(room, twoTypes(), kCandidates, light, paint);
+  ASSERT_TRUE(squares && types);
+  while (!squares->advance(1)) continue;
+  while (!types->advance(3)) continue;
+  const Scene ofSquares = squares->finish(GetParam()), ofTypes = types->finish(GetParam());
+  const Result<Scene> before = candidateScene(room, GetParam(), twoTypes(), kCandidates);
+  const auto expectPainted = [&](const Scene& scene, std::uint32_t j, const float* column) {
+    const std::vector<float> expected = paint->light({column, column + room.patches.rows()}, 1);
+    for (std::size_t p = 0; p < expected.size(); ++p)
+      ASSERT_NEAR(scene.responses.column(j)[p], expected[p], 1e-4f * expected[p]) << j << ' ' << p;
+  };
+  for (std::uint32_t j = 0; j < kCandidates.size(); ++j)
+    expectPainted(ofTypes, j, before->responses.column(j));
+  expectPainted(ofSquares, 0, room.responses.column(4));
+  expectPainted(ofSquares, 1, room.responses.column(1));
+  EXPECT_TRUE(ofSquares.hangings.empty());
+  EXPECT_NEAR(ofSquares.surfaces[1].reflectance, 0.8, 1e-6);
+  EXPECT_FALSE(CandidateScene::ofSquares(room, {6}, paint));
+  EXPECT_FALSE(CandidateScene::ofSquares(room, {}, paint));
+  PreparedScene prepared(ofSquares);
+  Intentions intentions;
+  intentions.quantity = GetParam();
+  intentions.luminaires.count = 2;
+  const Shown shown = shownOf(prepared, intentions, {{0, 1}, {900, 300}, 0.5});
+  EXPECT_LT(checkStatistics(ofSquares, intentions.quantity, shown).largestDifference, 1e-6);
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, OfQuantity, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
 
 TEST(CandidateScene, WhatCannotBeIsSaidInOneLine) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/transport/exchange.h"
+#include "core/transport/repaint.h"
 #include "tests/core/operator_scene.h"
 
 namespace fiatlux {
@@ -106,6 +107,39 @@ TEST_F(Colored, IsItsDefinitionBetweenGroups) {
       if (groups.ofRow[p] == c) lit += patches.area[p] * light[p] / area[c];
     EXPECT_NEAR(red[c] / lit, expected, 0.002 * expected) << c;
   }
+}
+
+TEST_F(Colored, InAPaintedRoomEachChannelIsPaintedByItself) {
+  // A red wall above a floor that is painted darker.
+  const Vec3 red = {0.7, 0.2, 0.2};
+  const std::vector<float> colors = paint(1, red);
+  const Patches& patches = scene.patches;
+  const ExchangeOperator exchange(patches, scene.lightOperator->groups, scene.lightOperator->exchange);
+  std::vector<float> darker(patches.reflectance.begin(), patches.reflectance.begin() + patches.count);
+  for (std::uint32_t p = 0; p < patches.count; ++p)
+    if (patches.surface[p] == 0) darker[p] *= 0.5f;
+  const std::vector<float> made =
+      ColoredLight(scene, colors, darker).of(Repaint(scene, exchange, darker).light(light, 1));
+  std::vector<float> channels[3];
+  for (int k = 0; k < 3; ++k) {
+    const double own[3] = {red.x, red.y, red.z};
+    const double luminance = 0.2126 * red.x + 0.7152 * red.y + 0.0722 * red.z;
+    std::vector<float> reflectance = darker;
+    for (std::uint32_t p = 0; p < patches.count; ++p)
+      if (patches.surface[p] == 1)
+        reflectance[p] = std::min(0.95f, static_cast<float>(darker[p] * own[k] / luminance));
+    channels[k] = Repaint(scene, exchange, reflectance).light(light, 1);
+  }
+  double made0 = 0, expected0 = 0;
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    if (patches.surface[p] != 0) continue;
+    const double all = 0.2126 * channels[0][p] + 0.7152 * channels[1][p] + 0.0722 * channels[2][p];
+    made0 += made[2 * p];
+    expected0 += channels[0][p] / all;
+  }
+  EXPECT_NEAR(made0 / expected0, 1, 0.01);
+  EXPECT_EQ(ColoredLight(scene, colors, {patches.reflectance}).of(light),
+            ColoredLight(scene, colors).of(light));
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_F(Repainted, TheDerivativeIsWhatALittlePaintDoes) {
   for (std::uint32_t p = 0; p < scene.patches.count; ++p)
     if (scene.patches.surface[p] == 0) reflectance[p] += step;
   const std::vector<float> painted = Repaint(scene, exchange, reflectance).light(light, 1);
-  const std::vector<float> derivative = lightPerReflectance(scene, exchange, light, 0);
+  const std::vector<float> derivative = lightPerReflectance(scene, exchange, light, {0});
   EXPECT_GT(mean(derivative, 1), 0);
   EXPECT_NEAR((mean(painted, 1) - mean(light, 1)) / step / mean(derivative, 1), 1, 0.02);
 }

@@ -1,4 +1,4 @@
-// layout.json in both forms, and what is refused.
+// layout.json in both forms, with paint (paint_json too), and what is refused.
 #include "precompute/files/layout_json.h"
 
 #include <gmock/gmock.h>
@@ -32,6 +32,26 @@ TEST(LayoutJson, SitesAndPositionsBecomeSites) {
   EXPECT_THAT(layout.sites, ElementsAre(3u, 1u));
   EXPECT_THAT(layout.flux, ElementsAre(3000.0, 1000.0));
   EXPECT_THAT(notes, SizeIs(0));
+}
+
+TEST(LayoutJson, PaintIsOfSurfacesThatAreThere) {
+  const Scene scene = syntheticScene(40, 5);
+  const std::string rest = R"("luminaires": [{"site": 3, "flux": 3000}]})";
+  const LayoutFile file =
+      parseLayout(R"({"paint": [{"surface": "floor", "reflectance": 0.4}], )" + rest).value();
+  const auto onLeaves = paintOnLeaves(file.paint, scene.surfaces);
+  ASSERT_TRUE(onLeaves) << onLeaves.error().message;
+  EXPECT_EQ(*onLeaves, (std::vector<SurfacePaint>{{0, 0.4}}));
+  Scene painted = scene;
+  setReflectance(*onLeaves, painted.patches, painted.surfaces);
+  EXPECT_EQ(painted.surfaces[0].reflectance, 0.4);
+  EXPECT_EQ(painted.patches.reflectance[0], 0.4f);
+  EXPECT_THAT(paintOnLeaves({{"flor", 0.4}}, scene.surfaces).error().message, HasSubstr("\"floor\""));
+  EXPECT_FALSE(paintOnLeaves({{"plane", 0.4}}, scene.surfaces));
+  std::vector<float> light(scene.patches.rows());
+  EXPECT_THAT(paintScene(file.paint, painted, light).error().message, HasSubstr("make it again"));
+  EXPECT_THAT(errorOf(R"({"paint": [{"surface": "floor", "reflectance": 1}], )" + rest), HasSubstr("0.9"));
+  EXPECT_THAT(errorOf(R"({"paint": [{"reflectance": 0.5}], )" + rest), HasSubstr("surface"));
 }
 
 TEST(LayoutJson, NotesTellWhatWasIgnored) {

@@ -9,7 +9,9 @@
 #include <set>
 
 #include "core/transport/exchange.h"
+#include "core/transport/low_rank_radiosity.h"
 #include "core/transport/photometric_light.h"
+#include "core/transport/repaint.h"
 #include "core/transport/site_responses.h"
 #include "precompute/light/exchange_groups.h"
 #include "precompute/light/operator_errors.h"
@@ -140,6 +142,41 @@ TEST_F(DividedRoom, OtherPhotometriesComeOutAsTheWholeSolution) {
     EXPECT_LT(error.meanWorst, 0.02) << error.photometry;
     EXPECT_LT(error.sigmaMedian, 0.02) << error.photometry;
   }
+}
+
+TEST_F(DividedRoom, RepaintedWallsShineAsTheRoomMadeSo) {
+  Transport copy = *transport;
+  const Scene scene = sceneOf(*room, std::move(copy), "0123456789abcdef");
+  const std::uint32_t rows = scene.patches.rows();
+  const std::vector<float> before(scene.responses.column(0), scene.responses.column(0) + rows);
+  const std::vector<SurfacePaint> paint = {{2, 0.8}, {3, 0.2}, {4, 0.8}};
+  const ExchangeOperator exchange(scene.patches, scene.lightOperator->groups, scene.lightOperator->exchange);
+  const std::vector<float> painted =
+      Repaint(scene, exchange, paintedReflectance(scene, paint)).light(before, 1);
+
+  // The same light in a room whose material is that.
+  Patches made = room->patches;
+  for (const auto& [surface, reflectance] : paint)
+    for (std::uint32_t p = 0; p < made.count; ++p)
+      if (made.surface[p] == surface) made.reflectance[p] = static_cast<float>(reflectance);
+  const auto lowRank = LowRankRadiosity::factorize(transport->factors, made);
+  ASSERT_TRUE(lowRank);
+  ResponseBlock block;
+  block.width = 1;
+  block.direct.assign(transport->direct.begin(), transport->direct.begin() + rows);
+  solveResponses(transport->factors, made, *lowRank, 3, 0, block);
+
+  double largestChange = 0, worst = 0;
+  const double least = 0.05 * explicitStatistics(scene, block.irradiance, {}).mean;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const double truth = explicitStatistics(scene, block.irradiance, {s}).mean;
+    if (truth < least) continue;
+    const double was = explicitStatistics(scene, before, {s}).mean;
+    largestChange = std::max(largestChange, std::abs(was / truth - 1));
+    worst = std::max(worst, std::abs(explicitStatistics(scene, painted, {s}).mean / truth - 1));
+  }
+  EXPECT_GT(largestChange, 0.05);
+  EXPECT_LT(worst, 0.016);
 }
 
 TEST(ExchangeGroups, SmallThingsStayTogetherWhereOneOfThemIsCrossed) {
