@@ -6,6 +6,8 @@
 
 #include "core/candidates/candidate_scene.h"
 #include "core/photometry/photometric_description.h"
+#include "core/search/validate_intentions.h"
+#include "core/session/paint_gains.h"
 #include "core/session/session.h"
 #include "core/transport/colored_light.h"
 
@@ -369,16 +371,45 @@ struct Candidates {
   std::optional<CandidateScene> scene;
 };
 
-std::string begin(Candidates& candidates, Session& room, val files, val flux, val asked) {
-  if (!room.scene()) return "no scene is open";
-  Result<std::vector<CandidateType>> types = typesOf(files, flux);
-  if (!types) return types.error().message;
-  Result<CandidateScene> begun =
-      CandidateScene::begin(*room.scene(), std::move(*types), candidatesOf(asked),
-                            room.scene()->lightOperator ? room.photometricLight() : nullptr);
+/// Two numbers a painted surface: its index and its reflectance.
+std::vector<SurfacePaint> paintOf(const val& asked) {
+  const std::vector<double> numbers = vectorOf<double>(asked);
+  std::vector<SurfacePaint> paint;
+  for (std::size_t i = 0; i + 2 <= numbers.size(); i += 2)
+    paint.push_back({static_cast<std::uint32_t>(numbers[i]), numbers[i + 1]});
+  return paint;
+}
+
+/// nullptr where nothing is painted.
+Result<std::shared_ptr<const Repaint>> repaintOf(Session& room, const val& asked) {
+  const std::vector<SurfacePaint> paint = paintOf(asked);
+  if (paint.empty()) return std::shared_ptr<const Repaint>();
+  return room.repaint(paint);
+}
+
+std::string taken(Candidates& candidates, Result<CandidateScene> begun) {
   if (!begun) return begun.error().message;
   candidates.scene.emplace(std::move(*begun));
   return {};
+}
+
+std::string begin(Candidates& candidates, Session& room, val files, val flux, val asked, val paint) {
+  if (!room.scene()) return "no scene is open";
+  Result<std::vector<CandidateType>> types = typesOf(files, flux);
+  if (!types) return types.error().message;
+  const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
+  if (!painted) return painted.error().message;
+  return taken(candidates, CandidateScene::begin(
+                               *room.scene(), std::move(*types), candidatesOf(asked),
+                               room.scene()->lightOperator ? room.photometricLight() : nullptr, *painted));
+}
+
+std::string beginSquares(Candidates& candidates, Session& room, val sites, val paint) {
+  if (!room.scene()) return "no scene is open";
+  const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
+  if (!painted) return painted.error().message;
+  return taken(candidates,
+               CandidateScene::ofSquares(*room.scene(), vectorOf<std::uint32_t>(sites), *painted));
 }
 
 bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
@@ -402,11 +433,14 @@ struct RoomColor {
   std::optional<ColoredLight> light;
 };
 
-std::string beginColor(RoomColor& color, const Session& room, val colors) {
+std::string beginColor(RoomColor& color, Session& room, val colors, val paint) {
   if (!room.scene() || !room.scene()->lightOperator) return "no room with a light operator is open";
+  const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
+  if (!painted) return painted.error().message;
   const std::vector<float> linear = vectorOf<float>(colors);
   if (linear.size() != std::size_t{3} * room.scene()->patches.count) return "the colours are of another room";
-  color.light.emplace(*room.scene(), linear);
+  color.light.emplace(*room.scene(), linear,
+                      *painted ? (*painted)->reflectance() : room.scene()->patches.reflectance);
   return {};
 }
 
@@ -414,6 +448,30 @@ bool isGrey(const RoomColor& color) { return !color.light || color.light->isGrey
 
 val colorsOf(const RoomColor& color, val illuminance) {
   return copied(color.light->of(vectorOf<float>(illuminance)));
+}
+
+// --- which paint helps
+
+/// Of each surface: its index, then what every goal and every constraint gains. Or one line.
+val paintGainsOf(Session& room, val asked, val paint, val illuminance) {
+  if (!room.scene()) return val(std::string("no scene is open"));
+  Intentions intentions = intentionsOf(asked, room.scene());
+  intentions.luminaires = {};
+  intentions.luminaires.count = 1;
+  const Result<Done> checked = checkIntentions(*room.scene(), intentions);
+  if (!checked) return val(checked.error().message);
+  const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
+  if (!painted) return val(painted.error().message);
+  const std::vector<float> light = vectorOf<float>(illuminance);
+  if (light.size() != room.scene()->patches.rows()) return val(std::string("the light is of another room"));
+  std::vector<double> numbers;
+  for (const PaintGain& gain :
+       paintGains(*room.scene(), room.photometricLight()->exchange(), **painted, light, intentions)) {
+    numbers.push_back(gain.surface);
+    numbers.insert(numbers.end(), gain.goals.begin(), gain.goals.end());
+    numbers.insert(numbers.end(), gain.constraints.begin(), gain.constraints.end());
+  }
+  return copied(numbers);
 }
 
 // --- the alpha-search
@@ -523,6 +581,7 @@ EMSCRIPTEN_BINDINGS(core) {
   emscripten::class_<Candidates>("Candidates")
       .constructor<>()
       .function("begin", &begin)
+      .function("beginSquares", &beginSquares)
       .function("advance", &advanceCandidates);
   emscripten::class_<RoomColor>("ColoredLight")
       .constructor<>()
@@ -550,6 +609,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("incumbent", &incumbent)
       .function("show", &show)
       .function("check", &check)
+      .function("paintGains", &paintGainsOf)
       .function("adopt", &adopt)
       .function("startAlpha", &startAlpha)
       .function("advanceAlpha", &advanceAlpha)

@@ -10,6 +10,7 @@ import './styles/cards.css';
 import './styles/types.css';
 import './styles/plots.css';
 import './styles/tables.css';
+import './styles/paint.css';
 import './styles/overlays.css';
 import './styles/compare.css';
 import './styles/dialogs.css';

@@ -12,6 +12,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync, inflateSync } from 'node:zlib';
 import { dragToLayout, firstPaintScripts } from './drag-bench.mjs';
 import { dropsOnOffice } from './drop-bench.mjs';
+import { repaintsOfOffice } from './repaint-bench.mjs';
 import { firstVisits } from './first-bench.mjs';
 import { describeRun } from './machine.mjs';
 import { openSession, wishOf } from './open-session.mjs';
@@ -227,6 +228,16 @@ async function photometry() {
   }
 }
 
+/** A wall of the office that is painted lighter and darker, under 260 candidates of one type. */
+async function repaint() {
+  need(inRoot('dist/scenes/office.flux'));
+  const values = (await repaintsOfOffice(root)).sort((a, b) => a - b);
+  const { median, spread } = summary(values);
+  const p95 = round(values[Math.ceil(0.95 * values.length) - 1]);
+  const row = { unit: 'ms', spread: round(spread, 2), p95, wanted: 50, steps: values.length };
+  print({ name: 'repaint_to_picture', native: null, wasm: round(median), ...row });
+}
+
 /** A first visit to the office on a line of 10 Mbit/s with 40 ms. */
 async function first10Mbit() {
   need(inRoot('dist/scenes/office.flux'));
@@ -253,6 +264,7 @@ const figures = {
     bytes('scene_file_office', statSync(need(inRoot('public/scenes/office.flux'))).size),
   first_10mbit: first10Mbit,
   photometry,
+  repaint,
   drag_to_layout: drag,
   precompute_e_corridor: precompute,
 };

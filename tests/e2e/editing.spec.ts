@@ -1,6 +1,6 @@
 // Intentions, luminaires and history, by pointer: the light follows while the pointer is held.
 // Covers intentions-tab, intention-card, card-more, card-guarantee, infeasible-help, histogram, mean-range,
-// selection-bar, luminaires-tab, luminaire-hand, luminaire-tags, luminaire-objects, site-marks.
+// selection-bar, paint-section, luminaires-tab, luminaire-hand, luminaire-tags, luminaire-objects, site-marks.
 import type { Locator, Page } from '@playwright/test';
 import {
   canvas,
@@ -240,4 +240,24 @@ test('a bound far beyond the light leaves the histogram its shape', async ({ pag
   await page.getByRole('textbox', { name: /mean at most/ }).press('Enter');
   await settled(page);
   expect(await bars.count()).toBeGreaterThan(before / 3);
+});
+
+test('a surface is painted by its slider, and undo takes the paint off again', async ({ page }) => {
+  await openRoom(page, 'Box');
+  const before = await results(page);
+  const paint = page.getByRole('region', { name: 'Paint' });
+  await paint.getByLabel('Surface').selectOption('floor');
+  const slider = paint.getByRole('slider', { name: 'Reflectance of floor' });
+  const original = await slider.inputValue();
+  await slider.press('Shift+ArrowRight');
+  await expect.poll(() => results(page)).not.toEqual(before);
+  await settled(page);
+  await expect(paint.getByText(/^Painted: floor/)).toBeVisible();
+  await expect(paint.getByText(/^(lighter|darker): /).first()).toBeVisible();
+  await paint.getByRole('button', { name: /^Terracotta/ }).click();
+  await expect(slider).toHaveValue('0.2');
+  await undo(page).click();
+  await undo(page).click();
+  await expect(slider).toHaveValue(original);
+  await expect.poll(() => results(page)).toEqual(before);
 });

@@ -110,7 +110,9 @@ describe('a file that is arriving', () => {
     expect(told.scenes[0]![0].hasOperator).toBe(true);
     expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
     const candidates = new core.Candidates();
-    expect(candidates.begin(session, [], new Float64Array(), new Float64Array())).toMatch(/^[^\n]{10,200}$/);
+    expect(candidates.begin(session, [], new Float64Array(), new Float64Array(), new Float64Array())).toMatch(
+      /^[^\n]{10,200}$/,
+    );
     candidates.delete();
     send(bytes.length);
     close();

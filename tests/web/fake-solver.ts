@@ -85,12 +85,16 @@ export class FakeSolver implements WorkerLike {
   onmessage: WorkerLike['onmessage'] = null;
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
-  readonly scene = fakeScene();
+  readonly scene: SceneInfo;
   readonly asked: ToWorker[] = [];
   light: OpeningLight | null = null; // that the next file begins with
   describes: PhotometricDescription | string = described(100); // of any photometric file
   terminated = false;
   #queue: FromWorker[] = [];
+
+  constructor(scene: SceneInfo = fakeScene()) {
+    this.scene = scene;
+  }
 
   postMessage(message: ToWorker): void {
     this.asked.push(message);
@@ -114,6 +118,16 @@ export class FakeSolver implements WorkerLike {
         const { revision, layout, intentions } = message;
         const shown = { ...fakeShown(this.scene, layout, intentions), colors: null };
         this.#queue.push({ type: 'readings', revision, shown });
+        return;
+      }
+      case 'gains': {
+        const { revision, intentions } = message;
+        const gains = [0, 1].map((surface) => ({
+          surface,
+          goals: intentions.goals.map(() => (surface === 0 ? -2 : 12)),
+          constraints: intentions.constraints.map(() => (surface === 0 ? 30 : 3)),
+        }));
+        this.#queue.push({ type: 'gained', revision, gains });
         return;
       }
       case 'describe':

@@ -26,6 +26,8 @@ export interface FakeViewer extends Viewer {
   opened: number;
   held: boolean;
   other: Parameters<Viewer['compareWith']>[0];
+  paint: Parameters<Viewer['setPaint']>[0];
+  glow: number | null;
 }
 
 export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer } {
@@ -41,6 +43,8 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       opened: 0,
       held: false,
       other: null,
+      paint: [],
+      glow: null,
       compareWith: (other) => void (viewer.other = other),
       divide: () => {},
       prepare: () => {},
@@ -49,6 +53,8 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       arrive: () => {},
       colors: async () => null,
       setLightColor: () => {},
+      setPaint: (paint) => void (viewer.paint = paint),
+      setGlow: (surface) => void (viewer.glow = surface),
       setLight: (light) => void (viewer.light = light),
       setLayout: (layout, pinned) => {
         viewer.layout = layout;

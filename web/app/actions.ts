@@ -105,6 +105,16 @@ const intentions: readonly Action[] = [
   },
 ];
 
+const paint: readonly Action[] = [
+  {
+    id: 'paint',
+    title: () => words.value.paint.action,
+    group: 'Intentions',
+    enabled: (app) => hasRoom(app) && app.painting.canPaint.value,
+    run: (app) => app.paint(app.store.surface.peek()),
+  },
+];
+
 const luminaires: readonly Action[] = [
   {
     id: 'pin',
@@ -339,6 +349,7 @@ const help: readonly Action[] = [
 export const actions: readonly Action[] = [
   ...editing,
   ...intentions,
+  ...paint,
   ...luminaires,
   ...types,
   ...view,

@@ -16,6 +16,7 @@ import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
 import { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { Opening } from './opening/opening.ts';
+import { Painting } from './painting.ts';
 import { takeOwnPictures } from './rooms/own-pictures.ts';
 import { OwnRooms } from './rooms/own-rooms.ts';
 import { Rooms } from './rooms/rooms.ts';
@@ -43,6 +44,7 @@ export class App {
   readonly opening: Opening;
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
+  readonly painting: Painting;
   readonly variants: Variants;
   readonly film: Film;
   readonly challenge: Challenge;
@@ -54,6 +56,7 @@ export class App {
     this.hand = new Hand(store, this.solving);
     new Comparing(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
+    this.painting = new Painting(store, this.solving, this.viewer);
     this.keeping = new Keeping(store, this.solving, this.viewer, this.types);
     this.opening = new Opening(
       store,
@@ -186,6 +189,13 @@ export class App {
     const card = store.document.peek().cards.find((each) => each.surfaces.includes(name));
     if (card) store.card.value = card.id;
     store.announcement.value = words.value.steps.selected(name);
+  }
+
+  /** Shows how a surface is painted. */
+  paint(surface: number | null): void {
+    if (surface !== null) this.selectSurface(surface);
+    this.store.tab.value = 'results';
+    this.store.paintAsked.value = true;
   }
 
   undo(): void {

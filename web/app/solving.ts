@@ -7,7 +7,7 @@ import type { Draft } from 'immer';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type { FiatLuxDocument, Intentions, Layout, LuminaireType, SceneInfo } from '../document/types.ts';
-import type { FromWorker, OpeningLight, Seen, Shown } from '../solver/protocol.ts';
+import type { FromWorker, OpeningLight, PaintGain, Seen, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
 import { Showing } from './showing.ts';
@@ -198,6 +198,11 @@ export class Solving {
     return { ...this.#read(seen), colors: seen.colors };
   }
 
+  /** What lighter paint would do for the light that is shown. Rejects with one readable line. */
+  gains(shown: Shown): Promise<readonly PaintGain[]> {
+    return this.#client.gains(this.#store.traced.peek().intentions, shown.illuminance);
+  }
+
   /** What a photometric file says. Rejects with one readable line. */
   describe(file: Uint8Array): Promise<PhotometricDescription> {
     return this.#client.describe(file);
@@ -330,6 +335,7 @@ export class Solving {
         return this.#checked(message);
       case 'readings': // the client keeps these for whoever asked
       case 'described':
+      case 'gained':
         return;
       case 'failed':
         return this.#failed(message);

@@ -115,8 +115,9 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   }
   const { quantity } = document;
   const luminaires = askedLuminaires(document);
-  const { glare } = document;
-  const intentions = { luminaires, goals, constraints, quantity, ...(glare && { glare }) };
+  const { glare, paint } = document;
+  const asked = { luminaires, goals, constraints, quantity, ...(glare && { glare }) };
+  const intentions = { ...asked, ...(paint?.length && { paint }) };
   return { intentions, goalCards, origins };
 }
 

@@ -19,7 +19,7 @@ export function linkOf(
   plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
-  const { scene, room, cards, saving, quantity, seed, roomType, glare } = document;
+  const { scene, room, cards, saving, quantity, seed, roomType, glare, paint } = document;
   const kept = linkedVariant(document, sites);
   return {
     scene,
@@ -30,6 +30,7 @@ export function linkOf(
     seed,
     ...(roomType !== undefined && { roomType }),
     ...(glare !== undefined && { glare }),
+    ...(paint !== undefined && { paint }),
     luminaires: rules,
     layout: layout && {
       ...placed(layout, sites),
@@ -103,7 +104,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   if (link.luminaires.count > m) return words.value.files.link.tooMany(link.luminaires.count, m);
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned, ...(ofType && { ofType }) };
-  const { room, cards, saving, quantity, seed, roomType, glare } = link;
+  const { room, cards, saving, quantity, seed, roomType, glare, paint } = link;
   const asked = {
     room,
     cards,
@@ -113,6 +114,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     seed,
     ...(roomType !== undefined && { roomType }),
     ...(glare !== undefined && { glare }),
+    ...(paint !== undefined && { paint }),
   };
   return {
     scene: scene.identity,

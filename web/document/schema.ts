@@ -3,6 +3,7 @@
  * length, so that what passes is a document the app can hold; names are cleaned of characters that could mislead.
  */
 import * as v from 'valibot';
+import { leastPaint, mostPaint } from './paint.ts';
 import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export const mostLuminaires = 500;
@@ -11,6 +12,7 @@ export const mostViews = 20;
 export const mostAreas = 50;
 
 export const mostObservers = 40;
+const mostPaints = 2000; // surfaces
 const mostSites = 100_000;
 
 export const number = (low: number, high: number) =>
@@ -160,6 +162,13 @@ export const glareSchema = v.object({
   observers: v.exactOptional(v.pipe(v.array(observer), v.maxLength(mostObservers))),
 });
 
+const color = v.pipe(v.string(), v.regex(/^#[0-9a-f]{6}$/));
+const reflectance = number(leastPaint, mostPaint);
+export const paintSchema = v.pipe(
+  v.array(v.object({ surface: nameSchema, reflectance, color: v.exactOptional(color) })),
+  v.maxLength(mostPaints),
+);
+
 const askedEntries = {
   cards: cardsSchema,
   saving: v.boolean(),
@@ -168,6 +177,7 @@ const askedEntries = {
   quantity: quantitySchema,
   seed: seedSchema,
   roomType: v.exactOptional(roomTypeSchema),
+  paint: v.exactOptional(paintSchema),
 };
 
 export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({

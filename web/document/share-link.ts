@@ -2,8 +2,8 @@
  * A layout as a link: pure `encodeLink` / `decodeLink`, everything in the hash, nothing fetched from it.
  * `#f<version>.<payload>.<checksum>`: the payload is deflated JSON in base64url, the checksum its CRC-32. Luminaires are
  * positions in centimetres, so that a link survives a renumbering of the sites. Version 2 has luminaire types: their
- * photometric files as text as far as these fit, the others by hash and name; and the plan of a room that was made here. A
- * link without either is of version 1.
+ * photometric files as text as far as these fit, the others by hash and name; the plan of a room that was made here; and the
+ * paint on its surfaces. A link without any of these is of version 1.
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import * as v from 'valibot';
@@ -20,6 +20,7 @@ import {
   luminairesSchema,
   mostLuminaires,
   mostTypes,
+  paintSchema,
   pointSchema,
   quantitySchema,
   roomSchema,
@@ -27,7 +28,17 @@ import {
   seedSchema,
   typeEntries,
 } from './schema.ts';
-import type { Camera, Card, Display, Glare, Luminaires, LuminaireType, Mounting, Quantity } from './types.ts';
+import type {
+  Camera,
+  Card,
+  Display,
+  Glare,
+  Luminaires,
+  LuminaireType,
+  Mounting,
+  Paint,
+  Quantity,
+} from './types.ts';
 import { words } from '../language/language.ts';
 
 export const linkVersion = 2;
@@ -54,6 +65,7 @@ export interface Link {
   readonly roomType?: string;
   readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
   readonly glare?: Glare;
+  readonly paint?: readonly Paint[];
   readonly layout: (LinkedLayout & { readonly pinned: readonly number[] }) | null;
   readonly kept?: LinkedLayout; // the variant that the layout is compared with
   readonly files?: PhotometricFiles; // of its types, as far as it carries them
@@ -117,6 +129,7 @@ const payloadSchema = v.object({
   e: v.exactOptional(roomTypeSchema),
   g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
   u: v.exactOptional(glareSchema),
+  a: v.exactOptional(paintSchema),
   y: v.exactOptional(
     v.object({
       ...layoutEntries,
@@ -170,7 +183,7 @@ export const encodeLink = (link: Link): string => fitLink(link).hash;
 function encode(link: Link): string {
   const bytes = deflateSync(strToU8(JSON.stringify(payloadOf(link))), { level: 9 });
   const checksum = crc32(bytes).toString(16).padStart(8, '0');
-  const version = link.luminaires.types?.length || link.plan ? linkVersion : 1;
+  const version = link.luminaires.types?.length || link.plan || link.paint?.length ? linkVersion : 1;
   return `#f${version}.${toBase64Url(bytes)}.${checksum}`;
 }
 
@@ -196,6 +209,7 @@ function payloadOf(link: Link): Payload {
     ...(link.roomType && { e: link.roomType }),
     ...(link.score !== undefined && { g: link.score }),
     ...(link.glare && { u: structuredClone(link.glare) as NonNullable<Payload['u']> }),
+    ...(link.paint?.length && { a: link.paint.map((each) => ({ ...each })) }),
     ...(layout && {
       y: { ...layoutIn(layout, numbers), n: [...layout.pinned] },
     }),
@@ -288,7 +302,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return words.value.files.link.fault(firstFault(parsed.issues));
-  const { i, r, c, w, l, q, s, e, g, u, y, b, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, g, u, a, y, b, t, m, k, d } = parsed.output;
   if (y?.n.some((index) => index >= y.p.length)) return words.value.files.link.missingPin;
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
@@ -308,6 +322,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     ...(e !== undefined && { roomType: e }),
     ...(g !== undefined && { score: g }),
     ...(u !== undefined && { glare: u }),
+    ...(a !== undefined && { paint: a }),
     layout: layout && y ? { ...layout, pinned: y.n } : null,
     ...(kept && { kept }),
     ...(m && { plan: m }),

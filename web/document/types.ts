@@ -165,6 +165,13 @@ export interface Layout {
   readonly ties?: readonly number[]; // of each luminaire, the number of the tie it moves with; absent = none is tied
 }
 
+/** A surface in another paint than its file says. */
+export interface Paint {
+  readonly surface: string; // a leaf
+  readonly reflectance: number; // leastPaint to mostPaint (document/paint.ts)
+  readonly color?: string; // '#rrggbb', of which the hue is taken; absent: the material's own, lighter or darker
+}
+
 export interface FiatLuxDocument {
   readonly scene: string; // identity of the .flux file, 16 hex digits
   readonly room: string; // id in the catalogue, or the file's name
@@ -175,6 +182,7 @@ export interface FiatLuxDocument {
   readonly quantity: Quantity;
   readonly seed: number;
   readonly roomType?: string; // id of what a standard asks of such a room, beside the cards
+  readonly paint?: readonly Paint[]; // at most one a surface; absent: the room as its file has it
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
   readonly views?: readonly NamedView[]; // absent: none; links leave them out
@@ -193,6 +201,7 @@ export interface Intentions {
   readonly constraints: readonly Constraint[];
   readonly quantity: Quantity;
   readonly glare?: Glare; // heeded where the room's file tells what stands in the way of sight
+  readonly paint?: readonly Paint[]; // heeded where the file tells how surfaces light each other
 }
 
 /**

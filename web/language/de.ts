@@ -9,6 +9,7 @@ import { intentions } from './de/intentions.ts';
 import { luminaires } from './de/luminaires.ts';
 import { maker } from './de/maker.ts';
 import { opening } from './de/opening.ts';
+import { paint } from './de/paint.ts';
 import { panel } from './de/panel.ts';
 import { report } from './de/report.ts';
 import { results } from './de/results.ts';
@@ -25,6 +26,7 @@ export const de: Words = {
   luminaires,
   maker,
   opening,
+  paint,
   panel,
   report,
   results,

@@ -8,6 +8,7 @@ import { intentions } from './en/intentions.ts';
 import { luminaires } from './en/luminaires.ts';
 import { maker } from './en/maker.ts';
 import { opening } from './en/opening.ts';
+import { paint } from './en/paint.ts';
 import { panel } from './en/panel.ts';
 import { report } from './en/report.ts';
 import { results } from './en/results.ts';
@@ -24,6 +25,7 @@ export const en = {
   luminaires,
   maker,
   opening,
+  paint,
   panel,
   report,
   results,

@@ -1,7 +1,19 @@
 /** What can be done with what is selected: a verb for a surface, pin or move for a luminaire. */
-import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Ban, Pin, PinOff, Trash2, X } from 'lucide-preact';
+import {
+  ArrowDown,
+  ArrowLeft,
+  ArrowRight,
+  ArrowUp,
+  Ban,
+  PaintRoller,
+  Pin,
+  PinOff,
+  Trash2,
+  X,
+} from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { compact, unitOf } from '../app/words/format.ts';
+import { isPaintable } from '../document/paint.ts';
 import { inPlan, inRoom } from '../document/plan-frame.ts';
 import { positionOf } from '../document/sites.ts';
 import type { SceneInfo } from '../document/types.ts';
@@ -23,8 +35,9 @@ function SurfaceBar({ surface }: { surface: number }) {
   const app = useApp();
   const { store } = app;
   const row = store.shown.value?.surfaces[surface];
-  const name = store.scene.value?.surfaces[surface]?.name;
-  if (name === undefined) return null;
+  const leaf = store.scene.value?.surfaces[surface];
+  if (!leaf) return null;
+  const { name } = leaf;
   return (
     <div
       class="selection-bar of-surface"
@@ -50,6 +63,12 @@ function SurfaceBar({ surface }: { surface: number }) {
           <span>{words.value.intentions.verbs[verb].title}</span>
         </button>
       ))}
+      {app.painting.canPaint.value && isPaintable(leaf) && (
+        <button class="chip" title={words.value.paint.tip} onClick={() => app.paint(surface)}>
+          <PaintRoller size={15} aria-hidden />
+          <span>{words.value.paint.title}</span>
+        </button>
+      )}
       <button
         class="icon-button small"
         aria-label={words.value.bars.selection.clear}

@@ -10,9 +10,10 @@ import { everyVerdict } from '../app/words/room-types.ts';
 import type { Verdict } from '../app/words/verdict.ts';
 import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';
+import { paintByLeaf } from '../document/paint.ts';
 import type { RoomPlan } from '../document/plan-frame.ts';
 import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
-import type { Display, Quantity, SceneInfo } from '../document/types.ts';
+import type { Display, Paint, Quantity, SceneInfo } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
 import { roundRange, type Scale } from '../viewer/light/false-color.ts';
 import { words } from '../language/language.ts';
@@ -64,6 +65,7 @@ export function reportOf(app: App): Report {
     light: lightInPlan(scene, shown.illuminance, plan, store.display.peek()),
     assumptions: [
       maintenanceText(maintenanceOf(document.luminaires)),
+      ...paintedText(document.paint, scene),
       ...assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
     ],
     facts: roomFacts(scene),
@@ -100,6 +102,14 @@ function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): 
     words.value.report.assumptions.ownCopy,
     ...roomWarnings(scene),
   ];
+}
+
+/** Which surfaces are not as the room's file has them. */
+function paintedText(paint: readonly Paint[] | undefined, scene: SceneInfo): string[] {
+  const painted = [...paintByLeaf(paint, scene.surfaces).values()];
+  if (painted.length === 0 || !scene.hasOperator) return [];
+  const list = painted.map(({ surface, reflectance }) => `${surface} ${fixed(reflectance, 2)}`);
+  return [words.value.paint.report(list.join(', '))];
 }
 
 function linkOf({ keeping }: App): string | null {

@@ -1,7 +1,8 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
-import type { Constraint, Glare, Intentions, Layout } from '../document/types.ts';
+import { paintByLeaf } from '../document/paint.ts';
+import type { Constraint, Glare, Intentions, Layout, Paint, SceneInfo } from '../document/types.ts';
 import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
-import type { IntentionResult, ObserverResult, Shown } from './protocol.ts';
+import type { IntentionResult, ObserverResult, PaintGain, Shown } from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
 /** Who looks; null for nobody. */
@@ -13,6 +14,15 @@ export function coreGlare(glare: Glare | undefined): CoreGlare | null {
     names: observers.map(({ name }) => name),
     observers: Float64Array.from(observers.flatMap(({ position, direction }) => [...position, ...direction])),
   };
+}
+
+/** Two numbers a painted leaf: its index and its reflectance. */
+export function corePaint(
+  paint: readonly Paint[] | undefined,
+  surfaces: SceneInfo['surfaces'],
+): Float64Array {
+  const byLeaf = [...paintByLeaf(paint, surfaces)].sort(([a], [b]) => a - b);
+  return Float64Array.from(byLeaf.flatMap(([leaf, { reflectance }]) => [leaf, reflectance]));
 }
 
 /** A bound on glare stands after all others. Throws one readable line where a name is not in the room. */
@@ -120,5 +130,17 @@ function triples(numbers: Float64Array): IntentionResult[] {
     const met = violation <= metUpTo;
     const margin = numbers[3 * i + 2] ?? 0;
     return { value: numbers[3 * i] ?? 0, met, violation: met ? 0 : violation, margin };
+  });
+}
+
+/** What the core tells of each surface in a row: its leaf, and what goals and constraints gain. */
+export function gainsOf(
+  numbers: Float64Array,
+  { goals, constraints }: Pick<CoreIntentions, 'goals' | 'constraints'>,
+): PaintGain[] {
+  const width = 1 + goals.length + constraints.length;
+  return Array.from({ length: numbers.length / width }, (_, row) => {
+    const [surface = 0, ...gained] = numbers.subarray(row * width, (row + 1) * width);
+    return { surface, goals: gained.slice(0, goals.length), constraints: gained.slice(goals.length) };
   });
 }

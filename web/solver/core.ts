@@ -235,6 +235,15 @@ export interface Session {
   /** Takes the scene that `candidates` have made, of which nothing is left; only `quantity` and what the observers of
    *  `glare` see can be asked about. */
   adopt(candidates: Candidates, quantity: number, glare: CoreGlare | null): void;
+  /**
+   * What lighter paint does for a layout whose light is known (rows, lx) in the room as it is painted: a row of numbers for
+   * each surface, its index and then what every goal and every constraint gains per 0.1 more reflectance.
+   */
+  paintGains(
+    intentions: CoreIntentions,
+    paint: Float64Array,
+    illuminance: Float32Array,
+  ): OrError<Float64Array>;
   /** Begins the alpha-search for the true minima and maxima that are asked for. `held`: sites of the layout whose
    *  luminaires are pinned; none = the first ones are. */
   startAlpha(seed: number, held: Uint32Array): string;
@@ -252,9 +261,18 @@ export interface Session {
 export interface Candidates {
   /**
    * `files` are photometric, `flux` (lm) is of one luminaire of each; in layouts every luminaire has a flux of 1. A candidate
-   * is seven numbers: site, file, way (of file, turn and aim: the same on every site), turn (degrees), and the point that it is aimed at or NaN. The room's session must stay.
+   * is seven numbers: site, file, way (of file, turn and aim: the same on every site), turn (degrees), and the point that it
+   * is aimed at or NaN. `paint` (corePaint): of the room. The room's session must stay.
    */
-  begin(room: Session, files: readonly Uint8Array[], flux: Float64Array, candidates: Float64Array): string;
+  begin(
+    room: Session,
+    files: readonly Uint8Array[],
+    flux: Float64Array,
+    candidates: Float64Array,
+    paint: Float64Array,
+  ): string;
+  /** Squares on some sites of a painted room: candidate i on sites[i]; in layouts fluxes are in lm. */
+  beginSquares(room: Session, sites: Uint32Array, paint: Float64Array): string;
   /** Computes the light of so many more of them; true when all are there. */
   advance(count: number): boolean;
   delete(): void;
@@ -262,8 +280,11 @@ export interface Candidates {
 
 /** The colour that light takes from a room, for its picture. */
 export interface ColoredLight {
-  /** `colors`: 3n, linear RGB of the patches. The room's session must stay, with its operator; '' or one readable line. */
-  begin(room: Session, colors: Float32Array): string;
+  /**
+   * `colors`: 3n, linear RGB of the patches; `paint` (corePaint) of the room that is lit. The room's session must stay, with
+   * its operator; '' or one readable line.
+   */
+  begin(room: Session, colors: Float32Array, paint: Float64Array): string;
   /** After begin(): whether all of the room is grey, and light keeps its colour. */
   isGrey(): boolean;
   /** 2 a row: red and blue of white light there at a luminance of 1 (green is what lacks); `illuminance` in lx. */
@@ -293,6 +314,7 @@ export const sessionMethods = {
   show: 3,
   check: 3,
   adopt: 3,
+  paintGains: 3,
   startAlpha: 2,
   advanceAlpha: 2,
   startBound: 0,

@@ -38,17 +38,29 @@ const apart = 1e-3; // m: two luminaires do not hang on one site
 const keyOf = (site: number, { type, turn, aim }: Mounting) =>
   `${site} ${type} ${turn} ${aim?.join(' ') ?? ''}`;
 
+/** A session of another scene beneath: its layouts are taken and told in sites of the room. */
+export interface HungSession extends Searching {
+  /** Whether every luminaire of a layout may hang here as it does. */
+  has(layout: Layout): boolean;
+  /** A layout as the session takes it; what may not hang here is left out. */
+  take(layout: Layout): LayoutArguments;
+  /** What is asked of the luminaires from now on; `hasAll`: it has everything that a search may try. */
+  ask(luminaires: Luminaires, hasAll: boolean): void;
+  delete(): void;
+}
+
 /** The types of candidates, in the order of their numbers beneath. */
 const typesOf = (candidates: readonly Candidate[]): LuminaireType[] => [
   ...new Set(candidates.map(({ type }) => type)),
 ];
 
-/** Begins the light of candidates. Throws one readable line. `fileOf` has the file of every type. */
+/** Begins the light of candidates. Throws one readable line. `fileOf` has the file of every type, `paint` is of the room. */
 export function beginCandidates(
   scene: CoreCandidates,
   room: Session,
   candidates: readonly Candidate[],
   fileOf: (type: LuminaireType) => Uint8Array,
+  paint: Float64Array = new Float64Array(),
 ): void {
   const types = typesOf(candidates);
   const ways = new Map<string, number>();
@@ -60,7 +72,7 @@ export function beginCandidates(
     ...(aim ?? [Number.NaN, 0, 0]),
   ]);
   const flux = Float64Array.from(types, (type) => type.flux);
-  const error = scene.begin(room, types.map(fileOf), flux, Float64Array.from(numbers));
+  const error = scene.begin(room, types.map(fileOf), flux, Float64Array.from(numbers), paint);
   if (error) throw new Error(error);
 }
 
@@ -75,7 +87,7 @@ function wayOf(mounting: Mounting, ways: Map<string, number>): number {
 /** The arguments by which a session takes a layout. */
 export type LayoutArguments = [sites: Uint32Array, flux: Float64Array, dimming: number];
 
-export class MountedSession implements Searching {
+export class MountedSession implements HungSession {
   readonly #session: Session;
   readonly #candidates: readonly Candidate[];
   readonly #bySite = new Map<number, number[]>(); // candidates of each site

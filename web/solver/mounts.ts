@@ -1,13 +1,22 @@
 /**
  * Which session answers: the room's own, of squares of light, or one of the candidates that the asked luminaire types make
- * in it. There are two of the latter: what one layout needs is made at once, all that a search may try slice by slice.
+ * in it, or of the squares of the room in other paint. There are two of these: what one layout needs is made at once, all
+ * that a search may try slice by slice.
  */
 import { candidatesOf, type Candidate } from '../document/candidates.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
+import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
-import { coreGlare } from './core-intentions.ts';
+import { coreGlare, corePaint } from './core-intentions.ts';
 import { codes, type Candidates, type CoreModule, type Session } from './core.ts';
-import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
+import {
+  beginCandidates,
+  candidatesIn,
+  chosenAt,
+  MountedSession,
+  type HungSession,
+} from './mounted-session.ts';
+import { PaintedSession } from './painted-session.ts';
 
 /** What is used of the module. */
 export type Core = Pick<CoreModule, 'describePhotometry' | 'Session' | 'Candidates' | 'ColoredLight'>;
@@ -27,12 +36,19 @@ interface Photometric {
 
 interface Made {
   readonly key: string; // what it was made for
-  readonly session: MountedSession;
+  readonly session: HungSession;
+}
+
+/** A scene that may be made: how it begins, and what has it at last. */
+interface Plan {
+  readonly size: number; // columns of light
+  readonly begin: (scene: Candidates) => void;
+  readonly sessionOf: (session: Session) => HungSession;
 }
 
 interface Making {
   readonly key: string;
-  readonly candidates: readonly Candidate[];
+  readonly plan: Plan;
   readonly scene: Candidates;
 }
 
@@ -69,33 +85,35 @@ export class Mounts {
 
   /** Whether `session` has nothing to make. */
   isReady(wanted: Wanted): boolean {
-    return this.#types(wanted).length === 0 || this.#made(wanted) !== null;
+    return this.#isPlain(wanted) || this.#made(wanted) !== null;
   }
 
   /** Whether a session is still there: the room's own, or of candidates that no others have replaced. */
   has(session: unknown): boolean {
-    return [this.#room, this.#few?.session, this.#all?.session].includes(session as MountedSession);
+    return [this.#room, this.#few?.session, this.#all?.session].includes(session as HungSession);
   }
 
   /** Whether anything hangs on the places of a layout; of a type that fits elsewhere nothing may. */
   hangs(asked: Intentions, layout: Layout): boolean {
-    return this.#candidates({ asked, layout, extent: 'start' }).length > 0;
+    const wanted = { asked, layout, extent: 'start' } as const;
+    if (this.#types(wanted).length === 0) return layout.sites.length > 0;
+    return this.#candidates(wanted).length > 0;
   }
 
   /** One slice of all that a search may try; true when it is there. Throws one readable line. */
   advance(wanted: Wanted): boolean {
     if (this.isReady(wanted)) return true;
-    const { key, candidates, scene } = this.#begun(wanted);
+    const { key, plan, scene } = this.#begun(wanted);
     if (!scene.advance(slice)) return false;
     this.#all?.session.delete();
-    this.#all = { key, session: this.#adopted(scene, candidates, wanted) };
+    this.#all = { key, session: this.#adopted(scene, plan, wanted) };
     this.#making = null;
     return true;
   }
 
-  /** null where luminaires are squares. Makes what is missing. Throws one readable line. */
-  session(wanted: Wanted): MountedSession | null {
-    if (this.#types(wanted).length === 0) return null;
+  /** null where luminaires are squares in a room as its file has it. Makes what is missing. Throws one readable line. */
+  session(wanted: Wanted): HungSession | null {
+    if (this.#isPlain(wanted)) return null;
     const made = this.#made(wanted);
     if (made) return made.session;
     if (wanted.extent !== 'all') return this.#makeFew(wanted);
@@ -103,13 +121,13 @@ export class Mounts {
     return this.#all?.session ?? null;
   }
 
-  #makeFew(wanted: Wanted): MountedSession {
-    const candidates = this.#candidates(wanted);
+  #makeFew(wanted: Wanted): HungSession {
+    const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
     try {
-      this.#begin(scene, candidates, wanted);
-      while (!scene.advance(candidates.length)) continue;
-      const session = this.#adopted(scene, candidates, wanted);
+      plan.begin(scene);
+      while (!scene.advance(plan.size)) continue;
+      const session = this.#adopted(scene, plan, wanted);
       this.#few?.session.delete();
       this.#few = { key: this.#keyOf(wanted), session };
       return session;
@@ -122,6 +140,16 @@ export class Mounts {
   #types({ asked }: Wanted): LuminaireType[] {
     if (!this.#scene?.hasOperator) return [];
     return (asked.luminaires.types ?? []).filter(({ hash, isAllowed }) => isAllowed && this.#files.has(hash));
+  }
+
+  /** As the core takes it; empty where the room is as its file has it. */
+  #paint({ asked }: Wanted): Float64Array {
+    const isKnown = this.#scene?.hasOperator && asked.paint;
+    return isKnown ? corePaint(asked.paint, this.#scene!.surfaces) : new Float64Array();
+  }
+
+  #isPlain(wanted: Wanted): boolean {
+    return this.#types(wanted).length === 0 && this.#paint(wanted).length === 0;
   }
 
   #made(wanted: Wanted): Made | null {
@@ -137,22 +165,45 @@ export class Mounts {
     const key = this.#keyOf(wanted);
     if (this.#making?.key === key) return this.#making;
     this.#forget();
-    const candidates = this.#candidates(wanted);
+    const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
-    this.#begin(scene, candidates, wanted);
-    this.#making = { key, candidates, scene };
+    plan.begin(scene);
+    this.#making = { key, plan, scene };
     return this.#making;
   }
 
-  #begin(scene: Candidates, candidates: readonly Candidate[], wanted: Wanted): void {
-    if (candidates.length === 0) throw new Error(fitsNowhere(this.#types(wanted)));
-    beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file);
+  #plan(wanted: Wanted): Plan {
+    const paint = this.#paint(wanted);
+    const types = this.#types(wanted);
+    if (types.length === 0) return this.#squares(wanted, paint);
+    const candidates = this.#candidates(wanted);
+    if (candidates.length === 0) throw new Error(fitsNowhere(types));
+    return {
+      size: candidates.length,
+      begin: (scene) =>
+        beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file, paint),
+      sessionOf: (session) => new MountedSession(session, candidates),
+    };
   }
 
-  #adopted(scene: Candidates, candidates: readonly Candidate[], { asked }: Wanted): MountedSession {
+  #squares({ layout, extent }: Wanted, paint: Float64Array): Plan {
+    const few = extent === 'all' ? [] : [...new Set(layout?.sites)];
+    const count = this.#scene ? siteCount(this.#scene.sites) : 0;
+    const sites = few.length > 0 ? few : Array.from({ length: count }, (_, site) => site);
+    return {
+      size: sites.length,
+      begin: (scene) => {
+        const error = scene.beginSquares(this.#room, Uint32Array.from(sites), paint);
+        if (error) throw new Error(error);
+      },
+      sessionOf: (session) => new PaintedSession(session, sites, few.length > 0),
+    };
+  }
+
+  #adopted(scene: Candidates, plan: Plan, { asked }: Wanted): HungSession {
     const session = new this.#core.Session();
     session.adopt(scene, codes.quantity[asked.quantity], coreGlare(asked.glare));
-    return new MountedSession(session, candidates);
+    return plan.sessionOf(session);
   }
 
   #forget(): void {
@@ -198,7 +249,8 @@ export class Mounts {
     const { asked, layout, extent } = wanted;
     const place: readonly [readonly number[], readonly Mounting[]] | null =
       extent === 'all' || !layout ? null : [layout.sites, layout.mountings ?? []];
-    return JSON.stringify([extent, asked.quantity, asked.glare && { ...asked.glare, max: 0 }, used, place]);
+    const glare = asked.glare && { ...asked.glare, max: 0 };
+    return JSON.stringify([extent, asked.quantity, glare, used, [...this.#paint(wanted)], place]);
   }
 }
 

@@ -50,6 +50,13 @@ export interface Seen extends Shown {
   readonly colors: Float32Array | null; // white, or not known yet
 }
 
+/** What lighter paint on a surface does for what is asked: per 0.1 more reflectance, in the units of the results. */
+export interface PaintGain {
+  readonly surface: number; // leaf
+  readonly goals: readonly number[];
+  readonly constraints: readonly number[];
+}
+
 /** What a short search finds for other intentions. */
 export interface Outcome {
   readonly layout: Layout;
@@ -140,6 +147,16 @@ export type ToWorker =
   | { readonly type: 'bring'; readonly hash: string; readonly file: ArrayBuffer }
   /** Linear RGB of the patches of the open room -> 'colored' after each light that is shown, where any has a colour. */
   | { readonly type: 'paint'; readonly colors: Float32Array }
+  /**
+   * Tells what lighter paint would do for a light that is shown (lx a row), by its intentions -> 'gained', at once and
+   * whatever else runs. It supersedes nothing and nothing supersedes it.
+   */
+  | {
+      readonly type: 'gains';
+      readonly revision: number;
+      readonly intentions: Intentions;
+      readonly illuminance: Float32Array;
+    }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
@@ -216,6 +233,11 @@ export type FromWorker =
       readonly type: 'described';
       readonly revision: number;
       readonly description: PhotometricDescription | string; // one readable line where it cannot be read
+    }
+  | {
+      readonly type: 'gained';
+      readonly revision: number;
+      readonly gains: readonly PaintGain[] | string; // one readable line where nobody can say
     }
   /** One readable line: what, where, the cure. The last good layout stays. */
   | {

@@ -7,14 +7,14 @@ import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { CompareTask } from './compare-task.ts';
-import { coreIntentions, coreLayout, shownOf } from './core-intentions.ts';
+import { coreIntentions, coreLayout, corePaint, gainsOf, shownOf } from './core-intentions.ts';
 import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
-import { MountedSession, type LayoutArguments, type Searching } from './mounted-session.ts';
+import type { HungSession, LayoutArguments, Searching } from './mounted-session.ts';
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
-import type { FromWorker, Seen, ToWorker } from './protocol.ts';
+import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
@@ -22,7 +22,7 @@ import type { Answer, Task } from './task.ts';
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
 /** What waits for its turn. */
-type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint'>>;
+type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' | 'gains'>>;
 
 export class SessionDriver {
   readonly #core: Core;
@@ -32,7 +32,7 @@ export class SessionDriver {
   readonly #post: Post;
   readonly #clock: Clock;
   readonly #wake: () => void;
-  #asked: Searching; // the session that the latest intentions went to
+  #asked: Searching | HungSession; // the session that the latest intentions went to
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
@@ -44,6 +44,7 @@ export class SessionDriver {
   #bound: Request<'bound'> | null = null; // waits for the search to settle
   #compare: CompareTask | null = null; // goes on while no search runs
   #reads: Request<'read'>[] = []; // layouts whose light is wanted beside all that
+  #paint: Float64Array = new Float64Array(); // of the room in which the latest intentions want it, as the core takes it
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /**
@@ -59,7 +60,7 @@ export class SessionDriver {
     this.#post = (message, transfer) => {
       const isSeen =
         message.type === 'improved' || message.type === 'settled' || message.type === 'alphaDone';
-      if (isSeen && message.shown) this.#color.take(message.revision, message.shown.illuminance);
+      if (isSeen && message.shown) this.#color.take(message.revision, message.shown.illuminance, this.#paint);
       post(message, transfer);
     };
     this.#clock = clock;
@@ -78,6 +79,7 @@ export class SessionDriver {
     if (message.type === 'describe') this.#describe(message);
     else if (message.type === 'bring') this.#mounts.bring(message.hash, new Uint8Array(message.file));
     else if (message.type === 'paint') this.#color.paint(message.colors);
+    else if (message.type === 'gains') this.#tellGains(message);
     else if (this.#mustWait(message)) this.#waiting.push(message);
     else this.#take(message);
   }
@@ -110,7 +112,7 @@ export class SessionDriver {
   }
 
   #take(asked: Turned): void {
-    const message = this.#scene?.hasOperator ? asked : withoutGlare(asked);
+    const message = this.#scene?.hasOperator ? asked : withoutOperator(asked);
     switch (message.type) {
       case 'solve':
         this.#next = message;
@@ -186,6 +188,22 @@ export class SessionDriver {
     const description = this.#core.describePhotometry(new Uint8Array(file));
     const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
     this.#post({ type: 'described', revision, description }, transfer);
+  }
+
+  #tellGains({ revision, intentions, illuminance }: Request<'gains'>): void {
+    const tell = (gains: OrError<readonly PaintGain[]>) =>
+      this.#post({ type: 'gained', revision, gains }, []);
+    if (!this.#scene?.hasOperator || this.#isOpening || this.#awaitsOperator)
+      return tell('the room is not there yet');
+    try {
+      const leaves = this.#leaves();
+      const asked = coreIntentions(intentions, leaves);
+      const numbers = this.#session.paintGains(asked, corePaint(intentions.paint, leaves), illuminance);
+      tell(typeof numbers === 'string' ? numbers : gainsOf(numbers, asked));
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError) throw error;
+      tell(error instanceof Error ? error.message : String(error));
+    }
   }
 
   #beginSearch(request: Request<'solve'>): void {
@@ -293,7 +311,8 @@ export class SessionDriver {
       if (!this.#mounts.has(this.#asked)) this.#asked = session; // its candidates made room for these
       const held = mounted ? mounted.take(layout) : coreLayout(layout);
       const shown = shownOf(valid(session.show(...held)), 0, this.#leaves());
-      answer({ ...shown, colors: this.#color.of(shown.illuminance) });
+      const paint = corePaint(intentions.paint, this.#leaves());
+      answer({ ...shown, colors: this.#color.of(shown.illuminance, paint) });
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       answer(error instanceof Error ? error.message : String(error));
@@ -314,6 +333,7 @@ export class SessionDriver {
   /** Asks the session that is for these intentions; returns a layout as it takes it, empty for none. */
   #ask(intentions: Intentions, layout: Layout | null, extent: Wanted['extent']): LayoutArguments {
     this.#searched = null;
+    this.#paint = corePaint(intentions.paint, this.#leaves());
     const mounted = this.#mounts.session({ asked: intentions, layout, extent });
     this.#asked = mounted ?? this.#session;
     const none = { sites: [], flux: [], dimming: 1 };
@@ -325,7 +345,7 @@ export class SessionDriver {
 
   /** A layout as the session takes it that was asked last. */
   #taken(layout: Layout): LayoutArguments {
-    return this.#asked instanceof MountedSession ? this.#asked.take(layout) : coreLayout(layout);
+    return 'take' in this.#asked ? this.#asked.take(layout) : coreLayout(layout);
   }
 
   /** Whether the session's search is for the very intentions of this request. */
@@ -366,14 +386,16 @@ export class SessionDriver {
 
 function needsOperator(message: Turned): boolean {
   if (!('intentions' in message)) return false;
-  const { luminaires, glare } = message.intentions;
-  return glare !== undefined || (luminaires.types ?? []).some((type) => type.isAllowed);
+  const { luminaires, glare, paint } = message.intentions;
+  return (
+    glare !== undefined || paint !== undefined || (luminaires.types ?? []).some((type) => type.isAllowed)
+  );
 }
 
-/** In a room whose file does not tell what stands in the way of sight, nobody can say what glares. */
-function withoutGlare<Message extends Turned>(message: Message): Message {
+/** In a room whose file does not tell what lights and hides what, nobody can say what glares or what paint does. */
+function withoutOperator<Message extends Turned>(message: Message): Message {
   const dropped = (asked: Intentions): Intentions => {
-    const { glare: _, ...intentions } = asked;
+    const { glare: _glare, paint: _paint, ...intentions } = asked;
     return intentions;
   };
   if (message.type === 'compare') return { ...message, variants: message.variants.map(dropped) };

@@ -4,7 +4,7 @@
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
-import type { FromWorker, Seen, ToWorker } from './protocol.ts';
+import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 
 /** A scene file, which may still be arriving. */
 export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
@@ -40,11 +40,14 @@ const laneOf = {
   compare: 'compare',
   check: 'check',
 } as const satisfies Record<
-  Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring' | 'paint'>,
+  Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring' | 'paint' | 'gains'>,
   Lane
 >;
 
-type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' | 'paint' }>;
+type Wish = Exclude<
+  ToWorker,
+  { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' | 'paint' | 'gains' }
+>;
 
 interface Reading<T> {
   readonly resolve: (value: T) => void;
@@ -58,6 +61,7 @@ export class SolverClient {
   readonly #latest: Record<Lane, number> = { open: 0, layout: 0, bound: 0, compare: 0, check: 0 };
   readonly #readings = new Map<number, Reading<PhotometricDescription>>(); // photometric files that are being read, by revision
   readonly #lit = new Map<number, Reading<Seen>>(); // layouts whose light is being read, by revision
+  readonly #gaining = new Map<number, Reading<readonly PaintGain[]>>(); // what paint gains, by revision
   readonly #brought = new Map<string, Uint8Array>(); // photometric files, by hash: a new worker gets them again
   #worker: WorkerLike;
   #revision = 0;
@@ -80,7 +84,7 @@ export class SolverClient {
   open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = this.#colors = null;
-    endAll(this.#lit, 'another room was opened');
+    for (const waiting of [this.#lit, this.#gaining]) endAll(waiting, 'another room was opened');
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
@@ -129,6 +133,15 @@ export class SolverClient {
     return new Promise((resolve, reject) => {
       this.#lit.set(revision, { resolve, reject });
       this.#worker.postMessage({ type: 'read', revision, intentions, layout }, []);
+    });
+  }
+
+  /** What lighter paint would do for this light. Rejects with one readable line. */
+  gains(intentions: Intentions, illuminance: Float32Array): Promise<readonly PaintGain[]> {
+    const revision = ++this.#revision;
+    return new Promise((resolve, reject) => {
+      this.#gaining.set(revision, { resolve, reject });
+      this.#worker.postMessage({ type: 'gains', revision, intentions, illuminance }, []);
     });
   }
 
@@ -244,7 +257,8 @@ export class SolverClient {
 
   #endReadings(): void {
     endAll(this.#readings, 'the solver stopped while it read the file; try again');
-    endAll(this.#lit, 'the solver stopped while it computed the light; try again');
+    for (const waiting of [this.#lit, this.#gaining])
+      endAll(waiting, 'the solver stopped while it computed the light; try again');
   }
 
   #wasRead({ revision, shown }: Extract<FromWorker, { readonly type: 'readings' }>): void {
@@ -261,9 +275,17 @@ export class SolverClient {
     else reading?.resolve(description);
   }
 
+  #gained({ revision, gains }: Extract<FromWorker, { readonly type: 'gained' }>): void {
+    const waiting = this.#gaining.get(revision);
+    this.#gaining.delete(revision);
+    if (typeof gains === 'string') waiting?.reject(new Error(gains));
+    else waiting?.resolve(gains);
+  }
+
   #take(message: FromWorker): void {
     if (message.type === 'described') return this.#described(message);
     if (message.type === 'readings') return this.#wasRead(message);
+    if (message.type === 'gained') return this.#gained(message);
     if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
     if (this.#isCurrent(message)) this.#receive(message);
   }

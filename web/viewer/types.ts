@@ -47,6 +47,14 @@ export interface OtherLight {
   readonly towards?: { readonly layout: Layout; readonly share: number };
 }
 
+/** A leaf surface that is painted: its albedo is another (linear RGB), or its material's own times a factor. */
+export interface SurfacePaint {
+  readonly surface: number;
+  readonly reflectance: number;
+  readonly albedo: readonly [number, number, number] | null;
+  readonly factor: number; // of the material's own albedo, where it has no other
+}
+
 /** Somebody who looks, and what glares there. */
 export interface SeenGlare {
   readonly position: readonly [number, number, number]; // of the eye, m
@@ -73,7 +81,11 @@ export interface Viewer {
   setLight(illuminance: Float32Array): void;
   /** The colour of that light: red and blue of each patch at a luminance of 1. White until it is first told. */
   setLightColor(colors: Float32Array): void;
-  /** Linear RGB of each patch, some time after the room was opened; null where it is not there any more. */
+  /** The paint on the surfaces, and what each patch reflects under it; null: as in the file. */
+  setPaint(paint: readonly SurfacePaint[], patchReflectance: Float32Array | null): void;
+  /** A leaf surface that glows, for something is told of it; null: none. */
+  setGlow(surface: number | null): void;
+  /** Linear RGB of each patch as its material has it, some time after the room was opened; null where it is not there any more. */
   colors(): Promise<Float32Array | null>;
   /** `pinned`: sites. */
   setLayout(layout: Layout, pinned: readonly number[]): void;

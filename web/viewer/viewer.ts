@@ -16,10 +16,12 @@ import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { ObserverArrows } from './luminaires/observer-arrows.ts';
 import { Picking } from './hand/picking.ts';
 import { freeGpu } from './stage/free-gpu.ts';
+
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { betterQuadrant, quadrantShares } from './room/facing.ts';
 import { planOf, roomFrame } from './room/floor-plan.ts';
+import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
@@ -30,6 +32,7 @@ import type {
   LuminaireBody,
   OtherLight,
   SeenGlare,
+  SurfacePaint,
   Viewer,
   ViewerEvents,
   ViewName,
@@ -67,6 +70,7 @@ class RoomViewer implements Viewer {
   #info: SceneInfo | null = null;
   #frame: PlanFrame | null = null; // of the room, once it was asked for
   #display: Display | null = null;
+  #paint: readonly SurfacePaint[] = [];
   #aims: readonly number[] = [];
   #planes: number[] = []; // leaves of the measuring planes that are drawn
   #opening = 0; // the latest open or preview wins
@@ -161,6 +165,16 @@ class RoomViewer implements Viewer {
 
   setLightColor(colors: Float32Array): void {
     this.#light.setColors(colors);
+  }
+
+  setPaint(paint: readonly SurfacePaint[], patchReflectance: Float32Array | null): void {
+    this.#paint = paint;
+    this.#light.setReflectance(patchReflectance);
+    this.#applyPaint();
+  }
+
+  setGlow(surface: number | null): void {
+    this.#emphasis.glow(surface);
   }
 
   async colors(): Promise<Float32Array | null> {
@@ -364,6 +378,11 @@ class RoomViewer implements Viewer {
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
     this.#room = this.#frame = null;
+  }
+
+  #applyPaint(): void {
+    if (this.#room && this.#info) paintMeshes(this.#room.lit, this.#info, this.#paint);
+    this.#loop.invalidate();
   }
 
   /** What of the display belongs to meshes and not to shared uniforms. */

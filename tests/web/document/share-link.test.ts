@@ -66,6 +66,18 @@ test('a link carries an arrangement and a range of counts', () => {
   expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
 });
 
+test('a link carries paint and is then of version 2; a glare of a reflectance is refused', () => {
+  const paint = [
+    { surface: 'yellow wall', reflectance: 0.5 },
+    { surface: 'floor', reflectance: 0.3, color: '#bd8f5a' },
+  ];
+  expect(encodeLink(link)).toMatch(/^#f1\./);
+  expect(encodeLink({ ...link, paint })).toMatch(/^#f2\./);
+  expect(decodeLink(encodeLink({ ...link, paint }))).toEqual({ ok: true, link: { ...link, paint } });
+  const wrong = [{ surface: 'floor', reflectance: 0.99 }];
+  expect(decodeLink(forged(JSON.stringify({ ...plain, l: rules, a: wrong }), 2)).ok).toBe(false);
+});
+
 test('a link carries the areas in plan; one without extent is refused', () => {
   const areas = { keepOut: [[0, 0, 2, 1.5]], keepIn: [], fromWalls: 0.4 } as const;
   const drawn: Link = { ...link, luminaires: { ...link.luminaires, areas } };

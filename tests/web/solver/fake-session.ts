@@ -24,6 +24,11 @@ export class FakeCandidates implements Candidates {
     this.#left = this.asked.length / 2;
     return '';
   }
+  beginSquares(_room: Session, sites: Uint32Array, paint: Float64Array) {
+    this.asked = [...sites, ...paint];
+    this.#left = sites.length;
+    return '';
+  }
   advance(count: number) {
     this.#left -= count;
     return this.#left <= 0;
@@ -176,6 +181,12 @@ export class FakeSession implements Session {
   }
   check() {
     return { largestDifference: 1e-5, surface: 0, margins: Float64Array.of(0.25) };
+  }
+  /** Of the floor, 3 for each goal and 4 for each constraint, times what it reflects. */
+  paintGains(intentions: CoreIntentions, paint: Float64Array) {
+    const share = paint[1] ?? 0.5;
+    const { goals, constraints } = intentions;
+    return Float64Array.of(0, ...goals.map(() => 3 * share), ...constraints.map(() => 4 * share));
   }
   startAlpha(seed: number, held: Uint32Array) {
     this.calls.push(`alpha ${seed} held by ${[...held].join(' ')}`);

@@ -1,6 +1,6 @@
 /**
  * Messages in, answers out: the protocol, latest wins, pace.
- * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions, mounts.
+ * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions, mounts, painted-session.
  */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
@@ -409,6 +409,47 @@ describe('the colour of light', () => {
     expect(told.at(-1)).toBe('colored 2'); // of what the search ended with
     const count = (kind: string) => told.filter((each) => each.startsWith(kind)).length;
     expect(count('colored')).toBeLessThan(count('improved') + count('settled'));
+  });
+});
+
+describe('paint', () => {
+  const start = { sites: [1], flux: [100], dimming: 1 };
+  const painted: Intentions = { ...asked, paint: [{ surface: 'floor', reflectance: 0.25 }] };
+
+  beforeEach(() => void (mounted = session));
+
+  test('shows the layout in the painted room at once, then searches all of its places', async () => {
+    session.hasOperator = true;
+    await opened();
+    await driver.receive(solve(2, { intentions: painted, start }));
+    driver.step();
+    expect(answers.at(-1)).toMatchObject({ type: 'improved', revision: 2, shown: { layout: start } });
+    expect(mounted.calls).toContain('adopt 1 0 0.25'); // one place; the floor, a quarter
+    settle();
+    expect(mounted.calls).toContain('adopt 0 1 0 0.25');
+    expect(answers.at(-1)).toMatchObject({ type: 'settled', revision: 2 });
+  });
+
+  test('of surfaces that are not there, or in a room whose file cannot tell, changes nothing', async () => {
+    await opened();
+    await driver.receive(solve(2, { intentions: painted, start }));
+    settle();
+    session.hasOperator = true;
+    await driver.receive(open(3, 1, 7));
+    const elsewhere: Intentions = { ...asked, paint: [{ surface: 'sail', reflectance: 0.25 }] };
+    await driver.receive(solve(4, { intentions: elsewhere, start }));
+    settle();
+    expect(mounted).toBe(session); // nothing else was made
+    expect(answers.at(-1)).toMatchObject({ type: 'settled', revision: 4 });
+  });
+
+  test('tells what lighter paint gains, beside what runs', async () => {
+    session.hasOperator = true;
+    await opened();
+    const illuminance = Float32Array.of(1, 2, 3, 4);
+    await driver.receive({ type: 'gains', revision: 2, intentions: painted, illuminance });
+    const gains = [{ surface: 0, goals: [0.75], constraints: [1] }];
+    expect(answers.at(-1)).toEqual({ type: 'gained', revision: 2, gains });
   });
 });
 

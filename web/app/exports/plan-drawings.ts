@@ -19,7 +19,7 @@ interface Drawn {
 
 /** What is on the screen as a plan. Throws one readable line where there is none yet. */
 export function drawn({ store, keeping, viewer }: Pick<App, 'store' | 'keeping' | 'viewer'>): Drawn {
-  const scene = store.scene.peek();
+  const scene = store.painted.peek();
   const layout = keeping.layout();
   const plan = viewer.plan();
   if (!scene || !layout || !plan) throw new Error(words.value.actions.exports.noLayout);

@@ -1,5 +1,6 @@
 /** The results as lines of a table: every surface, every intention, the whole. */
 import type { ResultLine } from '../../document/results-csv.ts';
+import { paintByLeaf } from '../../document/paint.ts';
 import type { PlanFrame } from '../../document/plan-frame.ts';
 import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
@@ -22,6 +23,9 @@ export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[]
     verdict: '',
     ...rest,
   });
+  const painted = [...paintByLeaf(document.paint, scene.surfaces).values()].map(({ surface, reflectance }) =>
+    line({ name: surface, statistic: 'painted reflectance', value: reflectance, unit: '' }),
+  );
   const surfaces = shown.surfaces.flatMap(({ name, area, mean, min, max, sigma }) => [
     line({ name, statistic: 'area', value: area, unit: 'm²' }),
     line({ name, statistic: 'mean', value: mean }),
@@ -61,5 +65,5 @@ export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[]
         ]
       : []),
   ];
-  return [...asked, ...surfaces, ...totals];
+  return [...asked, ...surfaces, ...(scene.hasOperator ? painted : []), ...totals];
 }

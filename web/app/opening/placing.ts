@@ -144,11 +144,12 @@ export class Placing {
     return true;
   }
 
-  /** Tells the solver the colours of the room that is on the screen. */
+  /** Finds out the colours of the room that is on the screen; the solver wants them (Painting). */
   async #paint(): Promise<void> {
     const placed = this.#placed;
     const colors = await this.#viewer.colors();
-    if (colors && placed === this.#placed) this.#solving.paint(colors);
+    if (colors && placed && placed === this.#placed)
+      this.#store.patchColors.value = { scene: placed.scene, colors };
   }
 
   /** Shows the room that was open before a preview, as it was; false where there was none. */

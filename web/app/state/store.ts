@@ -7,6 +7,7 @@ import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
 import { barredSites, type AreaKind } from '../../document/areas.ts';
 import { intentionsOf, withExcluded } from '../../document/intentions.ts';
+import { paintedScene } from '../../document/paint.ts';
 import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { RoomPlan } from '../../document/plan-frame.ts';
@@ -137,6 +138,11 @@ export class Store {
   /** Anew with every change of the document. */
   readonly traced = computed(() => withExcluded(intentionsOf(this.document.value), this.barred.value));
   readonly roomTitle = signal('');
+  readonly paint = computed(() => this.document.value.paint);
+  /** The room as it is painted. */
+  readonly painted = computed(() => this.scene.value && paintedScene(this.scene.value, this.paint.value));
+  /** Linear RGB of the patches as the room's materials have them, once the view has told them. */
+  readonly patchColors = signal<{ readonly scene: SceneInfo; readonly colors: Float32Array } | null>(null);
   readonly shown = signal<Shown | null>(null); // at most once a frame
   readonly other = signal<Seen | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
@@ -148,6 +154,7 @@ export class Store {
   readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
   readonly alphaRun = signal<AlphaRun | null>(null);
   readonly surface = signal<number | null>(null); // selected leaf
+  readonly paintAsked = signal(false); // somebody wants to paint it: the panel shows how
   readonly luminaires = signal<readonly number[]>([]); // selected, 0 = L1, the latest last
   readonly luminaire = computed(() => this.luminaires.value.at(-1) ?? null);
   readonly ghosts = signal<readonly number[]>([]); // sites where those go that move with a luminaire in the hand

@@ -115,7 +115,7 @@ export function everyVerdict(
   shown: Shown | null = store.shown.value,
 ): Verdict[] {
   const document = store.document.value;
-  const scene = store.scene.value;
+  const scene = store.painted.value;
   if (!shown || !scene) return [];
   const type = roomTypes.find(({ id }) => id === document.roomType);
   const most = document.glare?.max;

@@ -18,6 +18,10 @@ export const dialogs: Words['dialogs'] = {
     wheel: { what: 'Rad', does: 'zum Zeiger hin zoomen' },
     click: { what: 'Klick', does: 'Fläche oder Leuchte wählen' },
     doubleClick: { what: 'Doppelklick', does: 'auf dem Boden: dort stehen; sonst: um diesen Punkt drehen' },
+    paint: {
+      what: 'Fläche anklicken, dann Farbe',
+      does: 'anderer Reflexionsgrad; dort steht auch, welche Farbe am meisten hilft',
+    },
     luminaire: { what: 'Leuchte ziehen', does: 'anderswo fixieren; die anderen gleichen aus' },
     area: {
       what: 'Leuchten: Sperren oder Zulassen',

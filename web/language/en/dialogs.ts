@@ -17,6 +17,10 @@ export const dialogs = {
     wheel: { what: 'Wheel', does: 'zoom to the pointer' },
     click: { what: 'Click', does: 'select a surface or a luminaire' },
     doubleClick: { what: 'Double click', does: 'stand there, on the floor; else turn around that point' },
+    paint: {
+      what: 'Click a surface, then Paint',
+      does: 'another reflectance; which paint helps most stands there, too',
+    },
     luminaire: { what: 'Drag a luminaire', does: 'pin it elsewhere; the others compensate' },
     area: {
       what: 'Luminaires, Keep out or Keep in',

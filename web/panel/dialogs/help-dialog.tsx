@@ -10,6 +10,7 @@ const pointer: readonly [() => string, () => string][] = [
   [() => words.value.dialogs.help.wheel.what, () => words.value.dialogs.help.wheel.does],
   [() => words.value.dialogs.help.click.what, () => words.value.dialogs.help.click.does],
   [() => words.value.dialogs.help.doubleClick.what, () => words.value.dialogs.help.doubleClick.does],
+  [() => words.value.dialogs.help.paint.what, () => words.value.dialogs.help.paint.does],
   [() => words.value.dialogs.help.luminaire.what, () => words.value.dialogs.help.luminaire.does],
   [() => words.value.dialogs.help.area.what, () => words.value.dialogs.help.area.does],
   [() => words.value.dialogs.help.arrows.what, () => words.value.dialogs.help.arrows.does],

@@ -24,7 +24,7 @@ export function useReached(names: SurfaceNames): Reached | null {
 /** The light of the patches of some surfaces. */
 export function useSample(names: SurfaceNames): AreaSample | null {
   const { store } = useApp();
-  const scene = store.scene.value;
+  const scene = store.painted.value;
   const shown = store.shown.value;
   const { quantity } = store.document.value;
   const key = names.join('\n');

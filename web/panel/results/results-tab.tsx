@@ -5,6 +5,7 @@ import { compact } from '../../app/words/format.ts';
 import { Differences } from '../compare/differences.tsx';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
+import { PaintSection } from './paint-section.tsx';
 import { GlareTable } from './glare-table.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { SurfaceTable } from './surface-table.tsx';
@@ -20,6 +21,7 @@ export function ResultsTab() {
       <VerdictTable />
       <Power />
       <SurfaceTable />
+      <PaintSection />
       <GlareTable />
       <CheckLayout />
       <AboutRoom />

@@ -9,6 +9,7 @@ import type { SurfaceOutlines } from '../room/surface-outline.ts';
 const pulse = 700; // ms
 const pulseTint = 0.3;
 const hoverTint = 0.07;
+const glowTint = 0.16;
 
 export const accent = new Color('#4f9dff');
 const pinnedRim = new Color('#ffb52e');
@@ -21,6 +22,7 @@ export class Emphasis {
   overSurface: number | null = null;
   overLuminaire: number | null = null;
   #room: readonly LitMesh[] = [];
+  #glowing: number | null = null; // surface
   #begun = 0;
   #loop: FrameLoop;
   #outlines: SurfaceOutlines;
@@ -54,6 +56,14 @@ export class Emphasis {
       this.#tint(0);
     }
     this.refresh();
+  }
+
+  /** Of a surface that something is told of. */
+  glow(surface: number | null): void {
+    if (surface === this.#glowing) return;
+    this.#glowing = surface;
+    this.#tint(0);
+    this.#loop.invalidate();
   }
 
   /** True when something else is under the pointer than before. */
@@ -95,7 +105,8 @@ export class Emphasis {
   #tint(selected: number): void {
     for (const { mesh, surface } of this.#room) {
       const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
-      mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : hovered;
+      const own = surface === this.surface ? selected : hovered;
+      mesh.material.uniforms['tint']!.value = Math.max(own, surface === this.#glowing ? glowTint : 0);
     }
   }
 }

@@ -78,6 +78,7 @@ void main() {
 const fragmentShader = /* glsl */ `
 uniform sampler2D albedoMap;
 uniform vec4 albedo;
+uniform vec4 paint;       // an albedo where w is 1, else a factor on the material's own
 uniform float alphaCut;
 uniform sampler2D colorTable;
 uniform bool falseColor;
@@ -146,6 +147,7 @@ void main() {
 #ifdef USE_COLOR
   surface.rgb *= vTint;
 #endif
+  surface.rgb = paint.w > 0.5 ? paint.rgb : min(surface.rgb * paint.rgb, vec3(1.0));
   if (surface.a < alphaCut) discard;
   if (!gl_FrontFacing && !measuring) {
     // The outside of a wall, drawn only where nothing is cut away.
@@ -223,6 +225,7 @@ export function createLightMaterial(shared: SharedUniforms, options: LightMateri
       albedoMap: { value: albedo.map },
       mapTransform: { value: mapTransform },
       albedo: { value: new Vector4(albedo.color.r, albedo.color.g, albedo.color.b, albedo.opacity) },
+      paint: { value: new Vector4(1, 1, 1, 0) },
       alphaCut: { value: albedo.alphaCut },
       measuring: { value: measuring },
       standing: { value: options.standing },

@@ -22,6 +22,7 @@ export class RoomLight {
   #blendBegan: number | null = null;
   #tables = new Map<ColorMap, DataTexture>();
   #scene: SceneInfo | null = null;
+  #painted: Float32Array | null = null; // reflectance a patch
   #level = 0; // lx that the exposure is adapted to
   #wanted = 0;
   #ev = 0;
@@ -40,9 +41,16 @@ export class RoomLight {
     return this.#texture?.light ?? null;
   }
 
-  /** Reflectance a patch; null before a room is open. */
+  /** Reflectance a patch, as the room is painted; null before a room is open. */
   get reflectance(): Float32Array | null {
-    return this.#scene?.patchReflectance ?? null;
+    return this.#painted ?? this.#scene?.patchReflectance ?? null;
+  }
+
+  /** Reflectance a patch under other paint; null: as in the file. */
+  setReflectance(painted: Float32Array | null): void {
+    this.#painted = painted;
+    if (this.reflectance) this.#reflectances?.set(this.reflectance);
+    this.#loop.invalidate();
   }
 
   setScene(scene: SceneInfo | null): void {
@@ -50,6 +58,7 @@ export class RoomLight {
     this.#reflectances?.dispose();
     this.#forgetColors();
     this.#scene = scene;
+    this.#painted = null;
     const made = () => (scene ? new LightTexture(scene.patches + scene.receivers) : null);
     [this.#texture, this.#reflectances] = [made(), made()];
     if (scene) this.#reflectances?.set(scene.patchReflectance);

@@ -1,0 +1,113 @@
+/** Paint: what the solver, the picture and undo get of it, and which paint helps. Covers document/paint, paint-gains, painted-meshes. */
+import { beforeEach, expect, jest, test } from '@jest/globals';
+import { App } from '../../../web/app/app.ts';
+import { Store } from '../../../web/app/state/store.ts';
+import { fakeHost } from '../fake-host.ts';
+import { fakeScene, FakeSolver } from '../fake-solver.ts';
+import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
+
+let solver: FakeSolver;
+let viewer: FakeViewer;
+let app: App;
+let frames: (() => void)[];
+
+const turn = () => new Promise((resolve) => setImmediate(resolve));
+
+async function settle(): Promise<void> {
+  for (let round = 0; round < 3; round++) {
+    jest.advanceTimersByTime(1000);
+    solver.flush();
+    await turn();
+    frames.splice(0).forEach((draw) => draw());
+  }
+}
+
+async function opened(hasOperator: boolean): Promise<void> {
+  jest.useFakeTimers({ doNotFake: ['setImmediate'] });
+  frames = [];
+  fakeHost();
+  globalThis.requestAnimationFrame = (draw) => frames.push(() => draw(0));
+  const fake = fakeViewer();
+  app = new App(new Store(), {
+    canvas: null as unknown as HTMLCanvasElement,
+    labels: null as unknown as HTMLElement,
+    createViewer: fake.create,
+    createWorker: () => (solver = new FakeSolver({ ...fakeScene(), hasOperator })),
+  });
+  viewer = fake.viewer();
+  const opening = app.opening.files([new File([new Uint8Array(4)], 'room.flux')]);
+  await settle();
+  await opening;
+  await settle();
+}
+
+beforeEach(() => opened(true));
+
+const wall = 1; // reflects 0.25
+const asked = () => solver.last('solve')!.intentions.paint;
+
+test('a gesture is one step, and what is shown follows it with the exposure held', async () => {
+  app.painting.set(wall, 0.3, null, true);
+  app.painting.set(wall, 0.5, null, true);
+  expect(viewer.held).toBe(true);
+  expect(asked()).toEqual([{ surface: 'wall', reflectance: 0.5 }]);
+  expect(viewer.paint).toEqual([{ surface: wall, reflectance: 0.5, albedo: null, factor: 2 }]);
+  expect(app.store.painted.value?.surfaces[wall]?.reflectance).toBe(0.5);
+  expect(app.store.painted.value?.patchReflectance[15]).toBe(0.5);
+  app.store.endGesture();
+  expect(viewer.held).toBe(false);
+  app.undo();
+  expect(app.store.document.value.paint).toBeUndefined();
+  expect(viewer.paint).toEqual([]);
+  expect(app.store.painted.value).toBe(app.store.scene.value);
+});
+
+test('a named paint has its colour; it goes surface by surface, or all at once', async () => {
+  app.painting.set(wall, 0.2, '#bf6c4a');
+  app.painting.set(0, 2, null);
+  const [clay, floor] = [viewer.paint.find(({ surface }) => surface === wall), viewer.paint[0]];
+  const [r, g, b] = clay!.albedo!;
+  expect(0.2126 * r + 0.7152 * g + 0.0722 * b).toBeCloseTo(0.2, 6);
+  expect(r).toBeGreaterThan(2 * b);
+  expect(floor).toMatchObject({ reflectance: expect.any(Number) });
+  expect(app.painting.on(0)?.reflectance).toBe(0.9); // the most that there is
+  app.painting.reset(wall);
+  expect(asked()).toEqual([{ surface: 'floor', reflectance: 0.9 }]);
+  app.painting.reset(null);
+  expect(asked()).toBeUndefined();
+});
+
+test('which paint helps is told of what is asked, and the first glows while it is looked at', async () => {
+  app.addCard('illuminate', ['floor']);
+  await settle();
+  expect(solver.last('gains')).toBeUndefined();
+  app.painting.isWatched.value = true;
+  await settle();
+  expect(app.painting.wish.value?.text).toBe('more light on floor');
+  expect(app.painting.lines.value).toEqual([
+    { surface: wall, name: 'wall', isLighter: true, text: '+12.0 lx', share: 1 },
+    { surface: 0, name: 'floor', isLighter: false, text: '+2.00 lx', share: 2 / 12 },
+  ]);
+  expect(viewer.glow).toBe(wall);
+  // A bound that is missed comes first.
+  const card = app.store.document.value.cards.at(-1)!;
+  app.changeCard(card.id, 'at most', (each) => ({ ...each, mean: { max: 1 } }));
+  await settle();
+  expect(app.painting.lines.value.map(({ name, isLighter }) => [name, isLighter])).toEqual([
+    ['floor', false],
+    ['wall', false],
+  ]);
+  app.painting.isWatched.value = false;
+  expect(viewer.glow).toBeNull();
+});
+
+test('a room whose file cannot tell is neither painted nor asked', async () => {
+  await opened(false);
+  app.painting.set(wall, 0.5, null);
+  app.painting.isWatched.value = true;
+  await settle();
+  expect(app.painting.canPaint.value).toBe(false);
+  expect(viewer.paint).toEqual([]);
+  expect(app.store.painted.value).toBe(app.store.scene.value);
+  expect(solver.last('gains')).toBeUndefined();
+});
