@@ -410,7 +410,7 @@ export class Solving {
       const guarantee = draft.cards.find((each) => each.id === card)?.guarantee;
       if (guarantee) Object.assign(guarantee, { alpha, by: 'chebyshev' });
     };
-    this.#store.edit('Find alpha', set, null, { by: 'nothing' });
+    this.#store.edit(words.value.steps.findAlpha, set, null, { by: 'nothing' });
     const { evaluations, milliseconds } = this.#store.progress.peek();
     this.#showing.present(this.#read(shown), { state: 'settled', evaluations, milliseconds }, (seen) =>
       this.#settled(seen),

@@ -69,7 +69,7 @@ export function stfProject(app: App, today: Date): StfProject {
   const what = drawn(app);
   const { scene, plan } = what;
   const outline = plan.outlines[0];
-  if (!outline) throw new Error('the outline of its floor is not closed, and STF needs one');
+  if (!outline) throw new Error(words.value.actions.exports.openOutline);
   const title = app.store.roomTitle.peek();
   const efficacy = app.store.efficacy.peek();
   const types: StfType[] = [];

@@ -55,7 +55,6 @@ export const actions: Words['actions'] = {
   palette: 'Alle Aktionen',
   help: 'Tasten und Hilfe',
   openRoom: (title) => `Öffnen: ${title}`,
-  language: (name) => name,
   comparing: {
     keep: 'Diese Anordnung als A behalten',
     withA: 'Mit A vergleichen',
@@ -76,5 +75,6 @@ export const actions: Words['actions'] = {
     gltf: { title: 'Leuchten exportieren (glTF)', button: 'glTF-Leuchten', noun: 'Die glTF-Datei' },
     noLayout: 'Noch ist keine Anordnung zu sehen',
     failed: (noun, why) => `${noun} konnte nicht erstellt werden: ${why}`,
+    openOutline: 'der Umriss seines Bodens ist nicht geschlossen, und STF braucht einen',
   },
 };

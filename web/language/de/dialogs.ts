@@ -29,7 +29,6 @@ export const dialogs: Words['dialogs'] = {
     },
     arrows: { what: 'Pfeile am Regler', does: 'ein Schritt; Umschalt × 10, Alt × 0,1' },
   },
-  language: 'Sprache',
   copy: 'Kopieren',
   noCopy: 'Der Browser lässt die Seite nicht kopieren. Die Zeile ist markiert: Strg+C drücken.',
   close: 'Schließen',

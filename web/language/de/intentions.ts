@@ -144,7 +144,7 @@ export const intentions: Words['intentions'] = {
   illuminanceTip: 'Auftreffendes Licht, lx',
   illuminance: 'Beleuchtungsstärke',
   exitanceTip: 'Abgestrahltes Licht, lm/m²: B im Artikel',
-  exitance: 'Ausstrahlung',
+  exitance: 'Exitanz',
   range: {
     name: 'Mittelwert',
     of: (name) => `${name}: Mittelwert`,

@@ -13,7 +13,7 @@ export const panel: Words['panel'] = {
     resolve: 'Neu lösen',
     layouts: (n, text) => `${text} ${n === 1 ? 'Anordnung' : 'Anordnungen'}`,
     unmet: (n) => `${counted(n, 'Vorgabe', 'Vorgaben')} nicht erfüllt`,
-    within: (gap) => `höchstens ${gap} unter dem Besten`,
+    within: (gap) => `bis auf ${gap} optimal`,
   },
   tabs: { intentions: 'Ziele', luminaires: 'Leuchten', results: 'Ergebnisse' },
   name: 'Ziele und Ergebnisse',

@@ -91,4 +91,5 @@ export const steps: Words['steps'] = {
   removeType: 'Leuchtentyp entfernen',
   addType: (name) => `${name} hinzufügen`,
   preset: (title) => `${title} verlangen`,
+  findAlpha: 'Alpha suchen',
 };

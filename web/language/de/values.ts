@@ -70,5 +70,5 @@ export const values: Words['values'] = {
       `${required} lx (modifiziert ${modified}), Uₒ ${uniformity}; Wände ${walls} lx, Decke ${ceiling} lx`,
   },
   quoted: (name) => `„${name}“`,
-  keys: { ctrl: 'Strg', shift: 'Umschalt', delete: 'Entf', enter: 'Eingabe' },
+  keys: { ctrl: 'Strg', shift: 'Umsch', delete: 'Entf', enter: 'Eingabe' },
 };

@@ -54,7 +54,6 @@ export const actions = {
   palette: 'All actions',
   help: 'Keys and help',
   openRoom: (title: string) => `Open: ${title}`,
-  language: (name: string) => name,
   comparing: {
     keep: 'Keep this layout as A',
     withA: 'Compare with A',
@@ -75,5 +74,6 @@ export const actions = {
     gltf: { title: 'Export the luminaires (glTF)', button: 'glTF lights', noun: 'glTF file' },
     noLayout: 'no layout is shown yet',
     failed: (noun: string, why: string) => `The ${noun} could not be made: ${why}`,
+    openOutline: 'the outline of its floor is not closed, and STF needs one',
   },
 };

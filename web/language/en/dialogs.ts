@@ -28,7 +28,6 @@ export const dialogs = {
     },
     arrows: { what: 'Arrows on a slider', does: 'one step; Shift × 10, Alt × 0.1' },
   },
-  language: 'Language',
   copy: 'Copy',
   noCopy: 'The browser does not let the page copy. The line is selected: press Ctrl+C.',
   close: 'Close',

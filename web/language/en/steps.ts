@@ -90,4 +90,5 @@ export const steps = {
   removeType: 'Remove a luminaire type',
   addType: (name: string) => `Add ${name}`,
   preset: (title: string) => `Ask for ${title}`,
+  findAlpha: 'Find alpha',
 };

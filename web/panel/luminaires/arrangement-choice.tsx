@@ -81,15 +81,13 @@ interface AxisProps {
 }
 
 function Axis({ rule, axis, choose }: AxisProps) {
+  const isRows = rule === 'rows';
+  const said = words.value.luminaires.arrangement;
   const { store } = useApp();
   const [long, short] = axesByLength(store.scene.value?.sites.position ?? new Float32Array());
   return (
     <label class="setting-row">
-      <span>
-        {rule === 'rows'
-          ? words.value.luminaires.arrangement.rowsRun
-          : words.value.luminaires.arrangement.mirrored}
-      </span>
+      <span>{isRows ? said.rowsRun : said.mirrored}</span>
       <select
         class="select"
         value={axis}
@@ -98,20 +96,10 @@ function Axis({ rule, axis, choose }: AxisProps) {
           choose(next === 'found' ? { rule } : { rule, axis: next });
         }}
       >
-        <option value={words.value.luminaires.arrangement.rowsFound}>
-          {rule === 'rows'
-            ? words.value.luminaires.arrangement.axisFound
-            : words.value.luminaires.arrangement.rowsLong}
-        </option>
-        <option value={long}>
-          {rule === 'rows'
-            ? words.value.luminaires.arrangement.axisLong
-            : words.value.luminaires.arrangement.rowsShort}
-        </option>
-        <option value={short}>
-          {rule === 'rows' ? words.value.luminaires.arrangement.axisShort : 'the short axis'}
-        </option>
-        {rule === 'symmetric' && <option value={words.value.luminaires.arrangement.both}>both axes</option>}
+        <option value="found">{isRows ? said.rowsFound : said.axisFound}</option>
+        <option value={long}>{isRows ? said.rowsLong : said.axisLong}</option>
+        <option value={short}>{isRows ? said.rowsShort : said.axisShort}</option>
+        {!isRows && <option value="both">{said.both}</option>}
       </select>
     </label>
   );
