@@ -193,10 +193,8 @@ export class Placing {
       store.display.value = { ...display, quantity: document.quantity };
     });
     void this.#types.findMissing();
-    // An eye within the room sees too little of it in a narrow picture.
-    const within = first && window.matchMedia('(orientation: landscape)').matches;
     if (view?.camera) this.#viewer.setCamera(view.camera);
-    else if (within) this.#viewer.setCamera({ ...first, plan: false });
+    else if (first) this.#viewer.setCamera({ ...first, plan: false });
     else this.#viewer.home();
   }
 
