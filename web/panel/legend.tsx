@@ -22,7 +22,10 @@ export function Legend() {
   };
   const step = niceStep(Math.max(high - low, 1)) * 5;
   return (
-    <section class="legend" aria-label={words.value.bars.legend.name}>
+    <section
+      class={store.camera.value?.plan ? 'legend is-line' : 'legend'}
+      aria-label={words.value.bars.legend.name}
+    >
       <div class="legend-ends">
         <NumberField
           label={words.value.bars.legend.low}

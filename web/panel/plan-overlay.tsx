@@ -31,14 +31,18 @@ function ScaleBar() {
   const { viewer } = useApp();
   const frame = viewer.frame();
   const [from, to] = [viewer.planPoint(0, 0), viewer.planPoint(100, 0)];
-  if (!frame || !from || !to || from[0] === to[0]) return null;
-  const perMetre = 100 / Math.abs(to[0] - from[0]); // px
+  if (!frame || !from || !to) return null;
+  const [x, z] = [to[0] - from[0], to[1] - from[1]]; // of what points right on the page
+  const perMetre = 100 / Math.hypot(x, z); // px
+  const north = (-Math.atan2(z, x) * 180) / Math.PI; // degrees clockwise from up
+  const { scale, towards } = words.value.bars.plan;
   const metres = lengths.find((length) => length * perMetre >= narrowest) ?? lengths.at(-1)!;
   const [wide, deep] = frame.size;
+  const label = scale(shortest(metres), towards[(Math.round(north / 90) + 4) % 4]!);
   return (
-    <div class="plan-scale" role="note" aria-label={words.value.bars.plan.scale(shortest(metres))}>
+    <div class="plan-scale" role="note" aria-label={label}>
       <span class="north" aria-hidden="true">
-        N ↑
+        N <span style={{ transform: `rotate(${north}deg)` }}>↑</span>
       </span>
       <span class="bar" style={{ width: `${metres * perMetre}px` }} aria-hidden="true" />
       <span>

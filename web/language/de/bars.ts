@@ -82,7 +82,8 @@ export const bars: Words['bars'] = {
     close: 'Hinweis schließen',
   },
   plan: {
-    scale: (metres) => `Maßstab von ${metres} m; Norden ist oben`,
+    scale: (metres, north) => `Maßstab von ${metres} m; Norden ist ${north}`,
+    towards: ['oben', 'rechts', 'unten', 'links'],
     corner: (corner) => `x und y zählen ab ${corner}`,
     room: (wide, deep) => `Raum ${wide} × ${deep} m`,
     drag: {

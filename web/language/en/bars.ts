@@ -76,7 +76,8 @@ export const bars = {
   },
   useless: { name: 'About this light', title: 'This light is of little use', close: 'Close the note' },
   plan: {
-    scale: (metres: string) => `Scale bar of ${metres} m; north is up`,
+    scale: (metres: string, north: string) => `Scale bar of ${metres} m; north is ${north}`,
+    towards: ['up', 'to the right', 'down', 'to the left'],
     corner: (corner: string) => `x and y count from the ${corner}`,
     room: (wide: string, deep: string) => `room ${wide} × ${deep} m`,
     drag: {

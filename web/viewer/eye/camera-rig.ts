@@ -76,15 +76,15 @@ export class CameraRig {
   }
 
   /** What is covered is drawn, too, but the room is framed in what is left between. */
-  resize(width: number, height: number, { top, planTop, bottom }: Covered): void {
-    const frame = (camera: PerspectiveCamera | OrthographicCamera, above: number) => {
-      const free = Math.max(1, height - above - bottom);
-      if (above + bottom > 0) camera.setViewOffset(width, free, 0, -above, width, height);
+  resize(width: number, height: number, { top, planTop, bottom, planBottom }: Covered): void {
+    const frame = (camera: PerspectiveCamera | OrthographicCamera, above: number, below: number) => {
+      const free = Math.max(1, height - above - below);
+      if (above + below > 0) camera.setViewOffset(width, free, 0, -above, width, height);
       else camera.clearViewOffset();
       return width / free;
     };
-    this.#poses.aspect = frame(this.#perspective, top);
-    this.#poses.planAspect = frame(this.#orthographic, planTop);
+    this.#poses.aspect = frame(this.#perspective, top, bottom);
+    this.#poses.planAspect = frame(this.#orthographic, planTop, planBottom);
     if (this.#atHome) this.#apply(this.#poses.home());
     this.#project();
   }

@@ -19,13 +19,14 @@ const maxPixelRatio = 2;
 const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
 
 /**
- * Strips that controls lie over, CSS px: the custom properties --view-top, --plan-top and --view-bottom of the canvas. A
- * plan fills its corners, where the other views have nothing to hide, and keeps further down.
+ * Strips that controls lie over, CSS px: the custom properties --view-top, --view-bottom, --plan-top and --plan-bottom of
+ * the canvas. A plan fills its corners, where the other views have nothing to hide, and keeps away from more.
  */
 export interface Covered {
   readonly top: number;
   readonly planTop: number;
   readonly bottom: number;
+  readonly planBottom: number;
 }
 
 export interface StageHost {
@@ -117,7 +118,9 @@ export class Stage {
       Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
     const top = strip('--view-top');
     const planTop = Math.max(top, strip('--plan-top'));
-    this.#host.resized(width, height, ratio, { top, planTop, bottom: strip('--view-bottom') });
+    const bottom = strip('--view-bottom');
+    const planBottom = Math.max(bottom, strip('--plan-bottom'));
+    this.#host.resized(width, height, ratio, { top, planTop, bottom, planBottom });
   };
 
   #rescheme = (): void => {
