@@ -241,7 +241,7 @@ export class App {
     const { store, viewer } = this;
     effect(() => viewer.setDisplay(store.display.value));
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
-    effect(() => viewer.setBodies(this.types.bodies.value));
+    effect(() => viewer.setBodies(this.types.bodies.value, this.types.bodiesOf(this.variants.types)));
     effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
     effect(() => viewer.setSelection(store.surface.value, store.luminaires.value));
     effect(() => viewer.setGhosts(store.ghosts.value));

@@ -93,8 +93,11 @@ export interface Viewer {
   compareWith(other: OtherLight | null): void;
   /** Where the divider stands, a share of the picture's width. */
   divide(share: number): void;
-  /** Of the types that a layout's mountings name; luminaires of others are drawn as squares. */
-  setBodies(bodies: readonly LuminaireBody[]): void;
+  /**
+   * Of the types that a layout's mountings name, and of those of the layout that it is compared with, whose names may mean
+   * other ones; luminaires of types that are not there are drawn as squares.
+   */
+  setBodies(bodies: readonly LuminaireBody[], others: readonly LuminaireBody[]): void;
   /** The luminaire picked last is the last. */
   setSelection(surface: number | null, luminaires: readonly number[]): void;
   /** The leaf surfaces that the intentions name: the room is first looked at from where they are seen. */

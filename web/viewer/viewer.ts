@@ -200,9 +200,9 @@ class RoomViewer implements Viewer {
     this.#wipe.divide(share);
   }
 
-  setBodies(bodies: readonly LuminaireBody[]): void {
+  setBodies(bodies: readonly LuminaireBody[], others: readonly LuminaireBody[]): void {
     this.#luminaires.setBodies(bodies);
-    this.#wipe.luminaires.setBodies(bodies);
+    this.#wipe.luminaires.setBodies(others);
   }
 
   setSelection(surface: number | null, luminaires: readonly number[]): void {

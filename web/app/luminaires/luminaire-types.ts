@@ -46,23 +46,27 @@ export class LuminaireTypes {
     this.#store = store;
     this.#solving = solving;
     effect(() => {
-      const { types } = store.document.value.luminaires;
+      const { luminaires, kept } = store.document.value;
+      const types = [...(luminaires.types ?? []), ...(kept?.luminaires.types ?? [])];
       const files = this.files.value;
-      untracked(() => types?.forEach((type) => void this.#describe(type, files[type.hash])));
+      untracked(() => types.forEach((type) => void this.#describe(type, files[type.hash])));
     });
   }
 
   /** What luminaires of the types look like, as far as their files are known. */
-  readonly bodies = computed<readonly LuminaireBody[]>(() =>
-    (this.#store.document.value.luminaires.types ?? []).flatMap(({ id, tilt, hash }) => {
+  readonly bodies = computed(() => this.bodiesOf(this.all));
+
+  /** The same of types that the document need not have: those of another layout. */
+  bodiesOf(types: readonly LuminaireType[] | undefined): readonly LuminaireBody[] {
+    return (types ?? []).flatMap(({ id, tilt, hash }) => {
       const description = this.descriptions.value[hash];
       if (!description) return [];
       const { luminous, longAxis, candela } = description;
       const { length, width, height, round } = luminous;
       const [along, across] = longAxis === 'C0' ? [length, width] : [width, length];
       return [{ id, tilt, along, across, height, round, candela }];
-    }),
-  );
+    });
+  }
 
   get all(): readonly LuminaireType[] {
     return this.#store.document.value.luminaires.types ?? [];
