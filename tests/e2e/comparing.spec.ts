@@ -1,5 +1,5 @@
 // Two layouts in one picture: kept, wiped by the keyboard, told apart in a table, switched, and kept over a reload.
-// Covers compare-bar, divider, differences, wipe, film.
+// The solver is played against. Covers compare-bar, challenge-card, divider, differences, wipe, film.
 import { readFileSync } from 'node:fs';
 import { difference, expect, openRoom, picture, settled, status, tab, test, violations } from './app.ts';
 
@@ -32,6 +32,38 @@ test('a variant is kept as A, compared with what comes after it, and survives a 
   await expect(divider).toHaveCount(0);
   await page.keyboard.press('b');
   await expect(divider).toBeVisible();
+});
+
+test('six luminaires are placed by hand against the solver, and the link tells the score', async ({
+  page,
+  context,
+}) => {
+  await openRoom(page, 'Box');
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.getByRole('menuitem', { name: /Beat the solver/ }).click();
+  const card = page.getByRole('region', { name: 'Beat the solver' });
+  const score = card.locator('.score');
+  await expect(score).toContainText(/^\d+your score; the solver’s is 100/, { timeout: 60_000 });
+  const scattered = await score.innerText();
+
+  // One is taken elsewhere by the keyboard: it counts at once.
+  await tab(page, 'Luminaires');
+  await page.getByRole('button', { name: 'L1', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp']) await page.keyboard.press(key);
+  await expect(score).not.toHaveText(scattered);
+  await expect(card).toContainText(/solver/);
+
+  await card.getByRole('button', { name: 'See the solver’s' }).click();
+  await expect(page.getByRole('slider', { name: /Divider/ })).toBeVisible();
+  const points = /^\d+/.exec(await score.innerText())![0];
+  await card.getByRole('button', { name: 'Share' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Share this layout' });
+  const link = await dialog.getByRole('textbox', { name: 'Link' }).inputValue();
+  const other = await context.newPage();
+  await other.goto(link);
+  const message = other.getByRole('region', { name: 'Messages' }).getByText(/the sender says/);
+  await expect(message).toContainText(`${points} points`, { timeout: 60_000 });
 });
 
 test('a loop is recorded as a WebM file, and Escape ends it without one', async ({ page }) => {
