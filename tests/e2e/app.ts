@@ -131,8 +131,9 @@ export async function picture(page: Page): Promise<PNG> {
   return PNG.sync.read(await canvas(page).screenshot({ caret: 'initial' }));
 }
 
-/** The picture once it has come to rest: light takes its colour some time after it is there. */
+/** The picture once it has come to rest: light takes its colour, and shadows near contacts, some time after it is there. */
 export async function pictureAtRest(page: Page): Promise<PNG> {
+  await page.waitForFunction(() => performance.getEntriesByName('contacts lit').length > 0, null, patience);
   for (let last = await picture(page); ;) {
     await page.waitForTimeout(1500);
     const now = await picture(page);

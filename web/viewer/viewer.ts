@@ -5,6 +5,7 @@ import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
 import { Arrival } from './eye/arrival.ts';
 import { AreaMarks } from './luminaires/area-marks.ts';
+import { ContactLight } from './contact/contact-light.ts';
 import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
 import { Emphasis } from './hand/emphasis.ts';
@@ -50,6 +51,7 @@ class RoomViewer implements Viewer {
   #rig: CameraRig;
   #arrival: Arrival;
   #light = new RoomLight(this.#loop);
+  #contacts = new ContactLight(this.#loop, this.#light.uniforms);
   #cutAway = new CutAway();
   #outlines = new SurfaceOutlines();
   #luminaires = new LuminaireObjects(this.#loop);
@@ -160,6 +162,7 @@ class RoomViewer implements Viewer {
   setLight(illuminance: Float32Array): void {
     this.#unlit = false;
     this.#light.set(illuminance);
+    this.#contacts.wait();
     this.#arrival.light();
   }
 
@@ -333,6 +336,7 @@ class RoomViewer implements Viewer {
       this.#wipe,
       this.#marks,
       this.#areaMarks,
+      this.#contacts,
       this.#light,
       this.#rig,
       this.#stage,
@@ -351,6 +355,7 @@ class RoomViewer implements Viewer {
     this.#hand.setSites(info?.sites ?? null);
     this.setAreas(this.#areas);
     this.#emphasis.setRoom(room.lit);
+    this.#contacts.setRoom(room.lit, info);
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
@@ -373,6 +378,7 @@ class RoomViewer implements Viewer {
     this.#hand.setSites(null);
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
+    this.#contacts.setRoom([], null);
     this.#cutAway.setRoom(null, new Map());
     this.#observers.show([]);
     if (this.#room) this.#stage.scene.remove(this.#room.root);
@@ -460,6 +466,7 @@ class RoomViewer implements Viewer {
       this.#loop.suspend();
       freeGpu(this.#stage.scene);
       this.#light.release();
+      this.#contacts.release();
       this.#wipe.release();
     } else this.#loop.resume();
     this.#events.contextLost(lost);

@@ -1,6 +1,7 @@
 /**
  * The room's shader. Light at a vertex = sum of weight x patch illuminance, fetched from the light texture; then
- *   realistic:    albedo x light x its colour x exposure, through the tone curve
+ *   realistic:    albedo x light, spread within its patches (contact/openness.ts), x its colour x exposure, through the
+ *                 tone curve
  *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
  *                 colour table
  * A measuring plane, which nobody could see, is a faint veil in the realistic picture; in the other it is opaque, for
@@ -23,15 +24,21 @@ import { isoluxShader } from './isolux.ts';
 const vertexShader = /* glsl */ `
 attribute vec4 _patches;
 attribute vec4 _weights;
+attribute vec4 _lattice; // openness of a triangle: its first value, cells along an edge, and where this corner is
 uniform highp sampler2D lightTexture;
 uniform highp sampler2D reflectanceTexture;
 uniform highp sampler2D colorTexture; // red and blue at a luminance of 1
+uniform highp sampler2D meanOpennessTexture;
 uniform float colored;    // how much of the light's colour, 0..1
+uniform float contact;    // how much of the shadows near contacts, 0..1
 uniform bool exitance;
 uniform mat3 mapTransform;
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
+varying float vMeanOpenness;
+flat varying vec2 vLattice;
+varying vec2 vCorner;
 varying vec2 vMapUv;
 varying vec3 vPlace; // in the room, m
 #ifdef USE_COLOR
@@ -64,6 +71,9 @@ void main() {
   vLight = dot(weights, light);
   vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
   vLightColor = colored > 0.0 && vLight > 0.0 ? mix(vec3(1.0), lightColor(weights * light), colored) : vec3(1.0);
+  vMeanOpenness = contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0;
+  vLattice = _lattice.xy;
+  vCorner = _lattice.zw;
 #ifdef MAP_UV
   vMapUv = (mapTransform * vec3(MAP_UV, 1.0)).xy;
 #endif
@@ -97,10 +107,15 @@ uniform bool standing;    // furniture
 uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
 uniform float colored;
 uniform float usualLight; // lx, what an eye is adapted to
+uniform highp sampler2D opennessTexture;
+uniform float contact;
 const float veil = 0.16;  // how much a measuring plane hides of a realistic picture
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
+varying float vMeanOpenness;
+flat varying vec2 vLattice;
+varying vec2 vCorner;
 varying vec2 vMapUv;
 varying vec3 vPlace;
 #ifdef USE_COLOR
@@ -108,14 +123,44 @@ varying vec3 vTint;
 #endif
 ${isoluxShader}
 
+// At a corner of the lattice: rows along the first edge, each one shorter than the one before.
+float opennessAt(ivec2 at) {
+  int place = int(vLattice.x + 0.5) + at.y * (int(vLattice.y + 0.5) + 1) - at.y * (at.y - 1) / 2 + at.x;
+  return texelFetch(opennessTexture, ivec2(place & 1023, place >> 10), 0).r;
+}
+
+float openness() {
+  int cells = int(vLattice.y + 0.5);
+  if (cells == 0) return 1.0;
+  vec2 place = clamp(vCorner, 0.0, 1.0) * float(cells);
+  ivec2 cell = min(ivec2(place), ivec2(cells - 1));
+  cell.x = min(cell.x, cells - 1 - cell.y);
+  vec2 part = clamp(place - vec2(cell), 0.0, 1.0);
+  float right = opennessAt(cell + ivec2(1, 0)), above = opennessAt(cell + ivec2(0, 1));
+  if (part.x + part.y <= 1.0 || cell.x + cell.y + 2 > cells) {
+    float here = opennessAt(cell);
+    return here + part.x * (right - here) + part.y * (above - here);
+  }
+  float beyond = opennessAt(cell + ivec2(1, 1));
+  return beyond + (1.0 - part.x) * (above - beyond) + (1.0 - part.y) * (right - beyond);
+}
+
+// The patches' light, spread within them.
+float litHere() {
+  const float most = 2.5; // times its patches' light: beyond, their mean is mostly noise
+  if (contact <= 0.0) return vLight;
+  return vLight * mix(1.0, min(most, openness() / max(vMeanOpenness, 1e-3)), contact);
+}
+
 // The back of furniture is dark where it stands at a wall, and would look hollow where that wall is not drawn.
 float drawnLight() {
-  if (!standing) return vLight;
+  float light = litHere();
+  if (!standing) return light;
   vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   const float gap = 0.4, upright = 0.9;
   vec4 facing = vec4(-normal.xz, normal.xz), distance = vec4(vPlace.xz - sides.xy, sides.zw - vPlace.xz);
   vec4 isBack = step(upright, facing) * step(distance, vec4(gap));
-  return max(vLight, 0.3 * usualLight * min(1.0, dot(isBack, vec4(1.0))));
+  return max(light, 0.3 * usualLight * min(1.0, dot(isBack, vec4(1.0))));
 }
 
 vec3 colorOnLegend(float quantity) {
@@ -178,6 +223,9 @@ export function sharedUniforms() {
     reflectanceTexture: { value: null as Texture | null },
     colorTexture: { value: null as Texture | null },
     colored: { value: 0 },
+    opennessTexture: { value: null as Texture | null },
+    meanOpennessTexture: { value: null as Texture | null },
+    contact: { value: 0 },
     colorTable: { value: null as Texture | null },
     falseColor: { value: false },
     exposure: { value: 1 },

@@ -4,6 +4,9 @@
  */
 
 const leafSize = 8;
+const deepest = 60; // levels
+const same = 1e-5; // of two sides of one sheet the front is met
+const tiny = 1e-12; // of a direction that has no part along an axis
 
 export interface TreeHit {
   readonly distance: number; // along the ray, in lengths of its direction
@@ -13,12 +16,13 @@ export interface TreeHit {
 type Vec = readonly [number, number, number];
 
 export class TriangleTree {
+  met = -1; // what ended the last `reach`: place of the triangle's first vertex in the index; -1: nothing
+  isBack = false; // that triangle was met from behind
   #index: ArrayLike<number>;
   #positions: ArrayLike<number>; // xyz each
   #triangles: Uint32Array; // ordered by node
-  #bounds: number[] = []; // six a node: low xyz, high xyz
-  #start: number[] = []; // leaf: first of `triangles`; inner: the second child (the first one follows its parent)
-  #count: number[] = []; // leaf: triangles; inner: 0
+  #nodes = new Nodes();
+  #stack = new Int32Array(deepest + 2);
 
   constructor(index: ArrayLike<number>, positions: ArrayLike<number>) {
     this.#index = index;
@@ -30,24 +34,67 @@ export class TriangleTree {
 
   /** The nearest triangle that the ray meets, seen from its front unless `bothSides`; nearer than `limit`. */
   cast(origin: Vec, direction: Vec, bothSides = false, limit = Infinity): TreeHit | null {
-    let best: TreeHit | null = null;
-    const stack = this.#count.length > 0 ? [0] : [];
-    while (stack.length > 0) {
-      const node = stack.pop()!;
-      if (!this.#meets(node, origin, direction, best?.distance ?? limit)) continue;
-      const count = this.#count[node]!;
-      const start = this.#start[node]!;
-      if (count === 0) {
-        stack.push(start, node + 1);
+    const [dx, dy, dz] = direction;
+    const distance = this.reach(origin[0], origin[1], origin[2], dx, dy, dz, bothSides, limit);
+    return this.met < 0 ? null : { distance, first: this.met };
+  }
+
+  /** As `cast`, for many rays: how far the ray from o along d comes, at most `limit`; see `met` and `isBack`. */
+  reach(
+    ox: number,
+    oy: number,
+    oz: number,
+    dx: number,
+    dy: number,
+    dz: number,
+    bothSides: boolean,
+    limit: number,
+  ): number {
+    const stack = this.#stack;
+    const { start, count } = this.#nodes;
+    const [ix, iy, iz] = [1 / (dx || tiny), 1 / (dy || tiny), 1 / (dz || tiny)];
+    let best = limit;
+    let depth = 0;
+    this.met = -1;
+    if (count.length > 0) stack[depth++] = 0;
+    while (depth > 0) {
+      const node = stack[--depth]!;
+      if (!this.#nodes.isMet(node, ox, oy, oz, ix, iy, iz, best)) continue;
+      const held = count[node]!;
+      if (held === 0) {
+        stack[depth++] = start[node]!;
+        stack[depth++] = node + 1;
         continue;
       }
-      for (let i = start; i < start + count; i++) {
+      for (let i = start[node]!; i < start[node]! + held; i++) {
         const first = 3 * this.#triangles[i]!;
-        const distance = this.#distance(first, origin, direction, bothSides);
-        if (distance < (best?.distance ?? limit)) best = { distance, first };
+        const distance = this.#distance(first, ox, oy, oz, dx, dy, dz, bothSides);
+        const far = Math.abs(distance);
+        const isFurther = far > best - same && !(this.isBack && distance > 0 && far < best + same);
+        if (this.met < 0 ? far >= best : isFurther) continue;
+        best = far;
+        this.met = first;
+        this.isBack = distance < 0;
       }
     }
     return best;
+  }
+
+  /** Visits the triangles whose boxes touch a box, until one answers true; whether one did. */
+  some(low: Vec, high: Vec, visit: (first: number) => boolean): boolean {
+    const { start, count } = this.#nodes;
+    const stack = count.length > 0 ? [0] : [];
+    while (stack.length > 0) {
+      const node = stack.pop()!;
+      if (!this.#nodes.touches(node, low, high)) continue;
+      const held = count[node]!;
+      if (held === 0) stack.push(start[node]!, node + 1);
+      for (let i = start[node]!; i < start[node]! + held; i++) {
+        const first = 3 * this.#triangles[i]!;
+        if (this.#touches(first, low, high) && visit(first)) return true;
+      }
+    }
+    return false;
   }
 
   #centers(): Float32Array {
@@ -59,8 +106,7 @@ export class TriangleTree {
   }
 
   /** Makes the node of triangles begin..end and, after it, its children. */
-  #build(centers: Float32Array, begin: number, end: number): number {
-    const node = this.#count.length;
+  #build(centers: Float32Array, begin: number, end: number, depth = 0): number {
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
     const [from, to] = [[...low], [...high]]; // of the centers
@@ -77,17 +123,15 @@ export class TriangleTree {
         }
       }
     }
-    this.#bounds.push(...low, ...high);
-    this.#start.push(begin);
-    this.#count.push(end - begin);
-    if (end - begin <= leafSize) return node;
+    const node = this.#nodes.add(low, high, begin, end - begin);
+    if (end - begin <= leafSize || depth >= deepest) return node;
     const sizes = to.map((value, axis) => value - from[axis]!);
     const axis = sizes.indexOf(Math.max(...sizes));
     const middle = this.#partition(centers, axis, (from[axis]! + to[axis]!) / 2, begin, end);
     if (middle === begin || middle === end) return node; // all in one place
-    this.#build(centers, begin, middle);
-    this.#start[node] = this.#build(centers, middle, end);
-    this.#count[node] = 0;
+    this.#build(centers, begin, middle, depth + 1);
+    this.#nodes.start[node] = this.#build(centers, middle, end, depth + 1);
+    this.#nodes.count[node] = 0;
     return node;
   }
 
@@ -106,39 +150,88 @@ export class TriangleTree {
     return i;
   }
 
-  #meets(node: number, origin: Vec, direction: Vec, limit: number): boolean {
-    let [near, far] = [0, limit];
+  #touches(first: number, low: Vec, high: Vec): boolean {
+    const p = this.#positions;
+    const a = 3 * this.#index[first]!;
+    const b = 3 * this.#index[first + 1]!;
+    const c = 3 * this.#index[first + 2]!;
     for (let axis = 0; axis < 3; axis++) {
-      const inverse = 1 / direction[axis]!;
-      const low = this.#bounds[6 * node + axis]! - origin[axis]!;
-      const high = this.#bounds[6 * node + 3 + axis]! - origin[axis]!;
-      if (!Number.isFinite(inverse)) {
-        if (low > 0 || high < 0) return false;
-        continue;
-      }
-      near = Math.max(near, Math.min(low * inverse, high * inverse));
-      far = Math.min(far, Math.max(low * inverse, high * inverse));
+      if (Math.min(p[a + axis]!, p[b + axis]!, p[c + axis]!) > high[axis]!) return false;
+      if (Math.max(p[a + axis]!, p[b + axis]!, p[c + axis]!) < low[axis]!) return false;
     }
-    return near <= far + 1e-6;
+    return true;
   }
 
-  /** Where the ray meets a triangle (Moeller and Trumbore), or Infinity. */
-  #distance(first: number, origin: Vec, direction: Vec, bothSides: boolean): number {
+  /** Where the ray meets a triangle (Moeller and Trumbore), negative from behind, or Infinity. */
+  #distance(
+    first: number,
+    ox: number,
+    oy: number,
+    oz: number,
+    dx: number,
+    dy: number,
+    dz: number,
+    bothSides: boolean,
+  ): number {
     const p = this.#positions;
-    const [a, b, c] = [3 * this.#index[first]!, 3 * this.#index[first + 1]!, 3 * this.#index[first + 2]!];
-    const [ux, uy, uz] = [p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!];
-    const [vx, vy, vz] = [p[c]! - p[a]!, p[c + 1]! - p[a + 1]!, p[c + 2]! - p[a + 2]!];
-    const [dx, dy, dz] = direction;
+    const a = 3 * this.#index[first]!;
+    const b = 3 * this.#index[first + 1]!;
+    const c = 3 * this.#index[first + 2]!;
+    const [ax, ay, az] = [p[a]!, p[a + 1]!, p[a + 2]!];
+    const [ux, uy, uz] = [p[b]! - ax, p[b + 1]! - ay, p[b + 2]! - az];
+    const [vx, vy, vz] = [p[c]! - ax, p[c + 1]! - ay, p[c + 2]! - az];
     const [hx, hy, hz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
     const det = ux * hx + uy * hy + uz * hz; // > 0: seen from the front
     if (bothSides ? det === 0 : det <= 0) return Infinity;
-    const [sx, sy, sz] = [origin[0] - p[a]!, origin[1] - p[a + 1]!, origin[2] - p[a + 2]!];
+    const [sx, sy, sz] = [ox - ax, oy - ay, oz - az];
     const u = (sx * hx + sy * hy + sz * hz) / det;
     if (u < 0 || u > 1) return Infinity;
     const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
     const v = (dx * qx + dy * qy + dz * qz) / det;
     if (v < 0 || u + v > 1) return Infinity;
     const distance = (vx * qx + vy * qy + vz * qz) / det;
-    return distance > 0 ? distance : Infinity;
+    if (!(distance > 0)) return Infinity;
+    return det < 0 ? -distance : distance;
+  }
+}
+
+/** The boxes of the tree, one after the other. */
+class Nodes {
+  readonly start: number[] = []; // leaf: first of the triangles; inner: the second child (the first one follows its parent)
+  readonly count: number[] = []; // leaf: triangles; inner: 0
+  readonly #bounds: number[] = []; // six a node: low xyz, high xyz
+
+  add(low: readonly number[], high: readonly number[], start: number, count: number): number {
+    this.#bounds.push(...low, ...high);
+    this.start.push(start);
+    return this.count.push(count) - 1;
+  }
+
+  touches(node: number, low: Vec, high: Vec): boolean {
+    const bounds = this.#bounds;
+    for (let axis = 0; axis < 3; axis++)
+      if (bounds[6 * node + axis]! > high[axis]! || bounds[6 * node + 3 + axis]! < low[axis]!) return false;
+    return true;
+  }
+
+  /** By slabs; i = 1 / direction. */
+  isMet(
+    node: number,
+    ox: number,
+    oy: number,
+    oz: number,
+    ix: number,
+    iy: number,
+    iz: number,
+    limit: number,
+  ): boolean {
+    const bounds = this.#bounds;
+    const at = 6 * node;
+    const [ax, bx] = [(bounds[at]! - ox) * ix, (bounds[at + 3]! - ox) * ix];
+    const [ay, by] = [(bounds[at + 1]! - oy) * iy, (bounds[at + 4]! - oy) * iy];
+    const [az, bz] = [(bounds[at + 2]! - oz) * iz, (bounds[at + 5]! - oz) * iz];
+    const near = Math.max(0, Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz));
+    const far = Math.min(limit, Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz));
+    return near <= far + 1e-6;
   }
 }

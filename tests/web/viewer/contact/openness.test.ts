@@ -1,0 +1,100 @@
+/** Light within a patch: how open a floor is beside and under what stands on it. Covers contact-light's lattices, too. */
+import { describe, expect, test } from '@jest/globals';
+import { BufferAttribute, BufferGeometry } from 'three';
+import { layTiles } from '../../../../web/viewer/contact/contact-light.ts';
+import { latticeSize, openness, type SolidPart } from '../../../../web/viewer/contact/openness.ts';
+
+type Vec = readonly [number, number, number];
+
+/** A rectangle as two triangles, lit by one patch. */
+function rectangle([corner, along, across]: readonly [Vec, Vec, Vec], patch: number): SolidPart {
+  const at = (u: number, v: number) => corner.map((x, axis) => x + u * along[axis]! + v * across[axis]!);
+  const [a, b] = [along, across];
+  const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const size = Math.hypot(...normal);
+  return {
+    index: Uint32Array.of(0, 1, 2, 3, 2, 1),
+    positions: Float32Array.from([at(0, 0), at(1, 0), at(0, 1), at(1, 1)].flat()),
+    normals: Float32Array.from({ length: 12 }, (_, i) => normal[i % 3]! / size),
+    patches: Float32Array.from({ length: 16 }, () => patch),
+    weights: Float32Array.from({ length: 16 }, (_, i) => Number(i % 4 === 0)),
+    reflectance: 0,
+  };
+}
+
+const floor = rectangle(
+  [
+    [0, 0, 0],
+    [0, 0, 0.2],
+    [0.2, 0, 0],
+  ],
+  0,
+);
+
+/** A black box in the middle of the floor: four sides and a lid. */
+const box = (
+  [
+    [
+      [0.05, 0, 0.05],
+      [0, 0, 0.1],
+      [0, 0.1, 0],
+    ],
+    [
+      [0.15, 0, 0.05],
+      [0, 0.1, 0],
+      [0, 0, 0.1],
+    ],
+    [
+      [0.05, 0, 0.05],
+      [0, 0.1, 0],
+      [0.1, 0, 0],
+    ],
+    [
+      [0.05, 0, 0.15],
+      [0.1, 0, 0],
+      [0, 0.1, 0],
+    ],
+    [
+      [0.05, 0.1, 0.05],
+      [0, 0, 0.1],
+      [0.1, 0, 0],
+    ],
+  ] as const
+).map((place) => rectangle(place, 1));
+const patchCenter = Float32Array.of(0.1, 0, 0.1, 0.1, 0.1, 0.1);
+
+describe('how open a place is', () => {
+  test('a floor with nothing on it is left alone', () => {
+    const found = openness({ parts: [floor], patchCenter, edge: 0.2 });
+    expect([...found.tiles[0]!]).toEqual([0, 0, 0, 0]);
+    expect(found.values).toHaveLength(0);
+    expect([...found.means]).toEqual([1, 1]);
+  });
+
+  test('it is darker beside a box than away from it, and what is under the box counts for nothing', () => {
+    const found = openness({ parts: [floor, ...box], patchCenter, edge: 0.2 });
+    const [first, cells] = found.tiles[0]!;
+    expect(cells).toBeGreaterThan(3);
+    const [corner, ...others] = found.values.subarray(first!, first! + latticeSize(cells!));
+    expect(corner).toBeGreaterThan(200);
+    expect(Math.min(...others)).toBeLessThan(0.75 * corner!);
+    // A quarter of the patch is covered, and the rest is in the shade.
+    expect(found.means[0]).toBeGreaterThan(0.4);
+    expect(found.means[0]).toBeLessThan(0.75);
+  });
+});
+
+test('triangles with a lattice get corners of their own, and all keep their order', () => {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(floor.positions.slice(), 3));
+  geometry.setIndex([...floor.index]);
+  layTiles(geometry, Uint32Array.of(0, 0, 7, 2)); // the second one only
+  expect([...geometry.index!.array]).toEqual([0, 1, 2, 4, 5, 6]);
+  const { position, _lattice: lattice } = geometry.attributes;
+  const places = [4, 5, 6].map((vertex) => [0, 1, 2].map((axis) => position!.getComponent(vertex, axis)));
+  expect(places.flat()).toEqual(
+    [3, 2, 1].flatMap((vertex) => [...floor.positions.subarray(3 * vertex, 3 * vertex + 3)]),
+  );
+  expect([...lattice!.array].slice(16)).toEqual([7, 2, 0, 0, 7, 2, 1, 0, 7, 2, 0, 1]);
+  expect([...lattice!.array].slice(0, 16)).toEqual(Array.from({ length: 16 }, () => 0));
+});

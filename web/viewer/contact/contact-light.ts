@@ -1,0 +1,190 @@
+/**
+ * The light near contacts on the screen: the room's triangles go to a worker some time after the first picture, and what
+ * comes back is laid on the meshes as lattices (contact/openness.ts) that the light material reads. No number changes.
+ * The mark 'contacts lit' says that a room has them.
+ */
+import {
+  BufferAttribute,
+  DataTexture,
+  NearestFilter,
+  RedFormat,
+  UnsignedByteType,
+  type BufferGeometry,
+  type Texture,
+} from 'three';
+import type { SceneInfo } from '../../document/types.ts';
+import type { SharedUniforms } from '../light/light-material.ts';
+import { LightTexture } from '../light/light-texture.ts';
+import type { LitMesh } from '../room/room-mesh.ts';
+import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
+import type { Openness, Solid, SolidPart } from './openness.ts';
+
+const mark = 'contacts lit';
+const calm = 3000; // ms without new light, before anything is worked out: nothing is to wait for it
+const blending = 600; // ms in which the shadows come
+export const tableWidth = 1024; // of the texture of values: the shader splits a place by shift and mask
+
+export class ContactLight {
+  #loop: FrameLoop;
+  #uniforms: SharedUniforms;
+  #worker: Worker | null = null;
+  #begin: (() => void) | null = null; // what waits for a calm moment
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #textures: { readonly values: Texture; readonly means: LightTexture } | null = null;
+  #blendBegan: number | null = null;
+
+  constructor(loop: FrameLoop, uniforms: SharedUniforms) {
+    this.#loop = loop;
+    this.#uniforms = uniforms;
+  }
+
+  /** Another room, which is drawn already, or none. */
+  setRoom(lit: readonly LitMesh[], scene: SceneInfo | null): void {
+    this.#end();
+    if (!scene) return;
+    const solids = lit.filter(({ measuring }) => !measuring);
+    this.#begin = () => this.#ask(solids, scene);
+    this.wait();
+  }
+
+  /** Somebody is at work: what has not begun yet waits until they rest. */
+  wait(): void {
+    if (!this.#begin) return;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(this.#begin, calm);
+  }
+
+  /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
+  release(): void {
+    this.#textures?.values.dispose();
+    this.#textures?.means.texture.dispose();
+  }
+
+  dispose(): void {
+    this.#end();
+  }
+
+  #ask(solids: readonly LitMesh[], scene: SceneInfo): void {
+    const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'contacts' });
+    this.#worker = worker;
+    this.#begin = null;
+    worker.onerror = () => this.#stop(); // the picture does without
+    worker.onmessage = ({ data }: MessageEvent<Openness>) => {
+      this.#stop();
+      this.#show(solids, data);
+    };
+    worker.postMessage(solidOf(solids, scene));
+  }
+
+  #show(solids: readonly LitMesh[], found: Openness): void {
+    solids.forEach(({ mesh }, i) => layTiles(mesh.geometry, found.tiles[i]!));
+    const means = new LightTexture(found.means.length);
+    means.set(found.means);
+    this.#textures = { values: valuesTexture(found.values), means };
+    this.#uniforms.opennessTexture.value = this.#textures.values;
+    this.#uniforms.meanOpennessTexture.value = means.texture;
+    this.#blendBegan = null;
+    performance.mark(mark);
+    if (reducedMotion()) this.#uniforms.contact.value = 1;
+    else this.#loop.animate(this.#blend);
+    this.#loop.invalidate();
+  }
+
+  #blend = (now: number): boolean => {
+    this.#blendBegan ??= now;
+    return (this.#uniforms.contact.value = Math.min(1, (now - this.#blendBegan + 16) / blending)) < 1;
+  };
+
+  #stop(): void {
+    clearTimeout(this.#timer);
+    this.#worker?.terminate();
+    this.#worker = this.#begin = null;
+  }
+
+  #end(): void {
+    this.#stop();
+    performance.clearMarks(mark);
+    this.#loop.cancel(this.#blend);
+    this.#textures?.values.dispose();
+    this.#textures?.means.dispose();
+    this.#textures = null;
+    this.#uniforms.opennessTexture.value = this.#uniforms.meanOpennessTexture.value = null;
+    this.#uniforms.contact.value = 0;
+  }
+}
+
+/** The triangles of meshes that carry light, in the room's coordinates. */
+export function solidOf(solids: readonly LitMesh[], scene: SceneInfo): Solid {
+  const areas = scene.patchArea.slice(0, scene.patches).sort();
+  return {
+    parts: solids.map(({ mesh, surface }) => partOf(mesh, scene.surfaces[surface]?.reflectance ?? 0.5)),
+    patchCenter: scene.patchCenter.slice(0, 3 * scene.patches),
+    edge: Math.sqrt(areas[areas.length >> 1] ?? 0),
+  };
+}
+
+function partOf(mesh: LitMesh['mesh'], reflectance: number): SolidPart {
+  const { geometry, matrixWorld } = mesh;
+  const position = geometry.getAttribute('position');
+  const values = (attribute: { count: number; getComponent(i: number, c: number): number }, size: number) =>
+    Float32Array.from({ length: size * attribute.count }, (_, i) =>
+      attribute.getComponent(Math.floor(i / size), i % size),
+    );
+  return {
+    index: Uint32Array.from(geometry.index?.array ?? { length: position.count }, (v, i) => v ?? i),
+    positions: values(position.clone().applyMatrix4(matrixWorld), 3),
+    normals: values(geometry.getAttribute('normal').clone().transformDirection(matrixWorld), 3),
+    patches: values(geometry.getAttribute('_patches'), 4),
+    weights: values(geometry.getAttribute('_weights'), 4),
+    reflectance,
+  };
+}
+
+/**
+ * Gives every triangle with a lattice three corners of its own, behind the vertices that are there: the triangles keep
+ * their order. `_lattice` of a corner: the first value and the cells along an edge (0: none), and where the corner is.
+ */
+export function layTiles(geometry: BufferGeometry, tile: Uint32Array): void {
+  const before = geometry.getAttribute('position').count;
+  const index = geometry.index ? [...geometry.index.array] : Array.from({ length: before }, (_, i) => i);
+  const taken: number[] = []; // the vertex that each new one repeats
+  const lattice: number[] = [];
+  for (let t = 0; 3 * t < index.length; t++) {
+    const [first, cells] = [tile[2 * t]!, tile[2 * t + 1]!];
+    if (cells === 0) continue;
+    for (let corner = 0; corner < 3; corner++) {
+      lattice.push(first, cells, Number(corner === 1), Number(corner === 2));
+      index[3 * t + corner] = before + taken.push(index[3 * t + corner]!) - 1;
+    }
+  }
+  if (taken.length === 0) return;
+  const longer = Object.entries(geometry.attributes).map(([name, attribute]) => {
+    const { array, itemSize, normalized } = attribute as BufferAttribute;
+    const more = new (array.constructor as new (length: number) => typeof array)(
+      itemSize * (before + taken.length),
+    );
+    more.set(array);
+    taken.forEach((vertex, i) => {
+      for (let c = 0; c < itemSize; c++) more[itemSize * (before + i) + c] = array[itemSize * vertex + c]!;
+    });
+    return [name, new BufferAttribute(more, itemSize, normalized)] as const;
+  });
+  const places = new Float32Array(4 * (before + taken.length));
+  places.set(lattice, 4 * before);
+  geometry.dispose();
+  for (const [name, attribute] of longer) geometry.setAttribute(name, attribute);
+  geometry.setAttribute('_lattice', new BufferAttribute(places, 4));
+  geometry.setIndex(index);
+}
+
+function valuesTexture(values: Uint8Array): DataTexture {
+  const rows = Math.max(1, Math.ceil(values.length / tableWidth));
+  const padded = new Uint8Array(rows * tableWidth);
+  padded.set(values);
+  const texture = new DataTexture(padded, tableWidth, rows, RedFormat, UnsignedByteType);
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.generateMipmaps = false;
+  texture.unpackAlignment = 1;
+  texture.needsUpdate = true;
+  return texture;
+}
