@@ -238,7 +238,6 @@ const photometry = { title: 'Luminaires of photometric files' };
 /** A room's section as the document has it. */
 function written(text, room) {
   const start = text.indexOf(heading(room));
-  if (start < 0) throw new Error(`${document} has no section ${room.title}: run without ids`);
   const next = text.indexOf('\n## ', start);
   return next < 0 ? text.slice(start) : text.slice(start, next + 1);
 }
@@ -246,7 +245,8 @@ function written(text, room) {
 try {
   const measured = (room) => ids.length === 0 || ids.includes(room.id);
   const before = existsSync(document) ? readFileSync(document, 'utf8') : '';
-  const sections = catalog.map((room) => (measured(room) ? section(measure(room)) : written(before, room)));
+  const told = catalog.filter((room) => measured(room) || before.includes(heading(room)));
+  const sections = told.map((room) => (measured(room) ? section(measure(room)) : written(before, room)));
   if (before.includes(heading(photometry))) sections.push(written(before, photometry));
   writeFileSync(document, `${introduction}${sections.map((text) => text.trimEnd()).join('\n\n')}\n`);
 } finally {
