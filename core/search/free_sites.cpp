@@ -1,5 +1,7 @@
-// Free sites and shakes; see free_sites.h.
+// Free sites and gatherings; see free_sites.h.
 #include "core/search/free_sites.h"
+
+#include <algorithm>
 
 namespace fiatlux {
 namespace {
@@ -75,18 +77,17 @@ void FreeSites::anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& ra
   if (counts_ && !nobody) out.push_back(prepared_.nobody());
 }
 
-void FreeSites::shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach,
-                      Random& random) {
-  for (std::uint32_t k = 0; k < strength && !movable_.empty(); ++k) {
-    const std::uint32_t i = randomMovable(random);
-    if (reach == 0)
-      farMoves(sites[i], scratch_);
-    else
-      nearMoves(sites[i], reach, scratch_);
-    if (scratch_.empty()) continue;
-    const std::uint32_t to = scratch_[random.below(static_cast<std::uint32_t>(scratch_.size()))];
-    relocate(sites[i], to);
-    sites[i] = to;
+void FreeSites::drawMoves(std::uint32_t from, std::uint32_t reach, std::uint32_t count, Random& random,
+                          std::vector<std::uint32_t>& out) const {
+  constexpr std::uint32_t kOneInTenAnywhere = 10;
+  out.clear();
+  const std::uint32_t near = isNobody(from) ? 0 : std::min(reach, prepared_.nearCount());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t at = near == 0 ? 0 : random.below(near * kOneInTenAnywhere);
+    const bool anywhere = at >= near * (kOneInTenAnywhere - 1);
+    const std::uint32_t to = anywhere ? random.below(prepared_.candidateCount() + (counts_ ? 1 : 0))
+                                      : prepared_.nearSites(from)[at % near];
+    if (to != from && mayMove(from, to)) out.push_back(to);
   }
 }
 

@@ -1,6 +1,5 @@
 // Where a luminaire may go next: candidates (sites, or ties of them) that are free under the rules and keep
-// the counts within their ranges, near ones first; and the shakes of the search, which throw some luminaires
-// further away the longer it finds nothing.
+// the counts within their ranges, near ones first; and gatherings, which throw some luminaires together.
 #pragma once
 
 #include <cassert>
@@ -67,12 +66,13 @@ class FreeSites {
   void anyNearMoves(std::uint32_t from, std::uint32_t reach, Random& random,
                     std::vector<std::uint32_t>& out) const;
 
-  /// Relocates `strength` random movable luminaires of `sites`, each among its `reach` nearest sites (0:
-  /// anywhere), and follows. A luminaire that finds no free site stays.
-  void shake(std::vector<std::uint32_t>& sites, std::uint32_t strength, std::uint32_t reach, Random& random);
+  /// Some free sites for the luminaire on `from`, at most `count`, drawn with repetition: most of them among
+  /// its `reach` nearest, a few anywhere.
+  void drawMoves(std::uint32_t from, std::uint32_t reach, std::uint32_t count, Random& random,
+                 std::vector<std::uint32_t>& out) const;
 
-  /// Relocates `strength` random movable luminaires (drawn with repetition) to the sites nearest to a random
-  /// one.
+  /// Relocates `strength` random movable luminaires of `sites` (drawn with repetition) to the sites nearest
+  /// to a random one, and follows. A luminaire that finds no free site stays.
   void gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random);
 
   /// The luminaires that are not pinned, in order.
@@ -102,7 +102,6 @@ class FreeSites {
   std::vector<std::uint32_t> movable_;
   std::vector<char> excluded_;
   std::vector<std::uint32_t> blocked_;  // per site: luminaires in its way; excluded sites never reach 0 or 1
-  std::vector<std::uint32_t> scratch_;
 };
 
 }  // namespace fiatlux

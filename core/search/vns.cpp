@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "core/search/identity.h"
@@ -12,11 +11,17 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kShakeReach = 16;     // how far a near shake throws
-constexpr double kPenalties[3] = {1, 4, 16};  // goals that a violation of 100 % is worth, in a walk
-constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
-constexpr std::uint32_t kGatherings = 16;     // tried before the best of them is searched
-constexpr std::uint32_t kRoundsOnBase = 1;    // rounds in vain before the search restarts elsewhere
+constexpr std::uint32_t kIdleSteps = 20000;         // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kGatherings = 64;           // tried before a walk begins at the best of them
+constexpr std::uint32_t kTrialsPerLuminaire = 400;  // of the first walk
+constexpr std::uint32_t kLonger = 4;                // the next one is longer by one part in so many
+constexpr double kReheat = 0.5;                     // of a walk from a good layout
+constexpr std::uint32_t kWorthTurns = 2;            // of "far" in the time of a walk: it may end thoroughly
+
+bool areUnlike(const PreparedScene& prepared, const std::vector<double>& flux) {
+  return (prepared.waysPerPlace() > 1 && !prepared.isTied()) ||
+         std::any_of(flux.begin(), flux.end(), [&](double each) { return each != flux[0]; });
+}
 
 std::vector<std::uint32_t> startSites(const PreparedScene& prepared, const LuminaireRules& rules,
                                       const Layout* start, Random& random) {
@@ -46,6 +51,7 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t se
          const Layout* reference)
     : Vns(prepared, intentions, intentions.luminaires, seed, reference) {
   assert(!prepared.isTied() && !countVaries(intentions.luminaires));
+  thorough_ = start != nullptr;
   open(startSites(prepared_, rules_, start, random_));
 }
 
@@ -62,15 +68,15 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       freeSites_(prepared, rules, static_cast<std::uint32_t>(evaluator_.flux().size())),
       random_(seed),
       prepared_(prepared),
-      rules_(rules) {
-  areDifferent_ = prepared.waysPerPlace() > 1 && !prepared.isTied();
-  for (double flux : evaluator_.flux()) areDifferent_ |= flux != evaluator_.flux()[0];
-}
+      rules_(rules),
+      areDifferent_(areUnlike(prepared, evaluator_.flux())),
+      length_(kTrialsPerLuminaire * freeSites_.movable().size()),
+      walk_(areDifferent_, evaluator_.objective().hasConstraints()) {}
 
 void Vns::open(const std::vector<std::uint32_t>& sites) {
   begin(sites);
-  base_ = best_ = evaluator_.sites();
-  baseEvaluation_ = bestEvaluation_ = evaluator_.current();
+  best_ = evaluator_.sites();
+  bestEvaluation_ = evaluator_.current();
 }
 
 /// Of ties: what is pinned in front, nobody in the places that are left.
@@ -129,18 +135,20 @@ void Vns::enter(std::size_t neighborhood) {
 std::uint32_t Vns::spend(std::uint32_t limit) {
   if (gathering_) return tryGatherings(limit);
   if (!scanning_) openScan();
-  const std::uint32_t spent = neighborhoods()[neighborhood_].trySome(here(), scan_, limit);
-  if (scan_.position >= scan_.size) closeScan();
+  const std::uint32_t spent = walking_ ? walk_.trySome(here(), scan_, limit)
+                                       : neighborhoods()[neighborhood_].trySome(here(), scan_, limit);
+  if (scan_.position >= scan_.size) walking_ ? closeStep() : closeScan();
   return spent;
 }
 
 void Vns::openScan() {
+  scanning_ = true;
+  if (walking_) return walk_.open(here(), scan_);
   const std::vector<std::uint32_t>& movable = freeSites_.movable();
   const auto next = std::upper_bound(movable.begin(), movable.end(), scan_.luminaire);
   scan_.luminaire = next == movable.end() ? movable.front() : *next;
   scan_.found = {{}, 0, evaluator_.current()};
   scan_.position = 0;
-  scanning_ = true;
   neighborhoods()[neighborhood_].open(here(), scan_);
 }
 
@@ -152,12 +160,17 @@ void Vns::closeScan() {
     if (++fruitless_ >= at.turn(here())) leave();
     return;
   }
-  for (std::uint32_t k = 0; k < scan_.found.count; ++k)
-    freeSites_.relocate(evaluator_.sites()[scan_.found.moves[k].luminaire], scan_.found.moves[k].site);
-  evaluator_.apply(scan_.found);
+  take();
   fruitless_ = 0;
   keepBest();
   if (at.startsOver) enter(0);
+}
+
+/// Makes the moves that the scan found.
+void Vns::take() {
+  for (std::uint32_t k = 0; k < scan_.found.count; ++k)
+    freeSites_.relocate(evaluator_.sites()[scan_.found.moves[k].luminaire], scan_.found.moves[k].site);
+  evaluator_.apply(scan_.found);
 }
 
 void Vns::keepBest() {
@@ -165,61 +178,39 @@ void Vns::keepBest() {
   best_ = evaluator_.sites();
   bestEvaluation_ = evaluator_.current();
   foundAt_ = evaluations_;
-  fruitlessRounds_ = 0;
+  foundSince_ = true;
 }
 
 /// To the next neighbourhood that is worth while; after the last one the local search has ended.
 void Vns::leave() {
-  if (walking_) return enter(0);
   for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
     const Neighborhood& row = neighborhoods()[next];
     if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
   }
-  changeBase();
-}
-
-/// After a local search: keep the better layout and the weakest shake, or go to the next one.
-void Vns::changeBase() {
-  const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
-  if (isBetter(evaluator_.current(), baseEvaluation_)) {
-    base_ = evaluator_.sites();
-    baseEvaluation_ = evaluator_.current();
-    level_ = roundsOnBase_ = 0;
-  } else if (++level_ >= 3 * movable) {
-    level_ = 0;
-    ++fruitlessRounds_;
-    if (++roundsOnBase_ >= kRoundsOnBase) {  // restart, now and then from the incumbent
-      roundsOnBase_ = 0;
-      base_ = random_.below(2) == 0 ? best_ : somewhereElse();
-      begin(base_);
-      baseEvaluation_ = evaluator_.current();
-      thorough_ = true;
-      return;
-    }
-  }
   shake();
 }
 
-/// Levels alternate between near shakes, far shakes and gatherings, of growing strength.
+/// After a local search: the next walk, from the best layout, from a gathering or from anywhere.
 void Vns::shake() {
-  if (level_ % 3 == 2) {
-    enter(0);
-    gathering_ = true;
-    gatherings_ = 0;
-    return;
+  switch (++walks_ % 3) {
+    case 1:
+      enter(0);
+      gathering_ = true;
+      gatherings_ = 0;
+      return;
+    case 2:
+      return beginWalk(somewhereElse(), 1);
+    default:
+      return beginWalk(best_, kReheat);
   }
-  std::vector<std::uint32_t> sites = base_;
-  freeSites_.load(sites);
-  freeSites_.shake(sites, 1 + level_ / 3, level_ % 3 == 0 ? kShakeReach : 0, random_);
-  beginShaken(sites);
 }
 
-/// Luminaires thrown together around a site, at several sites: the best of these is worth a local search.
+/// Luminaires thrown together around a site, at several sites: a walk begins at the best of these.
 std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
   const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
   std::uint32_t spent = 0;
   for (; gatherings_ < kGatherings && spent < limit; ++gatherings_, ++spent) {
-    std::vector<std::uint32_t> sites = base_;
+    std::vector<std::uint32_t> sites = best_;
     freeSites_.load(sites);
     freeSites_.gather(sites, 2 + random_.below(2 * movable), random_);
     evaluator_.load(sites);
@@ -227,17 +218,42 @@ std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
     gathered_ = sites;
     gatheredEvaluation_ = evaluator_.current();
   }
-  if (gatherings_ == kGatherings) beginShaken(gathered_);
+  if (gatherings_ == kGatherings) beginWalk(gathered_, kReheat);
   return spent;
 }
 
-/// A local search from a shaken layout: a quick one, after a walk over broken bounds where there are some.
-void Vns::beginShaken(const std::vector<std::uint32_t>& sites) {
-  thorough_ = false;
+void Vns::beginWalk(const std::vector<std::uint32_t>& sites, double heat) {
   begin(sites);
-  if (!evaluator_.objective().hasConstraints() || baseEvaluation_.violation > 0) return;
   walking_ = true;
-  evaluator_.setPenalty(std::abs(baseEvaluation_.goal) * kPenalties[random_.below(3)]);
+  foundSince_ = false;
+  walked_ = sites;
+  walkedEvaluation_ = evaluator_.current();
+  walk_.begin(length_, heat, bestEvaluation_.goal);
+  length_ += length_ / kLonger;
+}
+
+/// Takes the step of a walk, where there is one.
+void Vns::closeStep() {
+  scanning_ = false;
+  if (scan_.found.count > 0) {
+    take();
+    if (isBetter(evaluator_.current(), walkedEvaluation_)) {
+      walked_ = evaluator_.sites();
+      walkedEvaluation_ = evaluator_.current();
+    }
+    keepBest();
+  }
+  walk_.close(scan_, evaluator_.current());
+  if (walk_.isDone()) endWalk();
+}
+
+/// A local search from the best layout of a walk: a quick one, unless it is worth more or moves must be
+/// paired.
+void Vns::endWalk() {
+  const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
+  const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();
+  thorough_ = isPaired || (foundSince_ && walk_.trials() > kWorthTurns * turn);
+  begin(walked_);
 }
 
 }  // namespace fiatlux

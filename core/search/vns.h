@@ -1,7 +1,8 @@
-// Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake the best layout
-// in growing neighbourhoods, improve it by local search on delta evaluations, start the neighbourhoods again
-// when that helped. A pure function of scene, intentions, start and seed; it advances in slices of any size
-// without changing its path.
+// Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake a layout,
+// improve it by local search on delta evaluations, and shake again, more strongly. What shakes is an annealed
+// walk, longer each time: from the best layout, from luminaires gathered around a site, from anywhere, by
+// turns. A pure function of scene, intentions, start and seed; it advances in slices of any size without
+// changing its path.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/search/annealed_walk.h"
 #include "core/search/evaluator.h"
 #include "core/search/intentions.h"
 #include "core/search/neighborhood.h"
@@ -39,8 +41,6 @@ class Vns {
   std::uint64_t evaluations() const { return evaluations_; }
   /// The count of evaluations at which the incumbent was found.
   std::uint64_t foundAt() const { return foundAt_; }
-  /// How often the whole sequence of neighbourhoods has been tried in vain since the last improvement.
-  std::uint32_t fruitlessRounds() const { return fruitlessRounds_; }
 
  private:
   Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& rules, std::uint64_t seed,
@@ -52,13 +52,15 @@ class Vns {
   std::uint32_t spend(std::uint32_t limit);
   void openScan();
   void closeScan();
+  void take();
   void keepBest();
   void enter(std::size_t neighborhood);
   void leave();
-  void changeBase();
   void shake();
   std::uint32_t tryGatherings(std::uint32_t limit);
-  void beginShaken(const std::vector<std::uint32_t>& sites);
+  void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
+  void closeStep();
+  void endWalk();
   Surroundings here() { return {evaluator_, freeSites_, random_}; }
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
@@ -66,20 +68,27 @@ class Vns {
   FreeSites freeSites_;
   Random random_;
   PreparedScene& prepared_;
-  LuminaireRules rules_;       // in terms of the candidates
-  bool areDifferent_ = false;  // in flux or in the way that they may hang: to change places is a move
+  LuminaireRules rules_;  // in terms of the candidates
+  bool areDifferent_;     // in flux or in the way that they may hang: to change places is a move
 
-  std::vector<std::uint32_t> base_, best_;  // what is shaken; the incumbent
-  Evaluation baseEvaluation_, bestEvaluation_;
-  std::uint32_t level_ = 0, fruitlessRounds_ = 0, roundsOnBase_ = 0;
+  std::vector<std::uint32_t> best_;
+  Evaluation bestEvaluation_;
 
   // The running local search: which neighbourhood is looked through, and how far.
   std::size_t neighborhood_ = 0;  // row of neighborhoods()
   bool thorough_ = true;          // all rows, not only those after shakes
-  bool walking_ = false;          // over broken bounds first, in the first row
   std::uint32_t fruitless_ = 0;   // scans in a row that found nothing
   bool scanning_ = false;
   Scan scan_;
+
+  // The running walk, whose steps are scans too.
+  std::uint64_t length_;  // of the next one, trials
+  AnnealedWalk walk_;
+  bool walking_ = false;
+  std::uint32_t walks_ = 0;
+  bool foundSince_ = false;            // a new incumbent, since it began
+  std::vector<std::uint32_t> walked_;  // its best layout
+  Evaluation walkedEvaluation_;
 
   // Gatherings that are being tried.
   bool gathering_ = false;

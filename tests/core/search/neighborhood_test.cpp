@@ -120,10 +120,19 @@ TEST(FreeSites, AreThoseThatEveryPairAllows) {
       after[i] = to;
       EXPECT_EQ(freeSites.mayMove(sites[i], to), isAllowed(prepared, rules, after)) << to;
     }
-    if (step % 2 == 0)
-      freeSites.shake(sites, 2, 0, random);
-    else
+    if (step % 2 == 0) {
+      std::vector<std::uint32_t> drawn;
+      freeSites.drawMoves(sites[i], 16, 30, random, drawn);
+      ASSERT_FALSE(drawn.empty());
+      for (const std::uint32_t to : drawn) {
+        EXPECT_NE(to, sites[i]);
+        EXPECT_TRUE(freeSites.mayMove(sites[i], to)) << to;
+      }
+      freeSites.relocate(sites[i], drawn[0]);
+      sites[i] = drawn[0];
+    } else {
       freeSites.gather(sites, 2, random);
+    }
     EXPECT_TRUE(isAllowed(prepared, rules, sites));
   }
 }

@@ -1,0 +1,89 @@
+// Steps, temperature and penalty; see annealed_walk.h.
+#include "core/search/annealed_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kSitesPerStep = 4;
+constexpr std::uint32_t kWalkReach = 16;    // near sites that a step chooses among
+constexpr std::uint32_t kStepsPerSwap = 5;  // one in so many changes places instead
+constexpr double kTakenFirst = 0.4;         // share of steps that a hot walk takes at first
+constexpr double kFollow = 0.02;            // of what is measured and led, a step
+constexpr double kFirstTemperature = 0.01;  // of the goal, before it is led
+constexpr double kFirstPenalty = 4;         // likewise, of a violation of 100 %
+constexpr double kLeastPenalty = 0.1, kLargestPenalty = 1e6;
+constexpr double kLeastGoal = 1e-3;  // a goal near 0 is no scale
+
+/// About exponentially distributed, of mean 1: its density halves from step to step. Without a logarithm,
+/// which machines round differently.
+double exponential(Random& random) {
+  std::uint32_t bits = random.next();
+  int halvings = 0;
+  for (; halvings < 16 && bits < 0x80000000u; ++halvings) bits <<= 1;
+  return (halvings + (bits & 0x7fffffffu) * 0x1p-31) / 1.5;
+}
+
+}  // namespace
+
+void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
+  trials_ = trials;
+  done_ = 0;
+  heat_ = heat;
+  scale_ = std::max(std::fabs(goal), kLeastGoal);
+  temperature_ = kFirstTemperature * heat * scale_;
+  penalty_ = bounded_ ? kFirstPenalty * scale_ : 0;
+  taken_ = kTakenFirst * heat;
+}
+
+void AnnealedWalk::open(const Surroundings& at, Scan& scan) {
+  at.evaluator.setPenalty(penalty_);
+  Evaluation worst = at.evaluator.current();
+  worst.goal += temperature_ * exponential(at.random);
+  scan.found = {{}, 0, worst};
+  scan.position = 0;
+  scan.luminaire = at.freeSites.randomMovable(at.random);
+  if (swaps_ && at.random.below(kStepsPerSwap) == 0 && openSwap(at, scan)) return;
+  at.freeSites.drawMoves(at.evaluator.sites()[scan.luminaire], kWalkReach * at.freeSites.waysPerPlace(),
+                         kSitesPerStep, at.random, scan.candidates);
+  scan.size = static_cast<std::uint32_t>(scan.candidates.size());
+}
+
+/// Two luminaires change places: the only trial of the step.
+bool AnnealedWalk::openSwap(const Surroundings& at, Scan& scan) const {
+  const std::vector<std::uint32_t>& sites = at.evaluator.sites();
+  scan.partner = at.freeSites.randomMovable(at.random);
+  const std::uint32_t to = at.freeSites.exchanged(sites[scan.luminaire], sites[scan.partner]),
+                      partnerTo = at.freeSites.exchanged(sites[scan.partner], sites[scan.luminaire]);
+  if (scan.partner == scan.luminaire || to == kNone || partnerTo == kNone) return false;
+  scan.candidates.clear();
+  scan.partnerCandidates = {to, partnerTo};
+  scan.size = 1;
+  return true;
+}
+
+std::uint32_t AnnealedWalk::trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) const {
+  const std::uint32_t tried = std::min(limit, scan.size - scan.position);
+  if (scan.candidates.empty() && tried > 0)
+    at.evaluator.tryPair({scan.luminaire, scan.partnerCandidates[0]},
+                         {scan.partner, scan.partnerCandidates[1]}, scan.found);
+  else
+    at.evaluator.tryMoves(scan.luminaire, scan.candidates.data() + scan.position, tried, scan.found);
+  scan.position += tried;
+  return tried;
+}
+
+void AnnealedWalk::close(const Scan& scan, const Evaluation& current) {
+  done_ += std::max(scan.size, 1u);
+  taken_ += kFollow * ((scan.found.count > 0 ? 1.0 : 0.0) - taken_);
+  const double left = 1 - static_cast<double>(done_) / static_cast<double>(trials_);
+  const double wanted = kTakenFirst * heat_ * left * left;
+  temperature_ *= taken_ > wanted ? 1 - kFollow : 1 + kFollow;
+  if (!bounded_) return;
+  penalty_ *= current.violation > 0 ? 1 + kFollow : 1 - kFollow;
+  penalty_ = std::clamp(penalty_, kLeastPenalty * scale_, kLargestPenalty * scale_);
+}
+
+}  // namespace fiatlux

@@ -1,0 +1,44 @@
+// The shake of the search: an annealed walk from a layout (Kirkpatrick, Gelatt and Vecchi 1983). A step looks
+// at a few sites for one luminaire and takes the best of them, a worse layout too while it is hot. The
+// temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a penalty,
+// which grows while bounds are broken and shrinks while they are met, so that the walk keeps to their edge.
+// Neither knows any unit.
+#pragma once
+
+#include <cstdint>
+
+#include "core/search/neighborhood.h"
+
+namespace fiatlux {
+
+class AnnealedWalk {
+ public:
+  /// `swaps`: to change places is a move; `bounded`: there are constraints.
+  AnnealedWalk(bool swaps, bool bounded) : swaps_(swaps), bounded_(bounded) {}
+
+  /// Starts anew, for about `trials` trials. `heat`: 1 forgets where it starts, less keeps something of it;
+  /// `goal`: a value that goals have.
+  void begin(std::uint64_t trials, double heat, double goal);
+
+  /// Prepares a step from where the evaluator stands, whose penalty it sets, and opens the scan for it.
+  void open(const Surroundings& at, Scan& scan);
+  /// As of a row (neighborhood.h).
+  std::uint32_t trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) const;
+  /// After a step of `scan` that led to `current`, or to nothing when nothing was found.
+  void close(const Scan& scan, const Evaluation& current);
+
+  bool isDone() const { return done_ >= trials_; }
+  std::uint64_t trials() const { return trials_; }
+
+ private:
+  bool openSwap(const Surroundings& at, Scan& scan) const;
+
+  bool swaps_, bounded_;
+  std::uint64_t trials_ = 0, done_ = 0;
+  double heat_ = 1, scale_ = 1;
+  double temperature_ = 0;  // in units of the goal, as is
+  double penalty_ = 0;      // of a violation of 100 %
+  double taken_ = 0;        // share of the latest steps
+};
+
+}  // namespace fiatlux
