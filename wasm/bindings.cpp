@@ -61,7 +61,16 @@ val valueOf(const std::vector<ObserverRows>& observers, const std::vector<Observ
   return result;
 }
 
-val valueOf(const Session& session, const Shown& shown) {
+/// Six numbers a grid: surface, points, spacing, rim, E_m and E_min.
+val valueOf(const std::vector<GridReading>& grids) {
+  std::vector<double> numbers;
+  for (const GridReading& g : grids)
+    numbers.insert(numbers.end(), {static_cast<double>(g.surface), static_cast<double>(g.points), g.spacing,
+                                   g.rim, g.mean, g.least});
+  return copied(numbers);
+}
+
+val valueOf(Session& session, const Shown& shown) {
   std::vector<double> surfaces, constraints;
   for (const SurfaceReading& s : shown.surfaces)
     surfaces.insert(surfaces.end(), {s.mean, s.sigma, s.minimum, s.maximum});
@@ -74,10 +83,11 @@ val valueOf(const Session& session, const Shown& shown) {
   result.set("goals", copied(shown.goals));
   result.set("constraints", copied(constraints));
   result.set("observers", valueOf(session.scene()->observers, shown.observers));
+  result.set("grids", valueOf(session.grids()->read(shown.illuminance)));
   return result;
 }
 
-val valueOf(const Session& session, const Result<Shown>& shown) {
+val valueOf(Session& session, const Result<Shown>& shown) {
   if (shown) return valueOf(session, *shown);
   return val(shown.error().message);
 }
@@ -294,6 +304,10 @@ std::string startFrom(Session& session, std::uint32_t seed, val sites, val flux,
   return errorOf(session.start(seed, &layout));
 }
 
+std::string startNear(Session& session, std::uint32_t seed, val sites, val flux, double dimming, val moved) {
+  return errorOf(session.startNear(seed, layoutOf(sites, flux, dimming), vectorOf<std::uint32_t>(moved)));
+}
+
 val valueOf(const SearchProgress& progress) {
   val result = val::object();
   result.set("evaluations", static_cast<double>(progress.evaluations));
@@ -368,6 +382,7 @@ std::vector<Candidate> candidatesOf(const val& asked) {
 
 /// A CandidateScene that may not have begun yet, for a class that the page makes without arguments.
 struct Candidates {
+  Session* session = nullptr;  // of the room
   std::optional<CandidateScene> scene;
 };
 
@@ -387,8 +402,9 @@ Result<std::shared_ptr<const Repaint>> repaintOf(Session& room, const val& asked
   return room.repaint(paint);
 }
 
-std::string taken(Candidates& candidates, Result<CandidateScene> begun) {
+std::string taken(Candidates& candidates, Session& room, Result<CandidateScene> begun) {
   if (!begun) return begun.error().message;
+  candidates.session = &room;
   candidates.scene.emplace(std::move(*begun));
   return {};
 }
@@ -399,16 +415,17 @@ std::string begin(Candidates& candidates, Session& room, val files, val flux, va
   if (!types) return types.error().message;
   const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
   if (!painted) return painted.error().message;
-  return taken(candidates, CandidateScene::begin(
-                               *room.scene(), std::move(*types), candidatesOf(asked),
-                               room.scene()->lightOperator ? room.photometricLight() : nullptr, *painted));
+  return taken(
+      candidates, room,
+      CandidateScene::begin(*room.scene(), std::move(*types), candidatesOf(asked),
+                            room.scene()->lightOperator ? room.photometricLight() : nullptr, *painted));
 }
 
 std::string beginSquares(Candidates& candidates, Session& room, val sites, val paint) {
   if (!room.scene()) return "no scene is open";
   const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
   if (!painted) return painted.error().message;
-  return taken(candidates,
+  return taken(candidates, room,
                CandidateScene::ofSquares(*room.scene(), vectorOf<std::uint32_t>(sites), *painted));
 }
 
@@ -418,11 +435,12 @@ bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
 
 /// Its scene becomes the session's, with what the observers of `glare` see; there is nothing left of it.
 void adopt(Session& session, Candidates& candidates, int quantity, val glare) {
+  Session& room = *candidates.session;
   const std::vector<Observer> observers = observersOf(glare, candidates.scene->room().patches);
   std::vector<ObserverRows> rows = candidates.scene->seenBy(observers);
   Scene scene = candidates.scene->finish(static_cast<Quantity>(quantity));
   scene.observers = std::move(rows);
-  session.adopt(std::move(scene));
+  session.adopt(std::move(scene), room.grids());
   candidates.scene.reset();
 }
 
@@ -603,6 +621,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("setIntentions", &setIntentions)
       .function("start", &start)
       .function("startFrom", &startFrom)
+      .function("startNear", &startNear)
       .function("advance", &advance)
       .function("settle", &settle)
       .function("tryAside", &tryAside)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace fiatlux {
 namespace {
@@ -84,26 +85,6 @@ PatchLattice latticeOf(const Patches& patches, const std::vector<std::uint32_t>&
   return lattice;
 }
 
-/// Bilinear between the four cells around a point, of those that hold a patch that counts.
-double lightAt(const PatchLattice& lattice, const Patches& patches, const std::vector<float>& light,
-               const std::array<double, 2>& point) {
-  const double u = std::clamp(point[0] / lattice.cellU - 0.5, 0.0, lattice.columns - 1.0);
-  const double v = std::clamp(point[1] / lattice.cellV - 0.5, 0.0, lattice.rows - 1.0);
-  const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
-  double sum = 0, weights = 0;
-  for (const std::uint32_t i : {0u, 1u})
-    for (const std::uint32_t j : {0u, 1u}) {
-      if (column + i >= lattice.columns || row + j >= lattice.rows) continue;
-      const std::uint32_t p = lattice.patchOfCell[std::size_t{row + j} * lattice.columns + column + i];
-      if (p == kNone || !patches.counts(p)) continue;
-      const double weight = std::fabs(1.0 - i - (u - column)) * std::fabs(1.0 - j - (v - row));
-      sum += weight * light[p];
-      weights += weight;
-    }
-  assert(weights > 0);
-  return sum / weights;
-}
-
 }  // namespace
 
 GridRule gridRule(double length, double width) {
@@ -178,16 +159,54 @@ GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
   return reading;
 }
 
-std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light) {
-  std::vector<GridReading> readings;
+CalculationGrids::CalculationGrids(const Scene& scene) {
   for (const PatchLattice& lattice : measuredLattices(scene)) {
-    const CalculationGrid grid = calculationGridOn(lattice, scene.patches, scene.surfaces[lattice.surface]);
-    if (grid.points.empty()) continue;
-    std::vector<double> values;
-    for (const auto& point : grid.points) values.push_back(lightAt(lattice, scene.patches, light, point));
-    readings.push_back(gridReading(lattice.surface, grid, values));
+    Grid grid{
+        lattice.surface, calculationGridOn(lattice, scene.patches, scene.surfaces[lattice.surface]), {}};
+    for (const auto& point : grid.of.points)
+      grid.readings.push_back(readingAt(lattice, scene.patches, point));
+    if (!grid.readings.empty()) grids_.push_back(std::move(grid));
   }
-  return readings;
+}
+
+/// The four cells around a point, of those that hold a patch that counts.
+CalculationGrids::Reading CalculationGrids::readingAt(const PatchLattice& lattice, const Patches& patches,
+                                                      const std::array<double, 2>& point) {
+  const double u = std::clamp(point[0] / lattice.cellU - 0.5, 0.0, lattice.columns - 1.0);
+  const double v = std::clamp(point[1] / lattice.cellV - 0.5, 0.0, lattice.rows - 1.0);
+  const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
+  Reading reading;
+  for (const std::uint32_t i : {0u, 1u})
+    for (const std::uint32_t j : {0u, 1u}) {
+      if (column + i >= lattice.columns || row + j >= lattice.rows) continue;
+      const std::uint32_t p = lattice.patchOfCell[std::size_t{row + j} * lattice.columns + column + i];
+      if (p == kNone || !patches.counts(p)) continue;
+      reading.patch[reading.count] = p;
+      reading.weight[reading.count++] = std::fabs(1.0 - i - (u - column)) * std::fabs(1.0 - j - (v - row));
+    }
+  assert(reading.count > 0);
+  return reading;
+}
+
+std::vector<GridReading> CalculationGrids::read(const std::vector<float>& light) const {
+  std::vector<GridReading> result;
+  for (const Grid& grid : grids_) {
+    std::vector<double> values;
+    for (const Reading& at : grid.readings) {
+      double sum = 0, weights = 0;
+      for (std::uint32_t k = 0; k < at.count; ++k) {
+        sum += at.weight[k] * light[at.patch[k]];
+        weights += at.weight[k];
+      }
+      values.push_back(sum / weights);
+    }
+    result.push_back(gridReading(grid.surface, grid.of, values));
+  }
+  return result;
+}
+
+std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light) {
+  return CalculationGrids(scene).read(light);
 }
 
 }  // namespace fiatlux

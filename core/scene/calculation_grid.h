@@ -61,7 +61,33 @@ struct GridReading {
 GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
                         const std::vector<double>& values);
 
-/// Every grid of a scene, bilinear between its patches. `light`: lx, one a row.
+/// Every grid of a scene, made once to be read of any light.
+class CalculationGrids {
+ public:
+  explicit CalculationGrids(const Scene& scene);
+
+  /// Bilinear between the patches. `light`: lx, one a row of the scene.
+  std::vector<GridReading> read(const std::vector<float>& light) const;
+
+ private:
+  /// The patches around a point and their weights: at least one, whose weights sum to more than 0.
+  struct Reading {
+    std::array<std::uint32_t, 4> patch = {};
+    std::array<double, 4> weight = {};
+    std::uint32_t count = 0;
+  };
+  struct Grid {
+    std::uint32_t surface = 0;
+    CalculationGrid of;
+    std::vector<Reading> readings;  // one a point
+  };
+  static Reading readingAt(const PatchLattice& lattice, const Patches& patches,
+                           const std::array<double, 2>& point);
+
+  std::vector<Grid> grids_;
+};
+
+/// What the grids of a scene read of one light.
 std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light);
 
 }  // namespace fiatlux

@@ -7,7 +7,9 @@
 #include "core/alpha/guarantees.h"
 #include "core/search/eased.h"
 #include "core/search/identity.h"
+#include "core/search/near_search.h"
 #include "core/search/start_layout.h"
+#include "core/search/steady.h"
 #include "core/search/validate_intentions.h"
 #include "core/transport/room_view.h"
 
@@ -57,10 +59,11 @@ Result<Done> Session::finishOperator() {
   if (!reader_ || !scene_) return Error{"no scene file is being opened"};
   const Result<Done> read = reader_->finishOperator(*scene_);
   reader_.reset();
+  grids_.reset();  // the pieces of surfaces are known better now
   return read;
 }
 
-void Session::adopt(Scene scene) {
+void Session::adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids) {
   search_.reset();
   eased_.reset();
   alpha_.reset();
@@ -69,6 +72,7 @@ void Session::adopt(Scene scene) {
   prepared_.reset();
   repaint_.reset();
   light_.reset();
+  grids_ = std::move(grids);
   asked_ = false;
   intentions_ = {};
   scene_ = std::make_unique<Scene>(std::move(scene));
@@ -123,6 +127,7 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   if (!can) return can;
   bound_.reset();
   before_.reset();
+  told_.reset();
   eased_.reset();
   if (start) {
     pinAsIn(*start);
@@ -131,6 +136,15 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
     if (isOfRoom) before_ = *start;
   }
   search_ = std::make_unique<LayoutSearch>(*prepared_, intentions_, seed, start);
+  return Done{};
+}
+
+Result<Done> Session::startNear(std::uint64_t seed, const Layout& start,
+                                const std::vector<std::uint32_t>& moved) {
+  if (Result<Done> begun = this->start(seed, &start); !begun) return begun;
+  const auto isThere = [&](std::uint32_t i) { return i < start.sites.size(); };
+  if (!checkLayout(*scene_, start) || !std::all_of(moved.begin(), moved.end(), isThere)) return Done{};
+  if (auto near = searchNear(*prepared_, intentions_, seed, start, moved)) search_ = std::move(near);
   return Done{};
 }
 
@@ -181,8 +195,10 @@ Result<Shown> Session::incumbent() {
   const Layout best = (isSettled ? eased_ : search_)->incumbent();
   if (!before_) return shownOf(*prepared_, intentions_, best);
   const LuminaireRules& rules = intentions_.luminaires;
-  return shownOf(*prepared_, intentions_,
-                 ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, best, *before_)));
+  const Layout numbered = ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, best, *before_));
+  const Steadied calm = steadied(*prepared_, intentions_, numbered, *before_);
+  if (!isSettled) told_ = calm.evaluation;
+  return shownOf(*prepared_, intentions_, calm.layout);
 }
 
 Result<Shown> Session::show(const Layout& layout) {
@@ -191,6 +207,11 @@ Result<Shown> Session::show(const Layout& layout) {
   Result<Done> checked = checkLayout(*scene_, layout);
   if (!checked) return checked.error();
   return shownOf(*prepared_, intentions_, layout);
+}
+
+std::shared_ptr<const CalculationGrids> Session::grids() {
+  if (!grids_) grids_ = std::make_shared<const CalculationGrids>(*scene_);
+  return grids_;
 }
 
 Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
@@ -213,7 +234,7 @@ Result<Done> Session::startBound() {
 
 std::optional<double> Session::boundGap() const {
   if (!search_ || !bound_ || !bound_->supported()) return std::nullopt;
-  return bound_->within(search_->evaluation());
+  return bound_->within(told_ ? *told_ : search_->evaluation());
 }
 
 }  // namespace fiatlux

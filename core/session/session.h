@@ -12,6 +12,7 @@
 
 #include "core/alpha/alpha_search.h"
 #include "core/bound/layout_bound.h"
+#include "core/scene/calculation_grid.h"
 #include "core/scene/scene_reader.h"
 #include "core/search/intentions.h"
 #include "core/search/layout_search.h"
@@ -60,8 +61,9 @@ class Session {
   /// Completes the scene of finish() by what the light of other photometries needs; the file is then done
   /// with.
   Result<Done> finishOperator();
-  /// Takes a scene that did not come from a file.
-  void adopt(Scene scene);
+  /// Takes a scene that did not come from a file. `grids`: of the room that its candidates hang in; nullptr:
+  /// the scene has its own.
+  void adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids = nullptr);
   const Scene* scene() const { return scene_.get(); }
   /// The light of luminaires on the sites of the scene, which keeps what it finds out about them.
   /// Precondition: the scene has a light operator.
@@ -79,12 +81,15 @@ class Session {
   Result<Done> setIntentions(const Intentions& intentions);
   const Intentions& intentions() const { return intentions_; }
 
-  // --- The search. Each of the next four is an Error without scene or intentions.
+  // --- The search. Each of the next five is an Error without scene or intentions.
 
   /// Begins a search, from `start` where given (fitted to the rules), at random otherwise. A luminaire of
   /// `start` that hangs on a pinned site is the one that is pinned there, and keeps its number; without a
   /// start the first ones are.
   Result<Done> start(std::uint64_t seed, const Layout* start);
+  /// Likewise from a layout some of whose luminaires have just been moved: these stay, and at most four of
+  /// those beside them follow (near_search.h). Where none may, as start().
+  Result<Done> startNear(std::uint64_t seed, const Layout& start, const std::vector<std::uint32_t>& moved);
   /// Spends that many evaluations. Nothing happens before start().
   SearchProgress advance(std::uint32_t evaluations);
   /// Where the incumbent misses a bound: spends that many evaluations on layouts that miss it by hardly more
@@ -96,10 +101,12 @@ class Session {
   Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                          std::uint32_t evaluations);
   /// Readings of the best layout so far. Its luminaires are numbered as in the start, each the one that has
-  /// the shorter way to its place (identity.h).
+  /// the shorter way to its place (identity.h), and goes no further than what it gains is worth (steady.h).
   Result<Shown> incumbent();
   /// Readings of any layout.
   Result<Shown> show(const Layout& layout);
+  /// The calculation grids of the room. Precondition: the scene is open.
+  std::shared_ptr<const CalculationGrids> grids();
 
   /// The alpha-search of paper section 4 for the true minima and maxima that are asked for: nullptr before
   /// startAlpha succeeded. `held`: whose luminaires are pinned, as for start(); nothing else is read of it.
@@ -124,9 +131,11 @@ class Session {
   std::vector<SurfacePaint> paint_;  // of repaint_
   std::shared_ptr<const Repaint> repaint_;
   std::unique_ptr<PreparedScene> prepared_;
+  std::shared_ptr<const CalculationGrids> grids_;  // once somebody wants them
   bool asked_ = false;
   Intentions intentions_;
   std::optional<Layout> before_;                  // that the search started from
+  std::optional<Evaluation> told_;                // of the layout that incumbent() told of it
   std::unique_ptr<LayoutSearch> search_, eased_;  // for what is asked; for that as far as it can be met
   std::unique_ptr<AlphaSearch> alpha_;
   std::unique_ptr<LayoutBound> bound_;

@@ -24,6 +24,7 @@ const named = (luminaires: readonly number[]) =>
 export class Hand {
   readonly #store: Store;
   readonly #solving: Solving;
+  #before: { readonly luminaire: number; readonly layout: Layout } | null = null; // a movement that goes on
 
   constructor(store: Store, solving: Solving) {
     this.#store = store;
@@ -57,7 +58,11 @@ export class Hand {
 
   /** Moves luminaire i to a site, with all that is in the hand, and pins that. `dragging`: more may follow. */
   moveTo(luminaire: number, site: number, dragging: boolean): void {
-    const layout = this.#layout();
+    const isNear = this.#store.followers.peek() === 'neighbours';
+    const now = this.#layout();
+    const isGoingOn = isNear && this.#before?.luminaire === luminaire;
+    const layout = isGoingOn ? this.#before!.layout : now; // who follows is chosen anew with each step
+    this.#before = dragging && layout ? { luminaire, layout } : null;
     const positions = this.#store.scene.peek()?.sites.position;
     const rule = this.#store.document.peek().luminaires.arrangement?.rule ?? 'free';
     const selected = this.#selected(layout);
@@ -73,6 +78,7 @@ export class Hand {
     }
     const toOf = new Map(layout.sites.map((from, i) => [from, sites[i] ?? from]));
     const inIt = inHand(luminaire, selected);
+    for (const i of inIt) toOf.set(now?.sites[i] ?? site, sites[i] ?? site);
     const held = new Set(heldTogether(layout, inIt, rule).map((i) => sites[i] ?? site));
     this.#store.edit(
       words.value.steps.move(named(inIt)),
@@ -82,7 +88,7 @@ export class Hand {
         draft.luminaires.excluded = excluded.filter((other) => !held.has(other));
       },
       `move-${luminaire}`,
-      { by: 'search', from: { ...layout, sites } },
+      { by: 'search', from: { ...layout, sites }, ...(isNear && { moved: inIt }) },
     );
     if (dragging) return;
     this.#store.endGesture();

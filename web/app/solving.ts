@@ -83,13 +83,16 @@ export class Solving {
     return opened;
   }
 
-  /** Searches for what the document asks: from the layout shown, from another one, or (null) from nowhere. */
-  solve(start: Layout | null = this.#showing.held): void {
+  /**
+   * Searches for what the document asks: from the layout shown, from another one, or (null) from nowhere. Where some of its
+   * luminaires have just been moved, only those beside them follow.
+   */
+  solve(start: Layout | null = this.#showing.held, moved: readonly number[] = []): void {
     if (!this.#store.scene.peek()) return;
     const intentions = this.#begin();
     const from = start ?? this.#foreseen(intentions);
     this.#showing.hold(from);
-    this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt());
+    this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt(), moved);
     const { evaluations, milliseconds } = this.#store.progress.peek();
     this.#store.progress.value = { state: 'improving', evaluations, milliseconds };
   }
@@ -283,7 +286,7 @@ export class Solving {
     const { quantity } = document.peek();
     if (display.peek().quantity !== quantity) display.value = { ...display.peek(), quantity };
     if (answering.by === 'layout') this.show(answering.layout);
-    else if (answering.by === 'search') this.solve(answering.from);
+    else if (answering.by === 'search') this.solve(answering.from, answering.moved);
   }
 
   /** What the document asks, for a request that ends what was asked before. */

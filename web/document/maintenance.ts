@@ -58,9 +58,14 @@ interface Readings {
   }[];
   readonly goals: readonly { readonly value: number }[];
   readonly constraints: readonly { readonly value: number }[];
+  readonly grids: readonly { readonly mean: number; readonly min: number }[];
+  readonly observers: readonly { readonly cylindrical: number }[];
 }
 
-/** The readings of a new installation as they will be; `intentions`: what was asked, for what ages and what does not. */
+/**
+ * The readings of a new installation as they will be; `intentions`: what was asked, for what ages and what does not. Glare
+ * stays that of the new installation.
+ */
 export function maintained<Shown extends Readings>(
   shown: Shown,
   intentions: Intentions,
@@ -88,6 +93,8 @@ export function maintained<Shown extends Readings>(
       min: row.min * factor,
       max: row.max * factor,
     })),
+    grids: shown.grids.map((grid) => ({ ...grid, mean: grid.mean * factor, min: grid.min * factor })),
+    observers: shown.observers.map((each) => ({ ...each, cylindrical: each.cylindrical * factor })),
     goals: results(shown.goals, intentions.goals),
     constraints: results(shown.constraints, intentions.constraints),
   };

@@ -56,7 +56,7 @@ export function reportOf(app: App): Report {
     title: store.roomTitle.peek(),
     date: new Date().toLocaleDateString(locale.value, { dateStyle: 'long' }),
     quantity: document.quantity,
-    verdicts: everyVerdict(store, plan.frame),
+    verdicts: everyVerdict(store),
     power: powerOf(layout, scene.surfaces, efficacy, types),
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),

@@ -2,7 +2,7 @@
 import { paintByLeaf } from '../document/paint.ts';
 import type { Constraint, Glare, Intentions, Layout, Paint, SceneInfo } from '../document/types.ts';
 import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
-import type { IntentionResult, ObserverResult, PaintGain, Shown } from './protocol.ts';
+import type { GridResult, IntentionResult, ObserverResult, PaintGain, Shown } from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
 /** Who looks; null for nobody. */
@@ -106,6 +106,7 @@ export function shownOf(
     goal,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
     observers: observersOf(core.observers),
+    grids: gridsOf(core.grids, leaves),
   };
 }
 
@@ -121,6 +122,13 @@ function observersOf({ names, numbers }: CoreShown['observers']): ObserverResult
       background,
       cylindrical,
     };
+  });
+}
+
+function gridsOf(numbers: Float64Array, leaves: readonly NamedSurface[]): GridResult[] {
+  return Array.from({ length: numbers.length / 6 }, (_, i) => {
+    const [surface = 0, points = 0, spacing = 0, rim = 0, mean = 0, min = 0] = numbers.subarray(6 * i);
+    return { name: leaves[surface]?.name ?? '', points, spacing, rim, mean, min };
   });
 }
 

@@ -66,6 +66,8 @@ export interface CoreShown {
   readonly constraints: Float64Array; // 3 each: value (a contrast may be infinite or NaN), violation, margin (relative; negative = not met)
   /** 9 numbers each: eye (m), direction, UGR (-Infinity where nothing glares), background (cd/m2), E_z (lx). */
   readonly observers: { readonly names: readonly string[]; readonly numbers: Float64Array };
+  /** 6 numbers a calculation grid: surface, points, largest spacing and rim (m), mean and least illuminance (lx). */
+  readonly grids: Float64Array;
 }
 
 export interface CoreCheck {
@@ -212,6 +214,14 @@ export interface Session {
   start(seed: number): string;
   /** Begins a search from a layout, fitted to the rules; its luminaires on pinned sites keep their numbers. */
   startFrom(seed: number, sites: Uint32Array, flux: Float64Array, dimming: number): string;
+  /** Likewise, where some of its luminaires have just been moved: these stay, and at most four beside them follow. */
+  startNear(
+    seed: number,
+    sites: Uint32Array,
+    flux: Float64Array,
+    dimming: number,
+    moved: Uint32Array,
+  ): string;
   /** Spends that many evaluations (one = one trial layout). */
   advance(evaluations: number): Progress;
   /**
@@ -307,6 +317,7 @@ export const sessionMethods = {
   setIntentions: 1,
   start: 1,
   startFrom: 4,
+  startNear: 5,
   advance: 1,
   settle: 1,
   tryAside: 4,

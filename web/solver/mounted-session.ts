@@ -21,6 +21,7 @@ export type Searching = Pick<
   | 'setIntentions'
   | 'start'
   | 'startFrom'
+  | 'startNear'
   | 'advance'
   | 'settle'
   | 'tryAside'
@@ -140,6 +141,8 @@ export class MountedSession implements HungSession {
 
   start = (seed: number) => this.#session.start(seed);
   startFrom = (seed: number, ...layout: LayoutArguments) => this.#session.startFrom(seed, ...layout);
+  startNear = (seed: number, sites: Uint32Array, flux: Float64Array, dimming: number, moved: Uint32Array) =>
+    this.#session.startNear(seed, sites, flux, dimming, moved);
   advance = (evaluations: number) => this.#session.advance(evaluations);
   settle = (evaluations: number) => this.#session.settle(evaluations);
   /** `sites`: of the room. */

@@ -45,6 +45,8 @@ export class PaintedSession implements HungSession {
   setIntentions = (asked: CoreIntentions) => this.#session.setIntentions(this.#beneath(asked));
   start = (seed: number) => this.#session.start(seed);
   startFrom = (seed: number, ...layout: LayoutArguments) => this.#session.startFrom(seed, ...layout);
+  startNear = (seed: number, sites: Uint32Array, flux: Float64Array, dimming: number, moved: Uint32Array) =>
+    this.#session.startNear(seed, sites, flux, dimming, moved);
   advance = (evaluations: number) => this.#session.advance(evaluations);
   settle = (evaluations: number) => this.#session.settle(evaluations);
   /** `sites`: of the room. */

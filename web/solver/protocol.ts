@@ -33,6 +33,16 @@ export interface ObserverResult {
   readonly cylindrical: number; // lx
 }
 
+/** What the calculation grid of EN 12464-1 reads on a piece of a floor or a measuring plane. */
+export interface GridResult {
+  readonly name: string; // of the surface
+  readonly points: number;
+  readonly spacing: number; // m, the largest allowed
+  readonly rim: number; // m that are left out along the edges
+  readonly mean: number; // lx, E_m
+  readonly min: number; // lx, E_min
+}
+
 /** A layout and its light: everything that the page shows. Buffers are transferred. */
 export interface Shown {
   readonly layout: Layout;
@@ -43,6 +53,7 @@ export interface Shown {
   readonly goal: number; // the weighted objective, relative to the start layout
   readonly violation: number; // 0 = every constraint is met
   readonly observers: readonly ObserverResult[]; // none: nobody looks, or the room's file cannot tell
+  readonly grids: readonly GridResult[]; // of illuminance, whatever the quantity
 }
 
 /** A layout beside the one that is shown, and the colour of its light: red and blue of each patch at a luminance of 1. */
@@ -86,6 +97,8 @@ export type ToWorker =
       readonly revision: number;
       readonly intentions: Intentions;
       readonly start: Layout | null;
+      /** Luminaires of `start` that were put there by hand: at most four beside them follow. None: all may. */
+      readonly moved: readonly number[];
       readonly seed: number;
       readonly askedAt: number; // performance.timeOrigin + event.timeStamp, ms; echoed for drag_to_layout
     }

@@ -234,7 +234,10 @@ export class SessionDriver {
     this.#preparing = null;
     const { intentions, start, seed, revision } = request;
     const layout = this.#ask(intentions, start, 'all');
-    check(layout[0].length > 0 ? this.#asked.startFrom(seed, ...layout) : this.#asked.start(seed));
+    const { moved } = request;
+    const isWhole = layout[0].length === start?.sites.length;
+    if (isWhole && moved.length > 0) check(this.#asked.startNear(seed, ...layout, Uint32Array.from(moved)));
+    else check(layout[0].length > 0 ? this.#asked.startFrom(seed, ...layout) : this.#asked.start(seed));
     this.#searched = revision;
     this.#task = new SearchTask(this.#asked, this.#clock, request, this.#leaves());
   }

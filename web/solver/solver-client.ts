@@ -93,8 +93,15 @@ export class SolverClient {
   }
 
   /** `askedAt`: performance.timeOrigin + event.timeStamp of the input that asked. */
-  solve(intentions: Intentions, start: Layout | null, seed: number, askedAt: number): number {
-    return this.#ask({ type: 'solve', revision: ++this.#revision, intentions, start, seed, askedAt });
+  solve(
+    intentions: Intentions,
+    start: Layout | null,
+    seed: number,
+    askedAt: number,
+    moved: readonly number[] = [],
+  ): number {
+    const revision = ++this.#revision;
+    return this.#ask({ type: 'solve', revision, intentions, start, moved, seed, askedAt });
   }
 
   show(intentions: Intentions, layout: Layout): number {

@@ -61,7 +61,7 @@ describe('a kept variant', () => {
     expect(viewer.other?.layout.sites).toEqual(before);
     expect(app.store.other.value?.goals).toHaveLength(app.store.shown.value!.goals.length);
     expect(app.store.display.value.exposureLevel).toBe(250);
-    const differences = differencesOf(app.store, null, app.variants.types)!;
+    const differences = differencesOf(app.store, app.variants.types)!;
     const [count] = differences.cost;
     expect([count?.other.text, count?.work.text]).toEqual([String(before.length), '2']);
     expect(differences.light.map(({ where }) => where)).toEqual(['floor', 'wall', 'whole room']);

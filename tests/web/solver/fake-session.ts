@@ -148,6 +148,11 @@ export class FakeSession implements Session {
     this.evaluations = 0;
     return '';
   }
+  startNear(seed: number, sites: Uint32Array, _flux: Float64Array, _dimming: number, moved: Uint32Array) {
+    this.calls.push(`start ${seed} from ${[...sites].join(' ')} near ${[...moved].join(' ')}`);
+    this.evaluations = 0;
+    return '';
+  }
   advance(evaluations: number) {
     this.evaluations += evaluations;
     this.clock.now += evaluations / this.evaluationsPerMillisecond;
@@ -251,6 +256,7 @@ function shown(sites: number[]): CoreShown {
     goals: Float64Array.of(5),
     constraints: Float64Array.of(30, 0.5, -0.5),
     observers: { names: [], numbers: new Float64Array() },
+    grids: Float64Array.of(1, 4, 0.5, 0.5, 3.5, 3),
   };
 }
 

@@ -63,6 +63,7 @@ const solve = (revision: number, more: Partial<Extract<ToWorker, { type: 'solve'
   revision,
   intentions: asked,
   start: null,
+  moved: [],
   seed: 3,
   askedAt: clock.now,
   ...more,
@@ -476,6 +477,14 @@ describe('the pace of a search', () => {
     await driver.receive(solve(2, { start: { sites: [1, 0], flux: [100, 100], dimming: 1 } }));
     driver.step();
     expect(session.calls).toContain('start 3 from 1 0');
+  });
+
+  test('after a luminaire was moved only those beside it follow, where that is wished', async () => {
+    await opened();
+    const start = { sites: [1, 0], flux: [100, 100], dimming: 1 };
+    await driver.receive(solve(2, { start, moved: [1] }));
+    driver.step();
+    expect(session.calls).toContain('start 3 from 1 0 near 1');
   });
   test('the latest wins: of a burst only the last is begun, and nothing old is answered', async () => {
     await opened();

@@ -64,7 +64,7 @@ export const exportFormats: readonly ExportFormat[] = [
     async content(app) {
       const { resultsCsv } = await import('../../document/results-csv.ts');
       const { resultLines } = await import('./result-lines.ts');
-      return resultsCsv(resultLines(app.store, app.viewer.frame()));
+      return resultsCsv(resultLines(app.store));
     },
   },
   {

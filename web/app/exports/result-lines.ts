@@ -1,14 +1,13 @@
 /** The results as lines of a table: every surface, every intention, the whole. */
 import type { ResultLine } from '../../document/results-csv.ts';
 import { paintByLeaf } from '../../document/paint.ts';
-import type { PlanFrame } from '../../document/plan-frame.ts';
 import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
 import { everyVerdict } from '../words/room-types.ts';
 import { inEnglish, words } from '../../language/language.ts';
 
-export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[] {
+export function resultLines(store: Store): ResultLine[] {
   const shown = store.shown.peek();
   const scene = store.scene.peek();
   if (!shown || !scene) throw new Error(words.value.actions.exports.noLayout);
@@ -35,7 +34,7 @@ export function resultLines(store: Store, frame: PlanFrame | null): ResultLine[]
     line({ name, statistic: 'U_o', value: min / mean, unit: '' }),
     line({ name, statistic: 'U_d', value: min / max, unit: '' }),
   ]);
-  const asked = inEnglish(() => everyVerdict(store, frame)).map((row) =>
+  const asked = inEnglish(() => everyVerdict(store)).map((row) =>
     line({
       kind: 'intention',
       name: row.where,

@@ -78,7 +78,11 @@ export type Saving =
 /** How the solver answers a change of the document. */
 export type Answering =
   /** By a search: from the layout shown, from another one, or (null) from nowhere. */
-  | { readonly by: 'search'; readonly from?: Layout | null }
+  | {
+      readonly by: 'search';
+      readonly from?: Layout | null;
+      readonly moved?: readonly number[]; // luminaires of `from`: only those beside them follow. Absent: all may
+    }
   /** By the light of exactly this layout. */
   | { readonly by: 'layout'; readonly layout: Layout }
   /** Not at all: the light that is there answers it. */
@@ -158,6 +162,7 @@ export class Store {
   readonly luminaires = signal<readonly number[]>([]); // selected, 0 = L1, the latest last
   readonly luminaire = computed(() => this.luminaires.value.at(-1) ?? null);
   readonly ghosts = signal<readonly number[]>([]); // sites where those go that move with a luminaire in the hand
+  readonly followers = signal<'all' | 'neighbours'>('all'); // of luminaires that are moved by hand
   readonly card = signal<string | null>(null); // opened card
   readonly hover = signal<Hover | null>(null);
   readonly display = signal<Display>(firstDisplay);

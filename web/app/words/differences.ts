@@ -1,5 +1,4 @@
 /** The work beside what it is compared with: what was asked, what it costs, and the light surface by surface. */
-import type { PlanFrame } from '../../document/plan-frame.ts';
 import type { LuminaireType, SceneInfo } from '../../document/types.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { folded } from '../rooms/families.ts';
@@ -47,17 +46,13 @@ export interface Differences {
 }
 
 /** null while nothing is compared. `types`: of the other luminaires. */
-export function differencesOf(
-  store: Store,
-  frame: PlanFrame | null,
-  types: readonly LuminaireType[] | undefined,
-): Differences | null {
+export function differencesOf(store: Store, types: readonly LuminaireType[] | undefined): Differences | null {
   const [other, work, scene] = [store.other.value, store.shown.value, store.scene.value];
   if (!other || !work || !scene) return null;
   const surfaces = scene.surfaces;
   const efficacy = store.efficacy.value;
   return {
-    asked: askedOf(store, frame, other),
+    asked: askedOf(store, other),
     cost: costOf(
       [other, powerOf(other.layout, surfaces, efficacy, types)],
       [work, powerOf(work.layout, surfaces, efficacy, store.document.value.luminaires.types)],
@@ -73,9 +68,9 @@ export function changeText(from: number, to: number): string {
   return `${change > 0 ? '+' : '−'}${fixed(Math.abs(change), 0)} %`;
 }
 
-function askedOf(store: Store, frame: PlanFrame | null, other: Shown): Difference[] {
-  const before = everyVerdict(store, frame, other);
-  return everyVerdict(store, frame).flatMap((row, i) => {
+function askedOf(store: Store, other: Shown): Difference[] {
+  const before = everyVerdict(store, other);
+  return everyVerdict(store).flatMap((row, i) => {
     const { where, unit, actual, met } = row;
     const was = before[i];
     if (!was) return [];

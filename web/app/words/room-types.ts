@@ -3,12 +3,9 @@
  * judges everything else that is asked, on the standard's own grid. Numbers are those of standards.ts.
  */
 import type { Draft } from 'immer';
-import { readGrid } from '../../document/en-grid.ts';
-import { lightField } from '../../document/light-field.ts';
 import { usualMaintenance } from '../../document/maintenance.ts';
-import type { PlanFrame } from '../../document/plan-frame.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../document/types.ts';
-import type { Shown } from '../../solver/protocol.ts';
+import type { GridResult, Shown } from '../../solver/protocol.ts';
 import type { Store } from '../state/store.ts';
 import { unionOf } from '../state/statistics.ts';
 import { glareVerdict } from './glare.ts';
@@ -109,11 +106,7 @@ export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
 }
 
 /** The rows of the type first, then those of the cards. */
-export function everyVerdict(
-  store: Store,
-  frame: PlanFrame | null,
-  shown: Shown | null = store.shown.value,
-): Verdict[] {
+export function everyVerdict(store: Store, shown: Shown | null = store.shown.value): Verdict[] {
   const document = store.document.value;
   const scene = store.painted.value;
   if (!shown || !scene) return [];
@@ -124,22 +117,20 @@ export function everyVerdict(
     ...verdicts({ ...document, cards }, store.traced.value, shown, scene),
     ...(most === undefined || isOfType ? [] : [glareVerdict(shown.observers, most)]),
   ];
-  if (!type || !frame || document.quantity !== 'illuminance' || type.numbers.most !== undefined)
+  if (!type || document.quantity !== 'illuminance' || type.numbers.most !== undefined)
     return rows(document.cards);
   // Cards that are as the type wrote them would only say again what its own rows say.
   const written = cardsOf(type, scene.surfaces).map((card) => JSON.stringify(card));
   const others = document.cards.filter((card) => !written.includes(JSON.stringify(card)));
-  return [...typeVerdicts(type, scene, shown, frame), ...rows(others)];
+  return [...typeVerdicts(type, scene, shown), ...rows(others)];
 }
 
-export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown, frame: PlanFrame): Verdict[] {
+export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Verdict[] {
   const { numbers, cylindrical, ugr } = type;
   const { task, walls, ceiling } = placesOf(type, scene.surfaces);
   const rows: Verdict[] = [];
   for (const name of task) {
-    const leaf = scene.surfaces.findIndex((each) => each.name === name);
-    const field = lightField(scene, leaf, shown.illuminance, frame);
-    const reading = field && readGrid(field);
+    const reading = gridOf(shown, name);
     if (numbers.required !== undefined)
       rows.push(atLeast(name, words.value.values.gridMean, reading?.mean ?? null, numbers.required, 'lx'));
     if (numbers.uniformity !== undefined)
@@ -167,6 +158,19 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown, fra
     );
   if (ugr !== undefined) rows.push(glareVerdict(shown.observers, ugr));
   return rows;
+}
+
+/** Of all pieces of a surface together; null where it has no point of a grid. */
+function gridOf(
+  { grids }: Pick<Shown, 'grids'>,
+  surface: string,
+): { mean: number; uniformity: number } | null {
+  const pieces: GridResult[] = grids.filter(({ name }) => name === surface);
+  const points = pieces.reduce((sum, piece) => sum + piece.points, 0);
+  if (points === 0) return null;
+  const mean = pieces.reduce((sum, piece) => sum + piece.points * piece.mean, 0) / points;
+  const least = Math.min(...pieces.map(({ min }) => min));
+  return { mean, uniformity: mean > 0 ? least / mean : 0 };
 }
 
 /** Of the observers; null where nobody looks, or the room's file cannot tell. */

@@ -66,6 +66,7 @@ export const luminaires: Words['luminaires'] = {
   dimmedFrom: 'Mindestens',
   dimmedLeast: 'Gedimmt auf mindestens',
   apart: 'Abstand mindestens',
+  neighbours: 'Nur Nachbarn weichen einer verschobenen Leuchte aus',
   noFewer: (count) => `Nicht weniger: ${count} sind fixiert.`,
   unpin: (count) => (count === 1 ? 'Fixierte lösen' : `Alle ${count} lösen`),
   allow: (count) =>

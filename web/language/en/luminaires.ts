@@ -65,6 +65,7 @@ export const luminaires = {
   dimmedFrom: 'From the least of',
   dimmedLeast: 'Dimmed to at least',
   apart: 'Apart by at least',
+  neighbours: 'Only neighbours follow a luminaire that is moved',
   noFewer: (count: number) => `No fewer: ${count} are pinned.`,
   unpin: (count: number) => `Unpin ${count === 1 ? 'the one' : `all ${count}`}`,
   allow: (count: number) => `Allow ${count === 1 ? 'the place' : `all ${count} places`} kept free`,

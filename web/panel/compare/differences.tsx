@@ -6,9 +6,9 @@ import { unitOf } from '../../app/words/format.ts';
 import { words } from '../../language/language.ts';
 
 export function Differences() {
-  const { store, variants, viewer } = useApp();
+  const { store, variants } = useApp();
   const against = variants.against.value;
-  const differences = differencesOf(store, viewer.frame(), variants.types);
+  const differences = differencesOf(store, variants.types);
   if (!against || !differences) return null;
   const [other, work] = sidesOf(against);
   const groups = [

@@ -24,6 +24,7 @@ export function LuminairesTab() {
       <CountAndFlux />
       <Dimming luminaires={luminaires} />
       <Distance luminaires={luminaires} />
+      <Followers luminaires={luminaires} />
       <Places luminaires={luminaires} />
       <AreaList />
       <MaintenanceFields />
@@ -207,6 +208,19 @@ function Distance({ luminaires }: { luminaires: Luminaires }) {
       max={1000}
       onInput={(minDistance) => set(words.value.steps.distance, { minDistance })}
       onEnd={end}
+    />
+  );
+}
+
+/** Who makes up for a luminaire that is moved by hand; ties move as one anyway. */
+function Followers({ luminaires }: { luminaires: Luminaires }) {
+  const { store } = useApp();
+  if ((luminaires.arrangement?.rule ?? 'free') !== 'free') return null;
+  return (
+    <Check
+      label={words.value.luminaires.neighbours}
+      checked={store.followers.value === 'neighbours'}
+      set={(on) => (store.followers.value = on ? 'neighbours' : 'all')}
     />
   );
 }

@@ -8,9 +8,9 @@ import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';
 
 export function VerdictTable() {
-  const { store, viewer } = useApp();
+  const { store } = useApp();
   const { roomType, luminaires } = store.document.value;
-  const rows = everyVerdict(store, viewer.frame());
+  const rows = everyVerdict(store);
   const type = roomTypes.find(({ id }) => id === roomType);
   if (rows.length === 0) return null;
   return (

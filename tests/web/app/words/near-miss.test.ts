@@ -13,6 +13,7 @@ const light: Shown = {
   goal: 0,
   violation: 0,
   observers: [],
+  grids: [],
 };
 const missedBy = (violation: number) => ({ value: 1, met: false, violation, margin: -violation });
 const verdictOn = (statistic: Constraint['statistic'], violation: number) =>

@@ -16,7 +16,6 @@ import { decodeLink, encodeLink } from '../../../../web/document/share-link.ts';
 import { documentOf, linkOf } from '../../../../web/document/linked-document.ts';
 import * as v from 'valibot';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
-import { fakePlan } from '../../fake-viewer.ts';
 import { sampleDocument } from '../../sample-rooms.ts';
 
 const surface = (name: string, measuring = false) => ({
@@ -86,7 +85,7 @@ describe('a room type', () => {
 
   test('is judged on its grid first; what the file does not tell is said so', () => {
     const { store, scene } = storeOf('corridor');
-    const rows = everyVerdict(store, fakePlan.frame);
+    const rows = everyVerdict(store);
     expect(rows.slice(0, 3).map(({ where, what }) => `${where}: ${what}`)).toEqual([
       'floor: Ēₘ on the EN grid at least',
       'floor: Uₒ on the EN grid at least',
@@ -99,12 +98,10 @@ describe('a room type', () => {
     const mean = rows[0]!;
     expect(mean.met).toBe(mean.actual! >= 100);
     expect(targetText(mean)).toBe('100 lx');
-    const dark = typeVerdicts(
-      typeOf('corridor'),
-      scene,
-      { ...store.shown.peek()!, illuminance: new Float32Array(16) },
-      fakePlan.frame,
-    );
+    const dark = typeVerdicts(typeOf('corridor'), scene, {
+      ...store.shown.peek()!,
+      grids: [{ name: 'floor', points: 4, spacing: 1, rim: 0.5, mean: 0, min: 0 }],
+    });
     expect(dark[0]).toMatchObject({ actual: 0, met: false, margin: -1 });
   });
 });
