@@ -421,6 +421,13 @@ std::string begin(Candidates& candidates, Session& room, val files, val flux, va
                             room.scene()->lightOperator ? room.photometricLight() : nullptr, *painted));
 }
 
+std::string beginPainted(Candidates& candidates, const Candidates& base, Session& room, val paint) {
+  const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
+  if (!painted) return painted.error().message;
+  candidates.scene.emplace(base.scene->repainted(*painted));
+  return {};
+}
+
 std::string beginSquares(Candidates& candidates, Session& room, val sites, val paint) {
   if (!room.scene()) return "no scene is open";
   const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
@@ -599,6 +606,7 @@ EMSCRIPTEN_BINDINGS(core) {
   emscripten::class_<Candidates>("Candidates")
       .constructor<>()
       .function("begin", &begin)
+      .function("beginPainted", &beginPainted)
       .function("beginSquares", &beginSquares)
       .function("advance", &advanceCandidates);
   emscripten::class_<RoomColor>("ColoredLight")

@@ -106,6 +106,14 @@ bool CandidateScene::advance(std::uint32_t count) {
   return done_ == candidates_.size();
 }
 
+CandidateScene CandidateScene::repainted(std::shared_ptr<const Repaint> paint) const {
+  assert(done_ == candidates_.size() && !paint_);
+  CandidateScene scene(*room_, types_, candidates_, light_, std::move(paint));
+  scene.responses_.illuminance = scene.paint_->light(responses_.illuminance, responses_.sites);
+  scene.done_ = done_;
+  return scene;
+}
+
 std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
   if (observers.empty()) return {};
   std::vector<Luminaire> luminaires;

@@ -54,6 +54,10 @@ class CandidateScene {
   /// together.
   bool advance(std::uint32_t count);
 
+  /// The same candidates under other paint, all their light made of what is here. Precondition: advance()
+  /// said true, and this is the room as its file has it.
+  CandidateScene repainted(std::shared_ptr<const Repaint> paint) const;
+
   const Scene& room() const { return *room_; }
   /// What observers see of each candidate, for the scene's `observers`. Precondition: as for finish(), before
   /// it.

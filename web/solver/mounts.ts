@@ -53,6 +53,7 @@ interface Making {
 }
 
 const slice = 16; // candidates between two looks at what else is asked: the core makes so many together
+const paintedSlice = 8; // in a painted room, where the next step of a slider is waited for
 
 export class Mounts {
   readonly #core: Core;
@@ -62,6 +63,7 @@ export class Mounts {
   #few: Made | null = null; // of one layout
   #all: Made | null = null;
   #making: Making | null = null; // the next `#all`
+  #unpainted: { readonly key: string; readonly scene: Candidates } | null = null; // of the latest painted layout
   #listed: { readonly key: string; readonly candidates: readonly Candidate[] } | null = null; // latest list
 
   constructor(core: Core, room: Session) {
@@ -81,6 +83,7 @@ export class Mounts {
     for (const made of [this.#few, this.#all]) made?.session.delete();
     this.#few = this.#all = this.#listed = null;
     this.#forget();
+    this.#forgetUnpainted();
   }
 
   /** Whether `session` has nothing to make. */
@@ -104,7 +107,7 @@ export class Mounts {
   advance(wanted: Wanted): boolean {
     if (this.isReady(wanted)) return true;
     const { key, plan, scene } = this.#begun(wanted);
-    if (!scene.advance(slice)) return false;
+    if (!scene.advance(this.#paint(wanted).length > 0 ? paintedSlice : slice)) return false;
     this.#all?.session.delete();
     this.#all = { key, session: this.#adopted(scene, plan, wanted) };
     this.#making = null;
@@ -125,7 +128,9 @@ export class Mounts {
     const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
     try {
-      plan.begin(scene);
+      const paint = this.#paint(wanted);
+      if (paint.length > 0 && this.#types(wanted).length > 0) this.#repaint(scene, wanted, paint);
+      else plan.begin(scene);
       while (!scene.advance(plan.size)) continue;
       const session = this.#adopted(scene, plan, wanted);
       this.#few?.session.delete();
@@ -134,6 +139,32 @@ export class Mounts {
     } finally {
       scene.delete();
     }
+  }
+
+  /** What is there of this layout in the room as its file has it serves every step of paint. */
+  #repaint(scene: Candidates, { asked, ...rest }: Wanted, paint: Float64Array): void {
+    const wanted = { asked: { ...asked, paint: [] }, ...rest };
+    const key = this.#keyOf(wanted);
+    if (this.#unpainted?.key !== key) {
+      const base = new this.#core.Candidates();
+      const plan = this.#plan(wanted);
+      try {
+        plan.begin(base);
+        while (!base.advance(plan.size)) continue;
+      } catch (error) {
+        base.delete();
+        throw error;
+      }
+      this.#forgetUnpainted();
+      this.#unpainted = { key, scene: base };
+    }
+    const error = scene.beginPainted(this.#unpainted!.scene, this.#room, paint);
+    if (error) throw new Error(error);
+  }
+
+  #forgetUnpainted(): void {
+    this.#unpainted?.scene.delete();
+    this.#unpainted = null;
   }
 
   /** The types that can light this room; none where luminaires are squares. */

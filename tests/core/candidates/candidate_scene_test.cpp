@@ -119,6 +119,11 @@ TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
   ASSERT_TRUE(squares && types);
   while (!squares->advance(1)) continue;
   while (!types->advance(3)) continue;
+  Result<CandidateScene> asInTheFile = CandidateScene::begin(room, twoTypes(), kCandidates, light);
+  while (!asInTheFile->advance(3)) continue;
+  CandidateScene repainted = asInTheFile->repainted(paint);
+  EXPECT_TRUE(repainted.advance(0));
+  const Scene ofBoth = repainted.finish(GetParam());
   const Scene ofSquares = squares->finish(GetParam()), ofTypes = types->finish(GetParam());
   const Result<Scene> before = candidateScene(room, GetParam(), twoTypes(), kCandidates);
   const auto expectPainted = [&](const Scene& scene, std::uint32_t j, const float* column) {
@@ -126,8 +131,10 @@ TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
     for (std::size_t p = 0; p < expected.size(); ++p)
       ASSERT_NEAR(scene.responses.column(j)[p], expected[p], 1e-4f * expected[p]) << j << ' ' << p;
   };
-  for (std::uint32_t j = 0; j < kCandidates.size(); ++j)
+  for (std::uint32_t j = 0; j < kCandidates.size(); ++j) {
     expectPainted(ofTypes, j, before->responses.column(j));
+    expectPainted(ofBoth, j, before->responses.column(j));
+  }
   expectPainted(ofSquares, 0, room.responses.column(4));
   expectPainted(ofSquares, 1, room.responses.column(1));
   EXPECT_TRUE(ofSquares.hangings.empty());

@@ -29,6 +29,12 @@ test('the layout of a kept variant goes along, judged by what the link asks', ()
   expect(linkOf(unknown, layout, scene.sites, { camera: null, display: null }).kept).toBeUndefined();
 });
 
+test('paint goes along', () => {
+  const paint = [{ surface: 'wall', reflectance: 0.3 }];
+  const link = linkOf({ ...document, paint }, layout, scene.sites, { camera: null, display: null });
+  expect(documentOf(link, scene, true)).toMatchObject({ paint });
+});
+
 describe('positions and sites', () => {
   const link = linkOf(document, layout, scene.sites, { camera: null, display: null });
 

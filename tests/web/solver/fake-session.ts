@@ -24,6 +24,10 @@ export class FakeCandidates implements Candidates {
     this.#left = this.asked.length / 2;
     return '';
   }
+  beginPainted(base: FakeCandidates, _room: Session, paint: Float64Array) {
+    this.asked = [...base.asked, ...paint];
+    return '';
+  }
   beginSquares(_room: Session, sites: Uint32Array, paint: Float64Array) {
     this.asked = [...sites, ...paint];
     this.#left = sites.length;

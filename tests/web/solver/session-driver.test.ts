@@ -431,6 +431,18 @@ describe('paint', () => {
     expect(answers.at(-1)).toMatchObject({ type: 'settled', revision: 2 });
   });
 
+  test('of luminaires of types is made of what they are without it', async () => {
+    await openedForTypes();
+    const intentions = { ...ofTypes(), paint: painted.paint! };
+    await driver.receive(solve(2, { intentions, start: { ...start, mountings: [mounting] } }));
+    driver.step();
+    expect(mounted.calls).toContain('adopt 1 0 0 0.25');
+    expect(kinds()).toEqual(['improved 2']);
+    settle();
+    expect(mounted.calls).toContain('adopt 0 0 1 0');
+    expect(kinds().at(-1)).toBe('settled 2');
+  });
+
   test('of surfaces that are not there, or in a room whose file cannot tell, changes nothing', async () => {
     await opened();
     await driver.receive(solve(2, { intentions: painted, start }));
