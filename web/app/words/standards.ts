@@ -4,7 +4,7 @@
  */
 import type { Card } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
-import { fixed, shortest } from '../../language/numbers.ts';
+import { fixed, typed } from '../../language/numbers.ts';
 
 export interface Preset {
   readonly id: string;
@@ -59,7 +59,7 @@ export function withPreset(card: Card, preset: Preset): Card {
   };
 }
 
-const plain = (value = 0): string => shortest(value);
+const plain = (value = 0): string => typed(value);
 
 /** "500 lx, U_o 0.60; walls 150 lx, ceiling 100 lx". */
 export function presetText(preset: Preset): string {
