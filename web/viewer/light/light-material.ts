@@ -153,8 +153,7 @@ float litHere() {
 }
 
 // The back of furniture is dark where it stands at a wall, and would look hollow where that wall is not drawn.
-float drawnLight() {
-  float light = litHere();
+float drawnLight(float light) {
   if (!standing) return light;
   vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   const float gap = 0.4, upright = 0.9;
@@ -199,10 +198,13 @@ void main() {
     gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
     return;
   }
-  if (colored > 0.0) surface.rgb *= vLightColor;
+  // What is lit for the eye alone has no colour of light: that of the little which is there can be any.
+  float light = litHere();
+  float drawn = drawnLight(light);
+  if (colored > 0.0) surface.rgb *= mix(vec3(1.0), vLightColor, min(1.0, light / max(drawn, 1e-6)));
   vec3 color = falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
-                          : toneCurve(surface.rgb * drawnLight() * exposure);
+                          : toneCurve(surface.rgb * drawn * exposure);
   float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
   if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
     float line = isoluxLine(vQuantity, 0.7 * pixelRatio);
