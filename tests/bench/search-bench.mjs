@@ -194,11 +194,6 @@ function table(title, names, runsOf, evaluations) {
 
 function page(runs, { families: chosen, evaluations, seeds }) {
   const places = [...new Set(runs.map((run) => `${run.room} ${run.count}`))];
-  const speed = evaluations.map((limit) => {
-    const times = runs.filter((run) => run.evaluations === limit && run.family !== litFamily);
-    const mean = times.reduce((sum, run) => sum + run.milliseconds, 0) / times.length;
-    return `${limit.toLocaleString('en')} in ${Number(mean.toPrecision(2))} ms`;
-  });
   return `# How good the layouts are that the search finds
 
 Made by \`npm run bench:search\`: ten families of intentions, five rooms, 6 to 24 luminaires, ${seeds} seeds each, from random starts.
@@ -208,7 +203,7 @@ bound broken counts as ${100 * brokenGap} %. The best known values and the layou
 (\`tests/bench/search_problems.cpp\`), so that all of them can be met, but hardly more. Wanted are a mean gap of at most 2 % and a
 worst one of 8 % after 25,000 evaluations, a mean of 0.3 % after 250,000, and 0.05 % in every search after 2,500,000; what misses
 that is bold. The family of true uniformity lights thousands of patches a trial, so it has ${seedsLit} seeds and at most
-${mostLit.toLocaleString('en')} evaluations. On average a search takes ${speed.join(', ')} (one core, native, without that family).
+${mostLit.toLocaleString('en')} evaluations.
 
 ${table('family', chosen, (name) => runs.filter((run) => run.family === name), evaluations)}
 
