@@ -4,8 +4,10 @@
  */
 import type { Draft } from 'immer';
 import { usualMaintenance } from '../../document/maintenance.ts';
-import type { Card, FiatLuxDocument, SceneInfo } from '../../document/types.ts';
+import { mostLuminaires } from '../../document/schema.ts';
+import type { Card, FiatLuxDocument, LuminaireType, SceneInfo } from '../../document/types.ts';
 import type { GridResult, Shown } from '../../solver/protocol.ts';
+import type { OpeningType } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import { unionOf } from '../state/statistics.ts';
 import { glareVerdict } from './glare.ts';
@@ -21,6 +23,7 @@ export interface RoomType {
   readonly onFloor: boolean; // the task is the floor, though there be measuring planes
   readonly cylindrical?: number; // lx
   readonly ugr?: number; // at most
+  readonly luminaire?: string; // a file of the site's that serves where luminaires are of no type: squares glare
 }
 
 const numbersOf = (id: string): Preset => {
@@ -37,6 +40,7 @@ export const roomTypes: readonly RoomType[] = [
     onFloor: false,
     cylindrical: 150,
     ugr: 19,
+    luminaire: 'panel.ldt',
   },
   {
     id: 'classroom',
@@ -45,6 +49,7 @@ export const roomTypes: readonly RoomType[] = [
     onFloor: false,
     cylindrical: 150,
     ugr: 19,
+    luminaire: 'panel.ldt',
   },
   {
     id: 'corridor',
@@ -62,6 +67,9 @@ export const roomTypes: readonly RoomType[] = [
   },
 ];
 
+// Cards ask of a whole surface; the mean on its grid, by which it is judged, may be less by about a hundredth.
+const gridSpare = 1.02;
+
 type Surfaces = SceneInfo['surfaces'];
 
 const named = (surfaces: Surfaces, name: RegExp): string[] =>
@@ -76,15 +84,38 @@ function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
   return { task, walls: named(surfaces, /(^|\/| )walls?\b/i), ceiling: named(surfaces, /ceiling/i) };
 }
 
-/** The document asks for a type: its cards replace the others, and light is maintained. */
-export function askForType(draft: Draft<FiatLuxDocument>, type: RoomType, surfaces: Surfaces): void {
+/** The luminaires that a type would have from the site: none where a person has chosen some, or the file lights squares only. */
+export function luminairesFor(
+  { luminaire }: RoomType,
+  { luminaires }: FiatLuxDocument,
+  scene: Pick<SceneInfo, 'hasOperator'>,
+): OpeningType[] {
+  if (!luminaire || !scene.hasOperator || (luminaires.types ?? []).length > 0) return [];
+  return [{ photometry: luminaire, count: [0, mostLuminaires], turns: [0, 90], aims: [] }];
+}
+
+/**
+ * The document asks for a type: its cards replace the others, and light is maintained. With luminaires that come from the
+ * site there may be more of them than of those before, up to twice as many.
+ */
+export function askForType(
+  draft: Draft<FiatLuxDocument>,
+  type: RoomType,
+  { surfaces, sites }: Pick<SceneInfo, 'surfaces' | 'sites'>,
+  fromSite: readonly LuminaireType[] = [],
+): void {
+  const { luminaires } = draft;
+  if (fromSite.length > 0) {
+    luminaires.types = [...fromSite] as Draft<LuminaireType>[];
+    luminaires.most ??= Math.min(2 * luminaires.count, sites.size.length, mostLuminaires);
+  }
   draft.cards = cardsOf(type, surfaces) as Draft<Card>[];
   draft.roomType = type.id;
   draft.quantity = 'illuminance';
   const { max: _, ...looking } = draft.glare ?? {};
   if (type.ugr !== undefined) draft.glare = { ...looking, max: type.ugr };
   else delete draft.glare;
-  draft.luminaires.maintenance ??= [...usualMaintenance];
+  luminaires.maintenance ??= [...usualMaintenance];
 }
 
 export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
@@ -99,7 +130,10 @@ export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
   if (numbers.most !== undefined)
     return [{ ...card, verb: 'illuminate', guarantee: { by: 'patches', alpha: 2, max: numbers.most } }];
   return [
-    { ...card, ...(numbers.required !== undefined && { mean: { min: numbers.required } }) },
+    {
+      ...card,
+      ...(numbers.required !== undefined && { mean: { min: Math.round(gridSpare * numbers.required) } }),
+    },
     ...least('walls', walls, numbers.walls),
     ...least('ceiling', ceiling, numbers.ceiling),
   ];

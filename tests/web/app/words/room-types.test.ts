@@ -4,6 +4,7 @@ import {
   askForType,
   cardsOf,
   everyVerdict,
+  luminairesFor,
   roomTypes,
   typeVerdicts,
 } from '../../../../web/app/words/room-types.ts';
@@ -15,6 +16,7 @@ import { documentSchema } from '../../../../web/document/schema.ts';
 import { decodeLink, encodeLink } from '../../../../web/document/share-link.ts';
 import { documentOf, linkOf } from '../../../../web/document/linked-document.ts';
 import * as v from 'valibot';
+import { luminaireType, photometricText } from '../../document/luminaire-type.ts';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
 import { sampleDocument } from '../../sample-rooms.ts';
 
@@ -43,7 +45,7 @@ function storeOf(id: string) {
   const scene = fakeScene();
   store.scene.value = scene;
   store.reset({ ...sampleDocument(scene.identity, 'office'), layout });
-  store.edit('type', (draft) => askForType(draft, typeOf(id), scene.surfaces));
+  store.edit('type', (draft) => askForType(draft, typeOf(id), scene));
   store.shown.value = fakeShown(scene, layout, intentionsOf(store.document.peek()).intentions);
   return { store, scene };
 }
@@ -51,7 +53,7 @@ function storeOf(id: string) {
 describe('a room type', () => {
   test('writes cards for task, walls and ceiling', () => {
     expect(cardsOf(typeOf('writing'), surfaces)).toMatchObject([
-      { surfaces: ['working plane'], verb: 'homogenize', mean: { min: 500 } },
+      { surfaces: ['working plane'], verb: 'homogenize', mean: { min: 510 } },
       { surfaces: ['wall north', 'wall south'], verb: 'keep', mean: { min: 150 } },
       { surfaces: ['ceiling'], verb: 'keep', mean: { min: 100 } },
     ]);
@@ -60,7 +62,7 @@ describe('a room type', () => {
   test('takes the floor where that is the task, and exhibits where they are', () => {
     expect(cardsOf(typeOf('corridor'), surfaces)[0]).toMatchObject({
       surfaces: ['floor'],
-      mean: { min: 100 },
+      mean: { min: 102 },
     });
     const [museum, ...more] = cardsOf(typeOf('museum'), surfaces);
     expect(more).toEqual([]);
@@ -81,6 +83,25 @@ describe('a room type', () => {
     store.undo();
     expect(store.document.peek().roomType).toBeUndefined();
     expect(maintenanceOf(store.document.peek().luminaires)).toBe(1);
+  });
+
+  test('brings a luminaire of the site where none is chosen, and lets their number vary', () => {
+    const { store, scene } = storeOf('corridor');
+    const document = store.document.peek();
+    const room = { ...scene, hasOperator: true };
+    const [wished] = luminairesFor(typeOf('writing'), document, room);
+    expect(wished).toMatchObject({ photometry: 'panel.ldt' });
+    expect(luminairesFor(typeOf('writing'), document, scene)).toEqual([]);
+    expect(luminairesFor(typeOf('corridor'), document, room)).toEqual([]);
+    const { count } = document.luminaires;
+    store.edit('type', (draft) =>
+      askForType(draft, typeOf('writing'), room, [luminaireType('t1', photometricText())]),
+    );
+    const { luminaires } = store.document.peek();
+    expect(luminaires).toMatchObject({ types: [{ id: 't1' }], most: Math.min(2 * count, 16) });
+    expect(luminairesFor(typeOf('writing'), store.document.peek(), room)).toEqual([]);
+    store.undo();
+    expect(store.document.peek().luminaires.types).toBeUndefined();
   });
 
   test('is judged on its grid first; what the file does not tell is said so', () => {
