@@ -6,6 +6,7 @@
 
 #include "core/candidates/candidate_scene.h"
 #include "core/photometry/photometric_description.h"
+#include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
 #include "core/session/paint_gains.h"
 #include "core/session/session.h"
@@ -70,6 +71,22 @@ val valueOf(const std::vector<GridReading>& grids) {
   return copied(numbers);
 }
 
+/// Eight numbers a plane: its surface, points, mean and least of horizontal, cylindrical and modelling; then
+/// five of each vertical: direction, mean and least.
+val valueOf(const std::vector<PlaneReading>& planes) {
+  val result = val::array();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const PlaneReading& plane = planes[i];
+    std::vector<double> numbers = {static_cast<double>(plane.surface), static_cast<double>(plane.points)};
+    for (const MeanAndLeast& each : {plane.horizontal, plane.cylindrical, plane.modelling})
+      numbers.insert(numbers.end(), {each.mean, each.least});
+    for (const auto& [d, light] : plane.verticals)
+      numbers.insert(numbers.end(), {d.x, d.y, d.z, light.mean, light.least});
+    result.set(i, copied(numbers));
+  }
+  return result;
+}
+
 val valueOf(Session& session, const Shown& shown) {
   std::vector<double> surfaces, constraints;
   for (const SurfaceReading& s : shown.surfaces)
@@ -84,6 +101,8 @@ val valueOf(Session& session, const Shown& shown) {
   result.set("constraints", copied(constraints));
   result.set("observers", valueOf(session.scene()->observers, shown.observers));
   result.set("grids", valueOf(session.grids()->read(shown.illuminance)));
+  result.set("planes", valueOf(shown.planes));
+  result.set("direct", shown.direct.empty() ? val::null() : copied(shown.direct));
   return result;
 }
 
@@ -227,10 +246,25 @@ E enumOf(const val& object, const char* key) {
   return static_cast<E>(object[key].as<int>());
 }
 
+/// Zero where there is none.
+Vec3 vec3Of(const val& v) {
+  if (v.isNull()) return {};
+  return normalized({v[0].as<double>(), v[1].as<double>(), v[2].as<double>()});
+}
+
+/// Nothing where it is that of all that is asked.
+std::optional<Quantity> quantityOf(const val& v) {
+  return v["quantity"].isNull() ? std::nullopt : std::optional(enumOf<Quantity>(v, "quantity"));
+}
+
 Goal goalOf(const val& v) {
-  return {enumOf<Statistic>(v, "statistic"),  enumOf<Sense>(v, "sense"),
-          v["weight"].as<double>(),           vectorOf<std::uint32_t>(v["surfaces"]),
-          vectorOf<std::uint32_t>(v["over"]), v["target"].as<double>()};
+  return {enumOf<Statistic>(v, "statistic"),
+          enumOf<Sense>(v, "sense"),
+          v["weight"].as<double>(),
+          vectorOf<std::uint32_t>(v["surfaces"]),
+          vectorOf<std::uint32_t>(v["over"]),
+          v["target"].as<double>(),
+          quantityOf(v)};
 }
 
 Constraint constraintOf(const val& v) {
@@ -240,7 +274,10 @@ Constraint constraintOf(const val& v) {
           v["alpha"].as<double>(),
           vectorOf<std::uint32_t>(v["surfaces"]),
           vectorOf<std::uint32_t>(v["over"]),
-          kNone};
+          kNone,
+          quantityOf(v),
+          v["isLeast"].as<bool>(),
+          vec3Of(v["direction"])};
 }
 
 /// Who looks: nobody where `asked` is null; those of the room, or six numbers each: eye and direction.
@@ -440,15 +477,24 @@ bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
   return candidates.scene && candidates.scene->advance(count);
 }
 
-/// Its scene becomes the session's, with what the observers of `glare` see; there is nothing left of it.
-void adopt(Session& session, Candidates& candidates, int quantity, val glare) {
+/// Its scene becomes the session's, with what the observers see that are asked for and what is asked of
+/// measuring planes; there is nothing left of it.
+std::string adopt(Session& session, Candidates& candidates, val asked) {
   Session& room = *candidates.session;
-  const std::vector<Observer> observers = observersOf(glare, candidates.scene->room().patches);
-  std::vector<ObserverRows> rows = candidates.scene->seenBy(observers);
-  Scene scene = candidates.scene->finish(static_cast<Quantity>(quantity));
+  const Intentions intentions = intentionsOf(asked, &candidates.scene->room());
+  std::vector<ObserverRows> rows = candidates.scene->seenBy(intentions.observers);
+  Result<std::vector<PlaneLight>> planes = candidates.scene->planesOf(planesAskedOf(intentions));
+  if (!planes) return planes.error().message;
+  std::optional<DirectLight> direct;
+  if (asksForDirect(intentions) && candidates.scene->room().lightOperator)
+    direct = candidates.scene->directLight();
+  Scene scene = candidates.scene->finish(intentions.quantity);
+  scene.direct = std::move(direct);
   scene.observers = std::move(rows);
+  scene.planes = std::move(*planes);
   session.adopt(std::move(scene), room.grids());
   candidates.scene.reset();
+  return {};
 }
 
 // --- the colour that light takes, for the picture

@@ -102,7 +102,8 @@ AlphaIteration AlphaSearch::iterationOf(const Layout& layout, bool feasible) {
   bool kept = true, first = true;
   for (const Constraint& c : intentions_.constraints) {
     if (!isGuarantee(c)) continue;
-    const Extremes extremes = extremesUnder(prepared_.scene(), intentions_.quantity, c.surfaces, layout);
+    const Quantity quantity = quantityOf(intentions_, c);
+    const Extremes extremes = extremesUnder(prepared_.scene(), quantity, c.surfaces, layout);
     kept = kept && shortfallOf(c, extremes) <= 0;
     if (!first) continue;
     first = false;
@@ -110,9 +111,8 @@ AlphaIteration AlphaSearch::iterationOf(const Layout& layout, bool feasible) {
     result.maximum = extremes.maximumHigh;
     std::vector<double> flux = layout.flux;
     for (double& lumens : flux) lumens *= layout.dimming;
-    const Moments moments =
-        momentsOf(*prepared_.statistics(intentions_.quantity, c.surfaces), layout.sites.data(), flux.data(),
-                  static_cast<std::uint32_t>(flux.size()));
+    const Moments moments = momentsOf(*prepared_.statistics(quantity, c.surfaces), layout.sites.data(),
+                                      flux.data(), static_cast<std::uint32_t>(flux.size()));
     result.mean = moments.mean;
     result.sigma = moments.sigma();
   }
@@ -186,8 +186,8 @@ void AlphaSearch::openBound(AlphaOutcome outcome) {
     const Constraint& constraint = intentions_.constraints[c];
     if (!isGuarantee(constraint)) continue;
     const double shortfall =
-        shortfallOf(constraint, extremesUnder(prepared_.scene(), intentions_.quantity, constraint.surfaces,
-                                              iterations_.back().layout));
+        shortfallOf(constraint, extremesUnder(prepared_.scene(), quantityOf(intentions_, constraint),
+                                              constraint.surfaces, iterations_.back().layout));
     if (shortfall <= worst) continue;
     worst = shortfall;
     broken_ = c;
@@ -196,8 +196,13 @@ void AlphaSearch::openBound(AlphaOutcome outcome) {
   const Constraint& broken = intentions_.constraints[broken_];
   const bool minimum = broken.statistic == Statistic::kMinimum;
   problem_.constraints.erase(problem_.constraints.begin() + static_cast<std::ptrdiff_t>(broken_));
-  problem_.goals = {
-      {broken.statistic, minimum ? Sense::kMaximize : Sense::kMinimize, 1, broken.surfaces, {}}};
+  problem_.goals = {{broken.statistic,
+                     minimum ? Sense::kMaximize : Sense::kMinimize,
+                     1,
+                     broken.surfaces,
+                     {},
+                     0,
+                     quantityOf(intentions_, broken)}};
   run_ = 0;
   openRun();
 }
@@ -221,7 +226,7 @@ void AlphaSearch::conclude(AlphaOutcome outcome) {
   stage_ = Stage::kDone;
   search_.reset();
   const Constraint& guarantee = intentions_.constraints[solution_ ? firstGuarantee() : broken_];
-  verdict_ = alphaVerdict(*this, prepared_.scene(), intentions_.quantity, guarantee);
+  verdict_ = alphaVerdict(*this, prepared_.scene(), quantityOf(intentions_, guarantee), guarantee);
 }
 
 }  // namespace fiatlux

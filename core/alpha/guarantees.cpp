@@ -38,7 +38,11 @@ Intentions chebyshevProblem(const Intentions& intentions, double alpha) {
       continue;
     }
     const bool minimum = c.statistic == Statistic::kMinimum;
-    Constraint replaced{Statistic::kChebyshev, -kUnbounded, kUnbounded, alpha, c.surfaces, {}};
+    Constraint replaced = c;
+    replaced.statistic = Statistic::kChebyshev;
+    replaced.alpha = alpha;
+    replaced.lower = -kUnbounded;
+    replaced.upper = kUnbounded;
     (minimum ? replaced.lower : replaced.upper) = minimum ? c.lower : c.upper;
     problem.constraints.push_back(replaced);
     // The other side of a guarantee (a minimum from above, say) has no Chebyshev form and stays what it is.

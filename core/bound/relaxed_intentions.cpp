@@ -50,19 +50,33 @@ class Relaxer {
   RelaxedIntentions take() { return std::move(result_); }
 
  private:
-  std::vector<double> covarianceOf(const SurfaceSet& surfaces) const {
-    return prepared_.exactCovariance(intentions_.quantity, surfaces);
+  /// A surface set, and of which light.
+  struct LitSet {
+    Quantity quantity;
+    const SurfaceSet& surfaces;
+  };
+  template <class Intention>
+  LitSet setOf(const Intention& of) const {
+    return {quantityOf(intentions_, of), of.surfaces};
+  }
+  template <class Intention>
+  LitSet overOf(const Intention& of) const {
+    return {quantityOf(intentions_, of), of.over};
   }
 
-  void addMean(ConvexObjective& to, const SurfaceSet& surfaces, double factor) const {
-    const auto statistics = prepared_.statistics(intentions_.quantity, surfaces);
+  std::vector<double> covarianceOf(const LitSet& set) const {
+    return prepared_.exactCovariance(set.quantity, set.surfaces);
+  }
+
+  void addMean(ConvexObjective& to, const LitSet& set, double factor) const {
+    const auto statistics = prepared_.statistics(set.quantity, set.surfaces);
     for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * statistics->mean[j];
   }
 
   /// + weight sigma, from below: sqrt(x^T (C + ridge I) x) is above sigma by at most sqrt(ridge x^T x).
-  void addSigma(ConvexObjective& to, const SurfaceSet& surfaces, double weight) const {
+  void addSigma(ConvexObjective& to, const LitSet& set, double weight) const {
     double ridge = 0;
-    auto matrix = convexMatrix(covarianceOf(surfaces), sites_, ridge);
+    auto matrix = convexMatrix(covarianceOf(set), sites_, ridge);
     to.terms.push_back({std::move(matrix), weight, true});
     to.constant -= weight * std::sqrt(ridge * result_.flux.squares);
   }
@@ -74,10 +88,10 @@ class Relaxer {
 
   /// + factor x the part of a form that is linear in x and t. Power is what the common dimming leaves of the
   /// fluxes.
-  void addLinear(ConvexObjective& to, const RelaxedForm& form, const SurfaceSet& surfaces,
-                 const SurfaceSet& over, double factor) const {
-    if (form.mean != 0) addMean(to, surfaces, factor * form.mean);
-    if (form.over != 0) addMean(to, over, factor * form.over);
+  template <class Intention>
+  void addLinear(ConvexObjective& to, const RelaxedForm& form, const Intention& of, double factor) const {
+    if (form.mean != 0) addMean(to, setOf(of), factor * form.mean);
+    if (form.over != 0) addMean(to, overOf(of), factor * form.over);
     const bool isEqual = !prepared_.isTied() && prepared_.scene().hangings.empty();
     if (isEqual)
       to.perDimming += factor * form.power * result_.flux.total / intentions_.luminaires.dimmingHigh;
@@ -94,8 +108,8 @@ class Relaxer {
       return;
     }
     if (goal.sense == Sense::kNear) return addAim(goal, *form, factor);
-    addLinear(result_.goal, *form, goal.surfaces, goal.over, factor);
-    if (form->sigma != 0) addSigmaGoal(goal.surfaces, factor * form->sigma);
+    addLinear(result_.goal, *form, goal, factor);
+    if (form->sigma != 0) addSigmaGoal(setOf(goal), factor * form->sigma);
   }
 
   /// weight |value / target - 1|. Precondition: the value is linear.
@@ -103,25 +117,25 @@ class Relaxer {
     RelaxedAim aim;
     aim.weight = weight;
     aim.form.linear.assign(sites_, 0.0);
-    addLinear(aim.form, value, goal.surfaces, goal.over, 1 / goal.target);
+    addLinear(aim.form, value, goal, 1 / goal.target);
     aim.form.constant -= 1;
     result_.aims.push_back(std::move(aim));
   }
 
-  void addSigmaGoal(const SurfaceSet& surfaces, double factor) {
+  void addSigmaGoal(const LitSet& set, double factor) {
     if (factor < 0 && prepared_.isTied()) {
       result_.supported = false;
       return;
     }
     if (factor < 0) {
       result_.goal.constant +=
-          factor * std::sqrt(largestVariance(covarianceOf(surfaces), intentions_.luminaires, sites_));
+          factor * std::sqrt(largestVariance(covarianceOf(set), intentions_.luminaires, sites_));
       return;
     }
-    if (intentions_.goals.size() > 1) return addSigma(result_.goal, surfaces, factor);
+    if (intentions_.goals.size() > 1) return addSigma(result_.goal, set, factor);
     // Alone, its square serves as well, and takes the diagonal shift.
     result_.squared = true;
-    result_.covariance = covarianceOf(surfaces);
+    result_.covariance = covarianceOf(set);
     for (double& entry : result_.covariance) entry *= factor * factor;
     double ridge = 0;
     result_.goal.terms.push_back({convexMatrix(result_.covariance, sites_, ridge), 1, false});
@@ -134,8 +148,8 @@ class Relaxer {
     if (!asked) return;
     ConvexObjective form;
     form.linear.assign(sites_, 0.0);
-    addLinear(form, *asked, c.surfaces, c.over, 1);
-    if (asked->sigma != 0) addSigma(form, c.surfaces, asked->sigma);
+    addLinear(form, *asked, c, 1);
+    if (asked->sigma != 0) addSigma(form, setOf(c), asked->sigma);
     double scale = std::fabs(asked->constant);
     if (scale == 0)
       for (double entry : form.linear) scale = std::max(scale, std::fabs(entry) * result_.flux.total);

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/candidates/candidate_list.h"
+#include "core/transport/direct_quadrature.h"
+#include "core/transport/plane_light.h"
 #include "core/transport/room_view.h"
 #include "core/transport/surface_statistics.h"
 
@@ -84,6 +86,12 @@ std::vector<float> CandidateScene::columnsOf(std::size_t first, std::size_t coun
     }
     return columns;
   }
+  const std::vector<PhotometricCandidate> some = photometric(first, count);
+  return light_->total(some, light_->direct(some));
+}
+
+/// Precondition: they are of types.
+std::vector<PhotometricCandidate> CandidateScene::photometric(std::size_t first, std::size_t count) const {
   std::vector<PhotometricCandidate> some;
   for (std::size_t i = first; i < first + count; ++i) {
     const Candidate& candidate = candidates_[i];
@@ -92,7 +100,7 @@ std::vector<float> CandidateScene::columnsOf(std::size_t first, std::size_t coun
     const double scale = photometric.flux > 0 && flux > 0 ? flux / photometric.flux : 1;
     some.push_back({candidate.site, luminaireOf(candidate), photometric.map, static_cast<float>(scale)});
   }
-  return light_->total(some, light_->direct(some));
+  return some;
 }
 
 bool CandidateScene::advance(std::uint32_t count) {
@@ -114,12 +122,46 @@ CandidateScene CandidateScene::repainted(std::shared_ptr<const Repaint> paint) c
   return scene;
 }
 
-std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
-  if (observers.empty()) return {};
+std::vector<Luminaire> CandidateScene::luminaires() const {
   std::vector<Luminaire> luminaires;
   for (const Candidate& candidate : candidates_) luminaires.push_back(luminaireOf(candidate));
+  return luminaires;
+}
+
+std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
+  if (observers.empty()) return {};
   return RoomView(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance)
-      .rows(observers, luminaires, responses_);
+      .rows(observers, luminaires(), responses_);
+}
+
+Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<PlaneWish>& wishes) const {
+  for (const PlaneWish& wish : wishes)
+    if (Result<Done> ok = checkPlane(*room_, wish.surface); !ok) return ok.error();
+  const RoomView view(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance);
+  std::vector<PlaneLight> planes = planeLight(*room_, view, wishes, luminaires(), responses_);
+  if (Result<Done> lit = checkLit(*room_, planes); !lit) return lit.error();
+  return planes;
+}
+
+DirectLight CandidateScene::directLight() const {
+  constexpr std::size_t kTogether = 64;
+  const std::uint32_t rows = room_->responses.rows;
+  DirectLight direct{{rows, static_cast<std::uint32_t>(candidates_.size()), {}}, {}};
+  std::vector<float>& columns = direct.responses.illuminance;
+  if (types_.empty()) {
+    const DirectQuadrature quadrature(*room_);
+    columns.resize(std::size_t{rows} * candidates_.size());
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      quadrature.lambertian(luminaireOf(candidates_[i]),
+                            room_->lightOperator->visibility.column(candidates_[i].site), &columns[i * rows]);
+  }
+  for (std::size_t first = 0; first < candidates_.size() && !types_.empty(); first += kTogether) {
+    const std::size_t count = std::min(kTogether, candidates_.size() - first);
+    const std::vector<float> some = light_->direct(photometric(first, count));
+    columns.insert(columns.end(), some.begin(), some.end());
+  }
+  direct.statistics = meanRows(room_->patches, room_->surfaces.size(), direct.responses, Quantity::kDirect);
+  return direct;
 }
 
 Scene CandidateScene::finish(Quantity quantity) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scene/plane_points.h"
 #include "core/scene/scene.h"
 #include "core/transport/mounted_luminaire.h"
 #include "core/transport/photometric_light.h"
@@ -63,6 +64,12 @@ class CandidateScene {
   /// it.
   std::vector<ObserverRows> seenBy(const std::vector<Observer>& observers) const;
 
+  /// What they do at the points of measuring planes, for the scene's `planes`; an error where one of these is
+  /// no measuring plane, or dark. Precondition: likewise.
+  Result<std::vector<PlaneLight>> planesOf(const std::vector<PlaneWish>& wishes) const;
+  /// Their light before anything reflects it, for the scene's `direct`. The room must have a light operator.
+  DirectLight directLight() const;
+
   /// Column j and entry j of the mean rows are candidate j's at its type's flux (lx, lm/m2). Statistics of
   /// `quantity` alone, and no covariances: unionStatistics makes them of the responses where they are asked
   /// for. Candidates of one site lie at one place: kCandidatesApart keeps them from each other. Precondition:
@@ -73,7 +80,9 @@ class CandidateScene {
   CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates,
                  std::shared_ptr<const PhotometricLight> light, std::shared_ptr<const Repaint> paint);
   std::vector<float> columnsOf(std::size_t first, std::size_t count) const;
+  std::vector<PhotometricCandidate> photometric(std::size_t first, std::size_t count) const;
   Luminaire luminaireOf(const Candidate& candidate) const;
+  std::vector<Luminaire> luminaires() const;
 
   const Scene* room_;
   std::shared_ptr<const PhotometricLight> light_;  // nullptr of squares

@@ -147,6 +147,26 @@ std::vector<PatchLattice> measuredLattices(const Scene& scene) {
   return lattices;
 }
 
+std::vector<PatchShare> sharesAt(const PatchLattice& lattice, const Patches& patches,
+                                 const std::array<double, 2>& point) {
+  const double u = std::clamp(point[0] / lattice.cellU - 0.5, 0.0, lattice.columns - 1.0);
+  const double v = std::clamp(point[1] / lattice.cellV - 0.5, 0.0, lattice.rows - 1.0);
+  const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
+  std::vector<PatchShare> shares;
+  double weights = 0;
+  for (const std::uint32_t i : {0u, 1u})
+    for (const std::uint32_t j : {0u, 1u}) {
+      if (column + i >= lattice.columns || row + j >= lattice.rows) continue;
+      const std::uint32_t p = lattice.patchOfCell[std::size_t{row + j} * lattice.columns + column + i];
+      if (p == kNone || !patches.counts(p)) continue;
+      shares.push_back({p, std::fabs(1.0 - i - (u - column)) * std::fabs(1.0 - j - (v - row))});
+      weights += shares.back().share;
+    }
+  assert(weights > 0);
+  for (PatchShare& share : shares) share.share /= weights;
+  return shares;
+}
+
 GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
                         const std::vector<double>& values) {
   assert(!values.empty() && values.size() == grid.points.size());

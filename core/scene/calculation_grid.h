@@ -49,6 +49,16 @@ bool wantsGrid(const Surface& surface, const Vec3& normal, double height, double
 /// The lattices of a scene's floors and level measuring planes, in the order of their patches.
 std::vector<PatchLattice> measuredLattices(const Scene& scene);
 
+/// A row around a point, and its share of a bilinear reading there.
+struct PatchShare {
+  std::uint32_t row = 0;
+  double share = 0;
+};
+
+/// Of the four cells around a point of the lattice's grid, those that hold a patch that counts; in sum 1.
+std::vector<PatchShare> sharesAt(const PatchLattice& lattice, const Patches& patches,
+                                 const std::array<double, 2>& point);
+
 /// What a layout does to a grid.
 struct GridReading {
   std::uint32_t surface = 0, points = 0;

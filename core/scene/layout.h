@@ -6,9 +6,14 @@
 
 namespace fiatlux {
 
-enum class Quantity : std::uint8_t { kIlluminance, kExitance };  // lx, or reflected lm/m2 (the paper's B)
+enum class Quantity : std::uint8_t {
+  kIlluminance,  // lx
+  kExitance,     // reflected lm/m2 (the paper's B)
+  kDirect,       // lx, of what nothing has reflected yet: emergency lighting counts no more (EN 1838)
+};
 
-inline constexpr const char* kQuantityNames[] = {"illuminance", "exitance"};  // in intentions.json, by code
+inline constexpr const char* kQuantityNames[] = {"illuminance", "exitance",
+                                                 "direct"};  // in intentions.json, by code
 
 /// A set of leaf surfaces by index, sorted, unique. Empty means "all" (every leaf that is not a measuring
 /// plane).

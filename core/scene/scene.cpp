@@ -2,6 +2,7 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -23,12 +24,41 @@ std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& leaves) 
 
 }  // namespace
 
+const Responses& responsesOf(const Scene& scene, Quantity quantity) {
+  assert(quantity != Quantity::kDirect || scene.direct);
+  return quantity == Quantity::kDirect ? scene.direct->responses : scene.responses;
+}
+
+const std::vector<SurfaceStatistics>& leafStatistics(const Scene& scene, Quantity quantity) {
+  assert(quantity != Quantity::kDirect || scene.direct);
+  if (quantity == Quantity::kDirect) return scene.direct->statistics;
+  return quantity == Quantity::kExitance ? scene.exitance : scene.illuminance;
+}
+
+std::vector<SurfaceStatistics> meanRows(const Patches& patches, std::size_t surfaces,
+                                        const Responses& responses, Quantity quantity) {
+  const bool exitance = quantity == Quantity::kExitance;
+  std::vector<SurfaceStatistics> leaves(surfaces, {std::vector<double>(responses.sites), {}});
+  std::vector<double> area(surfaces);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    if (patches.counts(p)) area[patches.surface[p]] += patches.area[p];
+  for (std::uint32_t j = 0; j < responses.sites; ++j) {
+    const float* column = responses.column(j);
+    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+      if (!patches.counts(p)) continue;
+      const double factor = exitance ? patches.reflectance[p] : 1.0;
+      leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
+    }
+  }
+  return leaves;
+}
+
 SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces) {
-  const auto& leaves = quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
+  const std::vector<SurfaceStatistics>& leaves = leafStatistics(scene, quantity);
   const SurfaceSet members = leavesOf(scene, surfaces);
   const std::size_t m = scene.sites.size();
   if (!members.empty() && leaves[members[0]].covariance.empty())
-    return storedStatistics(scene.patches, scene.responses, quantity, rowsOf(scene, members));
+    return storedStatistics(scene.patches, responsesOf(scene, quantity), quantity, rowsOf(scene, members));
   SurfaceStatistics result{std::vector<double>(m), std::vector<double>(m * m)};
   double total = 0;
   for (std::uint32_t s : members) total += scene.surfaces[s].area;
@@ -59,10 +89,11 @@ MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& l
   return {layout.dimming * mean, layout.dimming * std::sqrt(std::max(0.0, variance))};
 }
 
-std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout) {
-  std::vector<float> light(scene.responses.rows, 0.0f);
+std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout, Quantity quantity) {
+  const Responses& responses = responsesOf(scene, quantity);
+  std::vector<float> light(responses.rows, 0.0f);
   for (std::size_t i = 0; i < layout.sites.size(); ++i) {
-    const float* column = scene.responses.column(layout.sites[i]);
+    const float* column = responses.column(layout.sites[i]);
     const auto flux = static_cast<float>(layout.dimming * layout.flux[i]);
     for (std::size_t p = 0; p < light.size(); ++p) light[p] += flux * column[p];
   }

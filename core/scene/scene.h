@@ -36,6 +36,24 @@ struct Hanging {
   double power = 1;         // W of the luminaire at a flux of 1
 };
 
+/// Light of every patch for each site at 1 lm before anything reflects it.
+struct DirectLight {
+  Responses responses;                        // lx per lm
+  std::vector<SurfaceStatistics> statistics;  // per leaf surface, mean rows alone
+};
+
+/// Light of each site at 1 lm at the points of a measuring plane's EN 12464-1 grid: points x sites, lx per
+/// lm.
+struct PlaneLight {
+  std::uint32_t surface = 0;
+  Responses horizontal, cylindrical;  // on the plane; the mean of the vertical planes of all directions
+  struct Vertical {
+    Vec3 direction;  // unit, level: that the vertical plane faces
+    Responses light;
+  };
+  std::vector<Vertical> verticals;
+};
+
 struct Scene {
   std::string identity;  // 16 hex digits: source, options that change the light, version of the method
   Patches patches;
@@ -50,7 +68,17 @@ struct Scene {
   std::optional<LightOperator> lightOperator;  // what other photometries need; older files have none
   std::vector<ObserverRows>
       observers;  // of no file: of those whose glare is asked for (core/transport/room_view.h)
+  std::vector<PlaneLight> planes;     // of no file: made where it is asked for (core/transport/plane_light.h)
+  std::optional<DirectLight> direct;  // of no file: made where it is asked for (core/transport/direct_part.h)
 };
+
+/// What a quantity is read from; exitance is reflectance times these. Precondition of kDirect: it is there.
+const Responses& responsesOf(const Scene& scene, Quantity quantity);
+const std::vector<SurfaceStatistics>& leafStatistics(const Scene& scene, Quantity quantity);
+
+/// Mean rows of responses over the patches that count, per leaf surface; of exitance, of rho times them.
+std::vector<SurfaceStatistics> meanRows(const Patches& patches, std::size_t surfaces,
+                                        const Responses& responses, Quantity quantity);
 
 /// What a luminaire of flux 1 draws on a site: W of its type, or lm where there are no types.
 inline double powerAt(const Scene& scene, std::uint32_t site) {
@@ -71,8 +99,10 @@ struct MeanAndSigma {
 /// the search has its own sums (core/search/kernels.h).
 MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& layout);
 
-/// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j.
-std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout);
+/// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j. Of
+/// kDirect that which nothing has reflected, else all of it.
+std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout,
+                                 Quantity quantity = Quantity::kIlluminance);
 
 /// Statistics of a surface set read off explicit values, one per row: area-weighted mean and sigma, least,
 /// largest.

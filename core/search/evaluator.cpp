@@ -42,6 +42,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   moments_.resize(count);
   rows_.resize(count);
   patches_.resize(count);
+  points_.resize(count);
   trialMoments_.resize(count);
   trialExtremes_.resize(count);
   extremes_.resize(count);
@@ -50,12 +51,15 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   for (std::size_t s = 0; s < count; ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
     if (set.needsVariance) rows_[s].resize(siteCount_);
-    if (set.needsExtremes) patches_[s].emplace(prepared.scene(), intentions.quantity, set.surfaces);
+    if (set.ofPoints) points_[s].emplace(prepared.scene(), *set.ofPoints);
+    hasPoints_ |= set.ofPoints.has_value();
+    if (set.needsExtremes) patches_[s].emplace(prepared.scene(), set.quantity, set.surfaces);
   }
 }
 
 Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
   readMoments(sites);
+  readPoints(sites);
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     if (!patches_[s]) continue;
     light(*patches_[s], sites);
@@ -67,6 +71,7 @@ Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
 
 bool Evaluator::tryLayout(const std::vector<std::uint32_t>& sites, Evaluation& best) {
   readMoments(sites);
+  readPoints(sites);
   if (objective_.needsExtremes()) {
     for (std::size_t s = 0; s < patches_.size(); ++s)
       if (patches_[s]) trialExtremes_[s] = Objective::allowedBy(trialMoments_[s]);
@@ -93,8 +98,26 @@ void Evaluator::readMoments(const std::vector<std::uint32_t>& sites) {
   }
 }
 
-/// Lights the patches by the luminaires of a layout.
-void Evaluator::light(PatchExtremes& patches, const std::vector<std::uint32_t>& sites) {
+/// What the points of planes tell counts as known exactly.
+void Evaluator::take(const MeanAndLeast& points, Moments& moments, Extremes& extremes) {
+  moments.mean = points.mean;
+  extremes.minimumLow = extremes.minimumHigh = points.least;
+}
+
+/// Points of planes under any layout, as those of a trial.
+void Evaluator::readPoints(const std::vector<std::uint32_t>& sites) {
+  if (!hasPoints_) return;
+  for (std::size_t s = 0; s < points_.size(); ++s) {
+    if (!points_[s]) continue;
+    light(*points_[s], sites);
+    take(points_[s]->current(), trialMoments_[s], trialExtremes_[s]);
+    if (!sites_.empty()) light(*points_[s], sites_);
+  }
+}
+
+/// Lights patches, or points of planes, by the luminaires of a layout.
+template <class Lit>
+void Evaluator::light(Lit& lit, const std::vector<std::uint32_t>& sites) {
   changes_.clear();
   for (std::size_t i = 0; i < sites.size(); ++i) addChange(sites[i], flux_[i]);
   litSites_.clear();
@@ -103,7 +126,7 @@ void Evaluator::light(PatchExtremes& patches, const std::vector<std::uint32_t>& 
     litSites_.push_back(change.site);
     litFlux_.push_back(change.flux);
   }
-  patches.load(litSites_.data(), litFlux_.data(), static_cast<std::uint32_t>(litSites_.size()));
+  lit.load(litSites_.data(), litFlux_.data(), static_cast<std::uint32_t>(litSites_.size()));
 }
 
 /// A change of a candidate's flux as changes of its sites' fluxes.
@@ -132,6 +155,10 @@ void Evaluator::refresh() {
     moments_[s].mean = meanOf(set.statistics->mean.data(), sites_.data(), countedFlux(set), count);
     if (set.needsVariance)
       moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
+    if (points_[s]) {
+      light(*points_[s], sites_);
+      take(points_[s]->current(), moments_[s], extremes_[s]);
+    }
     if (!set.needsExtremes) continue;
     light(*patches_[s], sites_);
     extremes_[s] = patches_[s]->current();
@@ -154,10 +181,18 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
     result = objective_.judge(trialMoments_.data(), trialExtremes_.data());
     return prefers(result, toBeat);
   };
+  const auto resolve = [&] {
+    changes_.clear();
+    for (std::uint32_t k = 0; k < count; ++k) addChange(changes[k].site, changes[k].flux);
+    return static_cast<std::uint32_t>(changes_.size());
+  };
+  if (hasPoints_) {
+    const std::uint32_t n = resolve();
+    for (std::size_t s = 0; s < points_.size(); ++s)
+      if (points_[s]) take(points_[s]->changed(changes_.data(), n), trialMoments_[s], trialExtremes_[s]);
+  }
   if (!judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); })) return false;
-  changes_.clear();
-  for (std::uint32_t k = 0; k < count; ++k) addChange(changes[k].site, changes[k].flux);
-  const auto n = static_cast<std::uint32_t>(changes_.size());
+  const std::uint32_t n = resolve();
   return judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes_.data(), n); }) &&
          judgeWith([&](std::size_t s) { return patches_[s]->changed(changes_.data(), n); });
 }

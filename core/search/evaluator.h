@@ -10,6 +10,7 @@
 
 #include "core/search/intentions.h"
 #include "core/search/objective.h"
+#include "core/search/plane_values.h"
 
 namespace fiatlux {
 
@@ -82,7 +83,10 @@ class Evaluator {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
   }
   void readMoments(const std::vector<std::uint32_t>& sites);
-  void light(PatchExtremes& patches, const std::vector<std::uint32_t>& sites);
+  template <class Lit>
+  void light(Lit& lit, const std::vector<std::uint32_t>& sites);
+  static void take(const MeanAndLeast& points, Moments& moments, Extremes& extremes);
+  void readPoints(const std::vector<std::uint32_t>& sites);
   void addChange(std::uint32_t candidate, double flux);
   bool isExact(const Trial& trial);
   bool prefers(const Evaluation& a, const Evaluation& b) const;
@@ -97,6 +101,8 @@ class Evaluator {
   std::vector<Moments> moments_;
   std::vector<std::vector<double>> rows_;              // C x of each set that needs variances
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
+  std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
+  bool hasPoints_ = false;
   std::vector<Extremes> extremes_;                     // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;                  // scratch, one per set
   std::vector<Extremes> trialExtremes_;                // scratch, one per set

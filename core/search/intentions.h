@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct Goal {
   Statistic statistic = Statistic::kSigma;  // one that may be a goal
   Sense sense = Sense::kMinimize;
   double weight = 1;
-  SurfaceSet surfaces, over;  // as the statistic needs them
-  double target = 0;          // kNear only, > 0, in the unit of the statistic
+  SurfaceSet surfaces, over;              // as the statistic needs them
+  double target = 0;                      // kNear only, > 0, in the unit of the statistic
+  std::optional<Quantity> quantity = {};  // nothing: that of the intentions
 };
 
 /// lower <= statistic <= upper; either may be infinite. Violation: sum of excessOver (statistics.h).
@@ -32,7 +34,10 @@ struct Constraint {
          upper = kUnbounded;  // in the unit of the quantity; a ratio for uniformity, contrast
   double alpha = 1;           // where the statistic needs it
   SurfaceSet surfaces, over;
-  std::uint32_t observer = kNone;  // of a ugr: which one; kNone: whoever is worst off
+  std::uint32_t observer = kNone;         // of a ugr: which one; kNone: whoever is worst off
+  std::optional<Quantity> quantity = {};  // nothing: that of the intentions
+  bool isLeast = false;                   // of points of planes: of the least of them, not of their mean
+  Vec3 direction = {};                    // of a vertical: unit, level, that its plane faces
 };
 
 /// How the luminaires hang together (arrangements.h).
@@ -101,5 +106,19 @@ struct Intentions {
   Quantity quantity = Quantity::kIlluminance;
   std::vector<Observer> observers;  // those of the scene that is searched (Scene::observers)
 };
+
+/// Of which light a goal or a constraint of these intentions speaks.
+template <class Intention>
+Quantity quantityOf(const Intentions& intentions, const Intention& intention) {
+  return intention.quantity.value_or(intentions.quantity);
+}
+
+/// Does any of them speak of direct light?
+inline bool asksForDirect(const Intentions& intentions) {
+  const auto isOfDirect = [](const auto& intention) { return intention.quantity == Quantity::kDirect; };
+  return intentions.quantity == Quantity::kDirect ||
+         std::any_of(intentions.goals.begin(), intentions.goals.end(), isOfDirect) ||
+         std::any_of(intentions.constraints.begin(), intentions.constraints.end(), isOfDirect);
+}
 
 }  // namespace fiatlux

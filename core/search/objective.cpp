@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
 
 namespace fiatlux {
@@ -26,17 +27,19 @@ Objective::Objective(PreparedScene& prepared, const Intentions& intentions, cons
       powerVaries_(countVaries(intentions.luminaires) || !prepared.scene().hangings.empty()) {
   assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
   for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;
-  for (const Goal& goal : intentions.goals) addGoal(prepared, goal, intentions.quantity);
+  for (const Goal& goal : intentions.goals) addGoal(prepared, goal, quantityOf(intentions, goal));
   for (const Constraint& constraint : intentions.constraints)
-    addConstraint(prepared, constraint, intentions.quantity);
+    addConstraint(prepared, constraint, quantityOf(intentions, constraint));
   bounds_.resize(sides_.size());
   scaleGoals(prepared, intentions, reference);
 }
 
 std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces) {
   for (std::uint32_t s = 0; s < sets_.size(); ++s)
-    if (sets_[s].row == RowOf::kSurfaces && sets_[s].surfaces == surfaces) return s;
-  sets_.push_back({surfaces, prepared.statistics(quantity, surfaces), false, false});
+    if (sets_[s].row == RowOf::kSurfaces && sets_[s].quantity == quantity && sets_[s].surfaces == surfaces)
+      return s;
+  sets_.push_back(
+      {surfaces, prepared.statistics(quantity, surfaces), false, false, RowOf::kSurfaces, kNone, quantity});
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
 
@@ -84,11 +87,29 @@ void Objective::addGlare(PreparedScene& prepared, const Constraint& c) {
                     Side::kUpper, false, count});
 }
 
+/// The mean of its points is a sum of what each luminaire does there, but for a ratio.
+std::uint32_t Objective::planeSet(PreparedScene& prepared, const Constraint& c) {
+  ObjectiveSet set{{}, prepared.rowOf(meanOfPoints(prepared.scene(), c)), false, false, RowOf::kPlanes};
+  if (c.isLeast || c.statistic == Statistic::kModelling) {
+    set.ofPoints = c;
+    needsExtremes_ = true;
+  }
+  sets_.push_back(std::move(set));
+  return static_cast<std::uint32_t>(sets_.size() - 1);
+}
+
 void Objective::addConstraint(PreparedScene& prepared, const Constraint& c, Quantity quantity) {
   if (c.statistic == Statistic::kUgr) return addGlare(prepared, c);
   const StatisticTraits& traits = traitsOf(c.statistic);
-  Bound bound{c.statistic,       setFor(prepared, quantity, traits, c.surfaces), 0, c.alpha, 0, Side::kLower,
-              traits.scaleFree()};
+  Bound bound{c.statistic,
+              traits.ofPlanes ? planeSet(prepared, c) : setFor(prepared, quantity, traits, c.surfaces),
+              0,
+              c.alpha,
+              0,
+              Side::kLower,
+              traits.scaleFree(),
+              0,
+              c.isLeast};
   if (traits.needsOver) bound.over = setOf(prepared, quantity, c.over);
   for (const Side side : {Side::kLower, Side::kUpper}) {
     bound.side = side;
@@ -124,7 +145,7 @@ void Objective::scaleGoals(PreparedScene& prepared, const Intentions& intentions
       continue;
     }
     const auto statistics =
-        ofSurfaces ? sites.statistics(intentions.quantity, sets_[s].surfaces) : sites.powers();
+        ofSurfaces ? sites.statistics(sets_[s].quantity, sets_[s].surfaces) : sites.powers();
     moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, ofSurfaces));
   }
   const std::vector<Extremes> none(sets_.size());
@@ -152,9 +173,10 @@ double Objective::glareOf(const Bound& bound, const Moments* moments) const {
 
 double Objective::boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const {
   if (bound.observers > 0) return glareOf(bound, moments);
-  return valueOf(bound.statistic,
-                 {moments + bound.set, moments + bound.over, extremes + bound.set, powerOf(moments)},
-                 bound.side, bound.alpha);
+  return valueOf(
+      bound.statistic,
+      {moments + bound.set, moments + bound.over, extremes + bound.set, powerOf(moments), 0, bound.isLeast},
+      bound.side, bound.alpha);
 }
 
 Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) const {

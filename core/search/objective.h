@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/search/dimming.h"
@@ -20,6 +21,7 @@ enum class RowOf : std::uint8_t {
   kPowers,      // what the candidates draw
   kGlare,       // ObserverRows::glare: of the squares of the fluxes
   kBackground,  // ObserverRows::background
+  kPlanes,      // means over the points of measuring planes
 };
 
 /// A surface set that the intentions mention, or another row that they need; `needsVariance` and
@@ -30,6 +32,8 @@ struct ObjectiveSet {
   bool needsVariance = false, needsExtremes = false;
   RowOf row = RowOf::kSurfaces;
   std::uint32_t observer = kNone;
+  Quantity quantity = Quantity::kIlluminance;  // of surfaces
+  std::optional<Constraint> ofPoints = {};     // of planes: what must be known of each point (PlaneValues)
 
   /// The flux that a luminaire of `flux` lm counts with, negative where it is taken away.
   double counted(double flux) const { return row == RowOf::kGlare ? flux * std::fabs(flux) : flux; }
@@ -69,6 +73,7 @@ class Objective {
     Side side;
     bool scaleFree;
     std::uint32_t observers = 0;  // of a ugr: their glare and background by turns, from `set` on
+    bool isLeast = false;         // of points of planes
   };
   struct Term {  // one goal
     Statistic statistic;
@@ -84,6 +89,7 @@ class Objective {
                        const SurfaceSet& surfaces);
   std::uint32_t observerSets(PreparedScene& prepared, std::uint32_t first, std::uint32_t count);
   void addGlare(PreparedScene& prepared, const Constraint& constraint);
+  std::uint32_t planeSet(PreparedScene& prepared, const Constraint& constraint);
   void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);

@@ -11,16 +11,18 @@ constexpr std::size_t kWitnesses = 12;
 }
 
 PatchExtremes::PatchExtremes(const Scene& scene, Quantity quantity, const SurfaceSet& surfaces)
-    : scene_(scene) {
+    : responses_(responsesOf(scene, quantity)),
+      means_(leafStatistics(scene, quantity == Quantity::kDirect ? quantity : Quantity::kIlluminance)) {
+  const bool isStored = quantity != Quantity::kDirect;  // note: direct light is made, not stored in steps
   std::vector<std::uint32_t> leafOf(scene.surfaces.size(), kNone);
   for (std::uint32_t s : leavesOf(scene, surfaces)) {
     leafOf[s] = static_cast<std::uint32_t>(leaves_.size());
-    leaves_.push_back({s, s < scene.errorBound.size() ? scene.errorBound[s] : 0.0});
+    leaves_.push_back({s, isStored && s < scene.errorBound.size() ? scene.errorBound[s] : 0.0});
   }
-  for (std::uint32_t p = 0; p < scene.responses.rows; ++p) {
+  for (std::uint32_t p = 0; p < responses_.rows; ++p) {
     const std::uint32_t leaf = leafOf[scene.patches.surface[p]];
     if (leaf == kNone || !scene.patches.counts(p)) continue;
-    rows_.push_back({p, leaf, quantity == Quantity::kIlluminance ? 1.0f : scene.patches.reflectance[p]});
+    rows_.push_back({p, leaf, quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0f});
   }
   light_.assign(rows_.size(), 0.0f);
   leafMean_.assign(leaves_.size(), 0.0);
@@ -30,17 +32,17 @@ PatchExtremes::PatchExtremes(const Scene& scene, Quantity quantity, const Surfac
 void PatchExtremes::load(const std::uint32_t* sites, const double* flux, std::uint32_t count) {
   std::fill(light_.begin(), light_.end(), 0.0f);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const float* column = scene_.responses.column(sites[i]);
+    const float* column = responses_.column(sites[i]);
     const auto lumens = static_cast<float>(flux[i]);
     for (std::size_t k = 0; k < rows_.size(); ++k) light_[k] += lumens * column[rows_[k].index];
   }
   for (std::size_t l = 0; l < leaves_.size(); ++l)
-    leafMean_[l] = meanOf(scene_.illuminance[leaves_[l].surface].mean.data(), sites, flux, count);
+    leafMean_[l] = meanOf(means_[leaves_[l].surface].mean.data(), sites, flux, count);
 }
 
 double PatchExtremes::leafMean(std::uint32_t leaf, const FluxChange* changes, std::uint32_t count) const {
   double mean = leafMean_[leaf];
-  const std::vector<double>& row = scene_.illuminance[leaves_[leaf].surface].mean;
+  const std::vector<double>& row = means_[leaves_[leaf].surface].mean;
   for (std::uint32_t c = 0; c < count; ++c) mean += changes[c].flux * row[changes[c].site];
   return mean;
 }
@@ -48,7 +50,7 @@ double PatchExtremes::leafMean(std::uint32_t leaf, const FluxChange* changes, st
 double PatchExtremes::lightAfter(std::size_t k, const FluxChange* changes, std::uint32_t count) const {
   double light = light_[k];
   for (std::uint32_t c = 0; c < count; ++c)
-    light += changes[c].flux * scene_.responses.column(changes[c].site)[rows_[k].index];
+    light += changes[c].flux * responses_.column(changes[c].site)[rows_[k].index];
   return light;
 }
 

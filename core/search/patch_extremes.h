@@ -44,7 +44,8 @@ class PatchExtremes {
   double leafMean(std::uint32_t leaf, const FluxChange* changes, std::uint32_t count) const;
   void remember(std::vector<std::uint32_t>& witnesses, std::uint32_t k);
 
-  const Scene& scene_;
+  const Responses& responses_;
+  const std::vector<SurfaceStatistics>& means_;  // of the leaves, of what the responses are
   std::vector<Row> rows_;
   std::vector<Leaf> leaves_;
   std::vector<float> light_;      // illuminance of each of rows_ under the loaded layout, lx at t = 1

@@ -172,7 +172,10 @@ std::shared_ptr<const KernelStatistics> PreparedScene::powers() const {
 
 std::shared_ptr<const KernelStatistics> PreparedScene::seenBy(std::uint32_t observer, bool glare) const {
   const ObserverRows& rows = scene_.observers[observer];
-  const std::vector<double>& ofSites = glare ? rows.glare : rows.background;
+  return rowOf(glare ? rows.glare : rows.background);
+}
+
+std::shared_ptr<const KernelStatistics> PreparedScene::rowOf(const std::vector<double>& ofSites) const {
   auto result = std::make_shared<KernelStatistics>();
   result->mean.assign(stride(), 0.0);
   std::vector<std::uint32_t> members;

@@ -83,6 +83,8 @@ class PreparedScene {
 
   /// A row of means that an observer of the scene sees each candidate by: ObserverRows::glare or background.
   std::shared_ptr<const KernelStatistics> seenBy(std::uint32_t observer, bool glare) const;
+  /// A row of means of the candidates for one of the sites: `ofSites` has an entry each.
+  std::shared_ptr<const KernelStatistics> rowOf(const std::vector<double>& ofSites) const;
 
   /// The `nearCount()` candidates nearest to one, itself left out, nearest first, ties by index.
   const std::uint32_t* nearSites(std::uint32_t site) const {

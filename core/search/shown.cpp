@@ -8,6 +8,7 @@
 
 #include "core/scene/surface_names.h"
 #include "core/search/patch_extremes.h"
+#include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
 
 namespace fiatlux {
@@ -16,14 +17,13 @@ namespace {
 /// A layout whose dimming is in its fluxes, and where it hangs.
 struct Lit {
   PreparedScene& prepared;
-  Quantity quantity;
   Layout layout;  // dimming 1
 
-  Moments moments(const SurfaceSet& surfaces, bool withVariance = true) const {
+  Moments moments(Quantity quantity, const SurfaceSet& surfaces, bool withVariance = true) const {
     return momentsOf(*prepared.statistics(quantity, surfaces), layout.sites.data(), layout.flux.data(),
                      static_cast<std::uint32_t>(layout.flux.size()), withVariance);
   }
-  Extremes extremes(const SurfaceSet& surfaces) const {
+  Extremes extremes(Quantity quantity, const SurfaceSet& surfaces) const {
     return extremesUnder(prepared.scene(), quantity, surfaces, layout);
   }
   /// Of one observer, or of whoever is worst off.
@@ -52,8 +52,8 @@ struct Read {
 struct LitEitherWay {
   Lit full, dimmed;
 
-  LitEitherWay(PreparedScene& prepared, Quantity quantity, const Layout& layout)
-      : full{prepared, quantity, {layout.sites, layout.flux, 1}}, dimmed(full) {
+  LitEitherWay(PreparedScene& prepared, const Layout& layout)
+      : full{prepared, {layout.sites, layout.flux, 1}}, dimmed(full) {
     for (double& flux : dimmed.layout.flux) flux *= layout.dimming;
     isDark = layout.dimming == 0;
   }
@@ -66,13 +66,15 @@ struct LitEitherWay {
   bool isDark = false;
 };
 
-Read readFor(const Lit& lit, const StatisticTraits& traits, const SurfaceSet& surfaces,
-             const SurfaceSet& over) {
+/// Of what a goal asks, or a constraint of surfaces.
+template <class Intention>
+Read readFor(const Lit& lit, Quantity quantity, const Intention& of) {
+  const StatisticTraits& traits = traitsOf(of.statistic);
   Read read;
   if (!traits.needsSurfaces) return read;
-  read.at = lit.moments(surfaces, traits.needsVariance);
-  if (traits.needsExtremes) read.extremes = lit.extremes(surfaces);
-  if (traits.needsOver) read.over = lit.moments(over, false);
+  read.at = lit.moments(quantity, of.surfaces, traits.needsVariance);
+  if (traits.needsExtremes) read.extremes = lit.extremes(quantity, of.surfaces);
+  if (traits.needsOver) read.over = lit.moments(quantity, of.over, false);
   return read;
 }
 
@@ -80,16 +82,22 @@ double valueOf(const Lit& lit, Statistic statistic, const Read& read, Side side,
   return valueOf(statistic, {&read.at, &read.over, &read.extremes, lit.power()}, side, alpha);
 }
 
-ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
+ConstraintReading readConstraint(const Lit& lit, const Constraint& c, Quantity quantity) {
   const StatisticTraits& traits = traitsOf(c.statistic);
   if (c.statistic == Statistic::kUgr) {  // held against its bound as the search does: by the ratio
     const double ratio = lit.glare(c.observer), margin = marginTo(ratioOf(c.upper), Side::kUpper, ratio);
     const double above = std::max(0.0, -margin);
     return {ugrOf(ratio), above, margin, 0, above};
   }
-  const Read read = readFor(lit, traits, c.surfaces, c.over);
-  const double below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha),
-               above = valueOf(lit, c.statistic, read, Side::kUpper, c.alpha);
+  double below = 0, above = 0;
+  if (traits.ofPlanes) {
+    const MeanAndLeast points = planeValueUnder(lit.prepared.scene(), c, lit.layout);
+    below = above = c.isLeast ? points.least : points.mean;
+  } else {
+    const Read read = readFor(lit, quantity, c);
+    below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha);
+    above = valueOf(lit, c.statistic, read, Side::kUpper, c.alpha);
+  }
   const double low = std::isfinite(c.lower) ? marginTo(c.lower, Side::kLower, below) : kUnbounded;
   const double high = std::isfinite(c.upper) ? marginTo(c.upper, Side::kUpper, above) : kUnbounded;
   ConstraintReading reading;
@@ -104,12 +112,13 @@ ConstraintReading readConstraint(const Lit& lit, const Constraint& c) {
 std::vector<ConstraintReading> readConstraints(const LitEitherWay& lit, const Intentions& intentions) {
   std::vector<ConstraintReading> readings;
   for (const Constraint& constraint : intentions.constraints)
-    readings.push_back(readConstraint(lit.forA(constraint.statistic), constraint));
+    readings.push_back(
+        readConstraint(lit.forA(constraint.statistic), constraint, quantityOf(intentions, constraint)));
   return readings;
 }
 
-double readGoal(const Lit& lit, const Goal& goal) {
-  const Read read = readFor(lit, traitsOf(goal.statistic), goal.surfaces, goal.over);
+double readGoal(const Lit& lit, const Goal& goal, Quantity quantity) {
+  const Read read = readFor(lit, quantity, goal);
   const double value = valueOf(lit, goal.statistic, read, Side::kLower, 0);
   return goal.sense == Sense::kNear ? distanceFrom(goal.target, value) : value;
 }
@@ -161,15 +170,15 @@ void readLight(const Scene& scene, Quantity quantity, Shown& shown) {
   read(shown.surfaces.back(), total, all, allSquares);
 }
 
-void readSurfaces(const Lit& lit, Shown& shown) {
+void readSurfaces(const Lit& lit, Quantity quantity, Shown& shown) {
   const Scene& scene = lit.prepared.scene();
-  const auto& leaves = lit.quantity == Quantity::kIlluminance ? scene.illuminance : scene.exitance;
+  const std::vector<SurfaceStatistics>& leaves = leafStatistics(scene, quantity);
   shown.surfaces.resize(scene.surfaces.size() + 1);
-  readExtremes(scene, lit.quantity, shown);
-  if (leaves[0].covariance.empty()) return readLight(scene, lit.quantity, shown);
+  readExtremes(scene, quantity, shown);
+  if (leaves[0].covariance.empty()) return readLight(scene, quantity, shown);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     SurfaceReading& reading = shown.surfaces[s];
-    if (lit.quantity == Quantity::kExitance && scene.surfaces[s].measuring) {
+    if (quantity == Quantity::kExitance && scene.surfaces[s].measuring) {
       reading = {};
       continue;
     }
@@ -177,7 +186,7 @@ void readSurfaces(const Lit& lit, Shown& shown) {
     reading.mean = light.mean;
     reading.sigma = light.sigma;
   }
-  const Moments all = lit.moments({});
+  const Moments all = lit.moments(quantity, {});
   shown.surfaces.back().mean = all.mean;
   shown.surfaces.back().sigma = all.sigma();
 }
@@ -186,20 +195,23 @@ void readSurfaces(const Lit& lit, Shown& shown) {
 
 Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layout& layout) {
   assert(checkLayout(prepared.scene(), layout) && checkIntentions(prepared.scene(), intentions));
-  const LitEitherWay lit(prepared, intentions.quantity, layout);
+  const LitEitherWay lit(prepared, layout);
   Shown shown;
   shown.layout = layout;
-  shown.illuminance = illuminanceOf(prepared.scene(), layout);
-  readSurfaces(lit.dimmed, shown);
-  for (const Goal& goal : intentions.goals) shown.goals.push_back(readGoal(lit.forA(goal.statistic), goal));
+  shown.illuminance = illuminanceOf(prepared.scene(), layout, intentions.quantity);
+  if (asksForDirect(intentions)) shown.direct = illuminanceOf(prepared.scene(), layout, Quantity::kDirect);
+  readSurfaces(lit.dimmed, intentions.quantity, shown);
+  for (const Goal& goal : intentions.goals)
+    shown.goals.push_back(readGoal(lit.forA(goal.statistic), goal, quantityOf(intentions, goal)));
   shown.constraints = readConstraints(lit, intentions);
   shown.observers = readObservers(prepared.scene().observers, layout);
+  shown.planes = readPlanes(prepared.scene().planes, layout);
   return shown;
 }
 
 std::vector<ConstraintReading> constraintReadings(PreparedScene& prepared, const Intentions& intentions,
                                                   const Layout& layout) {
-  return readConstraints(LitEitherWay(prepared, intentions.quantity, layout), intentions);
+  return readConstraints(LitEitherWay(prepared, layout), intentions);
 }
 
 Result<Done> checkLayout(const Scene& scene, const Layout& layout) {

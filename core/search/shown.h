@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scene/plane_points.h"
 #include "core/search/intentions.h"
 #include "core/search/prepared_scene.h"
 
@@ -30,11 +31,13 @@ struct ConstraintReading {
 
 struct Shown {
   Layout layout;
-  std::vector<float> illuminance;        // lx, rows() entries
+  std::vector<float> illuminance;        // lx, rows() entries; where direct light is asked for, of that alone
+  std::vector<float> direct;             // likewise, where some goal or constraint asks for direct light
   std::vector<SurfaceReading> surfaces;  // one a leaf, then "all"
   std::vector<double> goals;             // value of each, in its unit; of an aim the distance
   std::vector<ConstraintReading> constraints;
   std::vector<ObserverReading> observers;  // of the scene's
+  std::vector<PlaneReading> planes;        // of the scene's
 };
 
 /// Precondition: checkLayout and checkIntentions passed.

@@ -6,7 +6,9 @@ namespace fiatlux {
 const char* unitName(Statistic statistic, Quantity quantity) {
   switch (traitsOf(statistic).unit) {
     case Unit::kLight:
-      return quantity == Quantity::kIlluminance ? "lx" : "lm/m2";
+      return quantity == Quantity::kExitance ? "lm/m2" : "lx";
+    case Unit::kLux:
+      return "lx";
     case Unit::kFlux:
       return "lm";
     case Unit::kRatio:
@@ -52,7 +54,10 @@ std::optional<RelaxedForm> relaxedSide(Statistic statistic, Side side, double bo
       form.constant = 0;
       return form;
     case Statistic::kUgr:
-      return std::nullopt;
+    case Statistic::kCylindrical:
+    case Statistic::kModelling:
+    case Statistic::kVertical:
+      return std::nullopt;  // their rows are not those of surfaces
   }
   return std::nullopt;
 }

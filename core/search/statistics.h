@@ -28,10 +28,15 @@ enum class Statistic : std::uint8_t {
   kUniformity,  // U_o = minimum / mean
   kContrast,    // mean of `surfaces` / mean of `over`
   kUgr,         // unified glare rating of an observer, or of the worst (core/scene/observer.h)
+  // Of the grid's points of measuring planes (core/scene/plane_points.h), their mean or the least of them:
+  kCylindrical,  // E_z: the mean of the vertical planes of all directions
+  kModelling,    // E_z / E_h
+  kVertical,     // on a plane that faces a direction
 };
 
 enum class Unit : std::uint8_t {
   kLight,  // of the quantity asked for: lx, or lm/m2
+  kLux,    // lx, whatever the quantity
   kFlux,   // lm; W where luminaires are of types
   kRatio,  // none: the common dimming does not change it
   kGlare,  // none: the dimming changes its glareRatio as it does the light
@@ -47,6 +52,7 @@ struct StatisticTraits {
   bool needsOver;      // and to a second set that it is compared with
   bool needsAlpha;
   bool needsVariance, needsExtremes;  // what has to be known of its surfaces beside the mean
+  bool ofPlanes = false;              // its surfaces are measuring planes, and it may be of their least point
 
   constexpr bool scaleFree() const { return unit == Unit::kRatio; }
 };
@@ -63,6 +69,10 @@ inline constexpr StatisticTraits kStatistics[] = {
     {Statistic::kUniformity, "uniformity", Unit::kRatio, false, false, true, false, false, true, true},
     {Statistic::kContrast, "contrast", Unit::kRatio, true, false, true, true, false, false, false},
     {Statistic::kUgr, "ugr", Unit::kGlare, false, false, false, false, false, false, false},
+    {Statistic::kCylindrical, "cylindrical", Unit::kLux, false, false, true, false, false, false, false,
+     true},
+    {Statistic::kModelling, "modelling", Unit::kRatio, false, false, true, false, false, false, false, true},
+    {Statistic::kVertical, "vertical", Unit::kLux, false, false, true, false, false, false, false, true},
 };
 
 constexpr const StatisticTraits& traitsOf(Statistic statistic) {
@@ -105,6 +115,7 @@ struct LightReading {
   const Extremes* extremes = nullptr;  // of its surfaces
   double power = 0;                    // lm, or W of types
   double glareRatio = 0;               // of its observer, or the largest of all
+  bool isLeast = false;                // of points: the least of them is asked for, `extremes` has it
 };
 
 /// Which bound a value is held against: what is not known exactly counts at its less favourable end.
@@ -140,6 +151,10 @@ inline double valueOf(Statistic statistic, const LightReading& light, Side side,
       return contrastOf(light.at->mean, light.over->mean);
     case Statistic::kUgr:
       return ugrOf(light.glareRatio);
+    case Statistic::kCylindrical:
+    case Statistic::kModelling:
+    case Statistic::kVertical:
+      return light.isLeast ? light.extremes->minimumLow : light.at->mean;
   }
   return 0;
 }

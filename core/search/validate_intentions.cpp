@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/short_number.h"
+#include "core/scene/plane_points.h"
 #include "core/search/arrangements.h"
 #include "core/search/prepared_scene.h"
 #include "core/search/start_layout.h"
@@ -215,12 +216,21 @@ Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quant
   return Done{};
 }
 
-Result<Done> checkSets(const Scene& scene, Statistic statistic, const SurfaceSet& surfaces,
-                       const SurfaceSet& over, Quantity quantity, const std::string& where) {
-  const StatisticTraits& traits = traitsOf(statistic);
+/// Of a goal or a constraint.
+template <class Intention>
+Result<Done> checkSets(const Scene& scene, const Intention& of, Quantity quantity, const std::string& where) {
+  const StatisticTraits& traits = traitsOf(of.statistic);
+  if ((!traits.needsSurfaces || traits.ofPlanes) && of.quantity)
+    return Error{where + ": " + traits.name + " is of no quantity; leave it out"};
   if (!traits.needsSurfaces) return Done{};
-  if (auto ok = checkSurfaces(scene, surfaces, quantity, where); !ok) return ok;
-  if (traits.needsOver) return checkSurfaces(scene, over, quantity, where);
+  if (traits.ofPlanes) return checkSurfaces(scene, of.surfaces, Quantity::kIlluminance, where);
+  if (quantity == Quantity::kDirect && !scene.direct && !scene.lightOperator)
+    return Error{
+        where +
+        ": this room's file does not tell direct light apart; make it again with fiatlux precompute, "
+        "without --no-exchange"};
+  if (auto ok = checkSurfaces(scene, of.surfaces, quantity, where); !ok) return ok;
+  if (traits.needsOver) return checkSurfaces(scene, of.over, quantity, where);
   return Done{};
 }
 
@@ -247,7 +257,7 @@ Result<Done> checkGoal(const Scene& scene, const Goal& goal, Quantity quantity, 
     return Error{where + ": a target of " + text(goal.target) + "; it must be above 0"};
   if (!(goal.weight > 0) || !std::isfinite(goal.weight))
     return Error{where + ": a weight of " + text(goal.weight) + "; it must be above 0"};
-  return checkSets(scene, goal.statistic, goal.surfaces, goal.over, quantity, where);
+  return checkSets(scene, goal, quantity, where);
 }
 
 Result<Done> checkGlare(const Constraint& c, std::size_t observers, const std::string& where) {
@@ -255,6 +265,26 @@ Result<Done> checkGlare(const Constraint& c, std::size_t observers, const std::s
   if (observers == 0) return Error{where + ": nobody looks; give \"observers\""};
   if (c.observer != kNone && c.observer >= observers)
     return Error{where + ": observer number " + text(std::size_t{c.observer}) + " does not exist"};
+  return Done{};
+}
+
+Result<Done> checkPlanes(const Scene& scene, const Constraint& c, const std::string& where) {
+  if (c.surfaces.empty()) return Error{where + ": it is told of measuring planes only; name one"};
+  constexpr double kLevel = 1e-6;
+  const bool isVertical = c.statistic == Statistic::kVertical;
+  if (isVertical && !(std::fabs(length(c.direction) - 1) < kLevel))
+    return Error{where + ": which way does the vertical plane face? Give \"direction\""};
+  if (isVertical && !(std::fabs(c.direction.y) < kLevel))
+    return Error{where + ": a vertical plane faces sideways; give a level \"direction\""};
+  for (const std::uint32_t surface : c.surfaces) {
+    const PlaneWish wish{surface, isVertical ? std::vector<Vec3>{c.direction} : std::vector<Vec3>{}};
+    if (isToldBy(scene.planes, wish)) continue;
+    if (auto ok = checkPlane(scene, surface); !ok) return Error{where + ": " + ok.error().message};
+    if (!scene.lightOperator)
+      return Error{where +
+                   ": this room's file does not tell what light comes from where; make it again with fiatlux "
+                   "precompute, without --no-exchange"};
+  }
   return Done{};
 }
 
@@ -267,7 +297,9 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
     return Error{where + ": the minimum " + text(c.lower) + " is above the maximum " + text(c.upper)};
   if (traitsOf(c.statistic).needsAlpha && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
     return Error{where + ": alpha is " + text(c.alpha) + "; it must be 0 or more"};
-  return checkSets(scene, c.statistic, c.surfaces, c.over, quantity, where);
+  if (auto ok = checkSets(scene, c, quantity, where); !ok) return ok;
+  if (!traitsOf(c.statistic).ofPlanes) return Done{};
+  return checkPlanes(scene, c, where);
 }
 
 }  // namespace
@@ -283,12 +315,14 @@ Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, A
   if (auto ok = checkArrangement(scene, rules); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
     const Goal& goal = intentions.goals[g];
-    if (auto ok = checkGoal(scene, goal, intentions.quantity, asking, "goal " + text(g + 1)); !ok) return ok;
+    if (auto ok = checkGoal(scene, goal, quantityOf(intentions, goal), asking, "goal " + text(g + 1)); !ok)
+      return ok;
   }
   for (std::size_t c = 0; c < intentions.constraints.size(); ++c) {
     const Constraint& constraint = intentions.constraints[c];
     const std::string where = "constraint " + text(c + 1) + " (" + statisticName(constraint.statistic) + ")";
-    if (auto ok = checkConstraint(scene, constraint, intentions.quantity, where); !ok) return ok;
+    if (auto ok = checkConstraint(scene, constraint, quantityOf(intentions, constraint), where); !ok)
+      return ok;
     if (constraint.statistic != Statistic::kUgr) continue;
     if (auto ok = checkGlare(constraint, intentions.observers.size(), where); !ok) return ok;
   }

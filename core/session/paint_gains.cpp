@@ -38,17 +38,23 @@ Scene litScene(const Scene& room, const Repaint& paint, const std::vector<float>
   return scene;
 }
 
-/// What is asked of its light alone; glare and power, which its one luminaire knows nothing of, are asked of
-/// nobody.
+/// What is asked of its light alone; glare and power, which its one luminaire knows nothing of, direct light,
+/// which no paint changes, and the points of planes are asked of nobody.
 Intentions ofLightAlone(const Intentions& asked) {
+  const auto isOfLight = [&](const auto& each) {
+    return each.statistic != Statistic::kUgr && !traitsOf(each.statistic).ofPlanes &&
+           quantityOf(asked, each) != Quantity::kDirect;
+  };
   Intentions intentions;
-  intentions.quantity = asked.quantity;
+  if (asked.quantity != Quantity::kDirect) intentions.quantity = asked.quantity;
   intentions.luminaires.count = 1;
   intentions.luminaires.flux = {1};
   intentions.goals = asked.goals;
   intentions.constraints = asked.constraints;
   for (Constraint& constraint : intentions.constraints)
-    if (constraint.statistic == Statistic::kUgr) constraint = {Statistic::kPower, 0, kUnbounded};
+    if (!isOfLight(constraint)) constraint = {Statistic::kPower, 0, kUnbounded};
+  for (Goal& goal : intentions.goals)
+    if (!isOfLight(goal)) goal = {Statistic::kPower, Sense::kMinimize, 1, {}, {}};
   return intentions;
 }
 

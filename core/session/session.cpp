@@ -8,9 +8,12 @@
 #include "core/search/eased.h"
 #include "core/search/identity.h"
 #include "core/search/near_search.h"
+#include "core/search/plane_values.h"
 #include "core/search/start_layout.h"
 #include "core/search/steady.h"
 #include "core/search/validate_intentions.h"
+#include "core/transport/direct_part.h"
+#include "core/transport/plane_light.h"
 #include "core/transport/room_view.h"
 
 namespace fiatlux {
@@ -107,6 +110,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked;
   if (Result<Done> seen = observe(*scene_, intentions.observers); !seen) return seen;
+  if (Result<Done> lit = lightFor(intentions); !lit) return lit;
   search_.reset();
   eased_.reset();
   alpha_.reset();
@@ -114,6 +118,13 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   intentions_ = intentions;
   asked_ = true;
   return Done{};
+}
+
+/// What they ask for beside all light on surfaces is made when it is asked for first.
+Result<Done> Session::lightFor(const Intentions& intentions) {
+  if (asksForDirect(intentions))
+    if (Result<Done> lit = addDirect(*scene_); !lit) return lit;
+  return addPlanes(*scene_, planesAskedOf(intentions));
 }
 
 Result<Done> Session::ready() const {
@@ -179,6 +190,11 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
   if (!checked) return checked.error();
   if (!(intentions.observers == intentions_.observers))
     return Error{"a trial has the observers of what is asked, and no others"};
+  for (const PlaneWish& wish : planesAskedOf(intentions))
+    if (!isToldBy(scene_->planes, wish))
+      return Error{"a trial has the measuring planes of what is asked, and no others"};
+  if (asksForDirect(intentions))
+    if (Result<Done> lit = addDirect(*scene_); !lit) return lit.error();
   Intentions asked = intentions;
   if (start) asked.luminaires.pinned = pinsAsIn(asked.luminaires, start->sites);
   LayoutSearch search(*prepared_, asked, seed, start);

@@ -122,6 +122,7 @@ class Session {
 
  private:
   Result<Done> ready() const;
+  Result<Done> lightFor(const Intentions& intentions);
   void pinAsIn(const Layout& layout);
 
   std::optional<SceneReader> reader_;

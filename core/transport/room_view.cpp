@@ -74,16 +74,65 @@ double glareOf(const Luminaire& luminaire, const Observer& observer) {
   return 0.25 * candela * candela / (area * squared) * weight;
 }
 
-double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
+/// Calls `add` with the way from an eye to the middle of each part of a luminaire that it sees.
+template <class Add>
+void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, const Add& add) const {
   const Vec3 across = cross(luminaire.normal, luminaire.axis);
-  std::uint32_t seen = 0;
   for (std::uint32_t i = 0; i < kSeenParts * kSeenParts; ++i) {
     const double u = (i % kSeenParts + 0.5) / kSeenParts - 0.5, v = (i / kSeenParts + 0.5) / kSeenParts - 0.5;
     const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
                       (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
-    if (!tree_.isBlocked(eye, part)) ++seen;
+    if (!tree_.isBlocked(eye, part)) add(part - eye);
   }
+}
+
+double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
+  std::uint32_t seen = 0;
+  visitParts(eye, luminaire, [&](const Vec3&) { ++seen; });
   return static_cast<double>(seen) / (kSeenParts * kSeenParts);
+}
+
+UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& directions,
+                              const std::vector<Luminaire>& luminaires, const Responses& responses) const {
+  const std::size_t sites = luminaires.size(), count = directions.size();
+  UprightRows rows;
+  rows.cylindrical.resize(sites);
+  rows.vertical.assign(count, std::vector<float>(sites));
+  const Place place = placeOf(point, 0);
+  // What each patch adds per lx on it: E = integral of L cos, L = rho E_patch / pi, one sight after the
+  // other.
+  std::vector<std::uint32_t> patches;
+  std::vector<double> weights;  // of the cylinder and the vertical planes, patch by patch
+  for (const Sight& sight : place.sights) {
+    if (patches.empty() || patches.back() != sight.patch) {
+      patches.push_back(sight.patch);
+      weights.resize(patches.size() * (1 + count));
+    }
+    double* of = &weights[(patches.size() - 1) * (1 + count)];
+    const double share = 4.0 / kSights * reflectance_[sight.patch];
+    of[0] += share / std::numbers::pi * std::hypot(sight.direction.x, sight.direction.z);
+    for (std::size_t d = 0; d < count; ++d)
+      of[1 + d] += share * std::max(0.0, dot(sight.direction, directions[d]));
+  }
+  std::vector<double> sums(1 + count);
+  for (std::uint32_t j = 0; j < sites; ++j) {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    const float* light = responses.column(j);
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      for (std::size_t d = 0; d <= count; ++d) sums[d] += weights[k * (1 + count) + d] * light[patches[k]];
+    visitParts(point, luminaires[j], [&](const Vec3& way) {
+      const double squared = dot(way, way), distance = std::sqrt(squared);
+      if (!(distance > 0)) return;
+      const double candela = candelaOf(luminaires[j], seenFrom(luminaires[j], (-1 / distance) * way));
+      const double strength = candela / (kSeenParts * kSeenParts) / (squared * distance);
+      sums[0] += strength * std::hypot(way.x, way.z) / std::numbers::pi;
+      for (std::size_t d = 0; d < count; ++d)
+        sums[1 + d] += strength * std::max(0.0, dot(way, directions[d]));
+    });
+    rows.cylindrical[j] = static_cast<float>(sums[0]);
+    for (std::size_t d = 0; d < count; ++d) rows.vertical[d][j] = static_cast<float>(sums[1 + d]);
+  }
+  return rows;
 }
 
 RoomView::Place RoomView::placeOf(const Vec3& position, std::size_t luminaires) const {

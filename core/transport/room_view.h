@@ -22,6 +22,12 @@ Result<Done> checkLuminousAreas(const std::vector<Luminaire>& luminaires);
 /// of the position index, and of one without luminous area. As seen from its centre.
 double glareOf(const Luminaire& luminaire, const Observer& observer);
 
+/// lx at a point on what stands upright there, of each luminaire.
+struct UprightRows {
+  std::vector<float> cylindrical;            // on a small cylinder: the mean of all vertical planes
+  std::vector<std::vector<float>> vertical;  // on planes that face each of the directions asked for
+};
+
 /// Refers to the scene, which must have a light operator and outlive it.
 class RoomView {
  public:
@@ -37,6 +43,10 @@ class RoomView {
   /// Of each luminaire; column j of the responses is its light.
   std::vector<ObserverRows> rows(const std::vector<Observer>& observers,
                                  const std::vector<Luminaire>& luminaires, const Responses& responses) const;
+
+  /// Of each luminaire at its flux, which is lit by parts; column j of the responses is its light.
+  UprightRows upright(const Vec3& point, const std::vector<Vec3>& directions,
+                      const std::vector<Luminaire>& luminaires, const Responses& responses) const;
 
  private:
   struct Sight {
@@ -59,6 +69,8 @@ class RoomView {
   std::vector<Part> reflectedOf(const Place& place, const Vec3& direction) const;
   ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
                            std::size_t j) const;
+  template <class Add>
+  void visitParts(const Vec3& point, const Luminaire& luminaire, const Add& add) const;
   static void reflect(const std::vector<Part>& parts, const float* illuminance, ObserverReading& reading);
   double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
   template <class Visit>

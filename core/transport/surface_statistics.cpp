@@ -6,29 +6,6 @@
 #include <cmath>
 
 namespace fiatlux {
-namespace {
-
-/// Over the patches that count, without covariances.
-std::vector<SurfaceStatistics> meanRows(const Scene& scene, bool exitance) {
-  const Patches& patches = scene.patches;
-  const std::size_t m = scene.responses.sites, surfaces = scene.surfaces.size();
-  std::vector<SurfaceStatistics> leaves(surfaces, {std::vector<double>(m), {}});
-  std::vector<double> area(surfaces);
-  for (std::uint32_t p = 0; p < patches.rows(); ++p)
-    if (patches.counts(p)) area[patches.surface[p]] += patches.area[p];
-  for (std::uint32_t j = 0; j < m; ++j) {
-    const float* column = scene.responses.column(j);
-    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-      if (!patches.counts(p)) continue;
-      const double factor = exitance ? patches.reflectance[p] : 1.0;
-      leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
-    }
-  }
-  return leaves;
-}
-
-}  // namespace
-
 SurfaceStatistics surfaceStatistics(const float* values, const double* weights, std::uint32_t members,
                                     std::uint32_t columns) {
   using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -81,8 +58,11 @@ SurfaceStatistics responseStatistics(const Patches& patches, const Responses& re
 }
 
 void setMeanRows(Quantity quantity, Scene& scene) {
-  scene.illuminance = meanRows(scene, false);
-  if (quantity == Quantity::kExitance) scene.exitance = meanRows(scene, true);
+  const auto rowsOf = [&](Quantity each) {
+    return meanRows(scene.patches, scene.surfaces.size(), scene.responses, each);
+  };
+  scene.illuminance = rowsOf(Quantity::kIlluminance);
+  if (quantity == Quantity::kExitance) scene.exitance = rowsOf(quantity);
 }
 
 }  // namespace fiatlux

@@ -20,7 +20,7 @@ namespace {
 
 struct EvaluateOptions {
   std::string scene, layout, patches;
-  bool json = false;
+  bool json = false, directOnly = false;
 };
 
 /// The first few, and how many there are beyond them.
@@ -31,21 +31,29 @@ void printNotes(const std::string& path, const std::vector<std::string>& notes) 
 }
 
 void evaluate(const EvaluateOptions& options) {
-  const LayoutFile file = orThrow(readLayoutFile(options.layout));
+  LayoutFile file = orThrow(readLayoutFile(options.layout));
+  file.directOnly |= options.directOnly;
+  if (!file.planes.empty() && file.directOnly)
+    throw CommandError(options.layout + ": \"planes\" are told of all light; drop them or \"quantity\"");
   Scene scene = orThrow(readSceneFile(options.scene));
   std::vector<std::string> notes;
   const Layout layout = orThrow(options.layout, layoutOnSites(file, scene, notes));
 
-  const bool photometric = hasPhotometry(file);
+  const bool photometric = hasPhotometry(file) || file.directOnly;
   std::vector<float> light = photometric
                                  ? orThrow(options.scene, photometricIlluminance(file, layout, scene, notes))
                                  : illuminanceOf(scene, layout);
   printNotes(options.layout, notes);
-  orThrow(options.layout, paintScene(file.paint, scene, light));
+  std::vector<float> asItWas = light;  // note: paint changes nothing of direct light
+  orThrow(options.layout, paintScene(file.paint, scene, file.directOnly ? asItWas : light));
   const std::vector<Observer> observers = observersFor(file.observers, scene.patches);
   std::vector<ObserverReading> seen;
   if (!observers.empty())
-    seen = orThrow(options.layout, observerReadings(file, layout, scene, observers, light));
+    seen =
+        orThrow(options.layout, observerReadings(file, layout, scene, observers,
+                                                 file.directOnly ? std::vector<float>(light.size()) : light));
+  std::vector<PlaneReading> planes;
+  if (!file.planes.empty()) planes = orThrow(options.layout, planeReadings(file, layout, scene, light));
   const LightResults results = photometric || !file.paint.empty()
                                    ? lightResults(scene.patches, scene.surfaces, light)
                                    : lightResults(scene, layout);
@@ -53,20 +61,22 @@ void evaluate(const EvaluateOptions& options) {
     orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
   const std::vector<GridReading> grids = readGrids(scene, light);
   if (!options.json) {
-    std::fputs(
-        (surfacesTable(results) + "\n" + gridLines(scene.surfaces, grids) + observersText(observers, seen))
-            .c_str(),
-        stdout);
+    std::fputs((surfacesTable(results) + "\n" + gridLines(scene.surfaces, grids) +
+                observersText(observers, seen) + planesText(scene.surfaces, planes))
+                   .c_str(),
+               stdout);
     return;
   }
   nlohmann::ordered_json json = {{"identity", scene.identity}, {"surfaces", surfacesJson(results)}};
   json["all"] = surfaceJson(results.all);
   json["grids"] = gridsJson(scene.surfaces, grids);
   json["layout"] = layoutJson(layout, scene);
+  json["directOnly"] = file.directOnly;
   double power = 0;
   for (double flux : layout.flux) power += layout.dimming * flux;
   json["power"] = power;
   if (!observers.empty()) json["observers"] = observersJson(observers, seen);
+  if (!planes.empty()) json["planes"] = planesJson(scene.surfaces, planes);
   std::fputs(jsonDocument(json).c_str(), stdout);
 }
 
@@ -80,6 +90,7 @@ void addEvaluateCommand(CLI::App& app) {
       ->add_option("--layout", options->layout, "Luminaires (layout.json); positions take the nearest site")
       ->required();
   command->add_option("--patches", options->patches, "Write the light of every patch to this .csv");
+  command->add_flag("--direct-only", options->directOnly, "No reflections (emergency lighting)");
   command->add_flag("--json", options->json, "One JSON document on standard output");
   command->callback([options] { evaluate(*options); });
 }

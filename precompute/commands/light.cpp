@@ -61,6 +61,9 @@ void warnOf(const LightOptions& options, const ForwardLight& light) {
 void light(LightOptions options) {
   // Everything that may be refused at once, before an hour of work.
   const LayoutFile file = orThrow(readLayoutFile(options.layout));
+  options.forward.directOnly |= file.directOnly;
+  if (!file.planes.empty() && options.forward.directOnly)
+    throw CommandError(options.layout + ": \"planes\" are told of all light; drop them or \"quantity\"");
   std::vector<MeasuringPoint> points = pointsOf(options);
   if (!options.patches.empty()) orThrow(checkReplaceable(options.patches));
 
@@ -76,9 +79,10 @@ void light(LightOptions options) {
   const double before = progress.total();
   const std::vector<Observer> observers = observersFor(file.observers, room.patches);
   if (!observers.empty()) orThrow(options.layout, checkLuminousAreas(luminaires));
+  const std::vector<PlaneWish> wishes = orThrow(options.layout, planeWishes(file.planes, room.surfaces));
   const ForwardLight light =
       orThrow(options.source, computeForwardLight(room, tracer, luminaires, options.forward));
-  LightReport report{room, light, options.forward.directOnly, std::move(points), {}, {}, {}, {}, 0};
+  LightReport report{room, light, options.forward.directOnly, std::move(points), {}, {}, {}, {}, {}, 0};
   report.seconds = progress.total() - before;
 
   // Read what was asked for off the light.
@@ -89,6 +93,8 @@ void light(LightOptions options) {
   report.readings = readPoints(room, tracer, report.points, luminaires, radiosity, reading);
   report.observers = observers;
   report.seen = observerReadings(room, tracer, report.observers, luminaires, radiosity, reading);
+  report.planes =
+      orThrow(options.layout, planeReadings(room, tracer, wishes, luminaires, radiosity, reading));
   if (options.grid) report.grids = readGrids(room, tracer, luminaires, radiosity, reading);
   progress.clear();
   warnOf(options, light);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "precompute/files/observers_json.h"
+#include "precompute/files/planes_json.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -81,6 +82,7 @@ Json lightReportJson(const LightReport& report) {
   if (!report.points.empty()) json["points"] = pointsJson(report);
   if (report.grids) json["grids"] = gridsJson(report.room.surfaces, *report.grids);
   if (!report.observers.empty()) json["observers"] = observersJson(report.observers, report.seen);
+  if (!report.planes.empty()) json["planes"] = planesJson(report.room.surfaces, report.planes);
   return json;
 }
 
@@ -93,6 +95,7 @@ void printLightReport(const LightReport& report) {
   printEnergy(report);
   if (report.grids) std::fputs(gridLines(report.room.surfaces, *report.grids).c_str(), stdout);
   std::fputs(observersText(report.observers, report.seen).c_str(), stdout);
+  std::fputs(planesText(report.room.surfaces, report.planes).c_str(), stdout);
   if (!report.points.empty()) std::printf("\n%s", pointsCsv(report.points, report.readings).c_str());
 }
 

@@ -9,6 +9,7 @@
 #include "precompute/files/light_results.h"
 #include "precompute/light/forward_light.h"
 #include "precompute/light/observer_light.h"
+#include "precompute/light/plane_points_light.h"
 #include "precompute/light/point_light.h"
 #include "precompute/room/room.h"
 
@@ -24,6 +25,7 @@ struct LightReport {
   std::optional<std::vector<GridReading>> grids;  // where asked for
   std::vector<Observer> observers;                // none: not asked for
   std::vector<ObserverReading> seen;              // by the observers
+  std::vector<PlaneReading> planes;               // none: not asked for
   double seconds = 0;                             // that the light took
 };
 

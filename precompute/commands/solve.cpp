@@ -18,6 +18,7 @@
 #include "precompute/files/asked_search.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/observers_json.h"
+#include "precompute/files/planes_json.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
 
@@ -95,6 +96,7 @@ Json runJson(PreparedScene& prepared, const AskedSearch& asked, const Run& run) 
   json["goal"] = goalJson(shown);
   json["violations"] = violationsJson(prepared.scene(), intentions, shown);
   if (!intentions.observers.empty()) json["observers"] = observersJson(intentions.observers, shown.observers);
+  if (!shown.planes.empty()) json["planes"] = planesJson(asked.room().surfaces, shown.planes);
   json["evaluations"] = run.evaluations;
   json["seconds"] = run.seconds;
   return json;
@@ -104,14 +106,16 @@ std::string goalLine(const Scene& scene, const Intentions& intentions, const Sho
   const Goal& goal = intentions.goals[g];
   const StatisticTraits& traits = traitsOf(goal.statistic);
   const bool near = goal.sense == Sense::kNear;
+  const Quantity quantity = quantityOf(intentions, goal);
   std::string line = near ? "" : goal.sense == Sense::kMinimize ? "least " : "most ";
+  if (quantity == Quantity::kDirect && traits.needsSurfaces) line += "direct ";
   line += traits.name;
   if (traits.needsSurfaces) line += " of " + surfaceSetName(scene, goal.surfaces);
   if (traits.needsOver) line += " over " + surfaceSetName(scene, goal.over);
   if (near)
-    return line + " near " + valueText(scene, goal.target, goal.statistic, intentions.quantity) + ": " +
+    return line + " near " + valueText(scene, goal.target, goal.statistic, quantity) + ": " +
            shortNumber(100 * shown.goals[g], kReportDigits) + " % off";
-  return line + ": " + valueText(scene, shown.goals[g], goal.statistic, intentions.quantity);
+  return line + ": " + valueText(scene, shown.goals[g], goal.statistic, quantity);
 }
 
 void printRun(PreparedScene& prepared, const AskedSearch& asked, const Run& run) {
@@ -127,7 +131,10 @@ void printRun(PreparedScene& prepared, const AskedSearch& asked, const Run& run)
     std::printf("  %s\n", constraintLine(scene, intentions, shown, c).c_str());
   if (!layout.ties.empty())
     std::printf("  %s\n", arrangementLine(intentions.luminaires.arrangement, layout).c_str());
-  std::fputs(observersText(intentions.observers, shown.observers).c_str(), stdout);
+  std::fputs(
+      (observersText(intentions.observers, shown.observers) + planesText(asked.room().surfaces, shown.planes))
+          .c_str(),
+      stdout);
   if (layout.dimming != 1)
     std::printf("  dimmed to %s\n", shortNumber(layout.dimming, kReportDigits).c_str());
   for (std::size_t i = 0; i < layout.sites.size(); ++i)

@@ -8,7 +8,10 @@
 
 #include "core/base/short_number.h"
 #include "core/photometry/photometric_values.h"
+#include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
+#include "core/transport/direct_part.h"
+#include "core/transport/plane_light.h"
 #include "core/transport/room_view.h"
 #include "precompute/files/layout_json.h"
 #include "precompute/files/solve_report.h"
@@ -34,6 +37,9 @@ Result<AskedSearch> AskedSearch::make(Scene& room, IntentionsFile asked) {
   AskedSearch search(room, std::move(asked));
   if (!search.isOfTypes()) {
     if (auto ok = observe(room, search.intentions_.observers); !ok) return ok.error();
+    if (asksForDirect(search.intentions_))
+      if (auto ok = addDirect(room); !ok) return ok.error();
+    if (auto ok = addPlanes(room, planesAskedOf(search.intentions_)); !ok) return ok.error();
     return search;
   }
   if (auto ok = search.checkPower(); !ok) return ok.error();
@@ -70,8 +76,14 @@ Result<Done> AskedSearch::makeCandidates() {
   if (!making) return making.error();
   while (!making->advance(kTogether)) continue;
   std::vector<ObserverRows> observers = making->seenBy(intentions_.observers);
+  Result<std::vector<PlaneLight>> planes = making->planesOf(planesAskedOf(intentions_));
+  if (!planes) return planes.error();
+  std::optional<DirectLight> direct;
+  if (asksForDirect(intentions_)) direct = making->directLight();
   candidateScene_ = making->finish(intentions_.quantity);
   candidateScene_.observers = std::move(observers);
+  candidateScene_.planes = std::move(*planes);
+  candidateScene_.direct = std::move(direct);
   return Done{};
 }
 
@@ -103,8 +115,10 @@ Result<Done> AskedSearch::takeSites(const LuminaireRules& asked) {
 }
 
 LightResults AskedSearch::lightResults(const Layout& layout) const {
-  if (!isOfTypes()) return fiatlux::lightResults(*room_, layout);
-  return fiatlux::lightResults(room_->patches, room_->surfaces, illuminanceOf(candidateScene_, layout));
+  const Quantity light =
+      intentions_.quantity == Quantity::kDirect ? Quantity::kDirect : Quantity::kIlluminance;
+  if (!isOfTypes() && light != Quantity::kDirect) return fiatlux::lightResults(*room_, layout);
+  return fiatlux::lightResults(room_->patches, room_->surfaces, illuminanceOf(scene(), layout, light));
 }
 
 nlohmann::ordered_json AskedSearch::layoutJson(const Layout& layout) const {

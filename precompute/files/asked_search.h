@@ -26,7 +26,8 @@ class AskedSearch {
   const Intentions& intentions() const { return intentions_; }
   const Scene& room() const { return *room_; }
 
-  /// Surfaces under a layout of that scene.
+  /// Surfaces under a layout of that scene; under its direct light alone where that is the quantity asked
+  /// for.
   LightResults lightResults(const Layout& layout) const;
   /// A layout of that scene as readLayoutFile reads it, on sites of the room; photometric files are named as
   /// in the intentions.

@@ -8,6 +8,7 @@
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/json_fields.h"
 #include "precompute/files/observers_json.h"
+#include "precompute/files/planes_json.h"
 #include "precompute/files/surface_names.h"
 
 namespace fiatlux {
@@ -199,8 +200,14 @@ void readSurfaces(const Scene& scene, const JsonField& json, Intention& intentio
     intention.over = surfacesOf(scene, json.at("over", "name the surface to compare with"));
 }
 
+std::optional<Quantity> quantityOf(const JsonField& json) {
+  const auto quantity = json.find("quantity");
+  if (!quantity) return std::nullopt;
+  return quantity->oneOf(namedBy<Quantity>(kQuantityNames));
+}
+
 Goal goalOf(const Scene& scene, const JsonField& json) {
-  json.requireKeys({"surface", "statistic", "sense", "weight", "over", "target"});
+  json.requireKeys({"surface", "statistic", "sense", "weight", "over", "target", "quantity"});
   Goal goal;
   goal.statistic = statisticOf(json, true);
   goal.sense = json.at("sense", "say \"min\", \"max\" or \"near\"").oneOf(namedBy<Sense>(kSenseNames));
@@ -209,6 +216,7 @@ Goal goalOf(const Scene& scene, const JsonField& json) {
   if (near) goal.target = json.at("target", "say near what").number();
   if (const auto weight = json.find("weight")) goal.weight = weight->number();
   readSurfaces(scene, json, goal);
+  goal.quantity = quantityOf(json);
   return goal;
 }
 
@@ -222,8 +230,23 @@ std::uint32_t observerNamed(const JsonField& json, const std::vector<Observer>& 
   return name->oneOf(choices);
 }
 
+/// What a statistic of a measuring plane's points has beside its surface.
+void readPlanePart(const JsonField& json, Constraint& constraint) {
+  const StatisticTraits& traits = traitsOf(constraint.statistic);
+  if (const auto of = json.find("of")) {
+    if (!traits.ofPlanes) of->fail("it belongs to cylindrical, modelling and vertical only");
+    constraint.isLeast = of->oneOf<bool>({{"mean", false}, {"minimum", true}});
+  }
+  const bool isVertical = constraint.statistic == Statistic::kVertical;
+  if (!isVertical && json.has("direction")) json.fail("\"direction\" belongs to vertical only");
+  if (!isVertical) return;
+  const JsonField direction = json.at("direction", "say which way the vertical plane faces: [x, 0, z]");
+  constraint.direction = levelDirectionOf(direction);
+}
+
 Constraint constraintOf(const Scene& scene, const std::vector<Observer>& observers, const JsonField& json) {
-  json.requireKeys({"surface", "statistic", "min", "max", "alpha", "over", "observer"});
+  json.requireKeys(
+      {"surface", "statistic", "min", "max", "alpha", "over", "observer", "quantity", "of", "direction"});
   Constraint constraint;
   constraint.statistic = statisticOf(json, false);
   if (const auto least = json.find("min")) constraint.lower = least->number();
@@ -233,9 +256,11 @@ Constraint constraintOf(const Scene& scene, const std::vector<Observer>& observe
     constraint.alpha = alpha->number();
   }
   readSurfaces(scene, json, constraint);
+  constraint.quantity = quantityOf(json);
   constraint.observer = observerNamed(json, observers);
   if (constraint.observer != kNone && constraint.statistic != Statistic::kUgr)
     json.fail("\"observer\" belongs to ugr only");
+  readPlanePart(json, constraint);
   return constraint;
 }
 
@@ -255,8 +280,7 @@ IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const Rea
   IntentionsFile asked;
   Intentions& intentions = asked.intentions;
   intentions.observers = askedObservers(scene, json);
-  if (const auto quantity = json.find("quantity"))
-    intentions.quantity = quantity->oneOf(namedBy<Quantity>(kQuantityNames));
+  if (const auto quantity = quantityOf(json)) intentions.quantity = *quantity;
   if (const auto luminaires = json.find("luminaires")) {
     intentions.luminaires = rulesOf(*luminaires);
     if (const auto types = luminaires->find("types")) readTypes(scene, *luminaires, *types, read, asked);

@@ -15,6 +15,7 @@
 #include "precompute/files/named_files.h"
 #include "precompute/files/observers_json.h"
 #include "precompute/files/paint_json.h"
+#include "precompute/files/planes_json.h"
 
 namespace fiatlux {
 
@@ -39,6 +40,8 @@ struct LayoutFile {
   std::vector<LayoutEntry> luminaires;
   AskedObservers observers;
   std::vector<NamedPaint> paint;
+  std::vector<AskedPlane> planes;
+  bool directOnly = false;  // "quantity": "direct", of what nothing has reflected; else all light is read
 };
 
 /// Without `read`, luminaires of photometric files are refused.

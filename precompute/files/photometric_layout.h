@@ -16,7 +16,8 @@ bool hasPhotometry(const LayoutFile& file);
 
 /// Illuminance (lx) of every row: luminaires of photometric files by the scene's light operator, the others
 /// by its responses. `layout` is that of the same file (layoutOnSites). Notes say which luminaire does not
-/// fit where it hangs. An error where the scene has no operator.
+/// fit where it hangs. Where the file asks for direct light, that alone. An error where the scene has no
+/// operator.
 Result<std::vector<float>> photometricIlluminance(const LayoutFile& file, const Layout& layout,
                                                   const Scene& scene, std::vector<std::string>& notes);
 
@@ -26,5 +27,9 @@ Result<std::vector<ObserverReading>> observerReadings(const LayoutFile& file, co
                                                       const Scene& scene,
                                                       const std::vector<Observer>& observers,
                                                       const std::vector<float>& light);
+
+/// Likewise what is told of the measuring planes that the file asks for; an error also where one is none.
+Result<std::vector<PlaneReading>> planeReadings(const LayoutFile& file, const Layout& layout,
+                                                const Scene& scene, const std::vector<float>& light);
 
 }  // namespace fiatlux

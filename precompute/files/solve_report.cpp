@@ -6,6 +6,7 @@
 
 #include "core/base/short_number.h"
 #include "core/scene/surface_names.h"
+#include "precompute/files/planes_json.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -63,6 +64,11 @@ Json violationsJson(const Scene& scene, const Intentions& intentions, const Show
     Json entry = {{"constraint", c + 1}, {"statistic", statisticName(constraint.statistic)}};
     if (traitsOf(constraint.statistic).needsSurfaces)
       entry["surface"] = surfaceSetName(scene, constraint.surfaces);
+    if (constraint.quantity)
+      entry["quantity"] = kQuantityNames[static_cast<std::size_t>(*constraint.quantity)];
+    if (constraint.isLeast) entry["of"] = "minimum";
+    if (constraint.statistic == Statistic::kVertical)
+      entry["direction"] = {constraint.direction.x, constraint.direction.y, constraint.direction.z};
     if (constraint.observer != kNone) entry["observer"] = intentions.observers[constraint.observer].name;
     entry["value"] = reading.value;
     if (std::isfinite(constraint.lower)) entry["min"] = constraint.lower;
@@ -102,14 +108,18 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
   const Constraint& constraint = intentions.constraints[c];
   const ConstraintReading& reading = shown.constraints[c];
   const StatisticTraits& traits = traitsOf(constraint.statistic);
-  std::string line = traits.name;
+  const Quantity quantity = quantityOf(intentions, constraint);
+  const bool isDirect = quantity == Quantity::kDirect && traits.needsSurfaces && !traits.ofPlanes;
+  std::string line = isDirect ? "direct " : constraint.isLeast ? "least " : "";
+  line += traits.name;
   if (traits.needsAlpha) line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
+  if (constraint.statistic == Statistic::kVertical) line += " towards " + directionText(constraint.direction);
   if (traits.needsSurfaces) line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
   if (constraint.statistic == Statistic::kUgr)
     line += constraint.observer == kNone
                 ? " of the worst observer"
                 : " of " + printable(intentions.observers[constraint.observer].name, 80);
-  return line + " " + valueText(scene, reading.value, constraint.statistic, intentions.quantity) + " (" +
+  return line + " " + valueText(scene, reading.value, constraint.statistic, quantity) + " (" +
          boundsText(constraint) + "): " + verdictOn(reading, traits);
 }
 

@@ -82,10 +82,11 @@ async function lightOfSpot(file: Uint8Array<ArrayBuffer>): Promise<Float32Array>
   beginCandidates(making, room, candidates, () => ies);
   while (!making.advance(1)) continue;
   const session = new core.Session();
-  session.adopt(making, 0, null);
   const { intentions } = intentionsOf(documentFrom(askedOfUnknown(scene.surfaces, 25), '', ''));
   const one = { ...intentions, luminaires: { ...intentions.luminaires, count: 1 } };
-  expect(session.setIntentions(coreIntentions(one, scene.surfaces))).toBe('');
+  const asked = coreIntentions(one, scene.surfaces);
+  expect(session.adopt(making, asked)).toBe('');
+  expect(session.setIntentions(asked)).toBe('');
   const shown = session.show(Uint32Array.of(0), Float64Array.of(1000), 1);
   if (typeof shown === 'string') throw new Error(shown);
   return shown.illuminance;

@@ -46,15 +46,15 @@ function sessionOf(
   beginCandidates(making, room, candidates, fileOf);
   while (!making.advance(5)) continue;
   const session = new core.Session();
-  session.adopt(making, 0, null);
-  making.delete();
-  const mounted = new MountedSession(session, candidates);
   const asked: Intentions = {
     quantity: 'illuminance',
     luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0, types, ...more },
     goals: [{ statistic: 'mean', sense: 'near', target: 40, weight: 1, surfaces: ['floor'] }],
     constraints,
   };
+  expect(session.adopt(making, coreIntentions(asked, scene.surfaces))).toBe('');
+  making.delete();
+  const mounted = new MountedSession(session, candidates);
   mounted.ask(asked.luminaires, true);
   expect(mounted.setIntentions(coreIntentions(asked, scene.surfaces))).toBe('');
   return mounted;
@@ -151,4 +151,19 @@ test('power is in watts, of a type without any by a usual efficacy', () => {
     [21, panel],
   ]);
   expect(light(session, both).constraints[0]).toBeCloseTo(10 + 30, 6);
+});
+
+test('direct light is a part of all light, of candidates as of squares', () => {
+  const onFloor = { statistic: 'mean', min: 1, surfaces: ['floor'] } as const;
+  const constraints = [{ ...onFloor, quantity: 'direct' } as const, onFloor];
+  const asked = sessionOf([spot], 1, {}, constraints);
+  const [direct, all] = shownOf(light(asked, layoutOf([[8, spot]])), 0, scene.surfaces).constraints;
+  expect(direct!.value).toBeGreaterThan(0);
+  expect(direct!.value).toBeLessThan(all!.value);
+  const squares = { count: 1, flux: 100, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 } as const;
+  const wishes: Intentions = { quantity: 'direct', luminaires: squares, goals: [], constraints: [onFloor] };
+  expect(room.setIntentions(coreIntentions(wishes, scene.surfaces))).toBe('');
+  const shown = valid(room.show(Uint32Array.of(8), Float64Array.of(100), 1));
+  expect(shown.illuminance).toEqual(shown.direct);
+  expect(shown.constraints[0]).toBeCloseTo(shown.surfaces[0]!, 6);
 });

@@ -79,6 +79,7 @@ export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentio
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
     observers: [],
     grids: [{ name: 'floor', points: 12, spacing: 1, rim: 0.5, mean: rows[0]!.mean, min: rows[0]!.min }],
+    planes: [],
   };
 }
 

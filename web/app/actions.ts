@@ -101,7 +101,7 @@ const intentions: readonly Action[] = [
     keys: ['Q'],
     enabled: hasRoom,
     run: (app) =>
-      app.setQuantity(app.store.document.peek().quantity === 'illuminance' ? 'exitance' : 'illuminance'),
+      app.setQuantity(app.store.document.peek().quantity === 'exitance' ? 'illuminance' : 'exitance'),
   },
 ];
 

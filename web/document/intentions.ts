@@ -2,7 +2,18 @@
  * From cards to what the core is asked: a verb is a goal, everything else on a card is a constraint. Each constraint
  * remembers the card and the bound it came from, so that a bound that cannot be met can be named and eased.
  */
-import type { Card, Constraint, FiatLuxDocument, Goal, Intentions, Luminaires, Verb } from './types.ts';
+import type {
+  Card,
+  Constraint,
+  FiatLuxDocument,
+  Goal,
+  Intentions,
+  Luminaires,
+  PlaneBounds,
+  PlaneStatistic,
+  Quantity,
+  Verb,
+} from './types.ts';
 
 export type BoundField =
   | 'mean.min'
@@ -12,10 +23,32 @@ export type BoundField =
   | 'guarantee.min'
   | 'guarantee.max'
   | 'uniformity'
-  | 'contrast';
+  | 'contrast'
+  | PlaneField;
+
+/** Of the mean of a plane's points, or of the least of them. */
+export type PlaneField = `${PlaneStatistic}.${'min' | 'max' | 'least'}`;
+
+export const planeStatistics = ['cylindrical', 'modelling', 'vertical'] as const;
+const planeEnds = ['min', 'max', 'least'] as const;
+
+/** The statistic and the end of a bound that is of planes. */
+function planeField(field: BoundField): [PlaneStatistic, 'min' | 'max' | 'least'] | null {
+  const [statistic, end] = field.split('.');
+  return planeStatistics.some((each) => each === statistic)
+    ? [statistic as PlaneStatistic, end as 'min' | 'max' | 'least']
+    : null;
+}
 
 /** A bound on a ratio has no unit. */
-export const isRatio = (field: BoundField): boolean => field === 'uniformity' || field === 'contrast';
+export const isRatio = (field: BoundField): boolean =>
+  field === 'uniformity' || field === 'contrast' || field.startsWith('modelling.');
+
+/** In which unit a bound is; '' of a ratio. What is told of planes is always illuminance. */
+export function quantityOfBound(field: BoundField, quantity: Quantity): Quantity | null {
+  if (isRatio(field)) return null;
+  return planeField(field) ? 'illuminance' : quantity;
+}
 
 /** A bound that is missed by no more counts as met to a person: of the bound. */
 export const metWithin = 0.001;
@@ -53,24 +86,37 @@ const aimWeight = 10;
  * What a card's verb asks for: an extreme; where a mean is aimed at, to come near to it, in the place of the most or the
  * least of it, and before the spread.
  */
-function goalsOf({ verb, aim, weight, surfaces }: Card): Goal[] {
+function goalsOf(card: Card): Goal[] {
+  const { verb, aim, weight } = card;
+  const where = whereOf(card);
   const goal = goalOfVerb[verb];
   if (!goal || !(weight > 0)) return [];
-  if (aim === undefined) return [{ ...goal, weight, surfaces }];
-  const near = { statistic: 'mean', sense: 'near', target: aim, surfaces } as const;
+  if (aim === undefined) return [{ ...goal, weight, ...where }];
+  const near = { statistic: 'mean', sense: 'near', target: aim, ...where } as const;
   if (goal.statistic === 'mean') return [{ ...near, weight }];
   return [
     { ...near, weight: aimWeight * weight },
-    { ...goal, weight, surfaces },
+    { ...goal, weight, ...where },
   ];
+}
+
+/** The surfaces that a card speaks of, and of which light there. */
+function whereOf({ surfaces, direct }: Card): Pick<Goal, 'surfaces' | 'quantity'> {
+  return { surfaces, ...(direct && { quantity: 'direct' }) };
+}
+
+/** Whether any of them needs direct light apart. */
+export function asksForDirect({ goals, constraints, quantity }: Intentions): boolean {
+  return [quantity, ...[...goals, ...constraints].map((each) => each.quantity)].includes('direct');
 }
 
 /** One constraint a bound, in the order of the fields. A bound that asks for nothing (a mean of at least 0) is left out. */
 function constraintsOf(card: Card): { field: BoundField; constraint: Constraint }[] {
-  const { surfaces, mean, spread, guarantee, uniformity, contrast } = card;
+  const { mean, spread, guarantee, uniformity, contrast } = card;
+  const where = whereOf(card);
   const list: { field: BoundField; constraint: Constraint }[] = [];
   const add = (field: BoundField, constraint: Omit<Constraint, 'surfaces'>) =>
-    list.push({ field, constraint: { ...constraint, surfaces } });
+    list.push({ field, constraint: { ...constraint, ...where } });
   if (mean?.min) add('mean.min', { statistic: 'mean', min: mean.min });
   if (mean?.max !== undefined) add('mean.max', { statistic: 'mean', max: mean.max });
   if (spread?.min) add('spread.min', { statistic: 'sigma', min: spread.min });
@@ -91,7 +137,36 @@ function constraintsOf(card: Card): { field: BoundField; constraint: Constraint 
   }
   if (uniformity) add('uniformity', { statistic: 'uniformity', min: uniformity });
   if (contrast?.min) add('contrast', { statistic: 'contrast', min: contrast.min, over: contrast.over });
-  return list;
+  return [...list, ...planeConstraintsOf(card)];
+}
+
+/** Of the points of the measuring planes that a card is on. */
+function planeConstraintsOf(card: Card): { field: BoundField; constraint: Constraint }[] {
+  const { surfaces, vertical } = card;
+  return planeStatistics.flatMap((statistic) => {
+    const bounds = card[statistic];
+    const direction = statistic === 'vertical' && vertical ? { direction: vertical.direction } : {};
+    return planeEnds.flatMap((end) => {
+      const value = bounds?.[end];
+      if (value === undefined || (end !== 'max' && value === 0)) return [];
+      const bound = end === 'max' ? { max: value } : { min: value };
+      const constraint: Constraint = {
+        statistic,
+        surfaces,
+        ...bound,
+        ...(end === 'least' && { of: 'minimum' }),
+        ...direction,
+      };
+      return [{ field: `${statistic}.${end}` as const, constraint }];
+    });
+  });
+}
+
+/** What must be known of which measuring planes: their statistics, whatever the bounds. */
+export function planesAskedOf({ constraints }: Intentions): readonly unknown[] {
+  return constraints
+    .filter(({ statistic }) => planeStatistics.some((each) => each === statistic))
+    .map(({ statistic, surfaces, direction }) => [statistic, surfaces, direction ?? null]);
 }
 
 export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
@@ -161,7 +236,9 @@ function toThreeDigits(value: number, round: typeof Math.ceil): number {
 
 /** The bound that a field of a card holds, if any. */
 export function boundOf(card: Card, field: BoundField): number | undefined {
-  switch (field) {
+  const ofPlanes = planeField(field);
+  if (ofPlanes) return card[ofPlanes[0]]?.[ofPlanes[1]];
+  switch (field as Exclude<BoundField, PlaneField>) {
     case 'mean.min':
       return card.mean?.min;
     case 'mean.max':
@@ -192,7 +269,9 @@ function withEnd(range: Range | undefined, end: 'min' | 'max', value: number | u
 
 /** The card with a field set to `value` (undefined = no such bound). */
 export function withBound(card: Card, field: BoundField, value: number | undefined): Card {
-  switch (field) {
+  const ofPlanes = planeField(field);
+  if (ofPlanes) return withPlaneBound(card, ...ofPlanes, value);
+  switch (field as Exclude<BoundField, PlaneField>) {
     case 'mean.min':
     case 'mean.max':
       return withOptional(card, 'mean', withEnd(card.mean, field === 'mean.min' ? 'min' : 'max', value));
@@ -222,6 +301,19 @@ export function withBound(card: Card, field: BoundField, value: number | undefin
   }
 }
 
+/** Without any end the statistic is no longer asked for. */
+function withPlaneBound(
+  card: Card,
+  statistic: PlaneStatistic,
+  end: 'min' | 'max' | 'least',
+  value: number | undefined,
+): Card {
+  const { [end]: _, ...rest }: PlaneBounds = card[statistic] ?? {};
+  const next: PlaneBounds = value === undefined ? rest : { ...rest, [end]: value };
+  const isEmpty = planeEnds.every((each) => next[each] === undefined);
+  return withOptional(card, statistic, isEmpty ? undefined : (next as NonNullable<Card['vertical']>));
+}
+
 function endsOf({ min, max }: { min?: number; max?: number }): Range {
   return { ...(min !== undefined && { min }), ...(max !== undefined && { max }) };
 }
@@ -230,7 +322,7 @@ function endsOf({ min, max }: { min?: number; max?: number }): Range {
 export function withPushedBound(card: Card, field: BoundField, value: number | undefined): Card {
   const [group, end] = field.split('.');
   const next = withBound(card, field, value);
-  if (!end || value === undefined) return next;
+  if (!end || end === 'least' || value === undefined) return next;
   const other = `${group}.${end === 'min' ? 'max' : 'min'}` as BoundField;
   const limit = boundOf(card, other);
   if (limit === undefined) return next;
@@ -238,11 +330,9 @@ export function withPushedBound(card: Card, field: BoundField, value: number | u
 }
 
 /** Sets an optional property of a card, or takes it away (never stores `undefined`). */
-export function withOptional<Key extends 'aim' | 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast'>(
-  card: Card,
-  key: Key,
-  value: Card[Key] | undefined,
-): Card {
+export function withOptional<
+  Key extends 'aim' | 'mean' | 'spread' | 'guarantee' | 'uniformity' | 'contrast' | 'direct' | PlaneStatistic,
+>(card: Card, key: Key, value: Card[Key] | undefined): Card {
   const { [key]: _, ...rest } = card;
   return (value === undefined ? rest : { ...rest, [key]: value }) as Card;
 }

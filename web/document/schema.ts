@@ -33,6 +33,19 @@ const sites = v.pipe(v.array(site), v.maxLength(mostSites));
 
 const idSchema = v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/));
 
+const metre = number(-1e5, 1e5);
+export const pointSchema = v.tuple([metre, metre, metre]);
+const levelSchema = v.pipe(
+  pointSchema,
+  v.check(([x, y, z]) => y === 0 && (x !== 0 || z !== 0), 'a vertical plane faces sideways'),
+);
+
+const planeBounds = (bound: typeof lux) => ({
+  min: v.exactOptional(bound),
+  max: v.exactOptional(bound),
+  least: v.exactOptional(bound),
+});
+
 /** A card whose bounds on light are what `bound` lets pass. */
 export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
   const range = v.object({ min: v.exactOptional(bound), max: v.exactOptional(bound) });
@@ -49,13 +62,14 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
     ),
     uniformity: v.exactOptional(number(0, 1)),
     contrast: v.exactOptional(v.object({ over: names, min: ratio })),
+    direct: v.exactOptional(v.boolean()),
+    cylindrical: v.exactOptional(v.object(planeBounds(lux))),
+    modelling: v.exactOptional(v.object(planeBounds(ratio))),
+    vertical: v.exactOptional(v.object({ ...planeBounds(lux), direction: levelSchema })),
   });
 }
 
 const cardSchema = cardOf(lux);
-
-const metre = number(-1e5, 1e5);
-export const pointSchema = v.tuple([metre, metre, metre]);
 
 export const mostTypes = 16;
 export const hashSchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{16}$/));
@@ -146,7 +160,7 @@ export const identitySchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{0,16}$/));
 export const roomSchema = nameSchema;
 export const roomTypeSchema = v.pipe(v.string(), v.regex(/^[a-z-]{1,40}$/));
 export const seedSchema = whole(0, 0xffffffff);
-export const quantitySchema = v.picklist(['illuminance', 'exitance']);
+export const quantitySchema = v.picklist(['illuminance', 'exitance', 'direct']);
 export const cardsSchema = v.pipe(v.array(cardSchema), v.maxLength(mostCards));
 
 export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({

@@ -204,7 +204,7 @@ function payloadOf(link: Link): Payload {
       ...(areas && { areas: structuredClone(areas) as Payload['l']['areas'] & object }),
       ...(ofType && { ofType: [...ofType] }),
     },
-    ...(link.quantity === 'exitance' && { q: link.quantity }),
+    ...(link.quantity !== 'illuminance' && { q: link.quantity }),
     s: link.seed,
     ...(link.roomType && { e: link.roomType }),
     ...(link.score !== undefined && { g: link.score }),

@@ -5,7 +5,8 @@
  * Words and units are those of the core (core/search/intentions.h) and of intentions.json.
  */
 
-export type Quantity = 'illuminance' | 'exitance'; // lx, or reflected lm/m2 (the paper's B)
+/** lx; reflected lm/m2 (the paper's B); lx of what nothing has reflected, all that emergency lighting counts. */
+export type Quantity = 'illuminance' | 'exitance' | 'direct';
 
 export type Statistic =
   | 'mean'
@@ -16,7 +17,11 @@ export type Statistic =
   | 'maximum'
   | 'uniformity' // U_o = minimum / mean
   | 'contrast' // mean of `surfaces` / mean of `over`
-  | 'ugr'; // unified glare rating of the worst observer; no surface
+  | 'ugr' // unified glare rating of the worst observer; no surface
+  | PlaneStatistic;
+
+/** Of the points of measuring planes: E_z, E_z / E_h, light on vertical planes that face a direction. */
+export type PlaneStatistic = 'cylindrical' | 'modelling' | 'vertical';
 
 /** Names of leaf surfaces or of inner nodes of the surface tree; ['all'] = every surface but measuring planes. */
 export type SurfaceNames = readonly string[];
@@ -28,6 +33,7 @@ export interface Goal {
   readonly surfaces: SurfaceNames;
   readonly over?: SurfaceNames;
   readonly target?: number; // near only: worth |value - target| / target
+  readonly quantity?: Quantity; // absent: that of the intentions
 }
 
 export interface Constraint {
@@ -37,6 +43,16 @@ export interface Constraint {
   readonly alpha?: number; // chebyshev only
   readonly surfaces: SurfaceNames;
   readonly over?: SurfaceNames;
+  readonly quantity?: Quantity; // absent: that of the intentions
+  readonly of?: 'minimum'; // of the points of planes: of the least; absent: of their mean
+  readonly direction?: Point; // vertical only: level, of any length but 0
+}
+
+/** Bounds of a statistic of planes: of the mean of the points, and of the least of them. */
+export interface PlaneBounds {
+  readonly min?: number;
+  readonly max?: number;
+  readonly least?: number;
 }
 
 export type Verb = 'illuminate' | 'overshadow' | 'homogenize' | 'vary' | 'keep';
@@ -61,6 +77,11 @@ export interface Card {
   };
   readonly uniformity?: number; // U_o at least
   readonly contrast?: { readonly over: SurfaceNames; readonly min: number };
+  readonly direct?: boolean; // it speaks of direct light alone
+  // On measuring planes only, of all light:
+  readonly cylindrical?: PlaneBounds; // lx: how well faces are seen
+  readonly modelling?: PlaneBounds; // cylindrical over horizontal
+  readonly vertical?: PlaneBounds & { readonly direction: Point }; // lx
 }
 
 /** A point of the room, m. */

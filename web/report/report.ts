@@ -87,7 +87,7 @@ function lightInPlan(
   const { colorMap, steps, logarithmic, mode } = display;
   // The scale that is on the screen, so that both pictures can be laid side by side.
   const range =
-    mode === 'falseColor' && display.quantity === 'illuminance'
+    mode === 'falseColor' && display.quantity !== 'exitance'
       ? display.range
       : roundRange(most, logarithmic, steps);
   return { name: scene.surfaces[leaf]?.name ?? '', field, scale: { colorMap, steps, logarithmic, range } };

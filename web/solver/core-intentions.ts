@@ -2,7 +2,14 @@
 import { paintByLeaf } from '../document/paint.ts';
 import type { Constraint, Glare, Intentions, Layout, Paint, SceneInfo } from '../document/types.ts';
 import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
-import type { GridResult, IntentionResult, ObserverResult, PaintGain, Shown } from './protocol.ts';
+import type {
+  GridResult,
+  IntentionResult,
+  ObserverResult,
+  PaintGain,
+  PlaneResult,
+  Shown,
+} from './protocol.ts';
 import { surfaceSetOf, type NamedSurface } from '../document/surface-names.ts';
 
 /** Who looks; null for nobody. */
@@ -27,9 +34,10 @@ export function corePaint(
 
 /** A bound on glare stands after all others. Throws one readable line where a name is not in the room. */
 export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
-  const surfaces = (of: { readonly surfaces: readonly string[]; readonly over?: readonly string[] }) => ({
+  const surfaces = (of: Pick<Constraint, 'surfaces' | 'over' | 'quantity'>) => ({
     surfaces: surfaceSetOf(of.surfaces, leaves),
     over: surfaceSetOf(of.over ?? [], leaves),
+    quantity: of.quantity === undefined ? null : codes.quantity[of.quantity],
   });
   const { luminaires, glare } = asked;
   const ugr = glare?.max === undefined ? [] : [{ statistic: 'ugr', max: glare.max, surfaces: [] } as const];
@@ -63,6 +71,8 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       lower: constraint.min ?? -Infinity,
       upper: constraint.max ?? Infinity,
       alpha: constraint.alpha ?? 1,
+      isLeast: constraint.of === 'minimum',
+      direction: constraint.direction ?? null,
       ...surfaces(constraint),
     })),
   };
@@ -93,6 +103,7 @@ export function shownOf(
   return {
     layout: layoutOf(core.layout),
     illuminance: core.illuminance,
+    ...(core.direct && { direct: core.direct }),
     surfaces: rows.map(({ name, area }, s) => ({
       name,
       area,
@@ -107,6 +118,24 @@ export function shownOf(
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
     observers: observersOf(core.observers),
     grids: gridsOf(core.grids, leaves),
+    planes: core.planes.map((numbers) => planeOf(numbers, leaves)),
+  };
+}
+
+function planeOf(numbers: Float64Array, leaves: readonly NamedSurface[]): PlaneResult {
+  const at = (i: number) => ({ mean: numbers[i] ?? 0, least: numbers[i + 1] ?? 0 });
+  const verticals = Array.from({ length: (numbers.length - 8) / 5 }, (_, i) => {
+    const [x = 0, y = 0, z = 0] = numbers.subarray(8 + 5 * i);
+    return { direction: [x, y, z] as const, ...at(11 + 5 * i) };
+  });
+  const name = leaves[numbers[0] ?? 0]?.name ?? '';
+  return {
+    name,
+    points: numbers[1] ?? 0,
+    horizontal: at(2),
+    cylindrical: at(4),
+    modelling: at(6),
+    verticals,
   };
 }
 

@@ -60,7 +60,8 @@ export interface CoreTrial {
 /** Everything that is shown of one layout. */
 export interface CoreShown {
   readonly layout: CoreLayout;
-  readonly illuminance: Float32Array; // rows, lx
+  readonly illuminance: Float32Array; // rows, lx; where direct light is the quantity, of that alone
+  readonly direct: Float32Array | null; // likewise, where some goal or constraint asks for direct light
   readonly surfaces: Float64Array; // 4 a leaf, then 4 of 'all': mean, sigma, min, max in the quantity asked for
   readonly goals: Float64Array; // 1 each: the value; of an aim its distance from the target, as a share of that
   readonly constraints: Float64Array; // 3 each: value (a contrast may be infinite or NaN), violation, margin (relative; negative = not met)
@@ -68,6 +69,9 @@ export interface CoreShown {
   readonly observers: { readonly names: readonly string[]; readonly numbers: Float64Array };
   /** 6 numbers a calculation grid: surface, points, largest spacing and rim (m), mean and least illuminance (lx). */
   readonly grids: Float64Array;
+  /** Of each measuring plane that is asked about: surface, points, mean and least of E_h, E_z and E_z / E_h; then 5 of each
+   *  vertical: direction, mean and least. */
+  readonly planes: readonly Float64Array[];
 }
 
 export interface CoreCheck {
@@ -113,11 +117,14 @@ const statisticCodes = {
   uniformity: 6,
   contrast: 7,
   ugr: 8,
+  cylindrical: 9,
+  modelling: 10,
+  vertical: 11,
 } as const;
 const senseCodes = { min: 0, max: 1, near: 2 } as const;
 const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
 const axisCodes = { found: 0, x: 1, z: 2, both: 3 } as const;
-const quantityCodes = { illuminance: 0, exitance: 1 } as const;
+const quantityCodes = { illuminance: 0, exitance: 1, direct: 2 } as const;
 
 /** The numbers of the core's enums; a module that counts otherwise is refused when it is loaded. */
 export const codes = {
@@ -136,6 +143,7 @@ export interface CoreGoal {
   readonly surfaces: Uint32Array;
   readonly over: Uint32Array; // contrast only
   readonly target: number; // near only, above 0
+  readonly quantity: number | null; // null: that of the intentions
 }
 
 export interface CoreConstraint {
@@ -145,6 +153,9 @@ export interface CoreConstraint {
   readonly alpha: number; // chebyshev only
   readonly surfaces: Uint32Array;
   readonly over: Uint32Array;
+  readonly quantity: number | null; // null: that of the intentions
+  readonly isLeast: boolean; // of the points of planes: of the least of them
+  readonly direction: readonly [number, number, number] | null; // vertical only
 }
 
 /** How many luminaires of a type there may be; its name is for whoever reads that this cannot be. */
@@ -242,9 +253,9 @@ export interface Session {
   show(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreShown>;
   /** Statistics of a layout against its patches. */
   check(sites: Uint32Array, flux: Float64Array, dimming: number): OrError<CoreCheck>;
-  /** Takes the scene that `candidates` have made, of which nothing is left; only `quantity` and what the observers of
-   *  `glare` see can be asked about. */
-  adopt(candidates: Candidates, quantity: number, glare: CoreGlare | null): void;
+  /** Takes the scene that `candidates` have made, of which nothing is left; of quantities, observers and measuring planes
+   *  only those of `asked` can be asked about. */
+  adopt(candidates: Candidates, asked: CoreIntentions): string;
   /**
    * What lighter paint does for a layout whose light is known (rows, lx) in the room as it is painted: a row of numbers for
    * each surface, its index and then what every goal and every constraint gains per 0.1 more reflectance.
@@ -326,7 +337,7 @@ export const sessionMethods = {
   incumbent: 0,
   show: 3,
   check: 3,
-  adopt: 3,
+  adopt: 2,
   paintGains: 3,
   startAlpha: 2,
   advanceAlpha: 2,

@@ -4,11 +4,12 @@
  * that a search may try slice by slice.
  */
 import { candidatesOf, type Candidate } from '../document/candidates.ts';
+import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
-import { coreGlare, corePaint } from './core-intentions.ts';
-import { codes, type Candidates, type CoreModule, type Session } from './core.ts';
+import { coreIntentions, corePaint } from './core-intentions.ts';
+import type { Candidates, CoreModule, Session } from './core.ts';
 import {
   beginCandidates,
   candidatesIn,
@@ -233,7 +234,11 @@ export class Mounts {
 
   #adopted(scene: Candidates, plan: Plan, { asked }: Wanted): HungSession {
     const session = new this.#core.Session();
-    session.adopt(scene, codes.quantity[asked.quantity], coreGlare(asked.glare));
+    const error = session.adopt(scene, coreIntentions(asked, this.#scene?.surfaces ?? []));
+    if (error) {
+      session.delete();
+      throw new Error(error);
+    }
     return plan.sessionOf(session);
   }
 
@@ -281,7 +286,8 @@ export class Mounts {
     const place: readonly [readonly number[], readonly Mounting[]] | null =
       extent === 'all' || !layout ? null : [layout.sites, layout.mountings ?? []];
     const glare = asked.glare && { ...asked.glare, max: 0 };
-    return JSON.stringify([extent, asked.quantity, glare, used, [...this.#paint(wanted)], place]);
+    const readings = [asked.quantity, asksForDirect(asked), glare, planesAskedOf(asked)];
+    return JSON.stringify([extent, readings, used, [...this.#paint(wanted)], place]);
   }
 }
 

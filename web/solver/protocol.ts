@@ -43,10 +43,27 @@ export interface GridResult {
   readonly min: number; // lx, E_min
 }
 
+/** Of the points of a measuring plane: their mean, and the least of them. */
+export interface MeanAndLeast {
+  readonly mean: number;
+  readonly least: number;
+}
+
+/** What is told at the points of a measuring plane; lx, but for modelling, which may be infinite or NaN in the dark. */
+export interface PlaneResult {
+  readonly name: string;
+  readonly points: number;
+  readonly horizontal: MeanAndLeast;
+  readonly cylindrical: MeanAndLeast;
+  readonly modelling: MeanAndLeast;
+  readonly verticals: readonly (MeanAndLeast & { readonly direction: readonly [number, number, number] })[];
+}
+
 /** A layout and its light: everything that the page shows. Buffers are transferred. */
 export interface Shown {
   readonly layout: Layout;
-  readonly illuminance: Float32Array; // n + receivers, lx
+  readonly illuminance: Float32Array; // n + receivers, lx; where direct light is the quantity, of that alone
+  readonly direct?: Float32Array; // likewise: there where some goal or constraint asks for direct light
   readonly surfaces: readonly SurfaceResult[]; // one a leaf, then 'all' last; in the quantity asked for
   readonly goals: readonly IntentionResult[];
   readonly constraints: readonly IntentionResult[];
@@ -54,6 +71,7 @@ export interface Shown {
   readonly violation: number; // 0 = every constraint is met
   readonly observers: readonly ObserverResult[]; // none: nobody looks, or the room's file cannot tell
   readonly grids: readonly GridResult[]; // of illuminance, whatever the quantity
+  readonly planes: readonly PlaneResult[]; // those that are asked about
 }
 
 /** A layout beside the one that is shown, and the colour of its light: red and blue of each patch at a luminance of 1. */

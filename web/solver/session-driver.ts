@@ -3,6 +3,7 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
+import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
 import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
@@ -390,9 +391,9 @@ export class SessionDriver {
 function needsOperator(message: Turned): boolean {
   if (!('intentions' in message)) return false;
   const { luminaires, glare, paint } = message.intentions;
-  return (
-    glare !== undefined || paint !== undefined || (luminaires.types ?? []).some((type) => type.isAllowed)
-  );
+  if (glare !== undefined || paint !== undefined || asksForDirect(message.intentions)) return true;
+  if (planesAskedOf(message.intentions).length > 0) return true;
+  return (luminaires.types ?? []).some((type) => type.isAllowed);
 }
 
 /** In a room whose file does not tell what lights and hides what, nobody can say what glares or what paint does. */

@@ -450,7 +450,7 @@ class RoomViewer implements Viewer {
   #drawLabels(labels: PlaneLabels, light: Float32Array | null, from: number, to: number): void {
     const { width, height, ratio } = this.#stage;
     const display = this.#display;
-    const falseColor = display?.mode === 'falseColor' && display.quantity === 'illuminance';
+    const falseColor = display?.mode === 'falseColor' && display.quantity !== 'exitance';
     labels.draw(
       this.#rig.active,
       { width, height, ratio },

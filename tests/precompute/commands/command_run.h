@@ -69,19 +69,24 @@ inline CommandRun runFiatlux(const TemporaryFolder& folder, const std::string& a
   return runShell(folder, "\"$FIATLUX\" " + arguments);
 }
 
-/// A 4 x 3 x 3 m box seen from inside as a .gltf with its .bin: nodes floor, ceiling (the mount), wall 1..4.
-inline void writeBoxRoom(const TemporaryFolder& folder, const std::string& name, bool mount = true) {
+/// A 4 x 3 x 3 m box seen from inside as a .gltf with its .bin: nodes floor, ceiling (the mount), wall 1..4;
+/// where asked a "plane" in it, 1 m up, for --measure.
+inline void writeBoxRoom(const TemporaryFolder& folder, const std::string& name, bool mount = true,
+                         bool plane = false) {
   using Point = std::array<float, 3>;
   const float x = 4, y = 3, z = 3;
-  const std::array<std::array<Point, 4>, 6> quads = {{{{{0, 0, 0}, {0, 0, z}, {x, 0, z}, {x, 0, 0}}},
-                                                      {{{0, y, 0}, {x, y, 0}, {x, y, z}, {0, y, z}}},
-                                                      {{{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}}},
-                                                      {{{x, 0, z}, {0, 0, z}, {0, y, z}, {x, y, z}}},
-                                                      {{{0, 0, z}, {0, 0, 0}, {0, y, 0}, {0, y, z}}},
-                                                      {{{x, 0, 0}, {x, 0, z}, {x, y, z}, {x, y, 0}}}}};
-  const char* names[] = {"floor", "ceiling", "wall 1", "wall 2", "wall 3", "wall 4"};
+  const int count = plane ? 7 : 6;
+  const std::array<std::array<Point, 4>, 7> quads = {
+      {{{{0, 0, 0}, {0, 0, z}, {x, 0, z}, {x, 0, 0}}},
+       {{{0, y, 0}, {x, y, 0}, {x, y, z}, {0, y, z}}},
+       {{{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}}},
+       {{{x, 0, z}, {0, 0, z}, {0, y, z}, {x, y, z}}},
+       {{{0, 0, z}, {0, 0, 0}, {0, y, 0}, {0, y, z}}},
+       {{{x, 0, 0}, {x, 0, z}, {x, y, z}, {x, y, 0}}},
+       {{{.5, 1, .5}, {.5, 1, 2.5}, {3.5, 1, 2.5}, {3.5, 1, .5}}}}};
+  const char* names[] = {"floor", "ceiling", "wall 1", "wall 2", "wall 3", "wall 4", "plane"};
   std::string bin, nodes, list, meshes, accessors, views;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < count; ++i) {
     const std::string comma = i > 0 ? "," : "";
     Point low = quads[i][0], high = low;
     for (int triangle : {0, 1, 2, 0, 2, 3}) {
@@ -106,7 +111,8 @@ inline void writeBoxRoom(const TemporaryFolder& folder, const std::string& name,
   writeTextFile(folder / (name + ".gltf"),
                 R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + list + R"(]}],"nodes":[)" +
                     nodes + R"(],"meshes":[)" + meshes + R"(],"accessors":[)" + accessors +
-                    R"(],"bufferViews":[)" + views + R"(],"buffers":[{"byteLength":432,"uri":")" + name +
+                    R"(],"bufferViews":[)" + views + R"(],"buffers":[{"byteLength":)" +
+                    std::to_string(72 * count) + R"(,"uri":")" + name +
                     R"(.bin"}],"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1]}}]})");
 }
 

@@ -141,6 +141,95 @@ TEST_F(Commands, LightSaysWhatEvaluateSays) {
     EXPECT_THAT(table, HasSubstr(part));
 }
 
+TEST_F(Commands, DirectLightIsToldApart) {
+  writeTextFile(*folder_ / "direct.json", R"({"quantity": "direct", "luminaires": [
+      {"site": 4, "flux": 1000}, {"site": 7, "flux": 500}]})");
+  const CommandRun light =
+      runFiatlux(*folder_, "light box.gltf --layout direct.json --patch 0.25 --rays 16 --json");
+  const CommandRun evaluate = runFiatlux(*folder_, "evaluate box.flux --layout direct.json --json");
+  ASSERT_EQ(light.status + evaluate.status, 0) << light.err << evaluate.err;
+  const json lit = json::parse(light.out), evaluated = json::parse(evaluate.out);
+  EXPECT_TRUE(lit["directOnly"].get<bool>() && evaluated["directOnly"].get<bool>());
+  for (std::size_t s = 0; s < 6; ++s) {
+    const json &truth = lit["surfaces"][s], &got = evaluated["surfaces"][s];
+    EXPECT_NEAR(got["mean"].get<double>(), truth["mean"].get<double>(),
+                0.01 * (truth["mean"].get<double>() + 1));
+    EXPECT_NEAR(got["min"].get<double>(), truth["min"].get<double>(),
+                0.05 * (truth["mean"].get<double>() + 1));
+  }
+  const CommandRun flag = runFiatlux(*folder_, "evaluate box.flux --layout layout.json --direct-only --json");
+  EXPECT_EQ(json::parse(flag.out)["surfaces"], evaluated["surfaces"]);
+
+  // The search counts it where it is asked for, beside all light.
+  writeTextFile(*folder_ / "emergency.json", R"({"luminaires": {"count": 2, "flux": 750}, "constraints": [
+      {"statistic": "mean", "surface": "floor", "min": 1000, "quantity": "direct"},
+      {"statistic": "mean", "surface": "floor", "min": 1000}]})");
+  const json run =
+      json::parse(runFiatlux(*folder_, "solve box.flux --intentions emergency.json --evaluations 500 --json")
+                      .out)["runs"][0];
+  ASSERT_EQ(run["violations"].size(), 2u);
+  EXPECT_EQ(run["violations"][0]["quantity"], "direct");
+  EXPECT_LT(run["violations"][0]["value"], run["violations"][1]["value"]);
+  writeTextFile(*folder_ / "found.json", run["layout"].dump());
+  const json found =
+      json::parse(runFiatlux(*folder_, "evaluate box.flux --layout found.json --direct-only --json").out);
+  const double mean = found["surfaces"][0]["mean"];
+  EXPECT_NEAR(run["violations"][0]["value"].get<double>(), mean, 0.01 * mean);
+}
+
+TEST_F(Commands, FacesOnAPlaneAreLitInEvaluateAndSolveAsInLight) {
+  writeBoxRoom(*folder_, "office", true, true);
+  samples::IesFile spot;
+  spot.candela = samples::cosinePower(3000, 4);
+  spot.width = spot.length = 0.3;
+  writeTextFile(*folder_ / "spot.ies", spot.text());
+  const std::string options = "--patch 0.25 --rays 512 --site-size 0.5 --measure plane";
+  const CommandRun made = runFiatlux(*folder_, "precompute office.gltf -o office.flux " + options);
+  ASSERT_EQ(made.status, 0) << made.err;
+  writeTextFile(*folder_ / "faces.json", R"({"dimming": 0.5, "luminaires": [{"site": 4, "flux": 1000},
+      {"site": 1, "photometry": "spot.ies"}], "planes": [{"surface": "plane", "directions": [[2, 0, 0], [-1, 0, 1]]}]})");
+  const CommandRun light = runFiatlux(*folder_, "light office.gltf --layout faces.json --json " + options);
+  ASSERT_EQ(light.status, 0) << light.err;
+  const CommandRun evaluate = runFiatlux(*folder_, "evaluate office.flux --layout faces.json --json");
+  ASSERT_EQ(evaluate.status, 0) << evaluate.err;
+  const json truth = json::parse(light.out)["planes"][0], got = json::parse(evaluate.out)["planes"][0];
+  EXPECT_EQ(got["surface"], "plane");
+  EXPECT_EQ(got["points"], truth["points"]);
+  const auto expectSame = [](const json& value, const json& expected) {
+    EXPECT_NEAR(value["mean"].get<double>() / expected["mean"].get<double>(), 1, 0.02) << expected << value;
+    EXPECT_NEAR(value["min"].get<double>() / expected["min"].get<double>(), 1, 0.04) << expected << value;
+  };
+  for (const char* what : {"horizontal", "cylindrical", "modelling"}) expectSame(got[what], truth[what]);
+  ASSERT_EQ(got["vertical"].size(), 2u);
+  EXPECT_EQ(got["vertical"][0]["direction"], json({1, 0, 0}));
+  for (int i : {0, 1}) expectSame(got["vertical"][i], truth["vertical"][i]);
+
+  // The search reads of squares what evaluate reads of its layout.
+  writeTextFile(*folder_ / "wishes.json", R"({"luminaires": {"count": 2, "flux": 1500}, "constraints": [
+      {"statistic": "cylindrical", "surface": "plane", "min": 1000, "of": "minimum"},
+      {"statistic": "modelling", "surface": "plane", "min": 5},
+      {"statistic": "vertical", "surface": "plane", "min": 1000, "direction": [0, 0, 1]}]})");
+  const CommandRun solve =
+      runFiatlux(*folder_, "solve office.flux --intentions wishes.json --evaluations 300 --json");
+  ASSERT_EQ(solve.status, 0) << solve.err;
+  const json run = json::parse(solve.out)["runs"][0];
+  ASSERT_EQ(run["violations"].size(), 3u);
+  json layout = run["layout"];
+  layout["planes"] = {{{"surface", "plane"}, {"directions", {{0, 0, 1}}}}};
+  writeTextFile(*folder_ / "found.json", layout.dump());
+  const json found =
+      json::parse(runFiatlux(*folder_, "evaluate office.flux --layout found.json --json").out)["planes"][0];
+  const double values[] = {found["cylindrical"]["min"], found["modelling"]["mean"],
+                           found["vertical"][0]["mean"]};
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(run["violations"][c]["value"].get<double>() / values[c], 1, 1e-3) << run["violations"][c];
+  EXPECT_EQ(run["violations"][0]["of"], "minimum");
+  EXPECT_THAT(runFiatlux(*folder_, "solve office.flux --intentions wishes.json --evaluations 300").out,
+              HasSubstr("least cylindrical of plane"));
+  writeTextFile(*folder_ / "bad.json", R"({"luminaires": [{"site": 4, "flux": 9}], "planes": ["floor"]})");
+  EXPECT_THAT(failure("evaluate office.flux --layout bad.json"), HasSubstr("is no measuring plane"));
+}
+
 TEST_F(Commands, PhotometricFilesShineInEvaluateAsInLight) {
   samples::IesFile spot;
   spot.candela = samples::cosinePower(3000, 4);

@@ -85,18 +85,29 @@ TEST(IntentionsJson, ReadsAnAim) {
   expectRefusal(goal(R"("mean", "sense": "next to", "target": 3)"), "known are min, max, near");
 }
 
+/// One that tells what comes from where, and whose plane is level.
+Scene seeingRoom() {
+  Scene room = namedRoom();
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p)
+    if (room.patches.surface[p] == 3) room.patches.normal[p] = {0, 1, 0};
+  room.lightOperator.emplace();
+  room.lightOperator->charts.ofRow = room.patches.surface;
+  return room;
+}
+
 TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
   const std::string look = R"("observers": [{"position": [1, 1.2, 1], "direction": [0, 0, 1]}], )";
   for (const StatisticTraits& traits : kStatistics) {
     std::string asked = std::string("\"statistic\": \"") + traits.name + "\"";
-    if (traits.needsSurfaces) asked += ", \"surface\": \"room\"";
+    if (traits.needsSurfaces) asked += traits.ofPlanes ? R"(, "surface": "plane")" : R"(, "surface": "room")";
+    if (traits.statistic == Statistic::kVertical) asked += R"(, "direction": [0, 0, 2])";
     if (traits.needsOver) asked += ", \"over\": \"plane\"";
     const Result<Intentions> bound =
-        parseIntentions(namedRoom(), "{" + look + "\"constraints\": [{" + asked + ", \"max\": 1}]}");
+        parseIntentions(seeingRoom(), "{" + look + "\"constraints\": [{" + asked + ", \"max\": 1}]}");
     ASSERT_TRUE(bound) << bound.error().message;
     EXPECT_EQ(bound->constraints[0].statistic, traits.statistic);
     const Result<Intentions> goal =
-        parseIntentions(namedRoom(), "{" + look + "\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
+        parseIntentions(seeingRoom(), "{" + look + "\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
     EXPECT_EQ(bool(goal), traits.mayBeGoal) << traits.name;
     if (goal) {
       EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
@@ -124,6 +135,42 @@ TEST(IntentionsJson, ReadsObserversAndWhatGlareIsAskedOfThem) {
   refuse(R"({"statistic": "mean", "surface": "room", "max": 19, "observer": "desk"})", "ugr only");
   expectRefusal(R"({"observers": [], "constraints": [{"statistic": "ugr", "max": 19}]})", "nobody looks");
   expectRefusal(R"({"observers": [{"position": [1, 2], "direction": [1, 0, 0]}]})", "[x, y, z]");
+}
+
+TEST(IntentionsJson, DirectLightMayBeAskedForApart) {
+  const std::string asked = R"({"constraints": [
+      {"statistic": "minimum", "surface": "plane", "min": 1, "quantity": "direct"},
+      {"statistic": "mean", "surface": "plane", "min": 300}]})";
+  expectRefusal(asked, "constraint 1 (minimum): this room's file does not tell direct light apart");
+  const Result<Intentions> result = parseIntentions(seeingRoom(), asked);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(quantityOf(*result, result->constraints[0]), Quantity::kDirect);
+  EXPECT_EQ(quantityOf(*result, result->constraints[1]), Quantity::kIlluminance);
+  EXPECT_TRUE(asksForDirect(*result));
+  expectRefusal(R"({"constraints": [{"statistic": "power", "max": 9, "quantity": "direct"}]})",
+                "power is of no quantity");
+  expectRefusal(R"({"goals": [{"statistic": "mean", "surface": "all", "sense": "max", "quantity": "lux"}]})",
+                "known are illuminance, exitance, direct");
+}
+
+TEST(IntentionsJson, PlanesAreAskedForTheirMeanOrTheirLeastPoint) {
+  const Result<Intentions> result = parseIntentions(seeingRoom(), R"({"constraints": [
+      {"statistic": "cylindrical", "surface": "plane", "min": 150, "of": "minimum"},
+      {"statistic": "vertical", "surface": "plane", "min": 200, "direction": [-3, 0, 0]}]})");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->constraints[0].isLeast);
+  EXPECT_FALSE(result->constraints[1].isLeast);
+  EXPECT_EQ(result->constraints[1].direction.x, -1);
+  const auto refuse = [](const std::string& constraint, const char* part) {
+    expectRefusal("{\"constraints\": [{" + constraint + ", \"min\": 1}]}", part);
+  };
+  refuse(R"("statistic": "vertical", "surface": "plane")", "say which way the vertical plane faces");
+  refuse(R"("statistic": "vertical", "surface": "plane", "direction": [0, 1, 0])", "faces sideways");
+  refuse(R"("statistic": "cylindrical", "surface": "plane", "direction": [1, 0, 0])", "vertical only");
+  refuse(R"("statistic": "mean", "surface": "plane", "of": "minimum")",
+         "cylindrical, modelling and vertical");
+  refuse(R"("statistic": "modelling", "surface": "yellow wall")", "is no measuring plane");
+  refuse(R"("statistic": "cylindrical", "surface": "plane")", "it is not level");
 }
 
 TEST(IntentionsJson, WithoutDimmingItIsOne) {
@@ -154,7 +201,7 @@ TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "mean", "min": 3, "alpha": 1}]})",
                 "alpha");
   expectRefusal(R"({"constraints": [{"surface": "all", "statistic": "contrast", "min": 3}]})", "over");
-  expectRefusal(R"({"quantity": "lux"})", "known are illuminance, exitance");
+  expectRefusal(R"({"quantity": "lux"})", "known are illuminance, exitance, direct");
   expectRefusal(R"({"constraints": [{"surface": [], "statistic": "mean", "min": 3}]})", "empty list");
   expectRefusal(R"({"luminaires": {"flux": 1e999}})", "out of range");
 }

@@ -66,6 +66,8 @@ test('a bound on glare stands after all others, and what observers see comes bac
   const shown: CoreShown = {
     layout: { sites: new Uint32Array(), flux: new Float64Array(), dimming: 1, ties: new Uint32Array() },
     illuminance: new Float32Array(),
+    direct: null,
+    planes: [],
     surfaces: new Float64Array(8),
     goals: new Float64Array(),
     constraints: new Float64Array(),

@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import {
+  asksForDirect,
   boundOf,
   intentionsOf,
   keepRange,
@@ -50,6 +51,19 @@ describe('verbs become goals', () => {
     expect(goalCards).toEqual(['w', 'w']);
     expect(asked({ verb: 'keep', aim: 500 }).intentions.goals).toEqual([]);
   });
+});
+
+test('a card of direct light speaks of nothing else', () => {
+  const { intentions } = asked({ verb: 'illuminate', direct: true, mean: { min: 1 } });
+  expect(intentions.goals).toEqual([
+    { statistic: 'mean', sense: 'max', weight: 1, surfaces: ['wall'], quantity: 'direct' },
+  ]);
+  expect(intentions.constraints).toEqual([
+    { statistic: 'mean', min: 1, surfaces: ['wall'], quantity: 'direct' },
+  ]);
+  expect(asksForDirect(intentions)).toBe(true);
+  expect(asksForDirect({ ...intentions, goals: [], constraints: [] })).toBe(false);
+  expect(asksForDirect({ ...asked({}).intentions, quantity: 'direct' })).toBe(true);
 });
 
 describe('what else cards ask for becomes constraints', () => {

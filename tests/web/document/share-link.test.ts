@@ -78,6 +78,12 @@ test('a link carries paint and is then of version 2; a glare of a reflectance is
   expect(decodeLink(forged(JSON.stringify({ ...plain, l: rules, a: wrong }), 2)).ok).toBe(false);
 });
 
+test('a link carries that direct light is asked for, of all or by a card', () => {
+  const cards = [{ ...link.cards[1]!, direct: true }];
+  const direct: Link = { ...link, cards, quantity: 'direct' };
+  expect(decodeLink(encodeLink(direct))).toEqual({ ok: true, link: direct });
+});
+
 test('a link carries the areas in plan; one without extent is refused', () => {
   const areas = { keepOut: [[0, 0, 2, 1.5]], keepIn: [], fromWalls: 0.4 } as const;
   const drawn: Link = { ...link, luminaires: { ...link.luminaires, areas } };

@@ -241,6 +241,7 @@ export class FakeSession implements Session {
   }
   adopt(candidates: Candidates) {
     this.calls.push(`adopt ${(candidates as FakeCandidates).asked.join(' ')}`);
+    return '';
   }
   delete() {
     this.calls.push('delete');
@@ -256,11 +257,13 @@ function shown(sites: number[]): CoreShown {
       ties: new Uint32Array(),
     },
     illuminance: Float32Array.of(1, 2, 3, 4),
+    direct: null,
     surfaces: Float64Array.from({ length: 12 }, (_, i) => i),
     goals: Float64Array.of(5),
     constraints: Float64Array.of(30, 0.5, -0.5),
     observers: { names: [], numbers: new Float64Array() },
     grids: Float64Array.of(1, 4, 0.5, 0.5, 3.5, 3),
+    planes: [],
   };
 }
 

@@ -1,5 +1,11 @@
 /** When no layout meets the intentions: the bounds that conflict (app/relief.ts), in the words of their cards. */
-import { boundOf, withBound, type BoundField, type Origin } from '../../document/intentions.ts';
+import {
+  boundOf,
+  planeStatistics,
+  withBound,
+  type BoundField,
+  type Origin,
+} from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
 import type { EasedBound, Relief, Way } from '../relief.ts';
@@ -48,6 +54,12 @@ export function easedCards(
 }
 
 export function fieldText(card: Card, field: BoundField): string {
+  const isOfAll = planeStatistics.some((each) => field.startsWith(each));
+  const text = textOf(card, field);
+  return card.direct && !isOfAll ? words.value.values.direct(text) : text;
+}
+
+function textOf(card: Card, field: BoundField): string {
   const { by, alpha = 2 } = card.guarantee ?? {};
   const guaranteed = by === 'patches' ? '' : words.value.values.fields.guaranteed(alphaText(alpha));
   switch (field) {
@@ -67,6 +79,8 @@ export function fieldText(card: Card, field: BoundField): string {
       return words.value.values.fields.uniformity;
     case 'contrast':
       return words.value.values.fields.contrast(card.contrast?.over.join(', ') ?? '');
+    default:
+      return words.value.values.ofPlanes[field];
   }
 }
 

@@ -1,4 +1,5 @@
 /** Numbers for people: three significant digits, units spelt as in the field. */
+import { quantityOfBound, type BoundField } from '../../document/intentions.ts';
 import type { Quantity } from '../../document/types.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 
@@ -60,7 +61,13 @@ export function alphaText(alpha: number): string {
 }
 
 export function unitOf(quantity: Quantity): string {
-  return quantity === 'illuminance' ? 'lx' : 'lm/m²';
+  return quantity === 'exitance' ? 'lm/m²' : 'lx';
+}
+
+/** Of a bound, where that is the quantity asked for; '' of a ratio. */
+export function unitOfBound(field: BoundField, quantity: Quantity): string {
+  const own = quantityOfBound(field, quantity);
+  return own === null ? '' : unitOf(own);
 }
 
 /** The smallest "round" number (1, 1.5, 2, 3, 4, 5, 6, 8 x 10^k) that is not below `value`. */

@@ -1,8 +1,8 @@
 /** "Check this layout": what recomputing every surface from its patches has shown, as one sentence. */
-import { boundOf, isRatio, type Origin } from '../../document/intentions.ts';
+import { boundOf, type Origin } from '../../document/intentions.ts';
 import type { FiatLuxDocument, Layout } from '../../document/types.ts';
 import { fieldText } from './explain.ts';
-import { compact, percent, unitOf } from './format.ts';
+import { compact, percent, unitOfBound } from './format.ts';
 import { fine } from './provenance.ts';
 import { words } from '../../language/language.ts';
 
@@ -35,7 +35,7 @@ export function checkText(
     const card = origin && document.cards.find((each) => each.id === origin.card);
     const bound = card && boundOf(card, origin.field);
     if (!card || bound === undefined) return [];
-    const unit = isRatio(origin.field) ? '' : ` ${unitOf(document.quantity)}`;
+    const unit = ` ${unitOfBound(origin.field, document.quantity)}`.trimEnd();
     const what = `${card.surfaces.join(', ')}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
     return [`${what}, ${marginText(margin)}`];
   });

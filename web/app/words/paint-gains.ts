@@ -1,5 +1,5 @@
 /** Which paint helps most with what is asked, in words. */
-import type { TracedIntentions } from '../../document/intentions.ts';
+import { planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
 import { isPaintable, leastPaint, mostPaint } from '../../document/paint.ts';
 import type { Constraint, Goal, Quantity, SceneInfo, Statistic, SurfaceNames } from '../../document/types.ts';
 import type { PaintGain, Shown } from '../../solver/protocol.ts';
@@ -35,8 +35,9 @@ const placeOf = (names: SurfaceNames) =>
   names.includes('all') ? words.value.values.wholeRoom : names.join(', ');
 
 /** What no paint changes, or none that is told. */
-const isBeyondPaint = ({ statistic }: Pick<Constraint, 'statistic'>) =>
-  statistic === 'power' || statistic === 'ugr';
+const untold: readonly Statistic[] = ['power', 'ugr', ...planeStatistics];
+const isBeyondPaint = ({ statistic, quantity }: Pick<Constraint, 'statistic' | 'quantity'>) =>
+  quantity === 'direct' || untold.includes(statistic);
 
 /**
  * What is asked above all: the bound that is missed most, of the opened card where it misses one; where none is missed the
@@ -47,6 +48,7 @@ export function activeWish(
   shown: Shown,
   card: string | null,
 ): Wish | null {
+  if (intentions.quantity === 'direct') return null;
   const missed = shown.constraints
     .map((result, index) => ({ result, index, asked: intentions.constraints[index] }))
     .filter(({ result, asked }) => !result.met && asked && !isBeyondPaint(asked))

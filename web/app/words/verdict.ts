@@ -1,12 +1,12 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
 import { ugrText } from '../../document/glare.ts';
-import { boundOf, isRatio, type TracedIntentions } from '../../document/intentions.ts';
+import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
 import type { Card, FiatLuxDocument, Quantity, SceneInfo, SurfaceNames } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
 import { fieldText } from './explain.ts';
-import { compact, ratio, unitOf } from './format.ts';
+import { compact, ratio, unitOf, unitOfBound } from './format.ts';
 import { words } from '../../language/language.ts';
 
 export interface Verdict {
@@ -24,7 +24,7 @@ type Asked = Pick<FiatLuxDocument, 'cards' | 'quantity'>;
 export function verdicts(
   document: Asked,
   { origins }: Pick<TracedIntentions, 'origins'>,
-  shown: Pick<Shown, 'constraints' | 'surfaces' | 'illuminance'>,
+  shown: Pick<Shown, 'constraints' | 'surfaces' | 'illuminance' | 'direct'>,
   scene: SceneInfo,
 ): Verdict[] {
   const unit = unitOf(document.quantity);
@@ -40,14 +40,18 @@ export function verdicts(
           what: fieldText(card, origin.field),
           target,
           actual: result.value,
-          unit: isRatio(origin.field) ? '' : unit,
+          unit: unitOfBound(origin.field, document.quantity),
           margin: result.margin,
           met: result.met,
         },
       ];
     });
-    const wishes = wishesOf(card, reachedOn(card.surfaces, shown, scene, document.quantity));
-    return [...wishes.map((wish) => ({ where, unit, margin: null, met: null, ...wish })), ...bounds];
+    const told = (what: string) => (card.direct ? words.value.values.direct(what) : what);
+    const wishes = wishesOf(card, reachedOn(card, shown, scene, document.quantity));
+    return [
+      ...wishes.map((wish) => ({ where, unit, margin: null, met: null, ...wish, what: told(wish.what) })),
+      ...bounds,
+    ];
   });
 }
 
@@ -83,13 +87,15 @@ function wishesOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 
 
 /** The readings of a set of surfaces: the solver's where it is one leaf or the whole room, else those of its patches. */
 function reachedOn(
-  names: SurfaceNames,
-  shown: Pick<Shown, 'surfaces' | 'illuminance'>,
+  { surfaces: names, direct }: Card,
+  shown: Pick<Shown, 'surfaces' | 'illuminance' | 'direct'>,
   scene: SceneInfo,
   quantity: Quantity,
 ): Readings | null {
-  const row = names.length === 1 ? shown.surfaces.find(({ name }) => name === names[0]) : undefined;
-  return (
-    row ?? sampleOf(scene, shown.illuminance, patchesOf(scene, leavesOf(names, scene.surfaces)), quantity)
-  );
+  const isOwn = direct === true && quantity !== 'direct';
+  const row = names.length === 1 && !isOwn ? shown.surfaces.find(({ name }) => name === names[0]) : undefined;
+  if (row) return row;
+  const light = isOwn ? shown.direct : shown.illuminance;
+  const patches = patchesOf(scene, leavesOf(names, scene.surfaces));
+  return light ? sampleOf(scene, light, patches, isOwn ? 'direct' : quantity) : null;
 }

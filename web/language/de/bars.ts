@@ -58,6 +58,7 @@ export const bars: Words['bars'] = {
     span: (low, high, unit) => `Von ${low} bis ${high} ${unit}`,
     illuminance: 'Beleuchtungsstärke, lx',
     exitance: 'Spezifische Lichtausstrahlung, lm/m²',
+    direct: 'Direkte Beleuchtungsstärke, lx',
     logarithmic: (title) => `${title} (logarithmisch)`,
   },
   messages: { name: 'Meldungen', dismiss: 'Meldung schließen' },

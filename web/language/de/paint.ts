@@ -38,6 +38,9 @@ export const paint: Words['paint'] = {
     uniformity: 'Gleichmäßigkeit',
     contrast: 'Kontrast',
     ugr: 'Blendung',
+    cylindrical: 'Licht auf Gesichtern',
+    modelling: 'Modelling',
+    vertical: 'Licht von der Seite',
   },
   names: {
     ceiling: 'Deckenweiß',

@@ -2,6 +2,16 @@
 import type { Words } from '../en.ts';
 
 export const results: Words['results'] = {
+  planes: {
+    caption: 'Gesichter und vertikale Ebenen',
+    grid: 'Raster der EN 12464-1',
+    plane: 'Ebene',
+    mean: 'Mittel',
+    least: 'Minimum',
+    cylindrical: (name) => `${name}, zylindrisch`,
+    modelling: (name) => `${name}, Modelling`,
+    vertical: (name, way) => `${name}, vertikal ${way}`,
+  },
   room: {
     about: 'Über diesen Raum',
     identity: 'Kennung',

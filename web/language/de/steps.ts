@@ -17,6 +17,7 @@ export const steps: Words['steps'] = {
   more: 'Mehr verlangen',
   remove: (name) => `${name} entfernen`,
   contrast: 'Kontrast ändern',
+  direction: 'Richtung ändern',
   noGlare: 'Blendung begrenzen',
   glare: 'Blendungsgrenze ändern',
   observer: 'Von hier aus blicken',

@@ -28,6 +28,7 @@ export const values: Words['values'] = {
     vary: 'so abwechslungsreich wie möglich (σ)',
   },
   about: 'Mittelwert etwa',
+  direct: (what) => `direktes Licht: ${what}`,
   fields: {
     meanMin: 'Mittelwert mindestens',
     meanMax: 'Mittelwert höchstens',
@@ -38,6 +39,17 @@ export const values: Words['values'] = {
     uniformity: 'Gleichmäßigkeit Uₒ mindestens',
     contrast: (over) => `Kontrast gegenüber ${over} mindestens`,
     guaranteed: (alpha) => ` (zugesichert, α ${alpha})`,
+  },
+  ofPlanes: {
+    'cylindrical.min': 'zylindrische Ēz mindestens',
+    'cylindrical.max': 'zylindrische Ēz höchstens',
+    'cylindrical.least': 'zylindrische Ez überall mindestens',
+    'modelling.min': 'Modelling Ez / Eh mindestens',
+    'modelling.max': 'Modelling Ez / Eh höchstens',
+    'modelling.least': 'Modelling Ez / Eh überall mindestens',
+    'vertical.min': 'vertikale Ēv mindestens',
+    'vertical.max': 'vertikale Ēv höchstens',
+    'vertical.least': 'vertikale Ev überall mindestens',
   },
   glareMost: 'Blendung höchstens',
   types: {

@@ -57,6 +57,7 @@ export const bars = {
     span: (low: string, high: string, unit: string) => `From ${low} to ${high} ${unit}`,
     illuminance: 'Illuminance, lx',
     exitance: 'Exitance, lm/m²',
+    direct: 'Direct illuminance, lx',
     logarithmic: (title: string) => `${title} (logarithmic)`,
   },
   messages: { name: 'Messages', dismiss: 'Dismiss this message' },

@@ -37,6 +37,9 @@ export const paint = {
     uniformity: 'evenness',
     contrast: 'contrast',
     ugr: 'glare',
+    cylindrical: 'light on faces',
+    modelling: 'modelling',
+    vertical: 'light from the side',
   },
   names: {
     ceiling: 'White ceiling paint',

@@ -1,6 +1,16 @@
 /** What is reached: tables, verdicts, and what the numbers rest on. */
 
 export const results = {
+  planes: {
+    caption: 'Faces and vertical planes',
+    grid: 'EN 12464-1 grid',
+    plane: 'Plane',
+    mean: 'Mean',
+    least: 'Least',
+    cylindrical: (name: string) => `${name}, cylindrical`,
+    modelling: (name: string) => `${name}, modelling`,
+    vertical: (name: string, way: string) => `${name}, vertical ${way}`,
+  },
   room: {
     about: 'About this room',
     identity: 'Identity',

@@ -16,6 +16,7 @@ export const steps = {
   more: 'Ask for more',
   remove: (name: string) => `Remove ${name}`,
   contrast: 'Change the contrast',
+  direction: 'Change the direction',
   noGlare: 'No glare',
   glare: 'Change the glare',
   observer: 'Look from here',

@@ -27,6 +27,7 @@ export const values = {
     vary: 'as varied as can be (σ)',
   },
   about: 'mean about',
+  direct: (what: string) => `direct light: ${what}`,
   fields: {
     meanMin: 'mean at least',
     meanMax: 'mean at most',
@@ -37,6 +38,17 @@ export const values = {
     uniformity: 'evenness Uₒ at least',
     contrast: (over: string) => `contrast over ${over} at least`,
     guaranteed: (alpha: string) => ` (guaranteed, α ${alpha})`,
+  },
+  ofPlanes: {
+    'cylindrical.min': 'cylindrical Ēz at least',
+    'cylindrical.max': 'cylindrical Ēz at most',
+    'cylindrical.least': 'cylindrical Ez everywhere at least',
+    'modelling.min': 'modelling Ez / Eh at least',
+    'modelling.max': 'modelling Ez / Eh at most',
+    'modelling.least': 'modelling Ez / Eh everywhere at least',
+    'vertical.min': 'vertical Ēv at least',
+    'vertical.max': 'vertical Ēv at most',
+    'vertical.least': 'vertical Ev everywhere at least',
   },
   glareMost: 'glare at most',
   types: {

@@ -28,7 +28,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
 
   const apply = (preset: Preset) => {
     close();
-    if (quantity === 'exitance') app.setQuantity('illuminance');
+    if (quantity !== 'illuminance') app.setQuantity('illuminance');
     if (!target) app.addCard('homogenize', [...names]);
     const id = store.card.peek();
     if (id) app.changeCard(id, words.value.steps.preset(preset.title()), (card) => withPreset(card, preset));

@@ -5,6 +5,7 @@ import { compact, niceStep, ratio, unitOf } from '../../app/words/format.ts';
 import { withOptional } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { useBound, type CardProps } from './card-hooks.ts';
+import { CardPlanes } from './card-planes.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
@@ -13,7 +14,7 @@ import { words } from '../../language/language.ts';
 
 export function CardMore({ card }: CardProps) {
   const app = useApp();
-  const reached = useReached(card.surfaces);
+  const reached = useReached(card.surfaces, card.direct);
   const add = (change: Parameters<typeof app.changeCard>[2]) =>
     app.changeCard(card.id, words.value.steps.more, change);
   const other = app.store.scene.value?.surfaces.find(
@@ -24,6 +25,7 @@ export function CardMore({ card }: CardProps) {
       {card.spread && <SpreadFields card={card} reached={reached} />}
       {card.uniformity !== undefined && <UniformityField card={card} reached={reached} />}
       {card.contrast && <ContrastFields card={card} />}
+      <CardPlanes card={card} />
       <div class="add-fields">
         {card.verb !== 'keep' && !card.mean && (
           <button
@@ -158,8 +160,8 @@ function UniformityField({ card, reached }: FieldsProps) {
 function ContrastFields({ card }: CardProps) {
   const app = useApp();
   const { set, end } = useBound(card);
-  const here = useReached(card.surfaces);
-  const there = useReached(card.contrast?.over ?? []);
+  const here = useReached(card.surfaces, card.direct);
+  const there = useReached(card.contrast?.over ?? [], card.direct);
   const { contrast } = card;
   if (!contrast) return null;
   return (

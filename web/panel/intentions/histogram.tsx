@@ -29,7 +29,7 @@ const handles: readonly { field: BoundField; title: () => string; mark: string }
 
 export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
   const { store } = useApp();
-  const sample = useSample(card.surfaces);
+  const sample = useSample(card.surfaces, card.direct);
   const bound = useBound(card);
   const svg = useRef<SVGSVGElement>(null);
   const inPaperWords = usePaperWords();

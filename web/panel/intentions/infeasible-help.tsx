@@ -3,8 +3,7 @@ import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import type { EasedBound, Relief, Way } from '../../app/relief.ts';
 import { conflicting, easedCards, fieldText, type Conflicting } from '../../app/words/explain.ts';
-import { compact, unitOf } from '../../app/words/format.ts';
-import { isRatio } from '../../document/intentions.ts';
+import { compact, unitOfBound } from '../../app/words/format.ts';
 import { MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
 import { namesText } from './surface-picker.tsx';
 import { words } from '../../language/language.ts';
@@ -104,7 +103,7 @@ interface BoundProps {
 function Bound({ bound, relief, ease }: BoundProps) {
   const { store } = useApp();
   const { card, field, asked, reached, met, way } = bound;
-  const suffix = isRatio(field) ? '' : ` ${unitOf(store.document.value.quantity)}`;
+  const suffix = ` ${unitOfBound(field, store.document.value.quantity)}`.trimEnd();
   const { origins } = store.traced.value;
   const everySpot = relief.patches.find(
     ({ change }) => origins[change]?.card === card.id && origins[change]?.field === field,

@@ -5,13 +5,14 @@ import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { leavesOf } from '../../document/surface-names.ts';
-import { keepRange, withOptional } from '../../document/intentions.ts';
+import { keepRange, planeStatistics, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
 import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
 import { usePaperWords, useScale, type CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
+import { Check } from '../controls/check.tsx';
 import { More } from '../controls/more.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { MeanRange } from './mean-range.tsx';
@@ -25,7 +26,7 @@ export function IntentionCard({ card }: CardProps) {
   const { store } = app;
   const isOpen = store.card.value === card.id;
   const status = useStatus(card);
-  const reached = useReached(card.surfaces);
+  const reached = useReached(card.surfaces, card.direct);
   const unit = unitOf(store.document.value.quantity);
   const toggle = () => {
     store.card.value = isOpen ? null : card.id;
@@ -106,14 +107,16 @@ function Met({ status }: { status: Status | null }) {
 }
 
 /** Whether a card asks for something that is behind "more". */
-const asksMore = ({ verb, mean, spread, guarantee, uniformity, contrast }: Card): boolean =>
-  [verb === 'keep' ? undefined : mean, spread, guarantee, uniformity, contrast].some(
-    (each) => each !== undefined,
-  );
+const asksMore = (card: Card): boolean => {
+  const { verb, mean, spread, guarantee, uniformity, contrast, direct } = card;
+  const ofPlanes = planeStatistics.map((statistic) => card[statistic]);
+  const asked = [verb === 'keep' ? undefined : mean, spread, guarantee, uniformity, contrast, direct];
+  return [...asked, ...ofPlanes].some((each) => each !== undefined);
+};
 
 /** One scale for the slider and the histogram of a card: what is asked and the light, but not its few brightest spots. */
-function useAxis({ aim, mean, guarantee, surfaces }: Card, reached: Reached | null) {
-  const sample = useSample(surfaces);
+function useAxis({ aim, mean, guarantee, surfaces, direct }: Card, reached: Reached | null) {
+  const sample = useSample(surfaces, direct);
   const most = sample ? mostShown(sample) : 0;
   // A bound far beyond the light stands at the edge, so that the light keeps its shape.
   const near = (bound: number | undefined) => (bound !== undefined && bound <= 6 * most ? bound : 0);
@@ -124,7 +127,7 @@ function useAxis({ aim, mean, guarantee, surfaces }: Card, reached: Reached | nu
 function CardBody({ card }: CardProps) {
   const app = useApp();
   const { store } = app;
-  const reached = useReached(card.surfaces);
+  const reached = useReached(card.surfaces, card.direct);
   const axis = useAxis(card, reached);
   const inPaperWords = usePaperWords();
   const setVerb = (verb: Verb) =>
@@ -185,6 +188,7 @@ function CardBody({ card }: CardProps) {
         {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
         <CardGuarantee card={card} />
         <CardMore card={card} />
+        <DirectOnly card={card} />
         {reached && (
           <dl class="readings">
             <Reading name={words.value.intentions.card.spread} value={compact(reached.sigma)} />
@@ -198,6 +202,25 @@ function CardBody({ card }: CardProps) {
         {store.document.value.cards.length > 1 && !isKeep && <Weight card={card} />}
       </More>
     </div>
+  );
+}
+
+/** Emergency lighting counts direct light alone. */
+function DirectOnly({ card }: CardProps) {
+  const app = useApp();
+  const { store } = app;
+  const canTell = store.scene.value?.hasOperator && store.document.value.quantity === 'illuminance';
+  if (!canTell && !card.direct) return null;
+  return (
+    <Check
+      label={words.value.intentions.card.direct}
+      checked={card.direct === true}
+      set={(on) =>
+        app.changeCard(card.id, words.value.intentions.card.direct, (each) =>
+          withOptional(each, 'direct', on || undefined),
+        )
+      }
+    />
   );
 }
 

@@ -75,6 +75,7 @@ export function IntentionsTab() {
 function QuantityChoice() {
   const app = useApp();
   const { quantity } = app.store.document.value;
+  const canTell = app.store.scene.value?.hasOperator;
   return (
     <div class="segments wide" role="group" aria-label={words.value.intentions.quantity}>
       <button
@@ -84,6 +85,15 @@ function QuantityChoice() {
       >
         {words.value.intentions.illuminance} <small>lx</small>
       </button>
+      {(canTell || quantity === 'direct') && (
+        <button
+          aria-pressed={quantity === 'direct'}
+          title={words.value.intentions.directTip}
+          onClick={() => app.setQuantity('direct')}
+        >
+          {words.value.intentions.direct} <small>lx</small>
+        </button>
+      )}
       <button
         aria-pressed={quantity === 'exitance'}
         title={words.value.intentions.exitanceTip}

@@ -1,4 +1,7 @@
-/** What a set of surfaces reaches now: one row of the solver where it is one leaf (or all), else read off the patches. */
+/**
+ * What a set of surfaces reaches now: one row of the solver where it is one leaf (or all), else read off the patches, as is
+ * the direct light of a card that speaks of it alone.
+ */
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { patchesOf, sampleOf, type AreaSample } from '../../app/state/statistics.ts';
@@ -12,28 +15,30 @@ export interface Reached {
   readonly max: number;
 }
 
-export function useReached(names: SurfaceNames): Reached | null {
+export function useReached(names: SurfaceNames, direct = false): Reached | null {
   const { store } = useApp();
   const shown = store.shown.value;
-  const row = names.length === 1 ? shown?.surfaces.find((each) => each.name === names[0]) : undefined;
-  const sample = useSample(row ? [] : names);
+  const isRead = names.length === 1 && (!direct || store.document.value.quantity === 'direct');
+  const row = isRead ? shown?.surfaces.find((each) => each.name === names[0]) : undefined;
+  const sample = useSample(row ? [] : names, direct);
   if (row) return row;
   return sample && { mean: sample.mean, sigma: sample.sigma, min: sample.least, max: sample.most };
 }
 
 /** The light of the patches of some surfaces. */
-export function useSample(names: SurfaceNames): AreaSample | null {
+export function useSample(names: SurfaceNames, direct = false): AreaSample | null {
   const { store } = useApp();
   const scene = store.painted.value;
   const shown = store.shown.value;
   const { quantity } = store.document.value;
+  const light = direct ? (shown?.direct ?? null) : (shown?.illuminance ?? null);
   const key = names.join('\n');
   const patches = useMemo(
     () => (scene && key !== '' ? patchesOf(scene, leavesOf(names, scene.surfaces)) : new Uint32Array()),
     [scene, key],
   );
   return useMemo(
-    () => (scene && shown ? sampleOf(scene, shown.illuminance, patches, quantity) : null),
-    [shown, patches, quantity],
+    () => (scene && light ? sampleOf(scene, light, patches, direct ? 'direct' : quantity) : null),
+    [light, patches, quantity, direct],
   );
 }

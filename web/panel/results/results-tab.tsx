@@ -8,6 +8,7 @@ import { CheckLayout } from './check-layout.tsx';
 import { PaintSection } from './paint-section.tsx';
 import { GlareTable } from './glare-table.tsx';
 import { NumberField } from '../controls/number-field.tsx';
+import { PlaneTable } from './plane-table.tsx';
 import { SurfaceTable } from './surface-table.tsx';
 import { VerdictTable } from './verdict-table.tsx';
 import { words } from '../../language/language.ts';
@@ -23,6 +24,7 @@ export function ResultsTab() {
       <SurfaceTable />
       <PaintSection />
       <GlareTable />
+      <PlaneTable />
       <CheckLayout />
       <AboutRoom />
     </>

@@ -33,10 +33,7 @@ function drawLegend(context: CanvasRenderingContext2D, display: Display): void {
   context.fillStyle = '#1b1b1a';
   context.font = '12px system-ui, sans-serif';
   context.textBaseline = 'middle';
-  const title =
-    display.quantity === 'illuminance'
-      ? words.value.bars.legend.illuminance
-      : words.value.bars.legend.exitance;
+  const title = words.value.bars.legend[display.quantity];
   context.fillText(display.logarithmic ? words.value.bars.legend.logarithmic(title) : title, padding, 15);
   const span = width - 2 * padding;
   const colors = context.createLinearGradient(padding, 0, padding + span, 0);

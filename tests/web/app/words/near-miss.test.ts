@@ -14,6 +14,7 @@ const light: Shown = {
   violation: 0,
   observers: [],
   grids: [],
+  planes: [],
 };
 const missedBy = (violation: number) => ({ value: 1, met: false, violation, margin: -violation });
 const verdictOn = (statistic: Constraint['statistic'], violation: number) =>

@@ -1,0 +1,50 @@
+// Statistics of the points of measuring planes (core/scene/plane_points.h) for a layout and for its changes,
+// in a few loads a point: the least light upright there, and modelling, which is no sum of what each
+// luminaire does.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/plane_points.h"
+#include "core/search/intentions.h"
+#include "core/search/kernels.h"
+
+namespace fiatlux {
+
+/// What must be known of which measuring planes, each once.
+std::vector<PlaneWish> planesAskedOf(const Intentions& intentions);
+
+/// What each site does at the points that a constraint speaks of, one plane after the other. Refers to the
+/// scene. Precondition: its statistic is of planes, and they are there (Scene::planes).
+std::vector<const Responses*> uprightOf(const Scene& scene, const Constraint& constraint);
+/// Their mean over all points, an entry a site.
+std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constraint);
+
+class PlaneValues {
+ public:
+  /// As for uprightOf.
+  PlaneValues(const Scene& scene, const Constraint& constraint);
+
+  /// Sets the layout that `changed` starts from.
+  void load(const std::uint32_t* sites, const double* flux, std::uint32_t count);
+  /// Of the loaded layout at full flux (t = 1).
+  MeanAndLeast current() { return changed(nullptr, 0); }
+  /// After a change of it.
+  MeanAndLeast changed(const FluxChange* changes, std::uint32_t count);
+
+ private:
+  /// lx at the points of a plane, upright and on it.
+  struct Plane {
+    const Responses *upright, *horizontal;  // the latter for a ratio; else nullptr
+    std::vector<double> light, on;          // under the loaded layout
+  };
+  std::vector<Plane> planes_;
+  std::size_t points_ = 0;
+  std::vector<double> light_, on_;  // scratch
+};
+
+/// Of a constraint under a layout, dimmed.
+MeanAndLeast planeValueUnder(const Scene& scene, const Constraint& constraint, const Layout& layout);
+
+}  // namespace fiatlux
