@@ -294,6 +294,14 @@ std::vector<Observer> observersOf(const val& asked, const Patches& patches) {
   return observers;
 }
 
+std::vector<Zone> zonesOf(const val& asked) {
+  std::vector<Zone> zones;
+  for (unsigned z = 0, count = asked["length"].as<unsigned>(); z < count; ++z)
+    zones.push_back({asked[z]["name"].as<std::string>(), asked[z]["leaf"].as<std::uint32_t>(),
+                     vectorOf<std::uint32_t>(asked[z]["rows"])});
+  return zones;
+}
+
 LuminaireRules rulesOf(const val& v) {
   LuminaireRules rules;
   rules.count = v["count"].as<std::uint32_t>();
@@ -322,6 +330,7 @@ Intentions intentionsOf(const val& asked, const Scene* scene) {
     intentions.goals.push_back(goalOf(goals[i]));
   for (unsigned i = 0, count = constraints["length"].as<unsigned>(); i < count; ++i)
     intentions.constraints.push_back(constraintOf(constraints[i]));
+  intentions.zones = zonesOf(asked["zones"]);
   if (scene) intentions.observers = observersOf(asked["glare"], scene->patches);
   return intentions;
 }
@@ -529,6 +538,13 @@ val paintGainsOf(Session& room, val asked, val paint, val illuminance) {
   Intentions intentions = intentionsOf(asked, room.scene());
   intentions.luminaires = {};
   intentions.luminaires.count = 1;
+  if (!(intentions.zones == room.scene()->zones)) {
+    // Another session answers what is asked; this one is to know the areas by their names, too.
+    Intentions ofZones;
+    ofZones.luminaires = intentions.luminaires;
+    ofZones.zones = intentions.zones;
+    if (const Result<Done> known = room.setIntentions(ofZones); !known) return val(known.error().message);
+  }
   const Result<Done> checked = checkIntentions(*room.scene(), intentions);
   if (!checked) return val(checked.error().message);
   const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));

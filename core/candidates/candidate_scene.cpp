@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/candidates/candidate_list.h"
+#include "core/scene/zones.h"
 #include "core/transport/direct_quadrature.h"
 #include "core/transport/plane_light.h"
 #include "core/transport/room_view.h"
@@ -160,7 +161,7 @@ DirectLight CandidateScene::directLight() const {
     const std::vector<float> some = light_->direct(photometric(first, count));
     columns.insert(columns.end(), some.begin(), some.end());
   }
-  direct.statistics = meanRows(room_->patches, room_->surfaces.size(), direct.responses, Quantity::kDirect);
+  direct.statistics = meanRows(room_->patches, firstZone(*room_), direct.responses, Quantity::kDirect);
   return direct;
 }
 
@@ -169,8 +170,11 @@ Scene CandidateScene::finish(Quantity quantity) {
   Scene scene;
   scene.identity = room_->identity;
   scene.patches = room_->patches;
-  scene.surfaces = room_->surfaces;
+  // Whoever asks for zones gives them anew.
+  const std::uint32_t surfaces = firstZone(*room_);
+  scene.surfaces.assign(room_->surfaces.begin(), room_->surfaces.begin() + surfaces);
   scene.errorBound = room_->errorBound;
+  scene.errorBound.resize(std::min<std::size_t>(scene.errorBound.size(), surfaces));
   for (const Candidate& candidate : candidates_) {
     scene.sites.push_back(room_->sites[candidate.site]);
     if (!types_.empty())

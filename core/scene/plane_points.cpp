@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/scene/zones.h"
+
 namespace fiatlux {
 namespace {
 
@@ -45,6 +47,9 @@ std::vector<PlanePoint> pointsOnPlane(const Scene& scene, std::uint32_t surface)
 
 Result<Done> checkPlane(const Scene& scene, std::uint32_t surface) {
   const std::string name = "\"" + scene.surfaces[surface].name + "\"";
+  if (surface >= firstZone(scene))
+    return Error{name +
+                 " is a part of a measuring plane, and this is told of whole ones only; name the plane"};
   if (!scene.surfaces[surface].measuring)
     return Error{name + " is no measuring plane, and this is told of one only; name a measuring plane"};
   if (pointsOnPlane(scene, surface).empty())

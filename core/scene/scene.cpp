@@ -8,21 +8,25 @@
 
 #include "core/scene/stored_statistics.h"
 #include "core/scene/surface_names.h"
+#include "core/scene/zones.h"
 
 namespace fiatlux {
-namespace {
 
-/// Patches that count, or receivers, of a set of leaves, in order.
-std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& leaves) {
+std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& surfaces) {
+  const std::uint32_t zones = firstZone(scene);
   std::vector<char> wanted(scene.surfaces.size(), 0);
+  const SurfaceSet leaves = leavesOf(scene, surfaces);
   for (const std::uint32_t s : leaves) wanted[s] = 1;
   std::vector<std::uint32_t> rows;
   for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
     if (wanted[scene.patches.surface[p]] && scene.patches.counts(p)) rows.push_back(p);
+  const std::size_t ofLeaves = rows.size();
+  for (const std::uint32_t s : leaves)
+    if (s >= zones)
+      rows.insert(rows.end(), scene.zones[s - zones].rows.begin(), scene.zones[s - zones].rows.end());
+  if (rows.size() > ofLeaves) std::sort(rows.begin(), rows.end());
   return rows;
 }
-
-}  // namespace
 
 const Responses& responsesOf(const Scene& scene, Quantity quantity) {
   assert(quantity != Quantity::kDirect || scene.direct);
@@ -102,13 +106,11 @@ std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout, Quant
 
 ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<float>& values,
                                       const SurfaceSet& surfaces) {
-  std::vector<char> member(scene.surfaces.size(), 0);
-  for (std::uint32_t s : leavesOf(scene, surfaces)) member[s] = 1;
+  const std::vector<std::uint32_t> rows = rowsOf(scene, surfaces);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ExplicitStatistics result{0, 0, kInfinity, -kInfinity};
   double area = 0, sum = 0, squares = 0;
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    if (!member[scene.patches.surface[p]] || !scene.patches.counts(static_cast<std::uint32_t>(p))) continue;
+  for (const std::uint32_t p : rows) {
     const double weight = scene.patches.area[p];
     area += weight;
     sum += weight * values[p];
@@ -116,8 +118,7 @@ ExplicitStatistics explicitStatistics(const Scene& scene, const std::vector<floa
     result.maximum = std::max<double>(result.maximum, values[p]);
   }
   result.mean = sum / area;
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    if (!member[scene.patches.surface[p]] || !scene.patches.counts(static_cast<std::uint32_t>(p))) continue;
+  for (const std::uint32_t p : rows) {
     const double deviation = values[p] - result.mean;
     squares += scene.patches.area[p] * deviation * deviation;
   }

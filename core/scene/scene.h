@@ -28,6 +28,17 @@ struct Responses {
   const float* column(std::uint32_t site) const { return illuminance.data() + std::size_t{site} * rows; }
 };
 
+/// Part of a leaf surface that is a surface of its own (zones.h).
+struct Zone {
+  std::string name;
+  std::uint32_t leaf = 0;           // surface of the file that it is part of
+  std::vector<std::uint32_t> rows;  // of that leaf, ascending
+};
+
+inline bool operator==(const Zone& a, const Zone& b) {
+  return a.name == b.name && a.leaf == b.leaf && a.rows == b.rows;
+}
+
 /// One way to hang a luminaire in a room, where the sites of a scene are such ways (core/candidates).
 struct Hanging {
   std::uint32_t place = 0;  // site of the room: those of one place exclude each other
@@ -65,6 +76,7 @@ struct Scene {
                                   // the surface's mean response to that site; guards true minima and maxima
   std::vector<SurfaceStatistics> illuminance;  // per leaf surface
   std::vector<SurfaceStatistics> exitance;     // per leaf surface; empty for measuring planes
+  std::vector<Zone> zones;                     // of no file: the last of the surfaces (zones.h)
   std::optional<LightOperator> lightOperator;  // what other photometries need; older files have none
   std::vector<ObserverRows>
       observers;  // of no file: of those whose glare is asked for (core/transport/room_view.h)
@@ -84,6 +96,10 @@ std::vector<SurfaceStatistics> meanRows(const Patches& patches, std::size_t surf
 inline double powerAt(const Scene& scene, std::uint32_t site) {
   return scene.hangings.empty() ? 1 : scene.hangings[site].power;
 }
+
+/// The rows that a surface set is made of and that count, ascending; a row that two of its zones share is
+/// there twice.
+std::vector<std::uint32_t> rowsOf(const Scene& scene, const SurfaceSet& surfaces);
 
 /// Statistics of a union of disjoint leaves by their areas: w_i = A_i / A, a = sum w_i a_i,
 /// C = sum w_i (C_i + a_i a_i^T) - a a^T, or of responses. `surfaces` empty: all that are no measuring

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene/patches.h"
+#include "core/scene/scene.h"
 #include "core/search/statistics.h"
 
 namespace fiatlux {
@@ -105,6 +106,7 @@ struct Intentions {
   std::vector<Constraint> constraints;
   Quantity quantity = Quantity::kIlluminance;
   std::vector<Observer> observers;  // those of the scene that is searched (Scene::observers)
+  std::vector<Zone> zones;          // likewise (Scene::zones)
 };
 
 /// Of which light a goal or a constraint of these intentions speaks.

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/scene/surface_names.h"
-
 namespace fiatlux {
 namespace {
 constexpr std::size_t kWitnesses = 12;
@@ -15,14 +13,14 @@ PatchExtremes::PatchExtremes(const Scene& scene, Quantity quantity, const Surfac
       means_(leafStatistics(scene, quantity == Quantity::kDirect ? quantity : Quantity::kIlluminance)) {
   const bool isStored = quantity != Quantity::kDirect;  // note: direct light is made, not stored in steps
   std::vector<std::uint32_t> leafOf(scene.surfaces.size(), kNone);
-  for (std::uint32_t s : leavesOf(scene, surfaces)) {
-    leafOf[s] = static_cast<std::uint32_t>(leaves_.size());
-    leaves_.push_back({s, isStored && s < scene.errorBound.size() ? scene.errorBound[s] : 0.0});
-  }
-  for (std::uint32_t p = 0; p < responses_.rows; ++p) {
-    const std::uint32_t leaf = leafOf[scene.patches.surface[p]];
-    if (leaf == kNone || !scene.patches.counts(p)) continue;
-    rows_.push_back({p, leaf, quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0f});
+  for (const std::uint32_t p : rowsOf(scene, surfaces)) {
+    // Errors are known of leaves of the file: a zone's rows have those of the leaf that they are of.
+    const std::uint32_t s = scene.patches.surface[p];
+    if (leafOf[s] == kNone) {
+      leafOf[s] = static_cast<std::uint32_t>(leaves_.size());
+      leaves_.push_back({s, isStored && s < scene.errorBound.size() ? scene.errorBound[s] : 0.0});
+    }
+    rows_.push_back({p, leafOf[s], quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0f});
   }
   light_.assign(rows_.size(), 0.0f);
   leafMean_.assign(leaves_.size(), 0.0);

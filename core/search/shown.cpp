@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/scene/surface_names.h"
+#include "core/scene/zones.h"
 #include "core/search/patch_extremes.h"
 #include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
@@ -127,14 +128,16 @@ double readGoal(const Lit& lit, const Goal& goal, Quantity quantity) {
 void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
   const bool exitance = quantity == Quantity::kExitance;
   for (SurfaceReading& reading : shown.surfaces) reading = {0, 0, kUnbounded, -kUnbounded};
-  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p) {
-    if (!scene.patches.counts(p)) continue;
-    SurfaceReading& reading = shown.surfaces[scene.patches.surface[p]];
+  const auto read = [&](SurfaceReading& reading, std::uint32_t p) {
     const double value =
         exitance ? shown.illuminance[p] * scene.patches.reflectance[p] : shown.illuminance[p];
     reading.minimum = std::min(reading.minimum, value);
     reading.maximum = std::max(reading.maximum, value);
-  }
+  };
+  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p)
+    if (scene.patches.counts(p)) read(shown.surfaces[scene.patches.surface[p]], p);
+  for (std::size_t z = 0; z < scene.zones.size(); ++z)
+    for (const std::uint32_t p : scene.zones[z].rows) read(shown.surfaces[firstZone(scene) + z], p);
   SurfaceReading& all = shown.surfaces.back();
   for (std::uint32_t s : leavesOf(scene, {})) {
     all.minimum = std::min(all.minimum, shown.surfaces[s].minimum);
@@ -146,15 +149,17 @@ void readExtremes(const Scene& scene, Quantity quantity, Shown& shown) {
 void readLight(const Scene& scene, Quantity quantity, Shown& shown) {
   const std::size_t leaves = scene.surfaces.size();
   std::vector<double> area(leaves), sum(leaves), squares(leaves);
-  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p) {
-    if (!scene.patches.counts(p)) continue;
-    const std::uint32_t s = scene.patches.surface[p];
+  const auto add = [&](std::size_t s, std::uint32_t p) {
     const double factor = quantity == Quantity::kExitance ? scene.patches.reflectance[p] : 1.0;
     const double weight = scene.patches.area[p], value = factor * shown.illuminance[p];
     area[s] += weight;
     sum[s] += weight * value;
     squares[s] += weight * value * value;
-  }
+  };
+  for (std::uint32_t p = 0; p < shown.illuminance.size(); ++p)
+    if (scene.patches.counts(p)) add(scene.patches.surface[p], p);
+  for (std::size_t z = 0; z < scene.zones.size(); ++z)
+    for (const std::uint32_t p : scene.zones[z].rows) add(firstZone(scene) + z, p);
   double total = 0, all = 0, allSquares = 0;
   const auto read = [](SurfaceReading& reading, double weight, double first, double second) {
     if (weight <= 0) return;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/scene/zones.h"
 #include "core/search/shown.h"
 #include "core/transport/surface_statistics.h"
 
@@ -31,7 +32,7 @@ std::vector<std::uint32_t> paintable(const Scene& room) {
 Scene litScene(const Scene& room, const Repaint& paint, const std::vector<float>& light) {
   Scene scene;
   scene.patches = room.patches;
-  scene.surfaces = room.surfaces;
+  scene.surfaces.assign(room.surfaces.begin(), room.surfaces.begin() + firstZone(room));
   scene.sites = {Site{}};
   scene.responses = {static_cast<std::uint32_t>(light.size()), 1, light};
   std::copy(paint.reflectance().begin(), paint.reflectance().end(), scene.patches.reflectance.begin());
@@ -51,6 +52,7 @@ Intentions ofLightAlone(const Intentions& asked) {
   intentions.luminaires.flux = {1};
   intentions.goals = asked.goals;
   intentions.constraints = asked.constraints;
+  intentions.zones = asked.zones;
   for (Constraint& constraint : intentions.constraints)
     if (!isOfLight(constraint)) constraint = {Statistic::kPower, 0, kUnbounded};
   for (Goal& goal : intentions.goals)
@@ -59,7 +61,9 @@ Intentions ofLightAlone(const Intentions& asked) {
 }
 
 PaintGain readingsOf(Scene& scene, const Intentions& asked) {
+  (void)takeZones(scene, {});
   setMeanRows(asked.quantity, scene);
+  (void)takeZones(scene, asked.zones);
   PreparedScene prepared(scene);
   const Shown shown = shownOf(prepared, asked, {{0}, {1}, 1});
   PaintGain readings{0, shown.goals, {}};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/scene/zones.h"
 #include "core/search/eased.h"
 #include "core/search/identity.h"
 #include "core/search/near_search.h"
@@ -107,14 +108,22 @@ void Session::setPowers(const std::vector<double>& watts) {
 
 Result<Done> Session::setIntentions(const Intentions& intentions) {
   if (!scene_) return Error{"no scene is open"};
+  std::vector<Zone> before = scene_->zones;
+  const bool areZonesNew = !(intentions.zones == before);
+  if (Result<Done> sound = areZonesNew ? takeZones(*scene_, intentions.zones) : Done{}; !sound) return sound;
   Result<Done> checked = checkIntentions(*scene_, intentions);
-  if (!checked) return checked;
-  if (Result<Done> seen = observe(*scene_, intentions.observers); !seen) return seen;
-  if (Result<Done> lit = lightFor(intentions); !lit) return lit;
+  if (checked) checked = observe(*scene_, intentions.observers);
+  if (checked) checked = lightFor(intentions);
+  if (!checked) {
+    if (areZonesNew) (void)takeZones(*scene_, before);
+    return checked;
+  }
   search_.reset();
   eased_.reset();
   alpha_.reset();
   bound_.reset();
+  // What is prepared knows zones by their numbers.
+  if (areZonesNew) prepared_ = std::make_unique<PreparedScene>(*scene_);
   intentions_ = intentions;
   asked_ = true;
   return Done{};
@@ -190,6 +199,8 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
   if (!checked) return checked.error();
   if (!(intentions.observers == intentions_.observers))
     return Error{"a trial has the observers of what is asked, and no others"};
+  if (!(intentions.zones == scene_->zones))
+    return Error{"a trial has the areas of what is asked, and no others"};
   for (const PlaneWish& wish : planesAskedOf(intentions))
     if (!isToldBy(scene_->planes, wish))
       return Error{"a trial has the measuring planes of what is asked, and no others"};

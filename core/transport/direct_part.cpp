@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/scene/luminaire.h"
+#include "core/scene/zones.h"
 #include "core/transport/direct_quadrature.h"
 
 namespace fiatlux {
@@ -20,7 +21,8 @@ Result<Done> addDirect(Scene& scene) {
   for (std::uint32_t j = 0; j < sites; ++j)
     quadrature.lambertian(luminaireOf(scene.sites[j]), scene.lightOperator->visibility.column(j),
                           &direct.responses.illuminance[std::size_t{j} * rows]);
-  direct.statistics = meanRows(scene.patches, scene.surfaces.size(), direct.responses, Quantity::kDirect);
+  direct.statistics = meanRows(scene.patches, firstZone(scene), direct.responses, Quantity::kDirect);
+  for (const Zone& zone : scene.zones) direct.statistics.push_back(zoneMeans(scene, direct.responses, zone));
   scene.direct = std::move(direct);
   return Done{};
 }

@@ -1,4 +1,5 @@
 /** The one registry of actions: menus, the palette (Ctrl+K), keys and help (?) are all made from it. */
+import { leafBehind } from '../document/task-areas.ts';
 import type { Display } from '../document/types.ts';
 import type { ViewName } from '../viewer/types.ts';
 import type { App } from './app.ts';
@@ -361,7 +362,8 @@ export const actions: readonly Action[] = [
 
 /** The surfaces and luminaires of the room, to be selected, and the rooms of the site as actions. */
 export function placesOf({ rooms, store }: App): Action[] {
-  const surfaces = store.scene.value?.surfaces ?? [];
+  const scene = store.sceneWithAreas.value;
+  const surfaces = scene?.surfaces ?? [];
   const luminaires = store.shown.value?.layout.sites ?? [];
   return [
     ...surfaces.map(({ name }, surface): Action => ({
@@ -370,7 +372,7 @@ export function placesOf({ rooms, store }: App): Action[] {
       group: 'Surfaces',
       run(app) {
         app.selectSurface(surface);
-        app.viewer.reveal([surface]);
+        if (scene) app.viewer.reveal([leafBehind(scene, surface)]);
       },
     })),
     ...luminaires.map((_, luminaire): Action => ({

@@ -2,8 +2,9 @@
 import { effect } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import { markedAreas } from '../document/areas.ts';
+import { markedAreas, type MarkedArea } from '../document/areas.ts';
 import { keepRange } from '../document/intentions.ts';
+import { leafBehind, markedTasks } from '../document/task-areas.ts';
 import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
@@ -14,6 +15,7 @@ import { Film } from './film.ts';
 import { Hand } from './hand.ts';
 import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
+import { TaskAreas } from './task-areas.ts';
 import { LuminaireTypes } from './luminaires/luminaire-types.ts';
 import { Opening } from './opening/opening.ts';
 import { Painting } from './painting.ts';
@@ -41,6 +43,7 @@ export class App {
   readonly viewer: Viewer;
   readonly solving: Solving;
   readonly hand: Hand;
+  readonly tasks: TaskAreas;
   readonly opening: Opening;
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
@@ -54,6 +57,7 @@ export class App {
     this.viewer = createViewer(canvas, labels, this.#viewerEvents());
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
+    this.tasks = new TaskAreas(store);
     new Comparing(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
     this.painting = new Painting(store, this.solving, this.viewer);
@@ -80,7 +84,7 @@ export class App {
   /** Adds a card for the selected surface (or `names`) and opens it. */
   addCard(verb: Verb = 'homogenize', names?: readonly string[]): void {
     const { store } = this;
-    const selected = store.scene.peek()?.surfaces[store.surface.peek() ?? -1]?.name;
+    const selected = store.sceneWithAreas.peek()?.surfaces[store.surface.peek() ?? -1]?.name;
     const surfaces = names ?? [selected ?? 'all'];
     const row = store.shown.peek()?.surfaces.find((each) => each.name === surfaces[0]);
     const mean = verb === 'keep' && row ? { mean: keepRange(row.mean) } : {};
@@ -184,7 +188,7 @@ export class App {
   selectSurface(surface: number | null): void {
     const { store } = this;
     store.surface.value = surface;
-    const name = store.scene.peek()?.surfaces[surface ?? -1]?.name;
+    const name = store.sceneWithAreas.peek()?.surfaces[surface ?? -1]?.name;
     if (name === undefined) return;
     const card = store.document.peek().cards.find((each) => each.surfaces.includes(name));
     if (card) store.card.value = card.id;
@@ -214,9 +218,21 @@ export class App {
 
   /** A measuring plane that an intention is aimed at, if any. */
   #planeAskedFor(): string | undefined {
-    const surfaces = this.store.scene.peek()?.surfaces ?? [];
+    const surfaces = this.store.sceneWithAreas.peek()?.surfaces ?? [];
     const names = this.store.document.peek().cards.flatMap((card) => card.surfaces);
     return names.find((name) => leavesOf([name], surfaces).some((leaf) => surfaces[leaf]?.measuring));
+  }
+
+  /** All areas in plan, to be drawn. */
+  markedAreas(): MarkedArea[] {
+    const { document, scene, sceneWithAreas, surface } = this.store;
+    const { luminaires, taskAreas } = document.value;
+    const room = scene.value;
+    const chosen = sceneWithAreas.value?.surfaces[surface.value ?? -1]?.name ?? null;
+    return [
+      ...markedAreas(luminaires.areas),
+      ...(room && taskAreas ? markedTasks(room, taskAreas, chosen) : []),
+    ];
   }
 
   /** What the view tells the app. */
@@ -243,9 +259,14 @@ export class App {
     effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
     effect(() => viewer.setBodies(this.types.bodies.value, this.types.bodiesOf(this.variants.types)));
     effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
-    effect(() => viewer.setSelection(store.surface.value, store.luminaires.value));
+    effect(() => {
+      const { value: surface } = store.surface;
+      const scene = store.sceneWithAreas.value;
+      const leaf = surface === null || !scene ? surface : leafBehind(scene, surface);
+      viewer.setSelection(leaf, store.luminaires.value);
+    });
     effect(() => viewer.setGhosts(store.ghosts.value));
-    effect(() => viewer.setAreas(markedAreas(store.document.value.luminaires.areas)));
+    effect(() => viewer.setAreas(this.markedAreas()));
     effect(() => viewer.setExcluded(store.barred.value));
   }
 }

@@ -6,13 +6,15 @@ import { inPlan, type Point2, type RoomPlan } from './plan-frame.ts';
 import { positionOf, siteCount } from './sites.ts';
 import type { Areas, Layout, Luminaires, PlanArea, SceneInfo } from './types.ts';
 
-/** What an area in plan is for: where luminaires may hang, or which of them are meant. */
-export type AreaKind = 'keepOut' | 'keepIn' | 'select';
+/** What an area in plan is for: where luminaires may hang, which of them are meant, or what is lit. */
+export type AreaKind = 'keepOut' | 'keepIn' | 'select' | 'task';
 
 /** An area as it is drawn in the picture. */
 export interface MarkedArea {
   readonly kind: AreaKind;
-  readonly area: PlanArea;
+  readonly outline: readonly Point2[]; // the room's x and z, m
+  readonly height: number | null; // m, the room's y; null: just below the luminaires
+  readonly isStrong?: boolean; // it stands out
 }
 
 export const noAreas: Areas = { keepOut: [], keepIn: [], fromWalls: 0 };
@@ -30,7 +32,7 @@ export function areaBetween(a: Point2, b: Point2): PlanArea {
 /** The areas where luminaires may or may not hang, to be drawn. */
 export function markedAreas(areas: Areas | undefined): MarkedArea[] {
   return (['keepOut', 'keepIn'] as const).flatMap((kind) =>
-    (areas?.[kind] ?? []).map((area) => ({ kind, area })),
+    (areas?.[kind] ?? []).map((area) => ({ kind, outline: outlineOf(area), height: null })),
   );
 }
 
@@ -40,6 +42,16 @@ export function luminairesIn(area: PlanArea, { sites: hung }: Layout, sites: Sce
     const [x, , z] = positionOf(sites, hung[luminaire] ?? -1);
     return holds(area, x, z);
   });
+}
+
+/** The corners of a rectangle. */
+export function outlineOf([x, z, farX, farZ]: PlanArea): [number, number][] {
+  return [
+    [x, z],
+    [farX, z],
+    [farX, farZ],
+    [x, farZ],
+  ];
 }
 
 /** From a point to the nearest wall of a plan, m; infinite where it has none. */

@@ -190,9 +190,13 @@ export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   }
   const { quantity } = document;
   const luminaires = askedLuminaires(document);
-  const { glare, paint } = document;
-  const asked = { luminaires, goals, constraints, quantity, ...(glare && { glare }) };
-  const intentions = { ...asked, ...(paint?.length && { paint }) };
+  const { glare, paint, taskAreas } = document;
+  const beside = {
+    ...(glare && { glare }),
+    ...(paint?.length && { paint }),
+    ...(taskAreas && { taskAreas }),
+  };
+  const intentions = { luminaires, goals, constraints, quantity, ...beside };
   return { intentions, goalCards, origins };
 }
 

@@ -19,7 +19,7 @@ export function linkOf(
   plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
-  const { scene, room, cards, saving, quantity, seed, roomType, glare, paint } = document;
+  const { scene, room, cards, saving, quantity, seed, roomType, glare, paint, taskAreas } = document;
   const kept = linkedVariant(document, sites);
   return {
     scene,
@@ -31,6 +31,7 @@ export function linkOf(
     ...(roomType !== undefined && { roomType }),
     ...(glare !== undefined && { glare }),
     ...(paint !== undefined && { paint }),
+    ...(taskAreas !== undefined && { taskAreas }),
     luminaires: rules,
     layout: layout && {
       ...placed(layout, sites),
@@ -104,7 +105,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   if (link.luminaires.count > m) return words.value.files.link.tooMany(link.luminaires.count, m);
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned, ...(ofType && { ofType }) };
-  const { room, cards, saving, quantity, seed, roomType, glare, paint } = link;
+  const { room, cards, saving, quantity, seed, roomType, glare, paint, taskAreas } = link;
   const asked = {
     room,
     cards,
@@ -115,6 +116,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
     ...(roomType !== undefined && { roomType }),
     ...(glare !== undefined && { glare }),
     ...(paint !== undefined && { paint }),
+    ...(taskAreas !== undefined && { taskAreas }),
   };
   return {
     scene: scene.identity,

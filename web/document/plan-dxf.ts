@@ -12,8 +12,16 @@ export interface DxfLuminaire {
   readonly size: number; // m
 }
 
+/** A task area. */
+export interface DxfArea {
+  readonly name: string;
+  readonly outline: readonly Point2[];
+  readonly height: number; // m above the floor
+}
+
 export interface DxfDrawing {
   readonly plan: RoomPlan;
+  readonly areas: readonly DxfArea[];
   readonly luminaires: readonly DxfLuminaire[];
   readonly isolux: readonly IsoluxLine[];
   readonly isoluxHeight: number; // m above the floor
@@ -23,6 +31,7 @@ export interface DxfDrawing {
 const layers = {
   ROOM: 7,
   FURNITURE: 8,
+  AREAS: 4,
   LUMINAIRES: 2,
   TAGS: 2,
   ISOLUX: 3,
@@ -35,7 +44,7 @@ const letter = 0.15; // m, height of texts
 /** A group: its code and its value. */
 type Group = readonly [code: number, value: string | number];
 
-export function planDxf({ plan, luminaires, isolux, isoluxHeight }: DxfDrawing): string {
+export function planDxf({ plan, areas, luminaires, isolux, isoluxHeight }: DxfDrawing): string {
   const [east, north] = plan.frame.size;
   const groups: Group[] = [
     ...section('HEADER', [
@@ -50,6 +59,7 @@ export function planDxf({ plan, luminaires, isolux, isoluxHeight }: DxfDrawing):
     ...section('ENTITIES', [
       ...plan.outlines.flatMap((loop) => polyline('ROOM', loop, 0, true)),
       ...plan.furniture.flatMap(([a, b]) => line('FURNITURE', a, b)),
+      ...areas.flatMap((area) => areaGroups(area)),
       ...luminaires.flatMap((luminaire) => luminaireGroups(luminaire)),
       ...isolux.flatMap((each) => isoluxGroups(each, isoluxHeight)),
       ...text('DIMENSIONS', [east / 2, -0.5, 0], `${east.toFixed(2)} m`),
@@ -118,6 +128,11 @@ function luminaireGroups({ tag, place, axis: [ax, ay], size }: DxfLuminaire): Gr
     ...at(place),
     ...text('TAGS', above, tag),
   ];
+}
+
+function areaGroups({ name, outline, height }: DxfArea): Group[] {
+  const [x, y] = outline[0]!;
+  return [...polyline('AREAS', outline, height, true), ...text('AREAS', [x, y, height], name)];
 }
 
 function isoluxGroups({ level, points }: IsoluxLine, height: number): Group[] {

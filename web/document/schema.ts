@@ -10,6 +10,7 @@ export const mostLuminaires = 500;
 export const mostCards = 60;
 export const mostViews = 20;
 export const mostAreas = 50;
+const mostCorners = 40; // of a task area
 
 export const mostObservers = 40;
 const mostPaints = 2000; // surfaces
@@ -182,11 +183,18 @@ export const paintSchema = v.pipe(
   v.array(v.object({ surface: nameSchema, reflectance, color: v.exactOptional(color) })),
   v.maxLength(mostPaints),
 );
+const outline = v.pipe(v.array(v.tuple([metre, metre])), v.minLength(3), v.maxLength(mostCorners));
+export const taskAreasSchema = v.pipe(
+  v.array(v.object({ name: nameSchema, surface: nameSchema, outline })),
+  v.maxLength(mostAreas),
+  v.check((areas) => new Set(areas.map(({ name }) => name)).size === areas.length, 'two areas have one name'),
+);
 
 const askedEntries = {
   cards: cardsSchema,
   saving: v.boolean(),
   glare: v.exactOptional(glareSchema),
+  taskAreas: v.exactOptional(taskAreasSchema),
   luminaires: luminairesSchema,
   quantity: quantitySchema,
   seed: seedSchema,

@@ -3,7 +3,7 @@
  * `#f<version>.<payload>.<checksum>`: the payload is deflated JSON in base64url, the checksum its CRC-32. Luminaires are
  * positions in centimetres, so that a link survives a renumbering of the sites. Version 2 has luminaire types: their
  * photometric files as text as far as these fit, the others by hash and name; the plan of a room that was made here; and the
- * paint on its surfaces. A link without any of these is of version 1.
+ * paint on its surfaces; and task areas. A link without any of these is of version 1.
  */
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import * as v from 'valibot';
@@ -26,6 +26,7 @@ import {
   roomSchema,
   roomTypeSchema,
   seedSchema,
+  taskAreasSchema,
   typeEntries,
 } from './schema.ts';
 import type {
@@ -38,6 +39,7 @@ import type {
   Mounting,
   Paint,
   Quantity,
+  TaskArea,
 } from './types.ts';
 import { words } from '../language/language.ts';
 
@@ -66,6 +68,7 @@ export interface Link {
   readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
   readonly glare?: Glare;
   readonly paint?: readonly Paint[];
+  readonly taskAreas?: readonly TaskArea[];
   readonly layout: (LinkedLayout & { readonly pinned: readonly number[] }) | null;
   readonly kept?: LinkedLayout; // the variant that the layout is compared with
   readonly files?: PhotometricFiles; // of its types, as far as it carries them
@@ -130,6 +133,7 @@ const payloadSchema = v.object({
   g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
   u: v.exactOptional(glareSchema),
   a: v.exactOptional(paintSchema),
+  z: v.exactOptional(taskAreasSchema),
   y: v.exactOptional(
     v.object({
       ...layoutEntries,
@@ -183,7 +187,8 @@ export const encodeLink = (link: Link): string => fitLink(link).hash;
 function encode(link: Link): string {
   const bytes = deflateSync(strToU8(JSON.stringify(payloadOf(link))), { level: 9 });
   const checksum = crc32(bytes).toString(16).padStart(8, '0');
-  const version = link.luminaires.types?.length || link.plan || link.paint?.length ? linkVersion : 1;
+  const version =
+    link.luminaires.types?.length || link.plan || link.paint?.length || link.taskAreas ? linkVersion : 1;
   return `#f${version}.${toBase64Url(bytes)}.${checksum}`;
 }
 
@@ -210,6 +215,7 @@ function payloadOf(link: Link): Payload {
     ...(link.score !== undefined && { g: link.score }),
     ...(link.glare && { u: structuredClone(link.glare) as NonNullable<Payload['u']> }),
     ...(link.paint?.length && { a: link.paint.map((each) => ({ ...each })) }),
+    ...(link.taskAreas && { z: structuredClone(link.taskAreas) as NonNullable<Payload['z']> }),
     ...(layout && {
       y: { ...layoutIn(layout, numbers), n: [...layout.pinned] },
     }),
@@ -302,7 +308,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return words.value.files.link.fault(firstFault(parsed.issues));
-  const { i, r, c, w, l, q, s, e, g, u, a, y, b, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, g, u, a, z, y, b, t, m, k, d } = parsed.output;
   if (y?.n.some((index) => index >= y.p.length)) return words.value.files.link.missingPin;
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
@@ -323,6 +329,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     ...(g !== undefined && { score: g }),
     ...(u !== undefined && { glare: u }),
     ...(a !== undefined && { paint: a }),
+    ...(z !== undefined && { taskAreas: z }),
     layout: layout && y ? { ...layout, pinned: y.n } : null,
     ...(kept && { kept }),
     ...(m && { plan: m }),

@@ -7,6 +7,7 @@ import type { SurfaceNames } from './types.ts';
 export interface NamedSurface {
   readonly name: string;
   readonly measuring: boolean;
+  readonly part?: { readonly leaf: number; readonly rows: Uint32Array };
 }
 
 /** Sorted leaf indices; a name that is not there means no leaf. */

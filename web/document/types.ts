@@ -149,6 +149,13 @@ export interface Areas {
   readonly fromWalls: number; // m, at least, from a luminaire's middle
 }
 
+/** Part of a measuring plane or of a floor with light of its own, by its outline in plan (document/task-areas.ts). */
+export interface TaskArea {
+  readonly name: string; // its own among surfaces and areas
+  readonly surface: string; // leaf that it is part of
+  readonly outline: readonly (readonly [x: number, z: number])[]; // m, in the room's axes; three corners at least
+}
+
 export interface Luminaires {
   readonly types?: readonly LuminaireType[]; // absent or none: Lambertian squares of `flux`
   readonly ofType?: readonly (string | null)[]; // id of the type that luminaire i must be of; null, beyond the end: any
@@ -199,6 +206,7 @@ export interface FiatLuxDocument {
   readonly cards: readonly Card[];
   readonly saving: boolean; // least power is a goal too
   readonly glare?: Glare; // absent: nobody looks
+  readonly taskAreas?: readonly TaskArea[]; // absent: none
   readonly luminaires: Luminaires;
   readonly quantity: Quantity;
   readonly seed: number;
@@ -223,6 +231,7 @@ export interface Intentions {
   readonly quantity: Quantity;
   readonly glare?: Glare; // heeded where the room's file tells what stands in the way of sight
   readonly paint?: readonly Paint[]; // heeded where the file tells how surfaces light each other
+  readonly taskAreas?: readonly TaskArea[]; // surfaces may be named by them
 }
 
 /**
@@ -241,6 +250,7 @@ export interface SceneInfo {
     readonly reflectance: number;
     readonly measuring: boolean;
     readonly lost: number; // share 0..1
+    readonly part?: { readonly leaf: number; readonly rows: Uint32Array }; // of no file: a task area, of that leaf
   }[];
   /** m x 3 position (m), m x 3 normal, m x 3 axis (unit), m sizes (m). */
   readonly sites: {

@@ -2,7 +2,17 @@
 import type { Draft } from 'immer';
 import type { FiatLuxDocument, Layout, Variant } from './types.ts';
 
-const asked = ['cards', 'saving', 'glare', 'luminaires', 'quantity', 'seed', 'roomType', 'paint'] as const;
+const asked = [
+  'cards',
+  'saving',
+  'glare',
+  'taskAreas',
+  'luminaires',
+  'quantity',
+  'seed',
+  'roomType',
+  'paint',
+] as const;
 
 export function variantOf(document: Omit<Variant, 'layout'>, layout: Layout): Variant {
   const parts = asked.flatMap((key) => (document[key] === undefined ? [] : [[key, document[key]]]));

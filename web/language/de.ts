@@ -1,6 +1,7 @@
 /** The page's words in German, in the terms of DIN EN 12464-1. */
 import type { Words } from './en.ts';
 import { actions } from './de/actions.ts';
+import { areas } from './de/areas.ts';
 import { bars } from './de/bars.ts';
 import { comparing } from './de/comparing.ts';
 import { dialogs } from './de/dialogs.ts';
@@ -18,6 +19,7 @@ import { values } from './de/values.ts';
 
 export const de: Words = {
   actions,
+  areas,
   bars,
   comparing,
   dialogs,

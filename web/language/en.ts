@@ -1,5 +1,6 @@
 /** The page's words in English, by the part of the page that says them. */
 import { actions } from './en/actions.ts';
+import { areas } from './en/areas.ts';
 import { bars } from './en/bars.ts';
 import { comparing } from './en/comparing.ts';
 import { dialogs } from './en/dialogs.ts';
@@ -17,6 +18,7 @@ import { values } from './en/values.ts';
 
 export const en = {
   actions,
+  areas,
   bars,
   comparing,
   dialogs,

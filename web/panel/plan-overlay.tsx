@@ -1,7 +1,7 @@
 /** Over the plan: a scale bar, north and the corner that coordinates count from; and the hand that draws an area. */
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import { areaBetween, markedAreas, noAreas, type AreaKind } from '../document/areas.ts';
+import { areaBetween, noAreas, outlineOf, type AreaKind } from '../document/areas.ts';
 import { inPlan, type Point2 } from '../document/plan-frame.ts';
 import { words } from '../language/language.ts';
 import { fixed, listed, shortest } from '../language/numbers.ts';
@@ -9,6 +9,7 @@ import { fixed, listed, shortest } from '../language/numbers.ts';
 const narrowest = 60; // px of a scale bar
 const lengths = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100]; // m
 const least = 0.05; // m: what is smaller was a click
+const near = 0.15; // m: as near to a corner it is meant
 
 export function PlanOverlay() {
   const { store, viewer } = useApp();
@@ -22,7 +23,8 @@ export function PlanOverlay() {
   return (
     <>
       <ScaleBar />
-      {drawing.value && <DrawArea kind={drawing.value} />}
+      {drawing.value === 'corners' && <DrawCorners />}
+      {drawing.value && drawing.value !== 'corners' && <DrawArea kind={drawing.value} />}
     </>
   );
 }
@@ -55,16 +57,9 @@ function ScaleBar() {
   );
 }
 
-/** One drag makes an area, or selects what is in it; Escape ends it. */
-function DrawArea({ kind }: { kind: AreaKind }) {
-  const { store, viewer, hand } = useApp();
-  const [at, setAt] = useState<Point2 | null>(null);
-  const begun = useRef<Point2 | null>(null);
-  const { areas } = store.document.value.luminaires;
-  const end = () => {
-    begun.current = null;
-    viewer.setAreas(markedAreas(store.document.peek().luminaires.areas));
-  };
+/** Ends the drawing with Escape, and takes what was being drawn out of the picture. */
+function useDrawing(end: () => void): void {
+  const { store } = useApp();
   useEffect(() => {
     const key = (event: KeyboardEvent) => {
       if (event.key === 'Escape') store.drawing.value = null;
@@ -75,11 +70,38 @@ function DrawArea({ kind }: { kind: AreaKind }) {
       end();
     };
   }, []);
+}
+
+/** What is asked for, and where in plan the pointer is. */
+function DrawNote({ kind, at }: { kind: AreaKind | 'corners'; at: Point2 | null }) {
+  const { viewer } = useApp();
+  const frame = viewer.frame();
+  const place = at && frame && inPlan(frame, [at[0], frame.floor, at[1]]);
+  return (
+    <p role="status">
+      {words.value.bars.plan.drag[kind]} {words.value.bars.plan.ends}
+      {place && <output> {listed([fixed(place[0], 2), fixed(place[1], 2)])} m</output>}
+    </p>
+  );
+}
+
+/** One drag makes an area, or selects what is in it. */
+function DrawArea({ kind }: { kind: AreaKind }) {
+  const app = useApp();
+  const { store, viewer, hand } = app;
+  const [at, setAt] = useState<Point2 | null>(null);
+  const begun = useRef<Point2 | null>(null);
+  const end = () => {
+    begun.current = null;
+    viewer.setAreas(app.markedAreas());
+  };
+  useDrawing(end);
   const move = (event: PointerEvent) => {
     const point = viewer.planPoint(event.clientX, event.clientY);
     setAt(point);
     if (!begun.current || !point) return;
-    viewer.setAreas([...markedAreas(areas), { kind, area: areaBetween(begun.current, point) }]);
+    const outline = outlineOf(areaBetween(begun.current, point));
+    viewer.setAreas([...app.markedAreas(), { kind, outline, height: null }]);
   };
   const release = (event: PointerEvent) => {
     const point = viewer.planPoint(event.clientX, event.clientY);
@@ -90,14 +112,13 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     if (area[2] - area[0] < least || area[3] - area[1] < least) return;
     store.drawing.value = null;
     if (kind === 'select') return hand.pickIn(area, event.shiftKey);
+    if (kind === 'task') return app.tasks.add(outlineOf(area));
     const { keepOut, keepIn } = words.value.steps;
     store.edit(kind === 'keepOut' ? keepOut : keepIn, ({ luminaires }) => {
       luminaires.areas ??= structuredClone(noAreas) as never;
       luminaires.areas[kind].push([...area]);
     });
   };
-  const frame = viewer.frame();
-  const place = at && frame && inPlan(frame, [at[0], frame.floor, at[1]]);
   return (
     <div
       class="plan-draw"
@@ -110,10 +131,54 @@ function DrawArea({ kind }: { kind: AreaKind }) {
       onPointerUp={release}
       onPointerCancel={end}
     >
-      <p role="status">
-        {words.value.bars.plan.drag[kind]} {words.value.bars.plan.ends}
-        {place && <output> {listed([fixed(place[0], 2), fixed(place[1], 2)])} m</output>}
-      </p>
+      <DrawNote {...{ kind, at }} />
+    </div>
+  );
+}
+
+/** Each press makes a corner of a task area; the first one again, or Enter, closes it. */
+function DrawCorners() {
+  const app = useApp();
+  const { store, viewer } = app;
+  const [at, setAt] = useState<Point2 | null>(null);
+  const corners = useRef<Point2[]>([]);
+  const show = (next: Point2 | null) => {
+    const outline = next ? [...corners.current, next] : corners.current;
+    const draft = { kind: 'task', outline, height: null } as const;
+    viewer.setAreas([...app.markedAreas(), ...(outline.length > 2 ? [draft] : [])]);
+  };
+  const close = () => {
+    if (corners.current.length < 3) return;
+    store.drawing.value = null;
+    app.tasks.add(corners.current.map(([x, z]) => [x, z]));
+  };
+  useDrawing(() => viewer.setAreas(app.markedAreas()));
+  useEffect(() => {
+    const key = (event: KeyboardEvent) => {
+      if (event.key === 'Enter') close();
+    };
+    addEventListener('keydown', key);
+    return () => removeEventListener('keydown', key);
+  }, []);
+  return (
+    <div
+      class="plan-draw"
+      data-kind="corners"
+      onPointerMove={(event) => {
+        const point = viewer.planPoint(event.clientX, event.clientY);
+        setAt(point);
+        show(point);
+      }}
+      onPointerUp={(event) => {
+        const point = viewer.planPoint(event.clientX, event.clientY);
+        const first = corners.current[0];
+        if (!point) return;
+        if (first && Math.hypot(point[0] - first[0], point[1] - first[1]) < near) return close();
+        corners.current.push(point);
+        show(null);
+      }}
+    >
+      <DrawNote kind="corners" at={at} />
     </div>
   );
 }

@@ -35,7 +35,7 @@ function SurfaceBar({ surface }: { surface: number }) {
   const app = useApp();
   const { store } = app;
   const row = store.shown.value?.surfaces[surface];
-  const leaf = store.scene.value?.surfaces[surface];
+  const leaf = store.sceneWithAreas.value?.surfaces[surface];
   if (!leaf) return null;
   const { name } = leaf;
   return (

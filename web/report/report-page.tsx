@@ -222,12 +222,24 @@ function Schedule({ report: { schedule } }: Props) {
   );
 }
 
-function Plan({ report: { plan, luminaires } }: Props) {
+function Plan({ report: { plan, luminaires, areas } }: Props) {
   const { at, millimetre: mm } = figureOf(plan);
   return (
     <figure class="break-before">
       <figcaption>{words.value.report.plan.caption(words.value.values.corner)}</figcaption>
       <PlanFigure plan={plan} label={words.value.report.plan.label}>
+        {areas.map(({ name, outline }) => (
+          <g key={name} class="task-area">
+            <path
+              d={pathOf(outline.map(at), true)}
+              stroke-width={0.25 * mm}
+              stroke-dasharray={`${mm} ${0.6 * mm}`}
+            />
+            <Note at={at(outline[0]!)} mm={mm} anchor="start">
+              {name}
+            </Note>
+          </g>
+        ))}
         {luminaires.map(({ tag, place: [x, y], axis: [ax, ay], size }) => {
           const half = Math.max(size, 2 * mm) / 2;
           const corner = (u: number, v: number) =>

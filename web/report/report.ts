@@ -1,6 +1,6 @@
 /** What stands in the report: every figure is the app's own, in the app's own words. */
 import { readSurface } from '../app/exports/plan-drawings.ts';
-import { drawn, hungInPlan } from '../app/exports/plan-drawings.ts';
+import { drawn, hungInPlan, tasksInPlan } from '../app/exports/plan-drawings.ts';
 import type { App } from '../app/app.ts';
 import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
@@ -27,6 +27,7 @@ export interface Report {
   readonly power: Power;
   readonly schedule: readonly ScheduleRow[];
   readonly luminaires: ReturnType<typeof hungInPlan>;
+  readonly areas: ReturnType<typeof tasksInPlan>;
   readonly surfaces: readonly Fold<SurfaceResult>[]; // measuring planes first
   readonly plan: RoomPlan;
   /** The light in plan: of which surface, and how it is coloured. */
@@ -48,7 +49,7 @@ export function reportOf(app: App): Report {
   const { types } = document.luminaires;
   const efficacy = store.efficacy.peek();
   const isPlane = ({ name }: SurfaceResult) =>
-    scene.surfaces.some((leaf) => leaf.name === name && leaf.measuring);
+    store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
   const rows = shown.surfaces
     .filter((row) => !(isPlane(row) && document.quantity === 'exitance'))
     .sort((a, b) => Number(isPlane(b)) - Number(isPlane(a)));
@@ -60,6 +61,7 @@ export function reportOf(app: App): Report {
     power: powerOf(layout, scene.surfaces, efficacy, types),
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),
+    areas: tasksInPlan(what, document.taskAreas),
     surfaces: folded(rows, ({ name }) => name),
     plan,
     light: lightInPlan(scene, shown.illuminance, plan, store.display.peek()),

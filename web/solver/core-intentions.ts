@@ -44,6 +44,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
   const constraints: readonly Constraint[] = [...asked.constraints, ...ugr];
   return {
     glare: coreGlare(glare),
+    zones: leaves.flatMap(({ name, part }) => (part ? [{ name, ...part }] : [])),
     quantity: codes.quantity[asked.quantity],
     luminaires: {
       count: luminaires.count,

@@ -186,6 +186,14 @@ export interface CoreIntentions {
   readonly goals: readonly CoreGoal[];
   readonly constraints: readonly CoreConstraint[];
   readonly glare: CoreGlare | null; // null: nobody looks
+  readonly zones: readonly CoreZone[]; // surfaces beyond those of the file, in their order
+}
+
+/** A part of a leaf surface, made of some of its rows. */
+export interface CoreZone {
+  readonly name: string;
+  readonly leaf: number;
+  readonly rows: Uint32Array; // ascending
 }
 
 /** Who looks, for glare: those that a room has by itself, or the ones named here, 6 numbers each (eye, direction). */

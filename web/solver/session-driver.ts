@@ -9,6 +9,7 @@ import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { CompareTask } from './compare-task.ts';
 import { coreIntentions, coreLayout, corePaint, gainsOf, shownOf } from './core-intentions.ts';
+import { withTaskAreas } from '../document/task-areas.ts';
 import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
 import type { HungSession, LayoutArguments, Searching } from './mounted-session.ts';
@@ -127,7 +128,7 @@ export class SessionDriver {
         this.#bound = message;
         return;
       case 'compare':
-        this.#compare = new CompareTask(() => this.#asked, message, this.#leaves());
+        this.#compare = new CompareTask(() => this.#asked, message, this.#leaves(message.variants[0] ?? {}));
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);
@@ -197,7 +198,7 @@ export class SessionDriver {
     if (!this.#scene?.hasOperator || this.#isOpening || this.#awaitsOperator)
       return tell('the room is not there yet');
     try {
-      const leaves = this.#leaves();
+      const leaves = this.#leaves(intentions);
       const asked = coreIntentions(intentions, leaves);
       const numbers = this.#session.paintGains(asked, corePaint(intentions.paint, leaves), illuminance);
       tell(typeof numbers === 'string' ? numbers : gainsOf(numbers, asked));
@@ -218,7 +219,7 @@ export class SessionDriver {
   /** The light of the layout that a search is to start from: there at once, before all that it may try. */
   #foreshow(request: Request<'solve'>, layout: Layout): Request<'solve'> {
     const held = this.#ask(request.intentions, layout, 'start');
-    const shown = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves());
+    const shown = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves(request.intentions));
     const { revision, askedAt } = request;
     const cost = { evaluations: 1, milliseconds: 0, askedAt, postedAt: this.#clock() };
     this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
@@ -240,14 +241,14 @@ export class SessionDriver {
     if (isWhole && moved.length > 0) check(this.#asked.startNear(seed, ...layout, Uint32Array.from(moved)));
     else check(layout[0].length > 0 ? this.#asked.startFrom(seed, ...layout) : this.#asked.start(seed));
     this.#searched = revision;
-    this.#task = new SearchTask(this.#asked, this.#clock, request, this.#leaves());
+    this.#task = new SearchTask(this.#asked, this.#clock, request, this.#leaves(intentions));
   }
 
   #beginAlpha(request: Request<'alpha'>): void {
     this.#drop();
     const [held] = this.#ask(request.intentions, request.held, 'all');
     check(this.#asked.startAlpha(request.seed, held));
-    this.#task = new AlphaTask(this.#asked, this.#clock, request.revision, this.#leaves());
+    this.#task = new AlphaTask(this.#asked, this.#clock, request.revision, this.#leaves(request.intentions));
   }
 
   /** Bounds the search that has been made for these intentions, or a short one made now. */
@@ -280,7 +281,7 @@ export class SessionDriver {
   #show({ revision, intentions, layout }: Request<'show'>): void {
     this.#drop();
     const held = this.#ask(intentions, layout, 'layout');
-    const read = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves());
+    const read = shownOf(valid(this.#asked.show(...held)), 0, this.#leaves(intentions));
     const { ties } = layout; // note: known by who found the layout, not by its light
     const shown = ties ? { ...read, layout: { ...read.layout, ties } } : read;
     const now = this.#clock();
@@ -296,7 +297,7 @@ export class SessionDriver {
     const held = isSearched ? this.#taken(layout) : this.#ask(intentions, layout, 'layout');
     const checked = valid(this.#asked.check(...held));
     const { largestDifference } = checked;
-    const surface = this.#leaves()[checked.surface]?.name ?? 'all';
+    const surface = this.#leaves(intentions)[checked.surface]?.name ?? 'all';
     const margins = Array.from(checked.margins, (margin, constraint) => ({ constraint, margin }));
     this.#post({ type: 'checked', revision, largestDifference, surface, margins }, []);
   }
@@ -311,11 +312,12 @@ export class SessionDriver {
     try {
       const mounted = this.#mounts.session({ asked: intentions, layout, extent: 'layout' });
       const session = mounted ?? this.#session;
-      if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, this.#leaves())));
+      const leaves = this.#leaves(intentions);
+      if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, leaves)));
       if (!this.#mounts.has(this.#asked)) this.#asked = session; // its candidates made room for these
       const held = mounted ? mounted.take(layout) : coreLayout(layout);
-      const shown = shownOf(valid(session.show(...held)), 0, this.#leaves());
-      const paint = corePaint(intentions.paint, this.#leaves());
+      const shown = shownOf(valid(session.show(...held)), 0, leaves);
+      const paint = corePaint(intentions.paint, leaves);
       answer({ ...shown, colors: this.#color.of(shown.illuminance, paint) });
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
@@ -337,13 +339,13 @@ export class SessionDriver {
   /** Asks the session that is for these intentions; returns a layout as it takes it, empty for none. */
   #ask(intentions: Intentions, layout: Layout | null, extent: Wanted['extent']): LayoutArguments {
     this.#searched = null;
-    this.#paint = corePaint(intentions.paint, this.#leaves());
+    this.#paint = corePaint(intentions.paint, this.#leaves(intentions));
     const mounted = this.#mounts.session({ asked: intentions, layout, extent });
     this.#asked = mounted ?? this.#session;
     const none = { sites: [], flux: [], dimming: 1 };
     const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
     mounted?.ask(intentions.luminaires, extent === 'all');
-    check(this.#asked.setIntentions(coreIntentions(intentions, this.#leaves())));
+    check(this.#asked.setIntentions(coreIntentions(intentions, this.#leaves(intentions))));
     return held;
   }
 
@@ -362,8 +364,9 @@ export class SessionDriver {
     return this.#scene;
   }
 
-  #leaves(): SceneInfo['surfaces'] {
-    return this.#opened().surfaces;
+  /** The surfaces that may be asked about: those of the room, and its task areas. */
+  #leaves({ taskAreas }: Pick<Intentions, 'taskAreas'>): SceneInfo['surfaces'] {
+    return withTaskAreas(this.#opened(), taskAreas).surfaces;
   }
 
   #tell(answers: readonly Answer[]): void {

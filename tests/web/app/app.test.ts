@@ -5,6 +5,7 @@ import { actions, isEnabled } from '../../../web/app/actions.ts';
 import { App } from '../../../web/app/app.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
 import { Store } from '../../../web/app/state/store.ts';
+import { outlineOf } from '../../../web/document/areas.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
 import type { ToWorker } from '../../../web/solver/protocol.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
@@ -290,6 +291,36 @@ describe('a luminaire under the hand', () => {
     app.hand.exclude(site);
     settle();
     expect(app.store.shown.value?.layout.sites).not.toContain(site);
+  });
+});
+
+describe('a task area', () => {
+  test('is drawn, asked for light, and taken back with its cards', () => {
+    app.tasks.add(outlineOf([-0.5, -0.5, 1.5, 0.5]));
+    expect(app.store.document.value.taskAreas).toMatchObject([{ name: 'task 1', surface: 'floor' }]);
+    expect(solver.last('solve')?.intentions.taskAreas).toHaveLength(1);
+    const names = app.store.sceneWithAreas.value?.surfaces.map(({ name }) => name);
+    expect(names).toEqual(['floor', 'wall', 'task 1', 'task 1 surround', 'floor background']);
+    app.tasks.ask(0, 500);
+    const asked = app.store.document.value.cards.map(({ surfaces, mean }) => [surfaces[0], mean?.min]);
+    expect(asked.slice(-3)).toEqual([
+      ['task 1', 500],
+      ['task 1 surround', 300],
+      ['floor background', 100],
+    ]);
+    settle();
+    const { length } = app.store.document.value.cards;
+    app.tasks.remove(0);
+    expect(app.store.document.value.cards).toHaveLength(length - 3);
+    expect(app.store.document.value).not.toHaveProperty('taskAreas');
+    app.undo();
+    expect(app.store.document.value.cards).toHaveLength(length);
+  });
+
+  test('that lies on nothing is told', () => {
+    app.tasks.add(outlineOf([20, 20, 21, 21]));
+    expect(app.store.document.value).not.toHaveProperty('taskAreas');
+    expect(app.store.messages.value.at(-1)?.text).toContain('no measuring plane');
   });
 });
 

@@ -23,6 +23,17 @@ const drawing = {
       ],
     ] as const,
   },
+  areas: [
+    {
+      name: 'task 1',
+      outline: [
+        [0.5, 0.5],
+        [2.1, 0.5],
+        [1.3, 1.7],
+      ],
+      height: 0.75,
+    },
+  ],
   luminaires: [
     { tag: 'L1', place: [1.2345, 2.5, 2.8], axis: [1, 0], size: 0.6 },
     { tag: 'L2', place: [3.3333, 0.6667, 2.8], axis: [Math.SQRT1_2, Math.SQRT1_2], size: 0.4 },
@@ -82,6 +93,15 @@ describe('the plan as DXF', () => {
     const [, turned] = of('LUMINAIRES', 'POLYLINE');
     for (const { x, y } of turned?.vertices ?? [])
       expect(Math.hypot(x - 3.3333, y - 0.6667)).toBeCloseTo(0.4 * Math.SQRT1_2, 3);
+  });
+
+  test('draws task areas on their plane, to a millimetre, and names them', () => {
+    const [area] = of('AREAS', 'POLYLINE');
+    expect(area?.shape).toBe(true);
+    expect(area?.vertices?.map(({ x, y, z }) => [x, y, z])).toEqual(
+      drawing.areas[0].outline.map((corner) => [...corner, 0.75]),
+    );
+    expect(of('AREAS', 'TEXT').map((entity) => entity.text)).toEqual(['task 1']);
   });
 
   test('draws isolux lines at their height and names them', () => {

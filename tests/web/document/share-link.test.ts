@@ -84,6 +84,15 @@ test('a link carries that direct light is asked for, of all or by a card', () =>
   expect(decodeLink(encodeLink(direct))).toEqual({ ok: true, link: direct });
 });
 
+test('a link carries task areas; one of two corners is refused', () => {
+  const outline = [[0, 0], [2.5, 0], [1, 1.25]] as const; // prettier-ignore
+  const area = { name: 'task 1', surface: 'plane', outline };
+  const drawn: Link = { ...link, taskAreas: [area] };
+  expect(decodeLink(encodeLink(drawn))).toEqual({ ok: true, link: drawn });
+  const broken = forged(JSON.stringify({ ...plain, l: rules, z: [{ ...area, outline: outline.slice(1) }] }));
+  expect(decodeLink(broken)).toMatchObject({ ok: false });
+});
+
 test('a link carries the areas in plan; one without extent is refused', () => {
   const areas = { keepOut: [[0, 0, 2, 1.5]], keepIn: [], fromWalls: 0.4 } as const;
   const drawn: Link = { ...link, luminaires: { ...link.luminaires, areas } };

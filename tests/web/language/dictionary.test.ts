@@ -38,10 +38,17 @@ test('both have the same keys, and the same places for what is told', () => {
 /** Names, signs and words that are the same in both. */
 const alike: readonly string[] = [
   'actions.exports.stf.button',
+  'areas.reached',
   'comparing.sides.solver',
   'dialogs.share.link',
   'intentions.guarantee.alpha',
   'intentions.histogram.cantelli',
+  'intentions.more.planes.modelling',
+  'intentions.more.planes.modellingOf',
+  'intentions.more.planes.ways.east',
+  'intentions.more.planes.ways.north',
+  'intentions.more.planes.ways.south',
+  'intentions.more.planes.ways.west',
   'luminaires.areas.sides.x',
   'luminaires.areas.sides.y',
   'maker.shape.nameOf',

@@ -1,12 +1,13 @@
 /** The room and its luminaires as drawings for other programs: a DXF plan with isolux lines, and an STF project. */
 import { isoluxLines } from '../../document/isolux-lines.ts';
 import { lightField, type LightField } from '../../document/light-field.ts';
-import type { DxfDrawing } from '../../document/plan-dxf.ts';
+import type { DxfArea, DxfDrawing } from '../../document/plan-dxf.ts';
 import { inPlan, type PlanFrame, type Point2, type RoomPlan } from '../../document/plan-frame.ts';
 import { drawnBy } from '../../document/schedule.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { StfProject, StfType } from '../../document/stf.ts';
-import type { Layout, SceneInfo } from '../../document/types.ts';
+import { markedTasks } from '../../document/task-areas.ts';
+import type { Layout, SceneInfo, TaskArea } from '../../document/types.ts';
 import { isoluxLevels } from '../../viewer/light/isolux.ts';
 import type { App } from '../app.ts';
 import { words } from '../../language/language.ts';
@@ -51,6 +52,18 @@ export function hungInPlan({ scene: { sites }, plan: { frame }, layout }: Drawn)
   });
 }
 
+/** The task areas in plan. */
+export function tasksInPlan({ scene, plan: { frame } }: Drawn, areas: readonly TaskArea[] = []): DxfArea[] {
+  return markedTasks(scene, areas, null).map(({ outline, height }, i) => ({
+    name: areas[i]!.name,
+    outline: outline.map(([x, z]): Point2 => {
+      const [east, north] = inPlan(frame, [x, frame.floor, z]);
+      return [east, north];
+    }),
+    height: (height ?? frame.floor) - frame.floor,
+  }));
+}
+
 export function dxfDrawing(app: App): DxfDrawing {
   const what = drawn(app);
   const light = app.store.shown.peek()?.illuminance;
@@ -59,6 +72,7 @@ export function dxfDrawing(app: App): DxfDrawing {
     light && typeof leaf === 'number' ? lightField(what.scene, leaf, light, what.plan.frame) : null;
   return {
     plan: what.plan,
+    areas: tasksInPlan(what, app.store.document.peek().taskAreas),
     luminaires: hungInPlan(what),
     isolux: field ? isoluxLines(field, isoluxLevels) : [],
     isoluxHeight: field?.height ?? 0,

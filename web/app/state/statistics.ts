@@ -18,7 +18,7 @@ export interface AreaSample {
 /** The patches of some leaves, without those that something covers. */
 export function patchesOf(scene: SceneInfo, leaves: readonly number[]): Uint32Array {
   const wanted = new Set(leaves);
-  const patches: number[] = [];
+  const patches = leaves.flatMap((leaf) => [...(scene.surfaces[leaf]?.part?.rows ?? [])]);
   scene.surfaceOfPatch.forEach((surface, patch) => {
     if (wanted.has(surface) && scene.patchCovered[patch] !== 1) patches.push(patch);
   });

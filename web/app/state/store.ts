@@ -6,6 +6,7 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
 import { barredSites, type AreaKind } from '../../document/areas.ts';
+import { withTaskAreas } from '../../document/task-areas.ts';
 import { intentionsOf, withExcluded } from '../../document/intentions.ts';
 import { paintedScene } from '../../document/paint.ts';
 import type { Relief } from '../relief.ts';
@@ -130,9 +131,15 @@ export class Store {
   readonly scene = signal<SceneInfo | null>(null);
   readonly history = signal<History>(startHistory(blank));
   readonly document = computed(() => this.history.value.document);
+  readonly #taskAreas = computed(() => this.document.value.taskAreas);
   /** The room on the screen in plan; the view tells it. */
   readonly planSource = signal<() => RoomPlan | null>(() => null);
   readonly roomPlan = computed(() => (this.scene.value ? this.planSource.value() : null));
+  /** The room with its task areas, whose rows the solver's answers have. */
+  readonly sceneWithAreas = computed(() => {
+    const scene = this.scene.value;
+    return scene && withTaskAreas(scene, this.#taskAreas.value);
+  });
   /** Sites where no luminaire may hang. */
   readonly barred = computed(() => {
     const { luminaires } = this.document.value;
@@ -178,7 +185,7 @@ export class Store {
   readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
   readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
-  readonly drawing = signal<AreaKind | null>(null); // the next drag in the plan makes such an area
+  readonly drawing = signal<AreaKind | 'corners' | null>(null); // the next drag or the next clicks in the plan make one
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
   readonly efficacy = signal(usualEfficacy); // lm/W

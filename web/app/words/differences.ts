@@ -57,7 +57,7 @@ export function differencesOf(store: Store, types: readonly LuminaireType[] | un
       [other, powerOf(other.layout, surfaces, efficacy, types)],
       [work, powerOf(work.layout, surfaces, efficacy, store.document.value.luminaires.types)],
     ),
-    light: lightOf(other.surfaces, work.surfaces, surfaces),
+    light: lightOf(other.surfaces, work.surfaces, store.sceneWithAreas.value?.surfaces ?? surfaces),
   };
 }
 
@@ -113,7 +113,10 @@ function lightOf(
 ): Difference[] {
   const isPlane = (leaf: number) => Number(leaves[leaf]?.measuring ?? false);
   const pairs = now
-    .flatMap((row, i) => (before[i] ? [{ row, was: before[i], plane: isPlane(i) }] : []))
+    .flatMap((row, i) => {
+      const was = before.find(({ name }) => name === row.name);
+      return was ? [{ row, was, plane: isPlane(i) }] : [];
+    })
     .sort((a, b) => b.plane - a.plane);
   return folded(pairs, ({ row }) => row.name).map(({ title, items }) => {
     const [from, to] = [unionOf(items.map(({ was }) => was)), unionOf(items.map(({ row }) => row))];

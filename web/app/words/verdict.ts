@@ -1,6 +1,7 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
 import { ugrText } from '../../document/glare.ts';
 import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
+import { withTaskAreas } from '../../document/task-areas.ts';
 import type { Card, FiatLuxDocument, Quantity, SceneInfo, SurfaceNames } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
@@ -19,7 +20,7 @@ export interface Verdict {
   readonly met: boolean | null; // null = a wish without a bound
 }
 
-type Asked = Pick<FiatLuxDocument, 'cards' | 'quantity'>;
+type Asked = Pick<FiatLuxDocument, 'cards' | 'quantity' | 'taskAreas'>;
 
 export function verdicts(
   document: Asked,
@@ -47,7 +48,10 @@ export function verdicts(
       ];
     });
     const told = (what: string) => (card.direct ? words.value.values.direct(what) : what);
-    const wishes = wishesOf(card, reachedOn(card, shown, scene, document.quantity));
+    const wishes = wishesOf(
+      card,
+      reachedOn(card, shown, withTaskAreas(scene, document.taskAreas), document.quantity),
+    );
     return [
       ...wishes.map((wish) => ({ where, unit, margin: null, met: null, ...wish, what: told(wish.what) })),
       ...bounds,

@@ -91,6 +91,8 @@ export const bars: Words['bars'] = {
       keepOut: 'Sperrfläche aufziehen',
       keepIn: 'Zulässige Fläche aufziehen',
       select: 'Rahmen um die Leuchten aufziehen',
+      task: 'Bereich der Sehaufgabe aufziehen',
+      corners: 'Ecken des Bereichs anklicken; die erste noch einmal schließt ihn',
     },
     ends: '(Esc beendet)',
   },

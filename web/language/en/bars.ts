@@ -85,6 +85,8 @@ export const bars = {
       keepOut: 'Drag the area to keep free',
       keepIn: 'Drag the area to keep to',
       select: 'Drag around the luminaires to select',
+      task: 'Drag the task area',
+      corners: 'Click the corners of the task area; the first one again closes it',
     },
     ends: '(Esc ends)',
   },

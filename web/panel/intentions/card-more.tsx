@@ -17,7 +17,7 @@ export function CardMore({ card }: CardProps) {
   const reached = useReached(card.surfaces, card.direct);
   const add = (change: Parameters<typeof app.changeCard>[2]) =>
     app.changeCard(card.id, words.value.steps.more, change);
-  const other = app.store.scene.value?.surfaces.find(
+  const other = app.store.sceneWithAreas.value?.surfaces.find(
     (surface) => !card.surfaces.includes(surface.name),
   )?.name;
   return (

@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
+import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { keepRange, planeStatistics, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
@@ -30,10 +31,11 @@ export function IntentionCard({ card }: CardProps) {
   const unit = unitOf(store.document.value.quantity);
   const toggle = () => {
     store.card.value = isOpen ? null : card.id;
-    const leaves = leavesOf(card.surfaces, store.scene.value?.surfaces ?? []);
+    const scene = store.sceneWithAreas.peek();
+    const leaves = leavesOf(card.surfaces, scene?.surfaces ?? []);
     if (isOpen || leaves[0] === undefined || card.surfaces.includes('all')) return;
     store.surface.value = leaves[0];
-    app.viewer.reveal(leaves);
+    if (scene) app.viewer.reveal(leaves.map((leaf) => leafBehind(scene, leaf)));
   };
   return (
     <article class={isOpen ? 'card open' : 'card'}>

@@ -9,6 +9,7 @@ import { FirstHint } from './first-hint.tsx';
 import { GlareChoice } from './glare-choice.tsx';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
+import { TaskAreaList } from './task-area-list.tsx';
 import { namesText } from './surface-picker.tsx';
 import { More } from '../controls/more.tsx';
 import { Check } from '../controls/check.tsx';
@@ -21,7 +22,7 @@ export function IntentionsTab() {
   const { store } = app;
   const { cards, saving } = store.document.value;
   const inPaperWords = usePaperWords();
-  const selected = store.scene.value?.surfaces[store.surface.value ?? -1]?.name;
+  const selected = store.sceneWithAreas.value?.surfaces[store.surface.value ?? -1]?.name;
   return (
     <>
       {inPaperWords && <QuantityChoice />}
@@ -62,6 +63,7 @@ export function IntentionsTab() {
       {savesByCount(store.document.value) && (
         <p class="field-note">{words.value.intentions.fewer(store.document.value.luminaires.count)}</p>
       )}
+      <TaskAreaList />
       <GlareChoice />
       {!inPaperWords && (
         <More isUsed={false}>

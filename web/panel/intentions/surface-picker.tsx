@@ -39,7 +39,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   useEffect(() => {
     if (open) root.current?.querySelector<HTMLElement>('input')?.focus();
   }, [open]);
-  const leaves = store.scene.value?.surfaces.map((surface) => surface.name) ?? [];
+  const leaves = store.sceneWithAreas.value?.surfaces.map((surface) => surface.name) ?? [];
   const wanted = (name: string) => name.toLowerCase().includes(filter.toLowerCase());
   const only = (next: SurfaceNames) => {
     onChange(next);

@@ -28,7 +28,7 @@ export function useReached(names: SurfaceNames, direct = false): Reached | null 
 /** The light of the patches of some surfaces. */
 export function useSample(names: SurfaceNames, direct = false): AreaSample | null {
   const { store } = useApp();
-  const scene = store.painted.value;
+  const scene = store.sceneWithAreas.value;
   const shown = store.shown.value;
   const { quantity } = store.document.value;
   const light = direct ? (shown?.direct ?? null) : (shown?.illuminance ?? null);

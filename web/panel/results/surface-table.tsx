@@ -24,7 +24,7 @@ export function SurfaceTable() {
   const [filter, setFilter] = useState('');
   const [opened, setOpened] = useState<ReadonlySet<string>>(new Set());
   const shown = store.shown.value;
-  const scene = store.scene.value;
+  const scene = store.sceneWithAreas.value;
   if (!shown || !scene) return null;
   const { quantity } = store.document.value;
   const isPlane = ({ leaf }: Line) => scene.surfaces[leaf ?? -1]?.measuring ?? false;

@@ -1,48 +1,74 @@
-/** Areas in plan as tinted panes just below where the luminaires hang: red where none may, blue where they shall. */
-import { DoubleSide, Group, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
+/**
+ * Areas in plan as tinted panes with an edge: just below where the luminaires hang, red where none may and blue where they
+ * shall; green on the planes where a task is.
+ */
+import {
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineLoop,
+  Mesh,
+  MeshBasicMaterial,
+  Shape,
+  ShapeGeometry,
+  Vector2,
+} from 'three';
 import type { AreaKind, MarkedArea } from '../../document/areas.ts';
 import type { SceneInfo } from '../../document/types.ts';
 
-const lift = 0.03; // m below the sites
+const lift = 0.03; // m below the sites, or above a plane
+const tint = 0.28;
+const strongTint = 0.45;
 
-const colors: Record<AreaKind, string> = { keepOut: '#e5605c', keepIn: '#4d8dff', select: '#9aa4b2' };
+const colors: Record<AreaKind, string> = {
+  keepOut: '#e5605c',
+  keepIn: '#4d8dff',
+  select: '#9aa4b2',
+  task: '#16a37f',
+};
 
 export class AreaMarks {
   readonly root = new Group();
-  #plane = new PlaneGeometry(1, 1).rotateX(-Math.PI / 2);
-  #materials = new Map<AreaKind, MeshBasicMaterial>();
 
   show(areas: readonly MarkedArea[], sites: SceneInfo['sites'] | null): void {
-    this.root.clear();
+    this.#clear();
     if (!sites || sites.size.length === 0) return;
-    const height = Math.max(...Array.from(sites.size, (_, site) => sites.position[3 * site + 1]!)) - lift;
-    for (const area of areas) this.#add(area, height);
+    const top = Math.max(...Array.from(sites.size, (_, site) => sites.position[3 * site + 1]!)) - lift;
+    for (const area of areas) this.#add(area, area.height === null ? top : area.height + lift);
   }
 
   dispose(): void {
+    this.#clear();
+  }
+
+  #clear(): void {
+    for (const child of this.root.children) {
+      if (!(child instanceof Mesh || child instanceof LineLoop)) continue;
+      child.geometry.dispose();
+      child.material.dispose();
+    }
     this.root.clear();
-    this.#plane.dispose();
-    for (const material of this.#materials.values()) material.dispose();
   }
 
-  #add({ kind, area: [x, z, farX, farZ] }: MarkedArea, height: number): void {
-    const material = this.#materials.get(kind) ?? paneMaterial(colors[kind]);
-    this.#materials.set(kind, material);
-    const pane = new Mesh(this.#plane, material);
-    pane.position.set((x + farX) / 2, height, (z + farZ) / 2);
-    pane.scale.set(farX - x, 1, farZ - z);
-    pane.renderOrder = 5;
-    this.root.add(pane);
+  #add({ kind, outline, isStrong }: MarkedArea, height: number): void {
+    const corners = outline.map(([x, z]) => new Vector2(x, -z));
+    const color = colors[kind];
+    const shared = { color, transparent: true, depthWrite: false, toneMapped: false };
+    const opacity = isStrong ? strongTint : tint;
+    const pane = new Mesh(
+      new ShapeGeometry(new Shape(corners)),
+      new MeshBasicMaterial({ ...shared, opacity, side: DoubleSide }),
+    );
+    const edge = new LineLoop(
+      new BufferGeometry().setFromPoints(corners),
+      new LineBasicMaterial({ ...shared, opacity: 0.9, depthTest: false }),
+    );
+    for (const part of [pane, edge]) {
+      part.rotation.x = -Math.PI / 2; // from x, y of the drawing to x, -z of the room
+      part.position.y = height;
+      part.renderOrder = 5;
+      this.root.add(part);
+    }
   }
-}
-
-function paneMaterial(color: string): MeshBasicMaterial {
-  return new MeshBasicMaterial({
-    color,
-    transparent: true,
-    opacity: 0.28,
-    side: DoubleSide,
-    depthWrite: false,
-    toneMapped: false,
-  });
 }

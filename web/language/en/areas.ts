@@ -1,0 +1,30 @@
+/** Task areas in plan. */
+
+export const areas = {
+  name: 'Task areas',
+  draw: 'Draw …',
+  drawTip: 'Drag a rectangle in the plan',
+  corners: 'Corners …',
+  cornersTip: 'Click the corners in the plan',
+  at: 'Add at …',
+  middle: 'the middle of the room',
+  on: (surface: string) => `on ${surface}`,
+  empty: 'It holds no point of its plane: make it larger.',
+  cornersOf: (count: number) => `${count} corners`,
+  remove: (name: string) => `Remove ${name}`,
+  light: 'Ask for light',
+  lightTip: 'Cards for the task, the band of 0.5 m around it and the background, as EN 12464-1 grades them',
+  lightOf: (name: string) => `Mean of ${name}`,
+  wide: 'wide',
+  deep: 'deep',
+  reached: (mean: string, evenness: string) => `${mean} lx, Uₒ ${evenness}`,
+  nothing: 'There is no measuring plane and no floor below this area.',
+  enough: 'That is the most areas that a room may have.',
+  added: (name: string, surface: string) => `${name} is a part of ${surface} now.`,
+  steps: {
+    add: (name: string) => `Add ${name}`,
+    change: (name: string) => `Change ${name}`,
+    remove: (name: string) => `Remove ${name}`,
+    ask: (name: string) => `Ask for light on ${name}`,
+  },
+};

@@ -1,0 +1,192 @@
+/** Task areas: drawn in the plan or taken from furniture, moved by their numbers, asked for light. */
+import { SquareDashed, Trash2, Waypoints } from 'lucide-preact';
+import { useState } from 'preact/hooks';
+import { useApp } from '../../app/app.ts';
+import { compact, ratio } from '../../app/words/format.ts';
+import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
+import { mostAreas } from '../../document/schema.ts';
+import { rectangleOf, worktopsOf } from '../../document/task-areas.ts';
+import type { PlanArea, TaskArea } from '../../document/types.ts';
+import { words } from '../../language/language.ts';
+import { NumberField } from '../controls/number-field.tsx';
+
+export function TaskAreaList() {
+  const { store, viewer, tasks } = useApp();
+  const frame = viewer.frame();
+  if (!store.scene.value || !frame || store.document.value.quantity === 'exitance') return null;
+  const { areas: say } = words.value;
+  const { list } = tasks;
+  const draw = (kind: 'task' | 'corners') => {
+    const isOn = store.drawing.value !== kind;
+    store.drawing.value = isOn ? kind : null;
+    if (isOn && !viewer.camera().plan) viewer.view('plan');
+  };
+  return (
+    <section class="field area-list" aria-label={say.name}>
+      <span class="field-name">{say.name}</span>
+      <div class="row">
+        <button
+          class="button small"
+          aria-pressed={store.drawing.value === 'task'}
+          disabled={list.length >= mostAreas}
+          title={say.drawTip}
+          onClick={() => draw('task')}
+        >
+          <SquareDashed size={14} aria-hidden />
+          {say.draw}
+        </button>
+        <button
+          class="button small"
+          aria-pressed={store.drawing.value === 'corners'}
+          disabled={list.length >= mostAreas}
+          title={say.cornersTip}
+          onClick={() => draw('corners')}
+        >
+          <Waypoints size={14} aria-hidden />
+          {say.corners}
+        </button>
+        <AddAt />
+      </div>
+      {list.map((area, index) => (
+        <AreaRow key={area.name} {...{ area, index, frame }} />
+      ))}
+    </section>
+  );
+}
+
+/** From a piece of furniture, or anywhere: without a pointer. */
+function AddAt() {
+  const { store, tasks } = useApp();
+  const { areas: say } = words.value;
+  const scene = store.scene.value;
+  if (!scene) return null;
+  return (
+    <select
+      class="button small"
+      aria-label={say.at}
+      value=""
+      disabled={tasks.list.length >= mostAreas}
+      onChange={(event) => {
+        const { value } = event.currentTarget;
+        event.currentTarget.value = '';
+        if (value === middle) tasks.addInMiddle();
+        else if (value) tasks.addFrom(value);
+      }}
+    >
+      <option value="">{say.at}</option>
+      <option value={middle}>{say.middle}</option>
+      {worktopsOf(scene).map(({ name }) => (
+        <option key={name} value={name}>
+          {name}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+const middle = '\u0000'; // no surface has that name
+
+function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame: PlanFrame }) {
+  const app = useApp();
+  const { store, tasks } = app;
+  const { areas: say } = words.value;
+  const { name, surface, outline } = area;
+  const leaf = store.sceneWithAreas.value?.surfaces.findIndex((each) => each.name === name) ?? -1;
+  const light = store.shown.value?.surfaces.find((each) => each.name === name);
+  const rectangle = rectangleOf(outline);
+  const isChosen = leaf >= 0 && store.surface.value === leaf;
+  return (
+    <div class="area-row" role="group" aria-label={name}>
+      <div class="setting-row">
+        <button
+          class="link-button"
+          aria-pressed={isChosen}
+          onClick={() => app.selectSurface(isChosen ? null : leaf)}
+        >
+          {name}
+        </button>
+        <small>
+          {light && leaf >= 0
+            ? say.reached(compact(light.mean), ratio(light.min / light.mean))
+            : say.on(surface)}
+        </small>
+        <button class="icon-button small" aria-label={say.remove(name)} onClick={() => tasks.remove(index)}>
+          <Trash2 size={14} aria-hidden />
+        </button>
+      </div>
+      {leaf < 0 && <p class="field-note warn">{say.empty}</p>}
+      {rectangle ? (
+        <Numbers {...{ name, frame }} area={rectangle} set={(next) => tasks.reshape(index, next)} />
+      ) : (
+        <small>{say.cornersOf(outline.length)}</small>
+      )}
+      {leaf >= 0 && <AskForLight {...{ name, index }} />}
+    </div>
+  );
+}
+
+/** Cards for the task and what is around it, from one number. */
+function AskForLight({ name, index }: { name: string; index: number }) {
+  const { tasks } = useApp();
+  const { areas: say } = words.value;
+  const [lux, setLux] = useState(500);
+  return (
+    <div class="setting-row">
+      <NumberField
+        label={say.lightOf(name)}
+        unit="lx"
+        value={lux}
+        step={50}
+        min={5}
+        max={10_000}
+        onInput={(value) => value !== undefined && setLux(value)}
+      />
+      <button class="button small" title={say.lightTip} onClick={() => tasks.ask(index, lux)}>
+        {say.light}
+      </button>
+    </div>
+  );
+}
+
+const hundredths = (value: number) => Math.round(100 * value) / 100;
+
+interface NumbersProps {
+  readonly name: string;
+  readonly area: PlanArea;
+  readonly frame: PlanFrame;
+  readonly set: (area: PlanArea) => void;
+}
+
+/** A rectangle by its south-west corner and its extent. */
+function Numbers({ name, area: [x, z, farX, farZ], frame, set }: NumbersProps) {
+  const { store } = useApp();
+  const { areas: say } = words.value;
+  const [west, south] = inPlan(frame, [x, frame.floor, farZ]);
+  const now = [west, south, farX - x, farZ - z].map(hundredths) as [number, number, number, number];
+  const change = (index: number, value: number | undefined) => {
+    if (value === undefined || value === now[index]) return;
+    const [left, bottom, wide, deep] = now.map((each, i) => (i === index ? value : each)) as typeof now;
+    if (!(wide > 0 && deep > 0)) return;
+    const [nextX, , nextZ] = inRoom(frame, [left, bottom, 0]);
+    set([nextX, nextZ - deep, nextX + wide, nextZ]);
+  };
+  return (
+    <>
+      {['x', 'y', say.wide, say.deep].map((label, index) => (
+        <span key={label}>
+          <small aria-hidden="true">{label}</small>
+          <NumberField
+            label={`${name}: ${label}`}
+            unit="m"
+            value={now[index]!}
+            step={0.1}
+            min={index < 2 ? -1000 : 0.01}
+            max={1000}
+            onInput={(value) => change(index, value)}
+            onEnd={() => store.endGesture()}
+          />
+        </span>
+      ))}
+    </>
+  );
+}
