@@ -3,7 +3,7 @@
 import { parseArgs } from 'node:util';
 import { builder, cmake, programs, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
-import { isForTests, makeAll, sampleRooms } from './sample-rooms.mjs';
+import { isFor, makeAll, sampleRooms } from './sample-rooms.mjs';
 import { siteAddress } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 import { start } from './start.mjs';
@@ -31,11 +31,11 @@ function originAsked() {
   }
 }
 
-/** All that the tests and the benchmarks run. */
-async function buildAll() {
+/** All that the tests, or the benchmarks, run. */
+async function buildAll(use) {
   recentNode();
   await systemPackages([...packages.build, ...packages.browser, ...packages.sizes]);
-  await build(null, isForTests);
+  await build(null, isFor(use));
   await Promise.all([cmake('native'), cmake('wasm')]);
 }
 
@@ -44,7 +44,7 @@ const commands = {
   start,
 
   async test() {
-    await buildAll();
+    await buildAll('tests');
     const totals = { passed: 0, failed: 0 };
     for (const [suite, test] of Object.entries(testSuites)) {
       const begin = Date.now();
@@ -64,7 +64,7 @@ const commands = {
   },
 
   async bench() {
-    await buildAll();
+    await buildAll('benchmarks');
     run('node', ['tests/bench/bench.mjs', ...others]);
   },
 

@@ -39,11 +39,17 @@ export function sampleRooms() {
   });
 }
 
-// The rooms that tests and benchmarks open. The others take no part of their time.
-const tested = ['office', 'e-corridor', 'classroom', 'gallery', 'box'];
+// The rooms that tests open, and those that benchmarks open. The others take no part of their time.
+const opened = {
+  tests: ['office', 'e-corridor', 'gallery', 'box'],
+  benchmarks: ['office', 'e-corridor', 'classroom', 'gallery', 'box'],
+};
 
-/** Whether tests and benchmarks have a room beside them: those that they need, and any that is there already. */
-export const isForTests = ({ id, isReady }) => isReady || tested.includes(id);
+/** Whether tests, or benchmarks, have a room beside them: those that they need, and any that is there already. */
+export const isFor =
+  (use) =>
+  ({ id, isReady }) =>
+    isReady || opened[use].includes(id);
 
 /**
  * The list of the rooms that are wanted, no scene that is not what it should be, and the luminaires that openings name:

@@ -1,10 +1,10 @@
 // What `npm test` runs when everything is built.
 import { spawnSync } from 'node:child_process';
-import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { jobs } from './build.mjs';
 import { checkFunctionSizes } from './function-sizes.mjs';
-import { root, say } from './processes.mjs';
+import { output, root, runToEnd, say } from './processes.mjs';
 
 /** Each suite shows its own output and returns what it counted. */
 export const testSuites = {
@@ -29,7 +29,15 @@ export const testSuites = {
   },
 
   native: () => ctest('build/native'),
-  wasm: () => ctest('build/wasm'),
+  async wasm() {
+    say('GoogleTest as Wasm under Node');
+    const results = await inTurns(
+      Number(jobs),
+      wasmPieces().map((piece) => () => wasmTests(piece)),
+    );
+    const sum = (key) => results.reduce((total, each) => total + each[key], 0);
+    return { passed: sum('passed'), failed: sum('failed') + (results.length === 0 ? 1 : 0) };
+  },
 
   jest() {
     say('Jest');
@@ -64,6 +72,52 @@ export const testSuites = {
 };
 
 /** Tests of a build folder; only how they ended is shown where all is well. */
+/** Runs so many of them at a time; their results in order. */
+async function inTurns(atATime, tasks) {
+  const results = [];
+  let next = 0;
+  const turn = async () => {
+    while (next < tasks.length) {
+      const mine = next++;
+      results[mine] = await tasks[mine]();
+    }
+  };
+  await Promise.all(Array.from({ length: atATime }, turn));
+  return results;
+}
+
+/** A process a test would start Node and compile the module hundreds of times: each binary's suites in a few pieces. */
+function wasmPieces() {
+  const pieces = 4;
+  const folder = path.join(root, 'build', 'wasm', 'tests');
+  const binaries = readdirSync(folder).filter((name) => name.endsWith('_test.js'));
+  return binaries.flatMap((name) => {
+    const binary = path.join(folder, name);
+    const suites = output('node', [binary, '--gtest_list_tests']).match(/^\S+\.(?=\s)/gm) ?? [];
+    const partOf = (_, piece) => suites.filter((_suite, i) => i % pieces === piece);
+    return Array.from({ length: pieces }, partOf)
+      .filter((part) => part.length > 0)
+      .map((part, i) => ({
+        binary,
+        filter: part.map((suite) => `${suite}*`).join(':'),
+        name: `${name}.${i}`,
+      }));
+  });
+}
+
+async function wasmTests({ binary, filter, name }) {
+  const report = path.join(root, 'build', `${name}.json`);
+  rmSync(report, { force: true });
+  const lines = [];
+  const args = [binary, `--gtest_filter=${filter}`, `--gtest_output=json:${report}`];
+  const { status } = await runToEnd('node', args, { onLine: (line) => lines.push(line) });
+  if (status !== 0) process.stdout.write(`${lines.join('\n')}\n`);
+  if (!existsSync(report)) return { passed: 0, failed: 1 };
+  const { tests, failures, errors, disabled } = JSON.parse(readFileSync(report, 'utf8'));
+  const failed = failures + errors;
+  return { passed: tests - failed - disabled, failed: failed || (status === 0 && tests > 0 ? 0 : 1) };
+}
+
 export function ctest(folder) {
   say(`GoogleTest: ${folder}`);
   const result = spawnSync(

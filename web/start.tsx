@@ -1,6 +1,7 @@
 /** The page: the tree of components, nothing else. */
 import { render } from 'preact';
 import { keepForOffline } from './app/offline.ts';
+import { sentences } from './app/opening/sentences.ts';
 import { Store } from './app/state/store.ts';
 import { speak, wishedLanguage } from './language/language.ts';
 import { Shell } from './panel/shell.tsx';
@@ -10,6 +11,7 @@ import { createViewer } from './viewer/viewer.ts';
 const root = document.getElementById('app');
 root?.replaceChildren();
 const store = new Store();
+void sentences().catch(() => undefined); // here already, should the connection go
 const wished = wishedLanguage();
 if (wished !== 'en') await speak(wished).catch(() => undefined); // no connection: English is here
 if (root) render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);

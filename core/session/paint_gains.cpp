@@ -54,7 +54,11 @@ Intentions ofLightAlone(const Intentions& asked) {
   intentions.constraints = asked.constraints;
   intentions.zones = asked.zones;
   for (Constraint& constraint : intentions.constraints)
-    if (!isOfLight(constraint)) constraint = {Statistic::kPower, 0, kUnbounded};
+    if (!isOfLight(constraint)) {
+      constraint = {};
+      constraint.statistic = Statistic::kPower;
+      constraint.lower = 0;
+    }
   for (Goal& goal : intentions.goals)
     if (!isOfLight(goal)) goal = {Statistic::kPower, Sense::kMinimize, 1, {}, {}};
   return intentions;

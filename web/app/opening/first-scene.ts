@@ -3,6 +3,7 @@
  * first one) is asked for before the app has arrived; it is used once, by whoever fetches that room first.
  */
 import { isEmbedded, wishedRoom } from './address.ts';
+import { sentences } from './sentences.ts';
 import { sceneBytes } from '../../solver/scene-bytes.ts';
 import type { FileBytes } from '../../solver/solver-client.ts';
 
@@ -87,10 +88,4 @@ async function request(room: string): Promise<ArrayBuffer> {
   const bytes = await sceneBytes(response);
   if (!bytes) throw new Error((await sentences()).roomMissing(room));
   return bytes;
-}
-
-/** note: not with the first script, which waits for no words */
-async function sentences() {
-  const { words } = await import('../../language/language.ts');
-  return words.value.opening;
 }

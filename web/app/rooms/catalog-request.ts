@@ -1,4 +1,5 @@
 /** Asks for the list of rooms: once before the app has arrived, and whenever the app wants it anew. */
+import { sentences } from '../opening/sentences.ts';
 
 let early: Promise<Response | null> | null = null;
 
@@ -12,12 +13,12 @@ export async function requestCatalog(): Promise<unknown> {
   const waiting = early;
   early = null;
   const response = (await waiting) ?? (await request());
-  if (!response) throw new Error((await sentences()).offline);
+  if (!response) throw new Error((await sentences()).catalog.offline);
   // note: some hosts answer with a page where a file is missing
   const isThere = response.ok && !response.headers.get('content-type')?.startsWith('text/html');
-  if (!isThere) throw new Error((await sentences()).missing);
+  if (!isThere) throw new Error((await sentences()).catalog.missing);
   return response.json().catch(async () => {
-    throw new Error((await sentences()).notJson);
+    throw new Error((await sentences()).catalog.notJson);
   });
 }
 
@@ -25,10 +26,4 @@ export async function requestCatalog(): Promise<unknown> {
 function request(): Promise<Response | null> {
   const address = new URL('./scenes/catalog.json', document.baseURI).href;
   return fetch(address, { cache: 'no-cache' }).catch(() => null);
-}
-
-/** note: not with the first script, which waits for no words */
-async function sentences() {
-  const { words } = await import('../../language/language.ts');
-  return words.value.opening.catalog;
 }
