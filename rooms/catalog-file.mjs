@@ -10,7 +10,7 @@ import { catalog, experiments } from './catalog.mjs';
  * `ids`: the rooms that it names.
  */
 export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
-  const entry = ({ id, title, description, opening, view }, room) => ({
+  const entry = ({ id, title, description, opening, view, roomType }, room) => ({
     id,
     title,
     description,
@@ -18,6 +18,7 @@ export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
     ...states[room],
     opening,
     view,
+    roomType,
   });
   return {
     rooms: catalog.filter(({ id }) => ids.includes(id)).map((room) => entry(room, room.id)),

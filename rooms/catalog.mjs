@@ -3,7 +3,8 @@
 // precompute: command-line options for `fiatlux precompute`; the opening's intentions are added to them.
 // opening: cards as in a project file (`aim`: about this mean), the luminaires, and what differs from { saving: false, quantity: 'illuminance',
 //   seed: 1 }. `types`: luminaires by their files in luminaires/, in the words of intentions.json and with a name. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
-//   { illuminate: 0.5 } is half of the largest mean there is.
+//   { illuminate: 0.5 } is half of the largest mean there is. `roomType` in an opening: its cards are those of the type.
+// roomType: what a standard asks of such a room (web/app/words/room-types.ts), which the page offers beside the opening.
 // view: where the eye stands at first, where it looks (m), and how much brighter than usual it sees (EV); without one it
 //   sees the whole room from outside.
 
@@ -14,10 +15,13 @@ const pictures = numbered('picture', 12);
 const sheets = numbered('picture', 8);
 const sculptures = numbered('sculpture', 2);
 const tables = numbered('table', 9);
+const walls = ['wall north', 'wall south', 'wall west', 'wall east'];
 
 const rooms = [
   {
     id: 'office',
+    // note: it does not open as its type. Panels need what is last in the file, and the first slider would wait for it.
+    roomType: 'writing',
     title: 'Open office',
     description: 'Twelve desks under a tiled ceiling; a working plane at 0.75 m, lit evenly.',
     // note: after two steps the means of cabinets far from the only lamp are still 0.6 % off
@@ -32,6 +36,7 @@ const rooms = [
   },
   {
     id: 'e-corridor',
+    roomType: 'corridor',
     title: 'E corridor',
     description: 'The room of the paper: a corridor with three arms and one yellow wall.',
     precompute: ['--patch', '0.1875', '--cluster', '4'],
@@ -46,11 +51,20 @@ const rooms = [
     description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
     precompute: ['--patch', '0.16', '--cluster', '4'],
     opening: {
+      roomType: 'classroom',
       cards: [
-        { verb: 'homogenize', surfaces: ['working plane'], aim: 500 },
-        { verb: 'illuminate', surfaces: ['whiteboard'], aim: 350, weight: 0.3 },
+        { id: 'type-task', verb: 'homogenize', surfaces: ['working plane'], mean: { min: 510 } },
+        { id: 'type-walls', verb: 'keep', surfaces: walls, mean: { min: 150 } },
+        { id: 'type-ceiling', verb: 'keep', surfaces: ['ceiling'], mean: { min: 100 } },
       ],
-      luminaires: { count: 12, flux: 3500, minDistance: 1.5 },
+      glare: { max: 19 },
+      luminaires: {
+        count: 12,
+        most: 20,
+        arrangement: { rule: 'field' },
+        maintenance: [0.9, 1, 0.95, 0.94],
+      },
+      types: [{ photometry: 'panel.ldt' }],
     },
   },
   {

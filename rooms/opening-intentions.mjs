@@ -38,8 +38,26 @@ function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, unifo
 /** Where photometric files lie, as `fiatlux` sees it from the root of the project. */
 const luminaireFolder = 'public/luminaires/';
 
-/** `opening`: as in the catalogue, with numbers for its bounds. */
+/** What is left of the light of a new installation: the product, to a hundredth (web/document/maintenance.ts). */
+const factorOf = ({ maintenance = [] }) =>
+  Math.round(100 * maintenance.reduce((all, each) => all * each, 1)) / 100;
+
+/** What the new installation has to reach; the cards of an opening with maintenance ask of means alone. */
+const asNew = (factor) => (asked) => ({
+  ...asked,
+  ...Object.fromEntries(
+    ['min', 'max', 'target'].flatMap((bound) =>
+      asked[bound] === undefined ? [] : [[bound, asked[bound] / factor]],
+    ),
+  ),
+});
+
+/** `opening`: as in the catalogue, with numbers for its bounds. The light that is seen first is found without glare. */
 export function openingIntentions({ cards, luminaires, types, quantity = 'illuminance' }) {
+  const { most, maintenance: _, arrangement, ...rest } = luminaires;
+  const factor = factorOf(luminaires);
+  const isOfRatio = cards.some(({ uniformity, contrast }) => uniformity || contrast);
+  if (factor !== 1 && isOfRatio) throw new Error('an opening with maintenance asks of no ratio');
   const inFolder = ({ photometry, count, turns, aims, flux, watts }) => ({
     photometry: luminaireFolder + photometry,
     count,
@@ -49,9 +67,14 @@ export function openingIntentions({ cards, luminaires, types, quantity = 'illumi
     watts,
   });
   return {
-    luminaires: { ...luminaires, ...(types && { types: types.map(inFolder) }) },
-    goals: cards.flatMap(goalsOf),
-    constraints: cards.flatMap(constraintsOf),
+    luminaires: {
+      ...rest,
+      ...(most && { count: [luminaires.count, most] }),
+      ...(types && { types: types.map(inFolder) }),
+    },
+    ...(arrangement && { arrangement }),
+    goals: cards.flatMap(goalsOf).map(asNew(factor)),
+    constraints: cards.flatMap(constraintsOf).map(asNew(factor)),
     quantity,
   };
 }

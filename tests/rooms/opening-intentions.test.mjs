@@ -3,6 +3,7 @@ import { expect, test } from '@jest/globals';
 import { catalog } from '../../rooms/catalog.mjs';
 import { openingIntentions } from '../../rooms/opening-intentions.mjs';
 import { intentionsOf } from '../../web/document/intentions.ts';
+import { asNew, maintenanceOf } from '../../web/document/maintenance.ts';
 
 /** Of intentions.json, in the page's words. */
 const inPageWords = ({ surface, ...rest }) => ({ ...rest, surfaces: surface });
@@ -12,13 +13,16 @@ test.each(catalog)('$id', ({ opening, precompute }) => {
   const document = { cards: cards.map((card) => ({ weight: 1, ...card })), saving, quantity, luminaires };
   const asked = openingIntentions(opening);
   const inFolder = ({ photometry }) => `public/luminaires/${photometry}`;
-  expect(asked.luminaires).toMatchObject(luminaires);
+  const { most, arrangement, maintenance: _, ...rest } = luminaires;
+  expect(asked.luminaires).toMatchObject({ ...rest, ...(most && { count: [luminaires.count, most] }) });
+  expect(asked.arrangement).toEqual(arrangement);
   expect(asked.luminaires.types?.map(({ photometry }) => photometry)).toEqual(types?.map(inFolder));
+  const { arrangement: __, ...onLight } = asked;
   expect({
-    ...asked,
+    ...onLight,
     luminaires,
     goals: asked.goals.map(inPageWords),
     constraints: asked.constraints.map(inPageWords),
-  }).toEqual(intentionsOf(document).intentions);
+  }).toEqual(asNew(intentionsOf(document).intentions, maintenanceOf(luminaires)));
   expect(precompute.slice(-2)).toEqual(['--opening', JSON.stringify(asked)]);
 });

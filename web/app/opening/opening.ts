@@ -1,4 +1,5 @@
 /** Everything that puts another room on the screen: gallery, links, dropped files, projects, the last work. */
+import type { Draft } from 'immer';
 import { intentionsOf } from '../../document/intentions.ts';
 import { edit } from '../../document/history.ts';
 import type { Project } from '../../document/project-file.ts';
@@ -134,10 +135,12 @@ export class Opening {
     }
     if (this.#store.scene.peek() !== scene) return;
     const document = documentFrom(asked, scene.identity, room);
-    this.#store.edit(words.value.steps.afresh, (draft) => void Object.assign(draft, document), null, {
-      by: 'search',
-      from: null,
-    });
+    const ask = (draft: Draft<FiatLuxDocument>) => {
+      delete draft.glare;
+      delete draft.roomType;
+      Object.assign(draft, document);
+    };
+    this.#store.edit(words.value.steps.afresh, ask, null, { by: 'search', from: null });
     this.#store.card.value = document.cards[0]?.id ?? null;
   }
 

@@ -7,6 +7,7 @@ import * as v from 'valibot';
 import {
   cardOf,
   firstFault,
+  glareSchema,
   mostLuminaires,
   mostTypes,
   lux,
@@ -16,6 +17,7 @@ import {
   number,
   pointSchema,
   quantitySchema,
+  roomTypeSchema,
   seedSchema,
   typeEntries,
 } from '../../document/schema.ts';
@@ -31,6 +33,7 @@ export interface GalleryEntry {
   readonly description: string;
   readonly opening: OpeningWish | null; // null: what is asked of any room at first
   readonly view: OpeningView | null; // null: the whole room from outside
+  readonly roomType: string | null; // id of what a standard asks of such a room; null: nothing in particular
   readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
   readonly failed: boolean; // the server could not compute the room; progress is then where it ended
 }
@@ -56,7 +59,8 @@ const openingCard = v.object({
   weight: v.optional(card.entries.weight, 1),
 });
 
-const { count, flux, dimming, pinned, excluded, minDistance } = luminairesSchema.entries;
+const { count, most, arrangement, flux, dimming, pinned, excluded, minDistance, maintenance } =
+  luminairesSchema.entries;
 const openingType = v.object({
   photometry: v.pipe(v.string(), v.regex(genericName, 'it is not the name of a file of luminaires/')),
   name: v.exactOptional(typeEntries.name),
@@ -76,11 +80,14 @@ const opening = v.object({
   luminaires: v.optional(
     v.object({
       count: v.optional(count, usualLuminaires.count),
+      most,
+      arrangement,
       flux: v.optional(flux, usualLuminaires.flux),
       dimming: v.optional(dimming, [1, 1]),
       pinned: v.optional(pinned, []),
       excluded: v.optional(excluded, []),
       minDistance: v.optional(minDistance, usualLuminaires.minDistance),
+      maintenance,
     }),
     {},
   ),
@@ -88,6 +95,8 @@ const opening = v.object({
   saving: v.optional(v.boolean(), false),
   quantity: v.optional(quantitySchema, 'illuminance'),
   seed: v.optional(seedSchema, 1),
+  glare: v.exactOptional(glareSchema),
+  roomType: v.exactOptional(roomTypeSchema),
 });
 
 const view = v.object({
@@ -104,6 +113,7 @@ const entry = v.pipe(
     file: v.pipe(v.string(), v.regex(sceneFile, 'it is not the name of a .flux file in this folder')),
     opening: v.optional(opening),
     view: v.optional(view),
+    roomType: v.optional(roomTypeSchema),
     state: v.optional(v.picklist(['ready', 'computing', 'failed']), 'ready'),
     progress: v.optional(number(0, 1), 0),
   }),
@@ -114,6 +124,7 @@ const entry = v.pipe(
     description,
     opening: rest.opening ?? null,
     view: rest.view ?? null,
+    roomType: rest.roomType ?? null,
     progress: state === 'ready' ? null : progress,
     failed: state === 'failed',
   })),

@@ -12,7 +12,10 @@ import type {
   Verb,
 } from '../../document/types.ts';
 
-export type Asked = Pick<FiatLuxDocument, 'cards' | 'saving' | 'luminaires' | 'quantity' | 'seed'>;
+export type Asked = Pick<
+  FiatLuxDocument,
+  'cards' | 'saving' | 'luminaires' | 'quantity' | 'seed' | 'glare' | 'roomType'
+>;
 
 /** A sum of shares of what verbs alone reach on the card's surfaces, such as { homogenize: 0.5, vary: 0.5 }. */
 export type Shares = { readonly [Key in Exclude<Verb, 'keep'>]?: number | undefined };
@@ -147,6 +150,7 @@ export function askedOfUnknown(
 const isFloor = /(^|\/)floor( \d+)?$/i;
 
 export function documentFrom(asked: Asked, scene: string, room: string): FiatLuxDocument {
-  const { cards, saving, luminaires, quantity, seed } = asked;
-  return { scene, room, cards, saving, luminaires, quantity, seed, layout: null };
+  const { cards, saving, luminaires, quantity, seed, glare, roomType } = asked;
+  const document = { scene, room, cards, saving, luminaires, quantity, seed, layout: null };
+  return { ...document, ...(glare && { glare }), ...(roomType !== undefined && { roomType }) };
 }

@@ -91,7 +91,7 @@ export function luminairesFor(
   scene: Pick<SceneInfo, 'hasOperator'>,
 ): OpeningType[] {
   if (!luminaire || !scene.hasOperator || (luminaires.types ?? []).length > 0) return [];
-  return [{ photometry: luminaire, count: [0, mostLuminaires], turns: [0, 90], aims: [] }];
+  return [{ photometry: luminaire, count: [0, mostLuminaires], turns: [0], aims: [] }];
 }
 
 /**

@@ -76,6 +76,7 @@ export const intentions: Words['intentions'] = {
     },
   },
   now: (value) => `jetzt ${value}`,
+  lightAs: (type: string) => `Beleuchten als: ${type}`,
   firstHint: 'Den Regler ziehen: Die Leuchten finden neue Plätze, und das Licht folgt.',
   glare: {
     none: 'Blendfrei',

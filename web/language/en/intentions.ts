@@ -75,6 +75,7 @@ export const intentions = {
     },
   },
   now: (value: string) => `now ${value}`,
+  lightAs: (type: string) => `Light it as: ${type.toLowerCase()}`,
   firstHint: 'Drag the slider: the luminaires find new places, and the light follows.',
   glare: {
     none: 'No glare',

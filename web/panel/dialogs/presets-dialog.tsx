@@ -1,23 +1,11 @@
 /** Numbers of standards as intentions, for the opened card or a new one. */
-import { useApp, type App } from '../../app/app.ts';
-import type { OpeningType } from '../../app/rooms/opening-wish.ts';
-import { sentence } from '../../app/words/format.ts';
-import { askForType, cardsOf, luminairesFor, roomTypes, type RoomType } from '../../app/words/room-types.ts';
+import { useApp } from '../../app/app.ts';
+import { lightAs } from '../../app/room-type.ts';
+import { roomTypes, type RoomType } from '../../app/words/room-types.ts';
 import { presets, presetText, withPreset, type Preset } from '../../app/words/standards.ts';
-import type { LuminaireType } from '../../document/types.ts';
 import { Dialog } from './dialog.tsx';
 import { namesText } from '../intentions/surface-picker.tsx';
 import { words } from '../../language/language.ts';
-
-/** None where the site does not give them, which is said. */
-async function fromSite(app: App, wished: readonly OpeningType[]): Promise<readonly LuminaireType[]> {
-  try {
-    return await app.types.fromSite(wished);
-  } catch (error) {
-    app.store.say('warning', sentence(error instanceof Error ? error.message : String(error)));
-    return [];
-  }
-}
 
 export function PresetsDialog({ close }: { close: () => void }) {
   const app = useApp();
@@ -33,17 +21,9 @@ export function PresetsDialog({ close }: { close: () => void }) {
     const id = store.card.peek();
     if (id) app.changeCard(id, words.value.steps.preset(preset.title()), (card) => withPreset(card, preset));
   };
-  const applyType = async (type: RoomType) => {
+  const applyType = (type: RoomType) => {
     close();
-    const scene = store.scene.peek();
-    if (!scene || cardsOf(type, scene.surfaces).length === 0) {
-      store.say('warning', words.value.dialogs.presets.noSurface(type.title()));
-      return;
-    }
-    const luminaires = await fromSite(app, luminairesFor(type, store.document.peek(), scene));
-    if (store.scene.peek() !== scene) return;
-    store.edit(words.value.steps.preset(type.title()), (draft) => askForType(draft, type, scene, luminaires));
-    store.tab.value = 'results';
+    void lightAs(app, type);
   };
   return (
     <Dialog title={words.value.dialogs.presets.name} close={close}>
@@ -56,7 +36,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
         <ul class="preset-list">
           {roomTypes.map((type) => (
             <li key={type.id}>
-              <button onClick={() => void applyType(type)}>
+              <button onClick={() => applyType(type)}>
                 <strong>{type.title()}</strong>
                 <span>
                   {presetText(type.numbers)}

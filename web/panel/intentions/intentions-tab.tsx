@@ -9,6 +9,7 @@ import { FirstHint } from './first-hint.tsx';
 import { GlareChoice } from './glare-choice.tsx';
 import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
+import { RoomTypeOffer } from './room-type-offer.tsx';
 import { TaskAreaList } from './task-area-list.tsx';
 import { namesText } from './surface-picker.tsx';
 import { More } from '../controls/more.tsx';
@@ -26,6 +27,7 @@ export function IntentionsTab() {
   return (
     <>
       {inPaperWords && <QuantityChoice />}
+      {!inPaperWords && <RoomTypeOffer />}
       <FirstHint />
       <InfeasibleHelp />
       <ul class="cards">

@@ -71,6 +71,7 @@ describe("an owner's list", () => {
         description: '',
         opening: null,
         view: null,
+        roomType: null,
         progress: null,
         failed: false,
       },

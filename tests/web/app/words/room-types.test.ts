@@ -17,8 +17,9 @@ import { decodeLink, encodeLink } from '../../../../web/document/share-link.ts';
 import { documentOf, linkOf } from '../../../../web/document/linked-document.ts';
 import * as v from 'valibot';
 import { luminaireType, photometricText } from '../../document/luminaire-type.ts';
+import { documentFrom, withoutShares } from '../../../../web/app/rooms/opening-wish.ts';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
-import { sampleDocument } from '../../sample-rooms.ts';
+import { sampleCatalog, sampleDocument } from '../../sample-rooms.ts';
 
 const surface = (name: string, measuring = false) => ({
   name,
@@ -49,6 +50,25 @@ function storeOf(id: string) {
   store.shown.value = fakeShown(scene, layout, intentionsOf(store.document.peek()).intentions);
   return { store, scene };
 }
+
+describe('the rooms of the site', () => {
+  test('name types that there are, and one opens with the cards that its type writes', () => {
+    const { rooms } = sampleCatalog();
+    const named = rooms.flatMap(({ roomType, opening }) => [roomType, opening?.roomType].filter(Boolean));
+    expect(named.length).toBeGreaterThan(1);
+    for (const id of named) expect(typeOf(id!)).toBeDefined();
+    const { opening } = rooms.find(({ id }) => id === 'classroom')!;
+    const document = documentFrom(withoutShares(opening!), '', 'classroom');
+    expect(document).toMatchObject({ roomType: 'classroom', glare: { max: typeOf('classroom').ugr } });
+    const walls = ['north', 'south', 'west', 'east'].map((side) => surface(`wall ${side}`));
+    const room = [surface('floor'), surface('ceiling'), ...walls, surface('working plane', true)];
+    // By their texts, for so the verdict knows them.
+    expect(document.cards.map((card) => JSON.stringify(card))).toEqual(
+      cardsOf(typeOf('classroom'), room).map((card) => JSON.stringify(card)),
+    );
+    expect(maintenanceOf(document.luminaires)).toBe(0.8);
+  });
+});
 
 describe('a room type', () => {
   test('writes cards for task, walls and ceiling', () => {

@@ -1,0 +1,39 @@
+/** One choice lights a room as a standard asks of rooms of its type: cards, luminaires of the site, maintained light. */
+import type { App } from './app.ts';
+import type { OpeningType } from './rooms/opening-wish.ts';
+import { sentence } from './words/format.ts';
+import { askForType, cardsOf, luminairesFor, roomTypes, type RoomType } from './words/room-types.ts';
+import type { LuminaireType } from '../document/types.ts';
+import { words } from '../language/language.ts';
+
+/** None where the site does not give them, which is said. */
+async function fromSite(app: App, wished: readonly OpeningType[]): Promise<readonly LuminaireType[]> {
+  try {
+    return await app.types.fromSite(wished);
+  } catch (error) {
+    app.store.say('warning', sentence(error instanceof Error ? error.message : String(error)));
+    return [];
+  }
+}
+
+/** As one step that can be undone; the verdict is shown. Says so where the room has no surface that the type is about. */
+export async function lightAs(app: App, type: RoomType): Promise<void> {
+  const { store } = app;
+  const scene = store.scene.peek();
+  if (!scene || cardsOf(type, scene.surfaces).length === 0) {
+    store.say('warning', words.value.dialogs.presets.noSurface(type.title()));
+    return;
+  }
+  const luminaires = await fromSite(app, luminairesFor(type, store.document.peek(), scene));
+  if (store.scene.peek() !== scene) return;
+  store.edit(words.value.steps.preset(type.title()), (draft) => askForType(draft, type, scene, luminaires));
+  store.tab.value = 'results';
+}
+
+/** The type that the site's list names for the room, until the document has one. */
+export function offeredType({ store, rooms }: App): RoomType | null {
+  const { room, roomType } = store.document.value;
+  if (roomType !== undefined || !store.scene.value) return null;
+  const named = rooms.catalog.value.rooms.find((entry) => entry.room === room)?.roomType;
+  return roomTypes.find(({ id }) => id === named) ?? null;
+}
