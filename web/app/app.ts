@@ -13,6 +13,7 @@ import { Challenge } from './challenge.ts';
 import { Comparing } from './comparing.ts';
 import { Film } from './film.ts';
 import { Hand } from './hand.ts';
+import { holdDuringGestures } from './held-exposure.ts';
 import { Keeping } from './keeping.ts';
 import type { CreatePool } from './lighting/lighting.ts';
 import { TaskAreas } from './task-areas.ts';
@@ -256,7 +257,7 @@ export class App {
   #tellViewer(): void {
     const { store, viewer } = this;
     effect(() => viewer.setDisplay(store.display.value));
-    effect(() => viewer.holdExposure((store.history.value.past.at(-1)?.gesture ?? null) !== null));
+    holdDuringGestures(store, viewer);
     effect(() => viewer.setBodies(this.types.bodies.value, this.types.bodiesOf(this.variants.types)));
     effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
     effect(() => {

@@ -11,7 +11,6 @@ import { LightTexture } from './light-texture.ts';
 
 const settling = 700; // ms in which the exposure makes 63 % of its way: slow enough to be seen
 const blending = 600; // ms in which light first takes its colour
-const longestHold = 3000; // ms after the last sign of a gesture
 
 export class RoomLight {
   readonly uniforms = sharedUniforms();
@@ -28,7 +27,7 @@ export class RoomLight {
   #ev = 0;
   #adaptation: Adaptation = 'camera';
   #locked: number | null = null; // lx
-  #hold: ReturnType<typeof setTimeout> | null = null; // while a person drags
+  #isHeld = false; // while a person drags
   #last = 0;
   #adapting = false;
 
@@ -102,8 +101,7 @@ export class RoomLight {
 
   /** While a person drags, the exposure stays, so that more light looks brighter; afterwards it adapts, visibly. */
   hold(active: boolean): void {
-    if (this.#hold !== null) clearTimeout(this.#hold);
-    this.#hold = active ? setTimeout(() => this.hold(false), longestHold) : null;
+    this.#isHeld = active;
     if (!active && this.#level !== 0) this.#follow();
   }
 
@@ -137,7 +135,6 @@ export class RoomLight {
   }
 
   dispose(): void {
-    if (this.#hold !== null) clearTimeout(this.#hold);
     this.setScene(null);
     for (const table of this.#tables.values()) table.dispose();
     this.#tables.clear();
@@ -157,7 +154,7 @@ export class RoomLight {
 
   #follow(): void {
     if (this.#level === 0) this.#level = this.#wanted;
-    if (this.#hold !== null) return;
+    if (this.#isHeld) return;
     if (reducedMotion()) {
       this.#level = this.#wanted;
       this.#expose();
@@ -170,7 +167,7 @@ export class RoomLight {
   }
 
   #adapt = (now: number): boolean => {
-    if (this.#hold !== null) return (this.#adapting = false);
+    if (this.#isHeld) return (this.#adapting = false);
     const passed = this.#last === 0 ? 16 : now - this.#last;
     this.#last = now;
     const way = Math.log(Math.max(this.#wanted, 0.05) / Math.max(this.#level, 0.05));
