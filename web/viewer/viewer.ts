@@ -83,7 +83,10 @@ class RoomViewer implements Viewer {
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
     this.#events = events;
-    this.#rig = new CameraRig(canvas, this.#loop, (camera) => events.cameraMoved(camera));
+    this.#rig = new CameraRig(canvas, this.#loop, (camera) => {
+      this.#input.again();
+      events.cameraMoved(camera);
+    });
     this.#arrival = new Arrival(canvas, this.#loop, this.#rig);
     this.#stage = new Stage(canvas, {
       resized: (width, height, ratio, covered) => {
@@ -163,6 +166,7 @@ class RoomViewer implements Viewer {
     this.#unlit = false;
     this.#light.set(illuminance);
     this.#contacts.wait();
+    this.#input.again();
     this.#arrival.light();
   }
 

@@ -51,6 +51,11 @@ export class PointerInput {
     canvas.addEventListener('keydown', this.#key, options);
   }
 
+  /** What lies under a pointer that rests may be something else now. */
+  again(): void {
+    if (this.#at) this.#ask();
+  }
+
   dispose(): void {
     this.#abort.abort();
     cancelAnimationFrame(this.#frame);

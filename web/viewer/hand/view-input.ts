@@ -57,6 +57,11 @@ export class ViewInput {
     this.#parts.canvas.dispatchEvent(new WheelEvent(event.type, event));
   }
 
+  /** The eye or the light has moved: what a pointer that rests is told is read anew. */
+  again(): void {
+    this.#pointer.again();
+  }
+
   dispose(): void {
     this.#pointer.dispose();
   }

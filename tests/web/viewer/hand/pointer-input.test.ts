@@ -93,6 +93,21 @@ test('hovering is told once a frame, the latest place, and nothing of a finger o
   ]);
 });
 
+test('a pointer that rests is told anew of what lies under it, one that is away is not', () => {
+  input.again();
+  expect(frames).toEqual([]);
+  send('pointermove', { clientX: 4, clientY: 5 });
+  frames.splice(0).forEach((frame) => frame());
+  input.again();
+  input.again();
+  frames.splice(0).forEach((frame) => frame());
+  expect(told).toEqual(Array(2).fill(['hover', { x: 4, y: 5 }]));
+  send('pointerleave');
+  frames.splice(0).forEach((frame) => frame());
+  input.again();
+  expect(frames).toEqual([]);
+});
+
 test('keys move, look and zoom; those of the browser are left alone', () => {
   for (const key of ['ArrowLeft', '1', '6', 'F', 'h', '=', '-', 'Escape']) {
     expect(send('keydown', { key }).defaultPrevented).toBe(true);
