@@ -4,6 +4,7 @@
  */
 import type { AheadRequest, FetchedAhead, FromWorker, ToWorker } from './protocol.ts';
 import type { FileBytes, WorkerLike } from './solver-client.ts';
+import { stopped } from './stopped.ts';
 
 const aheadRevision = 0; // of the answers about the file that nobody has asked for yet; the client counts from 1
 
@@ -33,7 +34,7 @@ export class AheadWorker implements WorkerLike {
   onmessageerror: WorkerLike['onmessageerror'] = null;
   /** Resolves when the file begins to arrive. Rejects where there is none to be had: ask for it as if nobody had. */
   readonly begun: Promise<void>;
-  /** Its bytes. Rejects where they do not all arrive. */
+  /** Its bytes. Rejects where they do not all arrive, by the clause that says why. */
   readonly bytes: Promise<ArrayBuffer>;
   readonly #worker: RawWorker;
   #held: Extract<FromWorker, { readonly revision: number }>[] = [];
@@ -44,8 +45,8 @@ export class AheadWorker implements WorkerLike {
     this.#worker = worker;
     const begun = new Later<void>();
     const bytes = new Later<ArrayBuffer>();
-    const fail = () => {
-      const error = new Error(`${address} could not be fetched ahead`);
+    const fail = (why: string) => {
+      const error = new Error(why);
       begun.reject(error);
       bytes.reject(error);
     };
@@ -53,10 +54,10 @@ export class AheadWorker implements WorkerLike {
       if (data.type !== 'begun' && data.type !== 'fetched') this.#take(data);
       else if (data.type === 'begun' && data.isThere) begun.resolve();
       else if (data.type === 'fetched' && data.bytes) bytes.resolve(data.bytes);
-      else fail();
+      else fail('the connection was lost');
     };
     worker.onerror = (event) => {
-      fail();
+      fail(stopped(event.message));
       if (this.onerror) this.onerror(event);
       else died();
     };

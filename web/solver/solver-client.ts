@@ -5,8 +5,9 @@
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
 import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
+import { stopped } from './stopped.ts';
 
-/** A scene file, which may still be arriving. */
+/** A scene file, which may still be arriving; where it does not arrive, the clause that says why. */
 export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
 
 /** The part of a Worker that the client uses. */
@@ -225,14 +226,12 @@ export class SolverClient {
     worker.postMessage({ type: 'bring', hash, file }, [file]);
   }
 
-  /** note: a worker whose script cannot be loaded tells no reason. */
   #restart(reason: string | undefined): void {
     this.#endReadings();
     this.#worker.terminate();
     if (++this.#deaths >= hopeless) {
       this.#isGone = true;
-      const why = (reason ?? 'its script cannot be loaded').replace(/^(Uncaught )?(\w*Error: )?/, '');
-      const message = `the solver stopped (${why}); reload the page to go on`;
+      const message = `${stopped(reason)}; reload the page to go on`;
       this.#receive({ type: 'failed', revision: this.#revision, message, fatal: true });
       return;
     }
@@ -249,8 +248,8 @@ export class SolverClient {
         (all) => {
           if (revision === this.#latest.open) this.#send({ revision, bytes: all }, this.#wish);
         },
-        () => {
-          const message = 'the room could not be loaded: the connection was lost; try again';
+        (error: Error) => {
+          const message = `the room could not be loaded: ${error.message}; try again`;
           this.#take({ type: 'failed', revision, message, fatal: false });
         },
       );

@@ -61,17 +61,17 @@ test('says nothing of its file where another one is opened', async () => {
   expect(heard).toEqual([]);
 });
 
-test('where the file cannot be had, or the worker dies, its bytes reject', async () => {
+test('where the file cannot be had, or the worker dies, its bytes reject and say which', async () => {
   const worker = start();
   say({ type: 'begun', isThere: false });
-  await expect(worker.begun).rejects.toThrow('could not be fetched');
+  await expect(worker.begun).rejects.toThrow();
   const cut = start();
   say({ type: 'begun', isThere: true });
   say({ type: 'fetched', bytes: null });
   await cut.begun;
-  await expect(cut.bytes).rejects.toThrow('could not be fetched');
+  await expect(cut.bytes).rejects.toThrow('the connection was lost');
   const other = start();
-  raw.onerror?.({ message: 'dead' } as ErrorEvent);
-  await expect(other.bytes).rejects.toThrow('could not be fetched');
+  raw.onerror?.({ message: 'Uncaught Error: core.wasm is old' } as ErrorEvent);
+  await expect(other.bytes).rejects.toThrow('the solver stopped (core.wasm is old)');
   expect(deaths).toBe(1);
 });
