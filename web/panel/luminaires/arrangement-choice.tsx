@@ -84,7 +84,7 @@ function Axis({ rule, axis, choose }: AxisProps) {
   const isRows = rule === 'rows';
   const said = words.value.luminaires.arrangement;
   const { store } = useApp();
-  const [long, short] = axesByLength(store.scene.value?.sites.position ?? new Float32Array());
+  const offered = axesOf(rule, store.scene.value?.sites.position ?? new Float32Array());
   return (
     <label class="setting-row">
       <span>{isRows ? said.rowsRun : said.mirrored}</span>
@@ -96,13 +96,26 @@ function Axis({ rule, axis, choose }: AxisProps) {
           choose(next === 'found' ? { rule } : { rule, axis: next });
         }}
       >
-        <option value="found">{isRows ? said.rowsFound : said.axisFound}</option>
-        <option value={long}>{isRows ? said.rowsLong : said.axisLong}</option>
-        <option value={short}>{isRows ? said.rowsShort : said.axisShort}</option>
-        {!isRows && <option value="both">{said.both}</option>}
+        {offered.map(([value, text]) => (
+          <option key={value} value={value}>
+            {text}
+          </option>
+        ))}
       </select>
     </label>
   );
+}
+
+/** What the select offers, the long way of the places (xyz each) before the short one, and what it is called. */
+export function axesOf(
+  rule: 'symmetric' | 'rows',
+  position: ArrayLike<number>,
+): readonly (readonly [PlanAxis, string])[] {
+  const said = words.value.luminaires.arrangement;
+  const [long, short] = axesByLength(position);
+  return rule === 'rows'
+    ? [['found', said.rowsFound], [long, said.rowsLong], [short, said.rowsShort]] // prettier-ignore
+    : [['found', said.axisFound], [long, said.axisLong], [short, said.axisShort], ['both', said.both]]; // prettier-ignore
 }
 
 /** Of x and z the one that the places reach further along, then the other. */
