@@ -24,8 +24,8 @@ export const values: Words['values'] = {
   best: {
     illuminate: 'Mittelwert so hoch wie möglich',
     overshadow: 'Mittelwert so niedrig wie möglich',
-    homogenize: 'so gleichmäßig wie möglich (σ)',
-    vary: 'so abwechslungsreich wie möglich (σ)',
+    homogenize: 'so gleichmäßig wie möglich (Streuung)',
+    vary: 'so abwechslungsreich wie möglich (Streuung)',
   },
   about: 'Mittelwert etwa',
   direct: (what) => `direktes Licht: ${what}`,

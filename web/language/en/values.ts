@@ -23,8 +23,8 @@ export const values = {
   best: {
     illuminate: 'mean as high as can be',
     overshadow: 'mean as low as can be',
-    homogenize: 'as even as can be (σ)',
-    vary: 'as varied as can be (σ)',
+    homogenize: 'as even as can be (spread)',
+    vary: 'as varied as can be (spread)',
   },
   about: 'mean about',
   direct: (what: string) => `direct light: ${what}`,
