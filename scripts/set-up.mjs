@@ -8,7 +8,7 @@ import { hashOf } from './staleness.mjs';
 
 export const packages = {
   build:
-    'g++ cmake ninja-build emscripten libeigen3-dev libembree-dev libtinygltf-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libstb-dev libgtest-dev libgmock-dev'.split(
+    'g++ cmake ninja-build emscripten libeigen3-dev libembree-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libcli11-dev zlib1g-dev libstb-dev libgtest-dev libgmock-dev'.split(
       ' ',
     ),
   browser: ['chromium', 'fonts-dejavu-core'],

@@ -15,9 +15,27 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kAcceptedExtensions = {"KHR_mesh_quantization", "KHR_materials_unlit",
-                                            "KHR_texture_transform", "KHR_lights_punctual",
-                                            "KHR_materials_emissive_strength"};
+/// What a file may require: what is read, and what changes neither a mesh nor a base colour.
+constexpr std::array kAcceptedExtensions = {"KHR_mesh_quantization",
+                                            "KHR_draco_mesh_compression",
+                                            "EXT_meshopt_compression",
+                                            "KHR_texture_transform",
+                                            "KHR_texture_basisu",
+                                            "EXT_texture_webp",
+                                            "EXT_texture_avif",
+                                            "KHR_lights_punctual",
+                                            "KHR_xmp_json_ld",
+                                            "KHR_materials_unlit",
+                                            "KHR_materials_emissive_strength",
+                                            "KHR_materials_anisotropy",
+                                            "KHR_materials_clearcoat",
+                                            "KHR_materials_dispersion",
+                                            "KHR_materials_ior",
+                                            "KHR_materials_iridescence",
+                                            "KHR_materials_sheen",
+                                            "KHR_materials_specular",
+                                            "KHR_materials_transmission",
+                                            "KHR_materials_volume"};
 
 void checkAssetAndExtensions(const json& file) {
   const json* asset = file.contains("asset") && file["asset"].is_object() ? &file["asset"] : nullptr;
@@ -35,7 +53,7 @@ void checkAssetAndExtensions(const json& file) {
     bool accepted = false;
     for (const char* known : kAcceptedExtensions) accepted = accepted || text == known;
     if (accepted) continue;
-    const bool packed = text.find("draco") != std::string::npos || text.find("meshopt") != std::string::npos;
+    const bool packed = text.find("compression") != std::string::npos;
     throw GltfError("it requires the extension '" + cleanText(text.substr(0, 400)) +
                     "', which is not understood; export without " + (packed ? "compression" : "it"));
   }
@@ -133,6 +151,11 @@ void checkTextures(const json& file) {
   for (const json& texture : arrayOf(file, "textures")) {
     const std::string place = placeOf("texture", index++);
     checkIndex(texture, "source", place, images), checkIndex(texture, "sampler", place, samplers);
+    checkObject(texture, "extensions", place);
+    for (const char* kind : kPictureExtensions) {
+      const json other = texture.value("extensions", json::object()).value(kind, json::object());
+      if (other.is_object()) checkIndex(other, "source", place, images);
+    }
   }
 }
 

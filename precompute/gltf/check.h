@@ -5,6 +5,10 @@
 
 namespace fiatlux {
 
+/// Extensions by which a texture names a picture that is neither PNG nor JPEG.
+inline constexpr const char* kPictureExtensions[] = {"KHR_texture_basisu", "EXT_texture_webp",
+                                                     "EXT_texture_avif"};
+
 /// Checks every count, index, extent and reference. Throws GltfError (refusal.h).
 void checkGltf(const nlohmann::json& file);
 

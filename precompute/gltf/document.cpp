@@ -8,6 +8,7 @@
 #include "precompute/gltf/check.h"
 #include "precompute/gltf/container.h"
 #include "precompute/gltf/fields.h"
+#include "precompute/gltf/unpack.h"
 #include "precompute/gltf/uri.h"
 
 namespace fiatlux {
@@ -23,6 +24,12 @@ void loadBuffers(GltfDocument& document, const std::vector<std::uint8_t>& file,
     const std::string place = placeOf("buffer", index);
     const auto length = buffer["byteLength"].get<std::size_t>();
     std::vector<std::uint8_t> bytes;
+    if (isUnpackedTo(buffer)) {
+      buffer.erase("uri");
+      document.buffers.emplace_back();
+      ++index;
+      continue;
+    }
     if (buffer.contains("uri")) {
       bytes = bytesBehind(buffer["uri"].get<std::string>(), resolve, place, budget);
       buffer.erase("uri");
@@ -38,6 +45,16 @@ void loadBuffers(GltfDocument& document, const std::vector<std::uint8_t>& file,
     document.buffers.push_back(std::move(bytes));
     ++index;
   }
+}
+
+/// The picture of another kind that a texture has instead of PNG or JPEG, so that it is read or named.
+void takeOtherSources(json& gltf) {
+  if (!gltf.contains("textures")) return;
+  for (json& texture : gltf["textures"])
+    for (const char* kind : kPictureExtensions) {
+      const json::json_pointer at = json::json_pointer("/extensions") / kind / "source";
+      if (!texture.contains("source") && texture.contains(at)) texture["source"] = texture[at];
+    }
 }
 
 /// Images that a base colour needs; the others (normal maps...) do not reach the light and are never opened.
@@ -105,6 +122,7 @@ GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const Reso
   checkGltf(document.json);
   std::size_t budget = GltfBudget::kBytes;
   loadBuffers(document, bytes, container, resolve, budget);
+  takeOtherSources(document.json);
   loadImages(document, resolve, budget);
 
   Fnv hash;
@@ -113,6 +131,7 @@ GltfDocument readGltfDocument(const std::vector<std::uint8_t>& bytes, const Reso
     for (const auto& buffer : document.buffers) hash.add(buffer.data(), buffer.size());
   for (const auto& image : document.images) hash.add(image.bytes.data(), image.bytes.size());
   document.hash = hash.hex();
+  unpackMeshes(document);
   return document;
 }
 

@@ -1,6 +1,9 @@
 // The only file that includes stb_image.
 #include "precompute/gltf/image_file.h"
 
+#include <cstring>
+#include <string_view>
+
 #include "precompute/gltf/refusal.h"
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -19,12 +22,27 @@ namespace fiatlux {
 
 static_assert(STBI_MAX_DIMENSIONS == GltfBudget::kImageEdge);
 
+namespace {
+
+/// Of bytes that are neither PNG nor JPEG.
+const char* whyNot(const std::vector<std::uint8_t>& bytes) {
+  const auto starts = [&](std::size_t at, std::string_view text) {
+    return bytes.size() >= at + text.size() && std::memcmp(bytes.data() + at, text.data(), text.size()) == 0;
+  };
+  if (starts(1, "KTX 20")) return "is KTX2, which is not read (use PNG or JPEG)";
+  if (starts(0, "RIFF") && starts(8, "WEBP")) return "is WebP, which is not read (use PNG or JPEG)";
+  if (starts(4, "ftypavif")) return "is AVIF, which is not read (use PNG or JPEG)";
+  return "is neither PNG nor JPEG";
+}
+
+}  // namespace
+
 bool decodeImage(SourceImage& image, std::string& why) {
   const auto* bytes = image.encoded.data();
   const int size = static_cast<int>(image.encoded.size());
   int width = 0, height = 0, channels = 0;
   if (size == 0 || !stbi_info_from_memory(bytes, size, &width, &height, &channels)) {
-    why = "is neither PNG nor JPEG";
+    why = whyNot(image.encoded);
     return false;
   }
   const int most = GltfBudget::kImageEdge;

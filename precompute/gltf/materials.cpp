@@ -30,6 +30,17 @@ void readTextureTransform(const tinygltf::ExtensionMap& extensions, SourceMateri
   if (set >= 0 && set < kMostTexCoords) material.texCoord = static_cast<int>(set);
 }
 
+/// "image 3 of material 'oak' and 2 more".
+std::string imageOf(const std::vector<SourceMaterial>& materials, std::size_t image) {
+  std::string text = "image " + std::to_string(image);
+  std::size_t count = 0;
+  for (const SourceMaterial& material : materials)
+    if (material.image == static_cast<int>(image) && count++ == 0)
+      text.append(" of material '").append(material.name).append("'");
+  if (count > 1) text += " and " + std::to_string(count - 1) + " more";
+  return text;
+}
+
 }  // namespace
 
 std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::string>& warnings) {
@@ -68,7 +79,8 @@ std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::s
   return materials;
 }
 
-std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::string>& warnings) {
+std::vector<SourceImage> readImages(GltfDocument& document, const std::vector<SourceMaterial>& materials,
+                                    std::vector<std::string>& warnings) {
   std::vector<SourceImage> images(document.images.size());
   std::size_t pixels = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -77,8 +89,7 @@ std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::str
     if (images[i].encoded.empty()) continue;
     std::string why;
     if (!decodeImage(images[i], why)) {
-      warnings.push_back("image " + std::to_string(i) + " " + why +
-                         ": its colour is taken as white times the material's factor");
+      warnings.push_back(imageOf(materials, i) + " " + why + ": it counts as the material's plain colour");
       images[i] = {};
       continue;
     }

@@ -13,7 +13,8 @@ namespace fiatlux {
 std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::string>& warnings);
 
 /// Decodes the document's images, taking their bytes out of it; one that cannot be read is empty, with a
-/// warning. Throws GltfError where they are too large together.
-std::vector<SourceImage> readImages(GltfDocument& document, std::vector<std::string>& warnings);
+/// warning that names the materials it is of. Throws GltfError where they are too large together.
+std::vector<SourceImage> readImages(GltfDocument& document, const std::vector<SourceMaterial>& materials,
+                                    std::vector<std::string>& warnings);
 
 }  // namespace fiatlux

@@ -49,17 +49,6 @@ std::string planIn(const nlohmann::json& json) {
   return text.size() > kLongest ? std::string() : text;
 }
 
-void refuseCompressed(const Model& model) {
-  for (const auto& mesh : model.meshes)
-    for (const auto& primitive : mesh.primitives) {
-      const auto position = primitive.attributes.find("POSITION");
-      if (primitive.extensions.count("KHR_draco_mesh_compression") &&
-          position != primitive.attributes.end() && model.accessors[position->second].bufferView < 0)
-        throw GltfError("mesh '" + cleanName(mesh.name) +
-                        "' is compressed with KHR_draco_mesh_compression; export without compression");
-    }
-}
-
 /// Refuses what is too many before it is read.
 void checkTriangles(const Model& model, const std::vector<int>& nodes) {
   std::size_t triangles = 0;
@@ -136,9 +125,8 @@ Result<SourceScene> readSourceScene(const std::vector<std::uint8_t>& bytes, cons
     scene.plan = planIn(document.json);
     warnOfWhatIsIgnored(document.json, scene.warnings);
     const Model model = parseModel(document);
-    refuseCompressed(model);
     scene.materials = readMaterials(model, scene.warnings);
-    scene.images = readImages(document, scene.warnings);
+    scene.images = readImages(document, scene.materials, scene.warnings);
     flatten(model, scale, scene);
     return scene;
   } catch (const GltfError& error) {
