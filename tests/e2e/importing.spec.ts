@@ -1,7 +1,8 @@
-// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files.
+// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files, unpacked-model, unpack-worker.
+import { packedWithDraco } from '../web/packed-with-draco.ts';
 import { drop, expect, look, picture, test } from './app.ts';
 
-test.setTimeout(180_000); // the picture is drawn anew for each
+test.setTimeout(240_000); // the picture is drawn anew for each
 test.use({ viewport: { width: 900, height: 600 } });
 
 /** A box of 4 x 3 x 5, seen from inside, in units of the file. */
@@ -15,7 +16,16 @@ function boxObj(scale: number): string {
   );
 }
 
-test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room maker; others say the way', async ({
+/** The same room in metres, each side a square of its own. */
+function packedBox(): Promise<Uint8Array> {
+  const corner = (i: number) => [(i & 1) * 4, ((i >> 1) & 1) * 3, ((i >> 2) & 1) * 5];
+  const faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]; // prettier-ignore
+  const positions = Float32Array.from(faces.flatMap((face) => face.flatMap(corner)));
+  const corners = faces.flatMap((_, f) => [0, 1, 2, 0, 2, 3].map((i) => 4 * f + i));
+  return packedWithDraco(positions, Uint32Array.from(corners));
+}
+
+test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room maker; others say the way; compressed ones are lit, too', async ({
   page,
 }) => {
   await page.goto('./');
@@ -24,6 +34,9 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   const messages = page.getByRole('region', { name: 'Messages' });
   await expect(messages.getByText('It is 500 units wide, so these were taken as centimetres.')).toBeVisible();
   await expect.poll(async () => look(await picture(page)).colors, { timeout: 60_000 }).toBeGreaterThan(5);
+
+  await drop(page, { 'packed.glb': Buffer.from(await packedBox()) });
+  await expect(page.getByRole('heading', { name: 'Preview of “packed”' })).toBeVisible({ timeout: 60_000 });
 
   await drop(page, { 'house.skp': 'x' });
   await expect(messages.getByText(/“house.skp” cannot be read here.*export it as glTF/)).toBeVisible();

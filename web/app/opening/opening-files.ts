@@ -4,6 +4,7 @@
  */
 import { readProject, type Project } from '../../document/project-file.ts';
 import { isPhotometricName } from '../../document/photometric-container.ts';
+import type { Model } from '../../builder/protocol.ts';
 import { planOfGlb } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/linked-document.ts';
@@ -19,6 +20,14 @@ import { words } from '../../language/language.ts';
 
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
+
+/** The model in one plain .glb; null where it is broken. */
+async function plainOf({ bytes, siblings }: Model): Promise<Model['bytes'] | null> {
+  const { needsUnpacking } = await import('../importing/plain-glb.ts');
+  if (!needsUnpacking(bytes)) return bytes;
+  const { unpackedModel } = await import('../importing/unpacked-model.ts');
+  return unpackedModel({ bytes, siblings });
+}
 
 export class FileOpening {
   readonly #store: Store;
@@ -115,19 +124,21 @@ export class FileOpening {
     return { document: documentFrom(asked, scene.identity, name) };
   }
 
-  /** Shows a model as it will look, and computes its light. A .gltf whose parts lie in other files is not shown before. */
+  /** Shows a model as it will look, and computes its light. One that is broken is not shown: what lights it says why. */
   async #light(name: string, bytes: ArrayBuffer, others: readonly File[]): Promise<void> {
     const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
     for (const other of others) siblings.set(other.name, new Uint8Array(await other.arrayBuffer()));
-    const isWhole = siblings.size === 0;
+    let model: Model = { name, bytes: new Uint8Array(bytes), siblings };
     const isOpen = await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
-      if (isWhole) await this.#viewer.preview(bytes);
+      const plain = await plainOf(model);
+      if (plain) model = { name, bytes: plain, siblings: new Map() };
+      if (plain && isCurrent()) await this.#viewer.preview(plain.buffer);
       if (!isCurrent()) return;
       this.#store.making.value = null;
       this.#store.plan.value = /\.glb$/i.test(name) ? planOfGlb(bytes) : null;
-      if (isWhole) this.#store.preview.value = name;
+      if (plain) this.#store.preview.value = name;
     });
-    if (isOpen) await this.#lighting.light({ name, bytes: new Uint8Array(bytes), siblings });
+    if (isOpen) await this.#lighting.light(model);
   }
 
   #refuse(why: string): void {

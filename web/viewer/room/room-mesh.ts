@@ -8,6 +8,7 @@ import {
   Color,
   DoubleSide,
   FrontSide,
+  LoadingManager,
   Mesh,
   MeshBasicMaterial,
   ShaderMaterial,
@@ -84,10 +85,17 @@ function translucent(material: MeshStandardMaterial): MeshBasicMaterial {
   });
 }
 
+const whitePixel =
+  'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+
+/** Nothing that a file names is fetched: a picture that is not in it is a white one. */
+const fromFileAlone = new LoadingManager();
+fromFileAlone.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : whitePixel));
+
 /** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
 export async function readGlb(glb: ArrayBuffer): Promise<Group> {
   try {
-    const gltf = await new GLTFLoader().parseAsync(glb, '');
+    const gltf = await new GLTFLoader(fromFileAlone).parseAsync(glb, '');
     for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
     return gltf.scene;
   } catch (error) {
@@ -174,7 +182,10 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   const root = await readGlb(glb);
   root.updateMatrixWorld(true);
   for (const mesh of meshesOf(root))
-    for (const material of [mesh.material].flat()) material.side = cutAway ? FrontSide : DoubleSide;
+    for (const material of [mesh.material].flat() as MeshStandardMaterial[]) {
+      material.side = cutAway ? FrontSide : DoubleSide;
+      material.metalness = 0; // all is diffuse; a metal with nothing to mirror would be black
+    }
   const box = boundsOf(root);
   const { hanging, standing } = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
