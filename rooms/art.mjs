@@ -1,7 +1,7 @@
 // Abstract paintings for the sample rooms, painted from a seed. Each entry of `paintings` is
 // (seed, aspect) => material specification; aspect: width / height of the canvas. Pictures do not tile.
 import { createRandom, fractal, noise } from '../web/room-maker/random.mjs';
-import { linearFromHex } from '../web/room-maker/colour.mjs';
+import { linearFromHex } from '../web/document/linear-colour.mjs';
 import { mix, paintPicture, shade } from './texture.mjs';
 
 const side = 224; // pixels of the shorter edge

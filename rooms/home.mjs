@@ -3,7 +3,7 @@
 import { paintings } from './art.mjs';
 import { bookcase, cupboard, roundTable, shellChair, sofa, table } from '../web/room-maker/furniture.mjs';
 import { armchair, bowl, curtain, footstool, pile, rug, vase } from './home-furniture.mjs';
-import { linearFromHex } from '../web/room-maker/colour.mjs';
+import { linearFromHex } from '../web/document/linear-colour.mjs';
 import { floorPlant } from '../web/room-maker/plants.mjs';
 import { createRandom } from '../web/room-maker/random.mjs';
 import * as patterns from './patterns.mjs';

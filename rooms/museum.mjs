@@ -6,7 +6,7 @@ import * as patterns from './patterns.mjs';
 import { Room } from './room.mjs';
 import { beads, knot } from './sculptures.mjs';
 import { paintPicture } from './texture.mjs';
-import { linearFromHex } from '../web/room-maker/colour.mjs';
+import { linearFromHex } from '../web/document/linear-colour.mjs';
 import { Shape } from '../web/room-maker/shape.mjs';
 import { gridFrame, panel, panelWithHoles, slab, wall, wallFrames } from '../web/room-maker/walls.mjs';
 

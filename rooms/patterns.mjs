@@ -1,7 +1,7 @@
 // Seamless procedural textures: each returns a picture in linear light that repeats in both directions.
 // Tones are rounded to a few levels, which keeps the PNG files small without being visible.
 import { fractal, hash, noise } from '../web/room-maker/random.mjs';
-import { linearFromHex } from '../web/room-maker/colour.mjs';
+import { linearFromHex } from '../web/document/linear-colour.mjs';
 import { mix, paintPicture, shade } from './texture.mjs';
 
 const round = (value, levels) => Math.round(value * levels) / levels;

@@ -1,7 +1,7 @@
 // Pictures in linear light, and their way into a PNG file of a stated mean reflectance.
 // A picture is { width, height, pixels }: pixels holds linear red, green, blue per pixel, row by row.
 import { PNG } from 'pngjs';
-import { luminance } from '../web/room-maker/colour.mjs';
+import { luminance } from '../web/document/linear-colour.mjs';
 
 const srgbFromLinear = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 

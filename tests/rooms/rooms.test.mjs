@@ -11,7 +11,7 @@ import { catalog } from '../../rooms/catalog.mjs';
 import { cellCounts } from '../../rooms/e-corridor.mjs';
 import { dot, subtract } from '../../web/room-maker/shape.mjs';
 import { encodePng, paintPicture } from '../../rooms/texture.mjs';
-import { linearFromHex, luminance } from '../../web/room-maker/colour.mjs';
+import { linearFromHex, luminance } from '../../web/document/linear-colour.mjs';
 import { readRoom } from './read-room.mjs';
 import { areaOf, crossings, doubleSurfaceArea, normalOf, openEdgeLength, volumeOf } from './geometry.mjs';
 

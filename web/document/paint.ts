@@ -1,32 +1,18 @@
 /** Paint on the surfaces of a room: how much of the light it reflects, and of what colour it is. */
 import type { Words } from '../language/en.ts';
+import { linearFromHex, luminance, type Rgb } from './linear-colour.mjs';
 import type { Paint, SceneInfo } from './types.ts';
 
 export const leastPaint = 0.05; // reflectance
 export const mostPaint = 0.9;
 
-/** Linear RGB. */
-export type Rgb = readonly [number, number, number];
-
 const mostAlbedo = 0.95; // of a channel
-
-export const luminanceOf = ([r, g, b]: Rgb): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-
-/** Of '#rrggbb'. */
-export function linearOf(color: string): Rgb {
-  const channel = (at: number) => {
-    const c = Number.parseInt(color.slice(at, at + 2), 16) / 255;
-    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  };
-  return [channel(1), channel(3), channel(5)];
-}
 
 /** The hue of a colour, so light that it reflects so much. */
 export function albedoOf(color: string, reflectance: number): Rgb {
-  const rgb = linearOf(color);
-  const luminance = luminanceOf(rgb);
-  const of = (channel: number) =>
-    Math.min(mostAlbedo, luminance > 0 ? (channel * reflectance) / luminance : reflectance);
+  const rgb = linearFromHex(color);
+  const own = luminance(rgb);
+  const of = (channel: number) => Math.min(mostAlbedo, own > 0 ? (channel * reflectance) / own : reflectance);
   return [of(rgb[0]), of(rgb[1]), of(rgb[2])];
 }
 

@@ -1,14 +1,5 @@
-// Colours in linear light, and how much of the light they give back.
-
-const linearFromSrgb = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-
-/** Relative luminance of a linear colour (Rec. 709). */
-export const luminance = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-
-/** Linear colour of '#rrggbb'. */
-export function linearFromHex(hex) {
-  return [1, 3, 5].map((i) => linearFromSrgb(parseInt(hex.slice(i, i + 2), 16) / 255));
-}
+// Colours of so much luminance.
+import { linearFromHex, luminance } from '../document/linear-colour.mjs';
 
 /** The colour scaled to a luminance; without one it stays as it is. Channels stay within 1. */
 export function withReflectance(colour, reflectance) {

@@ -1,6 +1,7 @@
 // A room under construction: named nodes over shared meshes, written as one binary glTF, in Node and in the page.
 import { Document, WebIO } from '@gltf-transform/core';
-import { linearFromHex, withReflectance } from './colour.mjs';
+import { linearFromHex } from '../document/linear-colour.mjs';
+import { withReflectance } from './colour.mjs';
 import { vertexArrays } from './shape.mjs';
 
 /** Vertex arrays by shape and material: the same shape in another room need not be joined again. */

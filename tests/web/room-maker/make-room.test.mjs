@@ -3,7 +3,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { readRoom } from '../../rooms/read-room.mjs';
 import { areaOf, doubleSurfaceArea, normalOf, openEdgeLength, volumeOf } from '../../rooms/geometry.mjs';
-import { luminance, tintOf } from '../../../web/room-maker/colour.mjs';
+import { luminance } from '../../../web/document/linear-colour.mjs';
+import { tintOf } from '../../../web/room-maker/colour.mjs';
 import { footprint } from '../../../web/room-maker/items.mjs';
 import {
   builtOpenings,

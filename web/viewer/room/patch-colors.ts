@@ -1,5 +1,6 @@
 /** What colour each patch of a room has: its materials, averaged over the vertices that take their light from it. */
 import type { Texture, Vector4 } from 'three';
+import { linearFromSrgb } from '../../document/linear-colour.mjs';
 import type { LitMesh } from './room-mesh.ts';
 
 const side = 16; // pixels of a texture that is asked for colours: about a patch each
@@ -7,10 +8,7 @@ const side = 16; // pixels of a texture that is asked for colours: about a patch
 /** Linear RGB of a small copy of a texture, row by row. */
 type SmallPicture = Float32Array;
 
-const linear = Float32Array.from({ length: 256 }, (_, byte) => {
-  const c = byte / 255;
-  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-});
+const linear = Float32Array.from({ length: 256 }, (_, byte) => linearFromSrgb(byte / 255));
 
 async function smallPicture({ image }: Texture): Promise<SmallPicture | null> {
   const canvas = document.createElement('canvas');
