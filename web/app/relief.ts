@@ -2,6 +2,7 @@
  * Wishes that no layout meets: which of their bounds conflict, and what would do instead. Nothing is guessed: a bound is
  * said to conflict when the others can be met without it, and every number that is offered was searched for and met.
  */
+import { isRatio } from '../document/statistics.ts';
 import type { Constraint, Intentions, Layout } from '../document/types.ts';
 import type { Outcome } from '../solver/protocol.ts';
 import { roundFlux, roundSteps } from './words/round-steps.ts';
@@ -100,8 +101,6 @@ function withBounds(of: Intentions, eased: readonly EasedBound[]): Intentions {
 /** A card's bound is one end of a constraint. */
 const endOf = ({ max }: Constraint): 'min' | 'max' => (max === undefined ? 'min' : 'max');
 
-const isRatio = ({ statistic }: Constraint) => statistic === 'uniformity' || statistic === 'contrast';
-
 const boundOf = (constraint: Constraint): number => constraint[endOf(constraint)] ?? 0;
 
 /** The round number nearest to what is asked with which everything is met. */
@@ -113,7 +112,7 @@ async function easedAlone(
 ): Promise<Way<EasedBound> | null> {
   const asked = of.constraints[constraint];
   if (!asked) return null;
-  const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked), reached);
+  const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked.statistic), reached);
   const changes = [...steps, null].map((bound): EasedBound => ({ constraint, bound }));
   return firstThatDoes(changes, (change) => layoutFor(withBounds(of, [change])));
 }
@@ -145,8 +144,8 @@ async function easedTogether(
     broken.map((constraint): EasedBound => {
       const asked = of.constraints[constraint]!;
       const value = reached[constraint]?.value ?? Number.NaN;
-      const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked), value).filter((step) =>
-        endOf(asked) === 'min' ? step <= value : step >= value,
+      const steps = roundSteps(boundOf(asked), endOf(asked), isRatio(asked.statistic), value).filter(
+        (step) => (endOf(asked) === 'min' ? step <= value : step >= value),
       );
       return { constraint, bound: steps[beyond] ?? null };
     }),

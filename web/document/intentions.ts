@@ -2,6 +2,7 @@
  * From cards to what the core is asked: a verb is a goal, everything else on a card is a constraint. Each constraint
  * remembers the card and the bound it came from, so that a bound that cannot be met can be named and eased.
  */
+import { isRatio } from './statistics.ts';
 import type {
   Card,
   Constraint,
@@ -40,14 +41,12 @@ function planeField(field: BoundField): [PlaneStatistic, 'min' | 'max' | 'least'
     : null;
 }
 
-/** A bound on a ratio has no unit. */
-export const isRatio = (field: BoundField): boolean =>
-  field === 'uniformity' || field === 'contrast' || field.startsWith('modelling.');
-
-/** In which unit a bound is; '' of a ratio. What is told of planes is always illuminance. */
+/** In which unit a bound is; null of a ratio. What is told of planes is always illuminance. */
 export function quantityOfBound(field: BoundField, quantity: Quantity): Quantity | null {
-  if (isRatio(field)) return null;
-  return planeField(field) ? 'illuminance' : quantity;
+  if (field === 'uniformity' || field === 'contrast') return null;
+  const ofPlanes = planeField(field);
+  if (!ofPlanes) return quantity;
+  return isRatio(ofPlanes[0]) ? null : 'illuminance';
 }
 
 /** A bound that is missed by no more counts as met to a person: of the bound. */

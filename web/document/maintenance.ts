@@ -3,7 +3,8 @@
  * Where a document has maintenance factors, every lux that is asked for and shown is maintained; the core knows nothing
  * of it and computes new installations: light is linear, so bounds go in divided and readings come back multiplied.
  */
-import type { Constraint, Goal, Intentions, Luminaires, Statistic } from './types.ts';
+import { isOfLight } from './statistics.ts';
+import type { Constraint, Goal, Intentions, Luminaires } from './types.ts';
 import { words } from '../language/language.ts';
 
 /** The factors by their names in CIE 97, in the order in which a document keeps them. */
@@ -23,9 +24,6 @@ export const usualMaintenance: Maintenance = [0.9, 1, 0.95, 0.94];
 export function maintenanceOf({ maintenance }: Pick<Luminaires, 'maintenance'>): number {
   return maintenance ? Math.round(maintenance.reduce((product, each) => product * each, 1) * 100) / 100 : 1;
 }
-
-/** Whether a statistic is of light, so that it ages; a ratio does not, nor does power. */
-const isOfLight = (statistic: Statistic): boolean => !['power', 'uniformity', 'contrast'].includes(statistic);
 
 /** What the new installation has to reach for maintained light to be as it is asked. */
 export function asNew(intentions: Intentions, factor: number): Intentions {
@@ -48,8 +46,14 @@ export function asNew(intentions: Intentions, factor: number): Intentions {
   };
 }
 
+interface MeanAndLeast {
+  readonly mean: number;
+  readonly least: number;
+}
+
 interface Readings {
   readonly illuminance: Float32Array;
+  readonly direct?: Float32Array;
   readonly surfaces: readonly {
     readonly mean: number;
     readonly sigma: number;
@@ -60,6 +64,11 @@ interface Readings {
   readonly constraints: readonly { readonly value: number }[];
   readonly grids: readonly { readonly mean: number; readonly min: number }[];
   readonly observers: readonly { readonly cylindrical: number }[];
+  readonly planes: readonly {
+    readonly horizontal: MeanAndLeast;
+    readonly cylindrical: MeanAndLeast;
+    readonly verticals: readonly MeanAndLeast[];
+  }[];
 }
 
 /**
@@ -83,9 +92,15 @@ export function maintained<Shown extends Readings>(
         ? { ...result, value: result.value * factor }
         : result;
     });
+  const aged = <T extends MeanAndLeast>(of: T): T => ({
+    ...of,
+    mean: of.mean * factor,
+    least: of.least * factor,
+  });
   return {
     ...shown,
     illuminance: shown.illuminance.map((value) => value * factor),
+    ...(shown.direct && { direct: shown.direct.map((value) => value * factor) }),
     surfaces: shown.surfaces.map((row) => ({
       ...row,
       mean: row.mean * factor,
@@ -95,6 +110,12 @@ export function maintained<Shown extends Readings>(
     })),
     grids: shown.grids.map((grid) => ({ ...grid, mean: grid.mean * factor, min: grid.min * factor })),
     observers: shown.observers.map((each) => ({ ...each, cylindrical: each.cylindrical * factor })),
+    planes: shown.planes.map((plane) => ({
+      ...plane,
+      horizontal: aged(plane.horizontal),
+      cylindrical: aged(plane.cylindrical),
+      verticals: plane.verticals.map(aged),
+    })),
     goals: results(shown.goals, intentions.goals),
     constraints: results(shown.constraints, intentions.constraints),
   };

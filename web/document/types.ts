@@ -4,21 +4,12 @@
  * is looked at (camera, display). What is shown (the light of a layout) lives apart, in `Shown` of the solver's answers.
  * Words and units are those of the core (core/search/intentions.h) and of intentions.json.
  */
+import type { Statistic } from './statistics.ts';
+
+export type { Statistic };
 
 /** lx; reflected lm/m2 (the paper's B); lx of what nothing has reflected, all that emergency lighting counts. */
 export type Quantity = 'illuminance' | 'exitance' | 'direct';
-
-export type Statistic =
-  | 'mean'
-  | 'sigma'
-  | 'power' // total lm; no surface
-  | 'chebyshev' // mu - alpha sigma >= min, mu + alpha sigma <= max
-  | 'minimum'
-  | 'maximum'
-  | 'uniformity' // U_o = minimum / mean
-  | 'contrast' // mean of `surfaces` / mean of `over`
-  | 'ugr' // unified glare rating of the worst observer; no surface
-  | PlaneStatistic;
 
 /** Of the points of measuring planes: E_z, E_z / E_h, light on vertical planes that face a direction. */
 export type PlaneStatistic = 'cylindrical' | 'modelling' | 'vertical';

@@ -4,6 +4,7 @@
  * Errors are one readable line, '' where all is well. tests/wasm checks every declared method against the built module.
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
+import { statistics, type Statistic } from '../document/statistics.ts';
 import type { Mounting, SceneInfo } from '../document/types.ts';
 
 /** A line of the scene file's table that somebody has to inflate. */
@@ -107,20 +108,10 @@ export interface BoundProgress {
   readonly gap: number | null; // the best possible is better than the incumbent by at most this share; null = unknown
 }
 
-const statisticCodes = {
-  mean: 0,
-  sigma: 1,
-  power: 2,
-  chebyshev: 3,
-  minimum: 4,
-  maximum: 5,
-  uniformity: 6,
-  contrast: 7,
-  ugr: 8,
-  cylindrical: 9,
-  modelling: 10,
-  vertical: 11,
-} as const;
+const statisticCodes = Object.fromEntries(statistics.map((name, code) => [name, code])) as Record<
+  Statistic,
+  number
+>;
 const senseCodes = { min: 0, max: 1, near: 2 } as const;
 const ruleCodes = { free: 0, symmetric: 1, rows: 2, field: 3 } as const;
 const axisCodes = { found: 0, x: 1, z: 2, both: 3 } as const;

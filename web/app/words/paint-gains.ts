@@ -1,6 +1,7 @@
 /** Which paint helps most with what is asked, in words. */
 import { planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
 import { isPaintable, leastPaint, mostPaint } from '../../document/paint.ts';
+import { isRatio } from '../../document/statistics.ts';
 import type { Constraint, Goal, Quantity, SceneInfo, Statistic, SurfaceNames } from '../../document/types.ts';
 import type { PaintGain, Shown } from '../../solver/protocol.ts';
 import { words } from '../../language/language.ts';
@@ -120,6 +121,6 @@ function changeText(change: number, { statistic, isDistance }: Wish, quantity: Q
   const sign = change > 0 ? '+' : '−';
   const amount = Math.abs(change);
   if (isDistance) return words.value.paint.nearer(percent(amount));
-  if (statistic === 'uniformity' || statistic === 'contrast') return `${sign}${fixed(amount, 3)}`;
+  if (isRatio(statistic)) return `${sign}${fixed(amount, 3)}`;
   return `${sign}${compact(amount)} ${unitOf(quantity)}`;
 }

@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { planeStatistics, withOptional } from '../../document/intentions.ts';
+import { isRatio } from '../../document/statistics.ts';
 import type { Card, PlaneStatistic, Point } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
 import type { MeanAndLeast, PlaneResult } from '../../solver/protocol.ts';
@@ -59,7 +60,6 @@ interface FieldsProps extends CardProps {
 function PlaneFields({ card, statistic }: FieldsProps) {
   const app = useApp();
   const name = words.value.intentions.more.planes[`${statistic}Of`];
-  const isRatio = statistic === 'modelling';
   const now = reachedBy(card, statistic, app.store.shown.value?.planes ?? []);
   return (
     <fieldset class="field group">
@@ -67,7 +67,7 @@ function PlaneFields({ card, statistic }: FieldsProps) {
         {name}{' '}
         {now && (
           <span class="field-note">
-            {words.value.intentions.now(isRatio ? ratio(now.mean) : compact(now.mean))}
+            {words.value.intentions.now(isRatio(statistic) ? ratio(now.mean) : compact(now.mean))}
           </span>
         )}
       </legend>
@@ -95,8 +95,7 @@ function Ends({ card, statistic }: FieldsProps) {
   const { set, end } = useBound(card);
   const text = words.value.intentions.more.planes;
   const name = text[`${statistic}Of`];
-  const isRatio = statistic === 'modelling';
-  const kind = isRatio ? { step: 0.01 } : { step: 5, unit: 'lx' };
+  const kind = isRatio(statistic) ? { step: 0.01 } : { step: 5, unit: 'lx' };
   const { min, max, least } = card[statistic] ?? {};
   return (
     <>
