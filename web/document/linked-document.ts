@@ -9,6 +9,19 @@ import { words } from '../language/language.ts';
 
 type Sites = SceneInfo['sites'];
 
+/** What a document and its link say in the same words. */
+const askedIn = (of: FiatLuxDocument | Link) => ({
+  room: of.room,
+  cards: of.cards,
+  saving: of.saving,
+  quantity: of.quantity,
+  seed: of.seed,
+  ...(of.roomType !== undefined && { roomType: of.roomType }),
+  ...(of.glare !== undefined && { glare: of.glare }),
+  ...(of.paint !== undefined && { paint: of.paint }),
+  ...(of.taskAreas !== undefined && { taskAreas: of.taskAreas }),
+});
+
 /** The document as a link. */
 export function linkOf(
   document: FiatLuxDocument,
@@ -19,19 +32,10 @@ export function linkOf(
   plan: PackedPlan | null = null,
 ): Link {
   const { pinned, ...rules } = document.luminaires;
-  const { scene, room, cards, saving, quantity, seed, roomType, glare, paint, taskAreas } = document;
   const kept = linkedVariant(document, sites);
   return {
-    scene,
-    room,
-    cards,
-    saving,
-    quantity,
-    seed,
-    ...(roomType !== undefined && { roomType }),
-    ...(glare !== undefined && { glare }),
-    ...(paint !== undefined && { paint }),
-    ...(taskAreas !== undefined && { taskAreas }),
+    scene: document.scene,
+    ...askedIn(document),
     luminaires: rules,
     layout: layout && {
       ...placed(layout, sites),
@@ -105,19 +109,7 @@ export function documentOf(link: Link, scene: SceneInfo, exact: boolean): FiatLu
   if (link.luminaires.count > m) return words.value.files.link.tooMany(link.luminaires.count, m);
   const excluded = exact ? link.luminaires.excluded.filter((site) => site < m) : [];
   const luminaires: Luminaires = { ...link.luminaires, excluded, pinned, ...(ofType && { ofType }) };
-  const { room, cards, saving, quantity, seed, roomType, glare, paint, taskAreas } = link;
-  const asked = {
-    room,
-    cards,
-    saving,
-    luminaires,
-    quantity,
-    seed,
-    ...(roomType !== undefined && { roomType }),
-    ...(glare !== undefined && { glare }),
-    ...(paint !== undefined && { paint }),
-    ...(taskAreas !== undefined && { taskAreas }),
-  };
+  const asked = { ...askedIn(link), luminaires };
   return {
     scene: scene.identity,
     ...asked,

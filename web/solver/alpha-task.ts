@@ -1,7 +1,7 @@
 /** The alpha-search (paper, section 4): tells each iteration when it ends, the verdict when all have. */
 import { shownOf } from './core-intentions.ts';
 import type { AlphaProgress } from './core.ts';
-import type { Searching } from './mounted-session.ts';
+import type { Searching } from './hung-session.ts';
 import type { SceneInfo } from '../document/types.ts';
 import { pace, Slicer, type Clock } from './pacing.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';

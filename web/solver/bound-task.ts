@@ -1,5 +1,5 @@
 /** A provable bound on the goal of the search before it: tells each time the gap has become clearly smaller. */
-import type { Searching } from './mounted-session.ts';
+import type { Searching } from './hung-session.ts';
 import { Slicer, type Clock } from './pacing.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';
 

@@ -5,7 +5,7 @@
 import { isOfPatches, metWithin } from '../document/intentions.ts';
 import type { Intentions, SceneInfo } from '../document/types.ts';
 import { coreIntentions, layoutOf, metUpTo } from './core-intentions.ts';
-import type { Searching } from './mounted-session.ts';
+import type { Searching } from './hung-session.ts';
 import type { Outcome, ToWorker } from './protocol.ts';
 import { noTransfer, type Answer, type Task } from './task.ts';
 

@@ -10,45 +10,14 @@ import {
   type Candidates as CoreCandidates,
   type CoreIntentions,
   type CoreLayout,
-  type CoreShown,
-  type OrError,
   type Session,
 } from './core.ts';
-
-/** What asks and answers of a session, for those whom it does not concern what is beneath. */
-export type Searching = Pick<
-  Session,
-  | 'setIntentions'
-  | 'start'
-  | 'startFrom'
-  | 'startNear'
-  | 'advance'
-  | 'settle'
-  | 'tryAside'
-  | 'incumbent'
-  | 'show'
-  | 'check'
-  | 'startAlpha'
-  | 'advanceAlpha'
-  | 'startBound'
-  | 'advanceBound'
->;
+import { HungSession, type LayoutArguments } from './hung-session.ts';
 
 const apart = 1e-3; // m: two luminaires do not hang on one site
 
 const keyOf = (site: number, { type, turn, aim }: Mounting) =>
   `${site} ${type} ${turn} ${aim?.join(' ') ?? ''}`;
-
-/** A session of another scene beneath: its layouts are taken and told in sites of the room. */
-export interface HungSession extends Searching {
-  /** Whether every luminaire of a layout may hang here as it does. */
-  has(layout: Layout): boolean;
-  /** A layout as the session takes it; what may not hang here is left out. */
-  take(layout: Layout): LayoutArguments;
-  /** What is asked of the luminaires from now on; `hasAll`: it has everything that a search may try. */
-  ask(luminaires: Luminaires, hasAll: boolean): void;
-  delete(): void;
-}
 
 /** The types of candidates, in the order of their numbers beneath. */
 const typesOf = (candidates: readonly Candidate[]): LuminaireType[] => [
@@ -85,11 +54,7 @@ function wayOf(mounting: Mounting, ways: Map<string, number>): number {
   return way;
 }
 
-/** The arguments by which a session takes a layout. */
-export type LayoutArguments = [sites: Uint32Array, flux: Float64Array, dimming: number];
-
-export class MountedSession implements HungSession {
-  readonly #session: Session;
+export class MountedSession extends HungSession {
   readonly #candidates: readonly Candidate[];
   readonly #bySite = new Map<number, number[]>(); // candidates of each site
   readonly #byKey = new Map<string, number>();
@@ -99,7 +64,7 @@ export class MountedSession implements HungSession {
 
   /** `session` has the scene of these candidates. */
   constructor(session: Session, candidates: readonly Candidate[]) {
-    this.#session = session;
+    super(session);
     this.#candidates = candidates;
     this.#types = typesOf(candidates);
     candidates.forEach(({ site, mounting }, index) => {
@@ -125,7 +90,7 @@ export class MountedSession implements HungSession {
    */
   ask({ types = [], ofType = [], count, most = count }: Luminaires, hasAll: boolean): void {
     const latest = this.#types.map((type) => types.find(({ id }) => id === type.id) ?? type);
-    this.#session.setPowers(
+    this.session.setPowers(
       Float64Array.from(latest, ({ watts, flux }) => (watts > 0 ? watts : flux / usualEfficacy)),
     );
     const numberOf = (id: string | null) => latest.findIndex((type) => type.id === id);
@@ -137,35 +102,8 @@ export class MountedSession implements HungSession {
     };
   }
 
-  setIntentions = (asked: CoreIntentions) => this.#session.setIntentions(this.#beneath(asked));
-
-  start = (seed: number) => this.#session.start(seed);
-  startFrom = (seed: number, ...layout: LayoutArguments) => this.#session.startFrom(seed, ...layout);
-  startNear = (seed: number, sites: Uint32Array, flux: Float64Array, dimming: number, moved: Uint32Array) =>
-    this.#session.startNear(seed, sites, flux, dimming, moved);
-  advance = (evaluations: number) => this.#session.advance(evaluations);
-  settle = (evaluations: number) => this.#session.settle(evaluations);
-  /** `sites`: of the room. */
-  tryAside(asked: CoreIntentions, seed: number, sites: Uint32Array, evaluations: number) {
-    const [start] = this.take({ sites: [...sites], flux: [], dimming: 1 });
-    const found = this.#session.tryAside(this.#beneath(asked), seed, start, evaluations);
-    return typeof found === 'string' ? found : { ...found, layout: this.#mounted(found.layout) };
-  }
-  incumbent = () => this.#shown(this.#session.incumbent());
-  show = (...layout: LayoutArguments) => this.#shown(this.#session.show(...layout));
-  check = (...layout: LayoutArguments) => this.#session.check(...layout);
-  startAlpha = (seed: number, held: Uint32Array) => this.#session.startAlpha(seed, held);
-  advanceAlpha = (evaluations: number, from: number) => this.#session.advanceAlpha(evaluations, from);
-  startBound = () => this.#session.startBound();
-  advanceBound = (steps: number) => this.#session.advanceBound(steps);
-
-  /** Frees the session beneath. */
-  delete(): void {
-    this.#session.delete();
-  }
-
   /** Pinned are the luminaires of the layout that was taken, at their sites. */
-  #beneath(asked: CoreIntentions): CoreIntentions {
+  protected beneath(asked: CoreIntentions): CoreIntentions {
     const { luminaires } = asked;
     const pinned = [...luminaires.pinned].flatMap((site) => this.#pinnedAt(site) ?? []);
     const excluded = [...luminaires.excluded].flatMap((site) => this.#bySite.get(site) ?? []);
@@ -194,7 +132,7 @@ export class MountedSession implements HungSession {
   }
 
   /** From candidates back to sites and mountings. */
-  #mounted({ sites, dimming, ties }: CoreLayout): CoreLayout {
+  protected above({ sites, dimming, ties }: CoreLayout): CoreLayout {
     const hung = Array.from(sites, (index) => this.#candidates[index]!);
     return {
       sites: Uint32Array.from(hung, ({ site }) => site),
@@ -203,10 +141,6 @@ export class MountedSession implements HungSession {
       ties,
       mountings: hung.map(({ mounting }) => mounting),
     };
-  }
-
-  #shown(shown: OrError<CoreShown>): OrError<CoreShown> {
-    return typeof shown === 'string' ? shown : { ...shown, layout: this.#mounted(shown.layout) };
   }
 
   #candidateAt(site: number, mounting: Mounting | undefined): number | undefined {

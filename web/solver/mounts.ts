@@ -10,13 +10,8 @@ import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
 import type { Candidates, CoreModule, Session } from './core.ts';
-import {
-  beginCandidates,
-  candidatesIn,
-  chosenAt,
-  MountedSession,
-  type HungSession,
-} from './mounted-session.ts';
+import type { HungSession } from './hung-session.ts';
+import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 import { PaintedSession } from './painted-session.ts';
 
 /** What is used of the module. */

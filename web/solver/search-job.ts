@@ -4,7 +4,7 @@
  */
 import { metUpTo } from './core-intentions.ts';
 import type { Progress } from './core.ts';
-import type { Searching } from './mounted-session.ts';
+import type { Searching } from './hung-session.ts';
 import { pace, Slicer, type Clock } from './pacing.ts';
 
 export type Report = 'nothing' | 'improved' | 'settled';

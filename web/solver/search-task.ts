@@ -1,7 +1,7 @@
 /** A search whose answers carry everything that is shown. */
 import type { SceneInfo } from '../document/types.ts';
 import { shownOf } from './core-intentions.ts';
-import type { Searching } from './mounted-session.ts';
+import type { Searching } from './hung-session.ts';
 import type { ToWorker } from './protocol.ts';
 import type { Clock } from './pacing.ts';
 import { SearchJob } from './search-job.ts';

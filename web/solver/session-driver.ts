@@ -12,7 +12,7 @@ import { coreIntentions, coreLayout, corePaint, gainsOf, shownOf } from './core-
 import { withTaskAreas } from '../document/task-areas.ts';
 import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
-import type { HungSession, LayoutArguments, Searching } from './mounted-session.ts';
+import type { HungSession, LayoutArguments, Searching } from './hung-session.ts';
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';

@@ -1,44 +1,17 @@
 /** Paint: what the solver, the picture and undo get of it, and which paint helps. Covers document/paint, paint-gains, painted-meshes. */
-import { beforeEach, expect, jest, test } from '@jest/globals';
-import { App } from '../../../web/app/app.ts';
-import { Store } from '../../../web/app/state/store.ts';
-import { fakeHost } from '../fake-host.ts';
-import { fakeScene, FakeSolver } from '../fake-solver.ts';
-import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
+import { beforeEach, expect, test } from '@jest/globals';
+import type { App } from '../../../web/app/app.ts';
+import { appInRoom, type AppInRoom } from '../app-in-room.ts';
+import { fakeScene, type FakeSolver } from '../fake-solver.ts';
+import type { FakeViewer } from '../fake-viewer.ts';
 
 let solver: FakeSolver;
 let viewer: FakeViewer;
 let app: App;
-let frames: (() => void)[];
-
-const turn = () => new Promise((resolve) => setImmediate(resolve));
-
-async function settle(): Promise<void> {
-  for (let round = 0; round < 3; round++) {
-    jest.advanceTimersByTime(1000);
-    solver.flush();
-    await turn();
-    frames.splice(0).forEach((draw) => draw());
-  }
-}
+let settle: AppInRoom['settle'];
 
 async function opened(hasOperator: boolean): Promise<void> {
-  jest.useFakeTimers({ doNotFake: ['setImmediate'] });
-  frames = [];
-  fakeHost();
-  globalThis.requestAnimationFrame = (draw) => frames.push(() => draw(0));
-  const fake = fakeViewer();
-  app = new App(new Store(), {
-    canvas: null as unknown as HTMLCanvasElement,
-    labels: null as unknown as HTMLElement,
-    createViewer: fake.create,
-    createWorker: () => (solver = new FakeSolver({ ...fakeScene(), hasOperator })),
-  });
-  viewer = fake.viewer();
-  const opening = app.opening.files([new File([new Uint8Array(4)], 'room.flux')]);
-  await settle();
-  await opening;
-  await settle();
+  ({ app, solver, viewer, settle } = await appInRoom({ ...fakeScene(), hasOperator }));
 }
 
 beforeEach(() => opened(true));

@@ -1,49 +1,21 @@
 /** The work beside a variant: what is read, what is shown, and how it ends. Covers variants, comparing-actions, differences. */
-import { beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { beforeEach, describe, expect, test } from '@jest/globals';
 import { actions, isEnabled } from '../../../web/app/actions.ts';
-import { App } from '../../../web/app/app.ts';
-import { Store } from '../../../web/app/state/store.ts';
+import type { App } from '../../../web/app/app.ts';
 import { changeText, differencesOf } from '../../../web/app/words/differences.ts';
 import { scatteredLayout } from '../../../web/app/variants.ts';
-import { fakeHost } from '../fake-host.ts';
-import { fakeScene, FakeSolver } from '../fake-solver.ts';
-import { fakeViewer, type FakeViewer } from '../fake-viewer.ts';
+import { appInRoom, type AppInRoom } from '../app-in-room.ts';
+import { fakeScene } from '../fake-solver.ts';
+import type { FakeViewer } from '../fake-viewer.ts';
 
-let solver: FakeSolver;
 let viewer: FakeViewer;
 let app: App;
-let frames: (() => void)[];
+let settle: AppInRoom['settle'];
 
-const turn = () => new Promise((resolve) => setImmediate(resolve));
 const action = (id: string) => actions.find((each) => each.id === id)!;
 
-/** Everything that is asked is answered and drawn. */
-async function settle(): Promise<void> {
-  for (let round = 0; round < 3; round++) {
-    jest.advanceTimersByTime(1000);
-    solver.flush();
-    await turn();
-    frames.splice(0).forEach((draw) => draw());
-  }
-}
-
 beforeEach(async () => {
-  jest.useFakeTimers({ doNotFake: ['setImmediate'] });
-  frames = [];
-  fakeHost();
-  globalThis.requestAnimationFrame = (draw) => frames.push(() => draw(0));
-  const fake = fakeViewer();
-  app = new App(new Store(), {
-    canvas: null as unknown as HTMLCanvasElement,
-    labels: null as unknown as HTMLElement,
-    createViewer: fake.create,
-    createWorker: () => (solver = new FakeSolver()),
-  });
-  viewer = fake.viewer();
-  const opening = app.opening.files([new File([new Uint8Array(4)], 'room.flux')]);
-  await settle();
-  await opening;
-  await settle();
+  ({ app, viewer, settle } = await appInRoom());
 });
 
 const sitesShown = () => app.store.shown.value!.layout.sites;

@@ -1,0 +1,74 @@
+/** A session of another scene beneath: its layouts are taken and told in sites of the room. */
+import type { Layout, Luminaires } from '../document/types.ts';
+import type { CoreIntentions, CoreLayout, CoreShown, OrError, Session } from './core.ts';
+
+/** What asks and answers of a session, for those whom it does not concern what is beneath. */
+export type Searching = Pick<
+  Session,
+  | 'setIntentions'
+  | 'start'
+  | 'startFrom'
+  | 'startNear'
+  | 'advance'
+  | 'settle'
+  | 'tryAside'
+  | 'incumbent'
+  | 'show'
+  | 'check'
+  | 'startAlpha'
+  | 'advanceAlpha'
+  | 'startBound'
+  | 'advanceBound'
+>;
+
+/** The arguments by which a session takes a layout. */
+export type LayoutArguments = [sites: Uint32Array, flux: Float64Array, dimming: number];
+
+/** Hands on what is asked, translated by those who know what the sites beneath are. */
+export abstract class HungSession implements Searching {
+  protected readonly session: Session;
+
+  constructor(session: Session) {
+    this.session = session;
+  }
+
+  /** Whether every luminaire of a layout may hang here as it does. */
+  abstract has(layout: Layout): boolean;
+  /** A layout as the session takes it; what may not hang here is left out. */
+  abstract take(layout: Layout): LayoutArguments;
+  /** What is asked of the luminaires from now on; `hasAll`: it has everything that a search may try. */
+  abstract ask(luminaires: Luminaires, hasAll: boolean): void;
+
+  protected abstract beneath(asked: CoreIntentions): CoreIntentions;
+  protected abstract above(layout: CoreLayout): CoreLayout;
+
+  setIntentions = (asked: CoreIntentions) => this.session.setIntentions(this.beneath(asked));
+  start = (seed: number) => this.session.start(seed);
+  startFrom = (seed: number, ...layout: LayoutArguments) => this.session.startFrom(seed, ...layout);
+  startNear = (seed: number, sites: Uint32Array, flux: Float64Array, dimming: number, moved: Uint32Array) =>
+    this.session.startNear(seed, sites, flux, dimming, moved);
+  advance = (evaluations: number) => this.session.advance(evaluations);
+  settle = (evaluations: number) => this.session.settle(evaluations);
+  /** `sites`: of the room. */
+  tryAside(asked: CoreIntentions, seed: number, sites: Uint32Array, evaluations: number) {
+    const [start] = this.take({ sites: [...sites], flux: [], dimming: 1 });
+    const found = this.session.tryAside(this.beneath(asked), seed, start, evaluations);
+    return typeof found === 'string' ? found : { ...found, layout: this.above(found.layout) };
+  }
+  incumbent = () => this.#shown(this.session.incumbent());
+  show = (...layout: LayoutArguments) => this.#shown(this.session.show(...layout));
+  check = (...layout: LayoutArguments) => this.session.check(...layout);
+  startAlpha = (seed: number, held: Uint32Array) => this.session.startAlpha(seed, held);
+  advanceAlpha = (evaluations: number, from: number) => this.session.advanceAlpha(evaluations, from);
+  startBound = () => this.session.startBound();
+  advanceBound = (steps: number) => this.session.advanceBound(steps);
+
+  /** Frees the session beneath. */
+  delete(): void {
+    this.session.delete();
+  }
+
+  #shown(shown: OrError<CoreShown>): OrError<CoreShown> {
+    return typeof shown === 'string' ? shown : { ...shown, layout: this.above(shown.layout) };
+  }
+}
