@@ -1,9 +1,10 @@
 // The sample rooms, made by the command and read back as any other program would read them.
-import { execFileSync, spawnSync } from 'node:child_process';
+import { execFile, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { PNG } from 'pngjs';
 import { catalogFile } from '../../rooms/catalog-file.mjs';
@@ -23,7 +24,8 @@ const command = fileURLToPath(new URL('../../rooms/make.mjs', import.meta.url));
 const folders = [0, 1].map(() => mkdtempSync(path.join(tmpdir(), 'rooms-')));
 const fileOf = (id, run = 0) => readFileSync(path.join(folders[run], `${id}.glb`));
 beforeAll(() => {
-  for (const folder of folders) execFileSync('node', [command, '--folder', folder], { stdio: 'ignore' });
+  const make = (folder) => promisify(execFile)('node', [command, '--folder', folder]);
+  return Promise.all(folders.map(make));
 }, 120000);
 afterAll(() => folders.forEach((folder) => rmSync(folder, { recursive: true })));
 
