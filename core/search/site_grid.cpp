@@ -67,7 +67,13 @@ SiteGrid::SiteGrid(const Scene& scene) {
       values_[d].push_back(coordinate(j, frames[frameOfSite[j]].along[d]));
     values_[d] = distinct(std::move(values_[d]));
   }
-  // Planes: those of one frame by their heights, frame after frame.
+  // Planes: those of one frame by their heights, frame after frame, and of each one a layer for every way in
+  // which luminaires of types may hang there.
+  std::uint32_t ways = 1;
+  for (const Hanging& hanging : scene.hangings) ways = std::max(ways, hanging.way + 1);
+  const auto wayOf = [&](std::uint32_t site) {
+    return scene.hangings.empty() ? 0 : scene.hangings[site].way;
+  };
   std::vector<std::vector<double>> heights(frames.size());
   for (std::uint32_t j = 0; j < count; ++j)
     heights[frameOfSite[j]].push_back(coordinate(j, frames[frameOfSite[j]].normal));
@@ -78,7 +84,7 @@ SiteGrid::SiteGrid(const Scene& scene) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     heights[f] = distinct(std::move(heights[f]));
     firstPlane.push_back(planeCount());
-    squares_.insert(squares_.end(), heights[f].size(),
+    squares_.insert(squares_.end(), heights[f].size() * ways,
                     length(frames[f].along[0] - frames[main].along[0]) < 1e-3);
   }
   for (std::uint32_t j = 0; j < count; ++j) {
@@ -86,7 +92,7 @@ SiteGrid::SiteGrid(const Scene& scene) {
     const Frame& frame = frames[f];
     cells_.push_back({indexIn(values_[0], coordinate(j, frame.along[0])),
                       indexIn(values_[1], coordinate(j, frame.along[1])),
-                      firstPlane[f] + indexIn(heights[f], coordinate(j, frame.normal))});
+                      firstPlane[f] + ways * indexIn(heights[f], coordinate(j, frame.normal)) + wayOf(j)});
     siteOfCell_.emplace(keyOf(cells_.back()), j);
   }
 }

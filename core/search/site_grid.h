@@ -30,7 +30,7 @@ class SiteGrid {
   bool isSquare(std::uint32_t plane) const { return squares_[plane] != 0; }
 
   std::uint32_t siteCount() const { return static_cast<std::uint32_t>(cells_.size()); }
-  /// Of a site: indices into the values of both directions, and its plane.
+  /// Of a site: indices into the values of both directions, and its plane; each way to hang has planes of it.
   const std::array<std::uint32_t, 3>& cell(std::uint32_t site) const { return cells_[site]; }
   /// The site there, or kNone.
   std::uint32_t siteAt(std::uint32_t first, std::uint32_t second, std::uint32_t plane) const {

@@ -64,6 +64,38 @@ TEST(Arrangements, MirrorsKeepAllSitesOfARectangleAndDropThoseWithoutAnImage) {
   EXPECT_EQ(ties.members.size(), 20u * 6 + 20 - 1);
 }
 
+/// On each site luminaires of two types, the second one turned in two ways: candidates site by site.
+Scene threeWays(const Scene& sites) {
+  Scene scene;
+  for (std::uint32_t place = 0; place < sites.sites.size(); ++place)
+    for (std::uint32_t way = 0; way < 3; ++way) {
+      scene.sites.push_back(sites.sites[place]);
+      scene.hangings.push_back({place, way == 0 ? 0u : 1u, way, 1});
+    }
+  return scene;
+}
+
+TEST(Arrangements, TiesAreOfLuminairesThatHangAlike) {
+  const Scene scene = threeWays(ceiling());
+  const SiteGrid grid(scene);
+  LuminaireRules rules;
+  rules.count = 6;
+  rules.arrangement = {Rule::kSymmetric, PlanAxis::kX};
+  const std::vector<Ties> symmetric = tiesUnder(grid, rules);
+  ASSERT_EQ(symmetric.size(), 1u);
+  EXPECT_EQ(symmetric[0].members.size(), 3 * (20u * 6 + 20));
+  rules.arrangement = {Rule::kRows, PlanAxis::kX};
+  std::size_t rows = 0;
+  for (const Ties& ties : tiesUnder(grid, rules)) {
+    rows += ties.key.perTie == 6 ? ties.members.size() : 0;
+    for (const auto& tie : ties.members)
+      for (const std::uint32_t site : tie)
+        EXPECT_EQ(scene.hangings[site].way, scene.hangings[tie.front()].way);
+  }
+  EXPECT_EQ(rows, 3u * 13 * (15 + 10 + 5));  // pitches of one, two and three sites
+  EXPECT_EQ(fieldsOf(grid, 6, 6), 3 * 14470u);
+}
+
 // --- Against all sets of sites
 
 bool isEven(const std::vector<int>& sorted) {
