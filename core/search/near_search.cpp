@@ -9,8 +9,11 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kNeighbours = 8;  // that followers are chosen from: 70 choices of four
-constexpr std::uint32_t kOfEach = 1500;   // evaluations for each choice
+constexpr std::uint32_t kNeighbours = 24;  // that are asked how much they alone would do
+constexpr std::uint32_t kHelpful = 11;     // of them, that followers are chosen from: 330 choices of four
+constexpr std::uint32_t kGlance = 250;     // evaluations for each choice,
+constexpr std::uint32_t kLook = 1500;      // and for the best of them:
+constexpr std::size_t kLookedAt = 20;
 
 /// The luminaires that may follow, nearest to what was moved first.
 std::vector<std::uint32_t> neighboursOf(const PreparedScene& prepared, const LuminaireRules& rules,
@@ -55,6 +58,59 @@ bool isPossible(const PreparedScene& prepared, const LuminaireRules& rules) {
   return packSites(prepared, rules).size() >= rules.count;
 }
 
+/// Searches for choices of followers.
+class Choices {
+ public:
+  Choices(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const Layout& start)
+      : prepared_(prepared),
+        intentions_(intentions),
+        seed_(seed),
+        start_(start),
+        // Goals are scaled as in a search of all luminaires, so that choices can be compared, and with that.
+        reference_{spreadSites(prepared, intentions.luminaires), {}, 1} {}
+
+  /// A first look at a choice; null where the rules leave these no room.
+  std::unique_ptr<LayoutSearch> glanceAt(const std::vector<std::uint32_t>& followers) const {
+    const Intentions held = heldBut(intentions_, start_, followers);
+    if (!isPossible(prepared_, held.luminaires)) return nullptr;
+    auto search = std::make_unique<LayoutSearch>(prepared_, held, seed_, &start_, &reference_);
+    search->advance(kGlance);
+    return search;
+  }
+
+ private:
+  PreparedScene& prepared_;
+  const Intentions& intentions_;
+  std::uint64_t seed_;
+  const Layout& start_;
+  Layout reference_;
+};
+
+/// An order, unlike isBetter with its tolerance.
+bool isAheadOf(const Evaluation& a, const Evaluation& b) {
+  return std::pair(a.violation, a.goal) < std::pair(b.violation, b.goal);
+}
+
+using Searches = std::vector<std::unique_ptr<LayoutSearch>>;
+
+void sortBestFirst(Searches& searches) {
+  std::stable_sort(searches.begin(), searches.end(),
+                   [](const auto& a, const auto& b) { return isBetter(a->evaluation(), b->evaluation()); });
+}
+
+/// Those of the neighbours that do most on their own, the best first; where all are few, as they come.
+std::vector<std::uint32_t> mostHelpful(const Choices& choices, const std::vector<std::uint32_t>& neighbours) {
+  if (neighbours.size() <= kHelpful) return neighbours;
+  std::vector<std::pair<Evaluation, std::uint32_t>> alone;
+  for (const std::uint32_t i : neighbours)
+    if (const auto search = choices.glanceAt({i})) alone.emplace_back(search->evaluation(), i);
+  std::stable_sort(alone.begin(), alone.end(),
+                   [](const auto& a, const auto& b) { return isAheadOf(a.first, b.first); });
+  std::vector<std::uint32_t> result;
+  for (std::size_t k = 0; k < alone.size() && k < kHelpful; ++k) result.push_back(alone[k].second);
+  return result;
+}
+
 }  // namespace
 
 std::unique_ptr<LayoutSearch> searchNear(PreparedScene& prepared, const Intentions& intentions,
@@ -63,25 +119,29 @@ std::unique_ptr<LayoutSearch> searchNear(PreparedScene& prepared, const Intentio
   if (intentions.luminaires.arrangement.rule != Rule::kFree ||
       start.sites.size() < intentions.luminaires.count || start.sites.size() > mostOf(intentions.luminaires))
     return nullptr;
-  const std::vector<std::uint32_t> neighbours = neighboursOf(prepared, intentions.luminaires, start, moved);
-  if (neighbours.empty()) return nullptr;
-  // Every choice of so many of the neighbours, as marks in the order of the nearest first.
-  std::vector<char> chosen(neighbours.size(), 0);
+  const Choices choices(prepared, intentions, seed, start);
+  const std::vector<std::uint32_t> helpful =
+      mostHelpful(choices, neighboursOf(prepared, intentions.luminaires, start, moved));
+  if (helpful.empty()) return nullptr;
+  // A glance at every choice of so many of them, as marks in the order of the first first.
+  std::vector<char> chosen(helpful.size(), 0);
   std::fill_n(chosen.begin(), std::min<std::size_t>(kMostFollowers, chosen.size()), 1);
-  // Goals are scaled as in a search of all luminaires, so that choices can be compared, and with that one.
-  const Layout reference{spreadSites(prepared, intentions.luminaires), {}, 1};
-  std::unique_ptr<LayoutSearch> best;
+  Searches best;
   do {
     std::vector<std::uint32_t> followers;
     for (std::size_t k = 0; k < chosen.size(); ++k)
-      if (chosen[k]) followers.push_back(neighbours[k]);
-    const Intentions held = heldBut(intentions, start, followers);
-    if (!isPossible(prepared, held.luminaires)) continue;
-    auto search = std::make_unique<LayoutSearch>(prepared, held, seed, &start, &reference);
-    search->advance(kOfEach);
-    if (!best || isBetter(search->evaluation(), best->evaluation())) best = std::move(search);
+      if (chosen[k]) followers.push_back(helpful[k]);
+    if (auto search = choices.glanceAt(followers)) best.push_back(std::move(search));
+    if (best.size() < 2 * kLookedAt) continue;
+    sortBestFirst(best);
+    best.resize(kLookedAt);
   } while (std::prev_permutation(chosen.begin(), chosen.end()));
-  return best;
+  if (best.empty()) return nullptr;
+  sortBestFirst(best);
+  if (best.size() > kLookedAt) best.resize(kLookedAt);
+  for (const auto& search : best) search->advance(kLook);
+  sortBestFirst(best);
+  return std::move(best.front());
 }
 
 }  // namespace fiatlux

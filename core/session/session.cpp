@@ -149,6 +149,7 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   before_.reset();
   told_.reset();
   eased_.reset();
+  isNear_ = false;
   if (start) {
     pinAsIn(*start);
     const bool isOfRoom = std::all_of(start->sites.begin(), start->sites.end(),
@@ -164,7 +165,10 @@ Result<Done> Session::startNear(std::uint64_t seed, const Layout& start,
   if (Result<Done> begun = this->start(seed, &start); !begun) return begun;
   const auto isThere = [&](std::uint32_t i) { return i < start.sites.size(); };
   if (!checkLayout(*scene_, start) || !std::all_of(moved.begin(), moved.end(), isThere)) return Done{};
-  if (auto near = searchNear(*prepared_, intentions_, seed, start, moved)) search_ = std::move(near);
+  if (auto near = searchNear(*prepared_, intentions_, seed, start, moved)) {
+    search_ = std::move(near);
+    isNear_ = true;
+  }
   return Done{};
 }
 
@@ -217,12 +221,13 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
 
 Result<Shown> Session::incumbent() {
   if (!search_) return Error{"no search is running"};
-  const bool isSettled =
-      eased_ && eased_->evaluation().violation == 0 && eased_->evaluation().goal < search_->evaluation().goal;
+  const bool isSettled = !isNear_ && eased_ && eased_->evaluation().violation == 0 &&
+                         eased_->evaluation().goal < search_->evaluation().goal;
   const Layout best = (isSettled ? eased_ : search_)->incumbent();
   if (!before_) return shownOf(*prepared_, intentions_, best);
   const LuminaireRules& rules = intentions_.luminaires;
   const Layout numbered = ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, best, *before_));
+  if (isNear_) return shownOf(*prepared_, intentions_, numbered);  // few have left their places anyway
   const Steadied calm = steadied(*prepared_, intentions_, numbered, *before_);
   if (!isSettled) told_ = calm.evaluation;
   return shownOf(*prepared_, intentions_, calm.layout);

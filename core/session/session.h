@@ -135,7 +135,8 @@ class Session {
   std::shared_ptr<const CalculationGrids> grids_;  // once somebody wants them
   bool asked_ = false;
   Intentions intentions_;
-  std::optional<Layout> before_;                  // that the search started from
+  std::optional<Layout> before_;                  // that the search started from,
+  bool isNear_ = false;                           // and that only a few luminaires may leave
   std::optional<Evaluation> told_;                // of the layout that incumbent() told of it
   std::unique_ptr<LayoutSearch> search_, eased_;  // for what is asked; for that as far as it can be met
   std::unique_ptr<AlphaSearch> alpha_;
