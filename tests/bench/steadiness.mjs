@@ -5,7 +5,7 @@
  */
 import path from 'node:path';
 import { inflateSync } from 'node:zlib';
-import { openSession } from './open-session.mjs';
+import { openSession, wishOf } from './open-session.mjs';
 
 const root = path.resolve(import.meta.dirname, '../..');
 const enough = 300_000; // evaluations of a search that settles
@@ -15,30 +15,14 @@ const session = await openSession(
   path.join(root, 'public/scenes/office.flux'),
   inflateSync,
 );
-const { surfaces, sitePosition } = session.info();
-const plane = Uint32Array.of(surfaces.findIndex(({ name }) => name === 'working plane'));
-const none = new Uint32Array();
+const { sitePosition } = session.info();
 
-const asked = (least, minDistance, pinned = []) => ({
-  quantity: 0,
-  glare: null,
-  luminaires: {
-    count: 15,
-    countHigh: 0,
-    rule: 0,
-    axis: 0,
-    flux: Float64Array.of(4000),
-    dimmingLow: 1,
-    dimmingHigh: 1,
-    pinned: Uint32Array.from(pinned),
-    excluded: none,
-    minDistance,
-    types: [],
-    ofType: none,
-  },
-  goals: [{ statistic: 1, sense: 0, weight: 1, target: 0, surfaces: plane, over: none }],
-  constraints: [{ statistic: 0, lower: least, upper: Infinity, alpha: 1, surfaces: plane, over: none }],
-});
+const asked = (least, minDistance, pinned = []) =>
+  wishOf(session, {
+    luminaires: { count: 15, flux: 4000, pinned, minDistance },
+    goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['working plane'] }],
+    constraints: [{ statistic: 'mean', min: least, surfaces: ['working plane'] }],
+  });
 
 const distance = (a, b) =>
   Math.hypot(...[0, 1, 2].map((axis) => sitePosition[3 * a + axis] - sitePosition[3 * b + axis]));
