@@ -2,6 +2,7 @@
 import {
   aroundTask,
   backgroundOf,
+  cardsRenamed,
   cardsWithout,
   freeName,
   surfaceUnder,
@@ -10,7 +11,7 @@ import {
   worktopsOf,
 } from '../document/task-areas.ts';
 import { outlineOf } from '../document/areas.ts';
-import { mostAreas } from '../document/schema.ts';
+import { cleanName, mostAreas } from '../document/schema.ts';
 import type { Card, PlanArea, TaskArea } from '../document/types.ts';
 import { words } from '../language/language.ts';
 import type { Store } from './state/store.ts';
@@ -69,6 +70,29 @@ export class TaskAreas {
     if (name === undefined) return;
     const next = this.list.map((each, i) => (i === index ? { ...each, outline: outlineOf(area) } : each));
     this.#set(words.value.areas.steps.change(name), next, `area ${index}`);
+  }
+
+  /** Another name, that the cards about the area take as well; says so where there is something of that name. */
+  rename(index: number, wish: string): void {
+    const scene = this.#store.scene.peek();
+    const area = this.list[index];
+    const name = cleanName(wish).trim();
+    if (!scene || !area || name === '' || name === area.name) return;
+    const others = this.list.filter((_, i) => i !== index);
+    const taken = withTaskAreas(scene, others).surfaces.map((each) => each.name);
+    if ([...taken, 'all'].some((each) => each === name || each === surroundOf(name))) {
+      this.#store.say('info', words.value.areas.taken(name));
+      return;
+    }
+    const names = new Map([
+      [area.name, name],
+      [surroundOf(area.name), surroundOf(name)],
+    ]);
+    const next = this.list.map((each, i) => (i === index ? { ...each, name } : each));
+    this.#store.edit(words.value.areas.steps.rename(area.name), (draft) => {
+      draft.taskAreas = structuredClone(next) as never;
+      draft.cards = cardsRenamed(draft.cards as readonly Card[], names) as never;
+    });
   }
 
   remove(index: number): void {

@@ -4,7 +4,7 @@
  */
 import { inPlan, type Point2, type RoomPlan } from './plan-frame.ts';
 import { positionOf, siteCount } from './sites.ts';
-import type { Areas, Layout, Luminaires, PlanArea, SceneInfo } from './types.ts';
+import type { Areas, Layout, Luminaires, PlanArea, PlanOutline, SceneInfo } from './types.ts';
 
 /** What an area in plan is for: where luminaires may hang, which of them are meant, or what is lit. */
 export type AreaKind = 'keepOut' | 'keepIn' | 'select' | 'task';
@@ -24,6 +24,35 @@ const edge = 1e-6; // m: on the line is inside
 const holds = ([x, z, farX, farZ]: PlanArea, px: number, pz: number): boolean =>
   px >= x - edge && px <= farX + edge && pz >= z - edge && pz <= farZ + edge;
 
+/** Whether a point lies in an outline; on its edge it may. */
+export function isInside(outline: readonly Point2[], [x, z]: Point2): boolean {
+  let isIn = false;
+  outline.forEach(([ax, az], i) => {
+    const [bx, bz] = outline[(i + 1) % outline.length]!;
+    if (az > z !== bz > z && x < ax + ((z - az) / (bz - az)) * (bx - ax)) isIn = !isIn;
+  });
+  return isIn;
+}
+
+/** The rectangle that an area is; null where it was drawn by its corners. */
+export function asRectangle(area: PlanArea | PlanOutline): PlanArea | null {
+  return typeof area[0] === 'number' ? (area as PlanArea) : null;
+}
+
+/** The corners of an area. */
+export function cornersOf(area: PlanArea | PlanOutline): PlanOutline {
+  const rectangle = asRectangle(area);
+  return rectangle ? outlineOf(rectangle) : (area as PlanOutline);
+}
+
+/** Whether a place is in an area; on its edge it is. */
+function isWithin(area: PlanArea | PlanOutline, x: number, z: number): boolean {
+  const rectangle = asRectangle(area);
+  if (rectangle) return holds(rectangle, x, z);
+  const outline = cornersOf(area);
+  return isInside(outline, [x, z]) || wallDistance([x, z], [outline]) < edge;
+}
+
 /** The rectangle between two corners. */
 export function areaBetween(a: Point2, b: Point2): PlanArea {
   return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[0], b[0]), Math.max(a[1], b[1])];
@@ -32,7 +61,7 @@ export function areaBetween(a: Point2, b: Point2): PlanArea {
 /** The areas where luminaires may or may not hang, to be drawn. */
 export function markedAreas(areas: Areas | undefined): MarkedArea[] {
   return (['keepOut', 'keepIn'] as const).flatMap((kind) =>
-    (areas?.[kind] ?? []).map((area) => ({ kind, outline: outlineOf(area), height: null })),
+    (areas?.[kind] ?? []).map((area) => ({ kind, outline: cornersOf(area), height: null })),
   );
 }
 
@@ -89,8 +118,8 @@ export function barredSites(
   for (let site = 0; site < siteCount(sites); site++) {
     const place = positionOf(sites, site);
     const [x, , z] = place;
-    const isIn = keepIn.length === 0 || keepIn.some((area) => holds(area, x, z));
-    const isOut = keepOut.some((area) => holds(area, x, z));
+    const isIn = keepIn.length === 0 || keepIn.some((area) => isWithin(area, x, z));
+    const isOut = keepOut.some((area) => isWithin(area, x, z));
     if ((!isIn || isOut || isNearWall(place)) && !kept.has(site)) barred.add(site);
   }
   return [...barred];

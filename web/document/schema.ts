@@ -124,7 +124,8 @@ const area = v.pipe(
   v.tuple([metre, metre, metre, metre]),
   v.check(([x, z, farX, farZ]) => x < farX && z < farZ, 'an area has no extent'),
 );
-const areaList = v.pipe(v.array(area), v.maxLength(mostAreas));
+const outline = v.pipe(v.array(v.tuple([metre, metre])), v.minLength(3), v.maxLength(mostCorners));
+const areaList = v.pipe(v.array(v.union([area, outline])), v.maxLength(mostAreas));
 const areas = v.object({ keepOut: areaList, keepIn: areaList, fromWalls: number(0, 100) });
 
 export const luminairesSchema = v.object({
@@ -183,7 +184,6 @@ export const paintSchema = v.pipe(
   v.array(v.object({ surface: nameSchema, reflectance, color: v.exactOptional(color) })),
   v.maxLength(mostPaints),
 );
-const outline = v.pipe(v.array(v.tuple([metre, metre])), v.minLength(3), v.maxLength(mostCorners));
 export const taskAreasSchema = v.pipe(
   v.array(v.object({ name: nameSchema, surface: nameSchema, outline })),
   v.maxLength(mostAreas),

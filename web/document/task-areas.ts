@@ -2,7 +2,7 @@
  * Task areas (EN 12464-1): parts of a measuring plane or of a floor by their outlines in plan, with a band around each and
  * the rest of the plane as its background. Each counts as a leaf surface of its own, made of the points of the plane in it.
  */
-import { outlineOf, wallDistance, type MarkedArea } from './areas.ts';
+import { isInside, outlineOf, wallDistance, type MarkedArea } from './areas.ts';
 import type { Point2 } from './plan-frame.ts';
 import type { Card, PlanArea, SceneInfo, TaskArea } from './types.ts';
 
@@ -24,16 +24,6 @@ export function rectangleOf(outline: readonly Point2[]): PlanArea | null {
 function boxOf(outline: readonly Point2[]): PlanArea {
   const [xs, zs] = [outline.map(([x]) => x), outline.map(([, z]) => z)];
   return [Math.min(...xs), Math.min(...zs), Math.max(...xs), Math.max(...zs)];
-}
-
-/** Whether a point lies in an outline; on its edge it may. */
-export function isInside(outline: readonly Point2[], [x, z]: Point2): boolean {
-  let isIn = false;
-  outline.forEach(([ax, az], i) => {
-    const [bx, bz] = outline[(i + 1) % outline.length]!;
-    if (az > z !== bz > z && x < ax + ((z - az) / (bz - az)) * (bx - ax)) isIn = !isIn;
-  });
-  return isIn;
 }
 
 type Surface = SceneInfo['surfaces'][number];
@@ -219,6 +209,16 @@ export function cardsWithout(cards: readonly Card[], gone: readonly string[]): C
     const { contrast: _, ...rest } = card;
     return surfaces.length > 0 ? [{ ...rest, surfaces }] : [];
   });
+}
+
+/** Cards that speak of surfaces by their new names. */
+export function cardsRenamed(cards: readonly Card[], names: ReadonlyMap<string, string>): Card[] {
+  const renamed = (list: readonly string[]) => list.map((name) => names.get(name) ?? name);
+  return cards.map(({ contrast, ...card }) => ({
+    ...card,
+    surfaces: renamed(card.surfaces),
+    ...(contrast && { contrast: { ...contrast, over: renamed(contrast.over) } }),
+  }));
 }
 
 /** lx of the band around a task and of the background (EN 12464-1): a step below the task, and a third of that. */

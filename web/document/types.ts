@@ -133,10 +133,13 @@ export interface Arrangement {
 /** A rectangle in plan, in the room's axes, m: the smaller x and z, then the larger ones. */
 export type PlanArea = readonly [x: number, z: number, farX: number, farZ: number];
 
+/** Corners in plan, in the room's axes, m; three at least. */
+export type PlanOutline = readonly (readonly [x: number, z: number])[];
+
 /** Where in plan luminaires may hang: outside all of `keepOut`, inside one of `keepIn` where there are any. */
 export interface Areas {
-  readonly keepOut: readonly PlanArea[];
-  readonly keepIn: readonly PlanArea[];
+  readonly keepOut: readonly (PlanArea | PlanOutline)[];
+  readonly keepIn: readonly (PlanArea | PlanOutline)[];
   readonly fromWalls: number; // m, at least, from a luminaire's middle
 }
 
@@ -144,7 +147,7 @@ export interface Areas {
 export interface TaskArea {
   readonly name: string; // its own among surfaces and areas
   readonly surface: string; // leaf that it is part of
-  readonly outline: readonly (readonly [x: number, z: number])[]; // m, in the room's axes; three corners at least
+  readonly outline: PlanOutline;
 }
 
 export interface Luminaires {

@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { areaBetween, noAreas, outlineOf, type AreaKind } from '../document/areas.ts';
 import { inPlan, type Point2 } from '../document/plan-frame.ts';
+import type { PlanArea } from '../document/types.ts';
 import { words } from '../language/language.ts';
 import { fixed, listed, shortest } from '../language/numbers.ts';
 
@@ -85,7 +86,37 @@ function DrawNote({ kind, at }: { kind: AreaKind | 'corners'; at: Point2 | null 
   );
 }
 
-/** One drag makes an area, or selects what is in it. */
+type Corners = [number, number][];
+
+/** Corners that are pressed one by one; the first one again, or Enter, closes the outline. */
+function useCorners(kind: AreaKind, close: (outline: Corners) => void) {
+  const app = useApp();
+  const corners = useRef<Point2[]>([]);
+  const finish = () => {
+    if (corners.current.length >= 3) close(corners.current.map(([x, z]) => [x, z]));
+  };
+  useEffect(() => {
+    const key = (event: KeyboardEvent) => {
+      if (event.key === 'Enter') finish();
+    };
+    addEventListener('keydown', key);
+    return () => removeEventListener('keydown', key);
+  }, []);
+  const show = (next: Point2 | null) => {
+    const outline = next ? [...corners.current, next] : corners.current;
+    const draft = { kind, outline, height: null };
+    app.viewer.setAreas([...app.markedAreas(), ...(outline.length > 2 ? [draft] : [])]);
+  };
+  const add = (point: Point2) => {
+    const first = corners.current[0];
+    if (first && Math.hypot(point[0] - first[0], point[1] - first[1]) < near) return finish();
+    corners.current.push(point);
+    show(null);
+  };
+  return { show, add };
+}
+
+/** One drag makes an area, or selects what is in it; where luminaires may hang is also drawn corner by corner. */
 function DrawArea({ kind }: { kind: AreaKind }) {
   const app = useApp();
   const { store, viewer, hand } = app;
@@ -96,10 +127,22 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     viewer.setAreas(app.markedAreas());
   };
   useDrawing(end);
+  const keep = (area: PlanArea | Corners) => {
+    store.drawing.value = null;
+    if (kind !== 'keepOut' && kind !== 'keepIn') return;
+    const { keepOut, keepIn } = words.value.steps;
+    store.edit(kind === 'keepOut' ? keepOut : keepIn, ({ luminaires }) => {
+      luminaires.areas ??= structuredClone(noAreas) as never;
+      luminaires.areas[kind].push(structuredClone(area) as never);
+    });
+  };
+  const corners = useCorners(kind, keep);
+  const isByCorners = kind === 'keepOut' || kind === 'keepIn';
   const move = (event: PointerEvent) => {
     const point = viewer.planPoint(event.clientX, event.clientY);
     setAt(point);
-    if (!begun.current || !point) return;
+    if (!point) return;
+    if (!begun.current || isClick(areaBetween(begun.current, point))) return corners.show(point);
     const outline = outlineOf(areaBetween(begun.current, point));
     viewer.setAreas([...app.markedAreas(), { kind, outline, height: null }]);
   };
@@ -109,15 +152,12 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     end();
     if (!point || !from) return;
     const area = areaBetween(from, point);
+    if (isClick(area)) return isByCorners ? corners.add(point) : undefined;
     if (area[2] - area[0] < least || area[3] - area[1] < least) return;
+    if (isByCorners) return keep(area);
     store.drawing.value = null;
-    if (kind === 'select') return hand.pickIn(area, event.shiftKey);
-    if (kind === 'task') return app.tasks.add(outlineOf(area));
-    const { keepOut, keepIn } = words.value.steps;
-    store.edit(kind === 'keepOut' ? keepOut : keepIn, ({ luminaires }) => {
-      luminaires.areas ??= structuredClone(noAreas) as never;
-      luminaires.areas[kind].push([...area]);
-    });
+    if (kind === 'select') hand.pickIn(area, event.shiftKey);
+    else app.tasks.add(outlineOf(area));
   };
   return (
     <div
@@ -136,30 +176,19 @@ function DrawArea({ kind }: { kind: AreaKind }) {
   );
 }
 
-/** Each press makes a corner of a task area; the first one again, or Enter, closes it. */
+/** Too small in both directions for a drag. */
+const isClick = ([x, z, farX, farZ]: PlanArea) => farX - x < least && farZ - z < least;
+
+/** Each press makes a corner of a task area. */
 function DrawCorners() {
   const app = useApp();
   const { store, viewer } = app;
   const [at, setAt] = useState<Point2 | null>(null);
-  const corners = useRef<Point2[]>([]);
-  const show = (next: Point2 | null) => {
-    const outline = next ? [...corners.current, next] : corners.current;
-    const draft = { kind: 'task', outline, height: null } as const;
-    viewer.setAreas([...app.markedAreas(), ...(outline.length > 2 ? [draft] : [])]);
-  };
-  const close = () => {
-    if (corners.current.length < 3) return;
+  const corners = useCorners('task', (outline) => {
     store.drawing.value = null;
-    app.tasks.add(corners.current.map(([x, z]) => [x, z]));
-  };
+    app.tasks.add(outline);
+  });
   useDrawing(() => viewer.setAreas(app.markedAreas()));
-  useEffect(() => {
-    const key = (event: KeyboardEvent) => {
-      if (event.key === 'Enter') close();
-    };
-    addEventListener('keydown', key);
-    return () => removeEventListener('keydown', key);
-  }, []);
   return (
     <div
       class="plan-draw"
@@ -167,15 +196,11 @@ function DrawCorners() {
       onPointerMove={(event) => {
         const point = viewer.planPoint(event.clientX, event.clientY);
         setAt(point);
-        show(point);
+        corners.show(point);
       }}
       onPointerUp={(event) => {
         const point = viewer.planPoint(event.clientX, event.clientY);
-        const first = corners.current[0];
-        if (!point) return;
-        if (first && Math.hypot(point[0] - first[0], point[1] - first[1]) < near) return close();
-        corners.current.push(point);
-        show(null);
+        if (point) corners.add(point);
       }}
     >
       <DrawNote kind="corners" at={at} />

@@ -25,6 +25,14 @@ test('what an area keeps free is left out, what it keeps to is all there is', ()
   expect(barred({ keepIn: [corner], keepOut: [[0.9, 0.9, 2, 2]] })).toContain(5);
 });
 
+test('an area may be drawn by its corners, and its edge is in it', () => {
+  const half = [[-0.5, -0.5], [3, 0], [0, 3]] as const; // prettier-ignore
+  expect(barred({ keepOut: [half] })).toEqual([0, 1, 2, 3, 4, 5, 6, 8, 9, 12]);
+  expect(barred({ keepIn: [half], keepOut: [[-1, -1, 0.5, 5]] })).toEqual([
+    0, 4, 7, 8, 10, 11, 12, 13, 14, 15,
+  ]);
+});
+
 test('places kept free by hand stay so, and a pinned luminaire stays where it is', () => {
   expect(barred({ keepOut: [[-1, -1, 1, 0.5]] }, [9], [1])).toEqual([0, 9]);
   const excluded = [3];

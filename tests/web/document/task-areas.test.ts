@@ -1,11 +1,11 @@
 /** Which points of a plane a task area, its band and the background are made of, and where areas come from. */
 import { expect, test } from '@jest/globals';
-import { outlineOf } from '../../../web/document/areas.ts';
+import { isInside, outlineOf } from '../../../web/document/areas.ts';
 import {
   aroundTask,
+  cardsRenamed,
   cardsWithout,
   freeName,
-  isInside,
   leafBehind,
   rectangleOf,
   surfaceUnder,
@@ -104,4 +104,22 @@ test('around a task the light goes down by the steps of the standard', () => {
   expect(aroundTask(750)).toEqual({ surround: 500, background: 167 });
   expect(aroundTask(500)).toEqual({ surround: 300, background: 100 });
   expect(aroundTask(150)).toEqual({ surround: 150, background: 50 });
+});
+
+test('cards follow an area to its new name, what it is compared with as well', () => {
+  const cards: Card[] = [
+    {
+      id: 'a',
+      surfaces: ['task 1', 'floor'],
+      verb: 'keep',
+      weight: 1,
+      contrast: { over: ['task 1 surround'], min: 2 },
+    },
+    { id: 'b', surfaces: ['task 10'], verb: 'keep', weight: 1 },
+  ];
+  const names = new Map([['task 1', 'desk'], ['task 1 surround', 'desk surround']]); // prettier-ignore
+  expect(cardsRenamed(cards, names)).toEqual([
+    { ...cards[0], surfaces: ['desk', 'floor'], contrast: { over: ['desk surround'], min: 2 } },
+    cards[1],
+  ]);
 });

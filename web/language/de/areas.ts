@@ -13,6 +13,9 @@ export const areas: Words['areas'] = {
   empty: 'Der Bereich enthält keinen Punkt seiner Ebene: größer machen.',
   cornersOf: (count) => `${count} Ecken`,
   remove: (name) => `${name} entfernen`,
+  rename: (name) => `${name} umbenennen`,
+  nameOf: (name) => `Neuer Name von ${name}`,
+  taken: (name) => `${name} gibt es schon.`,
   light: 'Licht fordern',
   lightTip:
     'Karten für die Sehaufgabe, das Band von 0,5 m darum und den Hintergrund, abgestuft wie in EN 12464-1',
@@ -27,6 +30,7 @@ export const areas: Words['areas'] = {
     add: (name) => `${name} einfügen`,
     change: (name) => `${name} ändern`,
     remove: (name) => `${name} entfernen`,
+    rename: (name) => `${name} umbenennen`,
     ask: (name) => `Licht auf ${name} fordern`,
   },
 };

@@ -88,8 +88,8 @@ export const bars: Words['bars'] = {
     corner: (corner) => `x und y zählen ab ${corner}`,
     room: (wide, deep) => `Raum ${wide} × ${deep} m`,
     drag: {
-      keepOut: 'Sperrfläche aufziehen',
-      keepIn: 'Zulässige Fläche aufziehen',
+      keepOut: 'Sperrfläche aufziehen oder ihre Ecken anklicken',
+      keepIn: 'Zulässige Fläche aufziehen oder ihre Ecken anklicken',
       select: 'Rahmen um die Leuchten aufziehen',
       task: 'Bereich der Sehaufgabe aufziehen',
       corners: 'Ecken des Bereichs anklicken; die erste noch einmal schließt ihn',

@@ -6,7 +6,7 @@ export const luminaires: Words['luminaires'] = {
     kinds: { keepOut: 'Sperren', keepIn: 'Zulassen' },
     name: 'Wo Leuchten hängen dürfen',
     title: 'Wo sie hängen dürfen',
-    drag: 'Im Grundriss ein Rechteck ziehen',
+    drag: 'Im Grundriss ein Rechteck ziehen oder Ecken anklicken',
     fromWalls: 'Von Wänden mindestens',
     from: (corner) => `Ab ${corner}`,
     remove: (name) => `${name} entfernen`,

@@ -12,6 +12,9 @@ export const areas = {
   empty: 'It holds no point of its plane: make it larger.',
   cornersOf: (count: number) => `${count} corners`,
   remove: (name: string) => `Remove ${name}`,
+  rename: (name: string) => `Rename ${name}`,
+  nameOf: (name: string) => `New name of ${name}`,
+  taken: (name: string) => `There is something called ${name} already.`,
   light: 'Ask for light',
   lightTip: 'Cards for the task, the band of 0.5 m around it and the background, as EN 12464-1 grades them',
   lightOf: (name: string) => `Mean of ${name}`,
@@ -25,6 +28,7 @@ export const areas = {
     add: (name: string) => `Add ${name}`,
     change: (name: string) => `Change ${name}`,
     remove: (name: string) => `Remove ${name}`,
+    rename: (name: string) => `Rename ${name}`,
     ask: (name: string) => `Ask for light on ${name}`,
   },
 };

@@ -82,8 +82,8 @@ export const bars = {
     corner: (corner: string) => `x and y count from the ${corner}`,
     room: (wide: string, deep: string) => `room ${wide} × ${deep} m`,
     drag: {
-      keepOut: 'Drag the area to keep free',
-      keepIn: 'Drag the area to keep to',
+      keepOut: 'Drag the area to keep free, or click its corners',
+      keepIn: 'Drag the area to keep to, or click its corners',
       select: 'Drag around the luminaires to select',
       task: 'Drag the task area',
       corners: 'Click the corners of the task area; the first one again closes it',

@@ -5,7 +5,7 @@ export const luminaires = {
     kinds: { keepOut: 'Keep out', keepIn: 'Keep in' },
     name: 'Where luminaires may hang',
     title: 'Where they may hang',
-    drag: 'Drag a rectangle in the plan',
+    drag: 'Drag a rectangle in the plan, or click corners',
     fromWalls: 'From walls at least',
     from: (corner: string) => `From the ${corner}`,
     remove: (name: string) => `Remove ${name}`,

@@ -1,6 +1,6 @@
 /** Task areas: drawn in the plan or taken from furniture, moved by their numbers, asked for light. */
-import { SquareDashed, Trash2, Waypoints } from 'lucide-preact';
-import { useState } from 'preact/hooks';
+import { Pencil, SquareDashed, Trash2, Waypoints } from 'lucide-preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
 import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
@@ -95,21 +95,37 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
   const light = store.shown.value?.surfaces.find((each) => each.name === name);
   const rectangle = rectangleOf(outline);
   const isChosen = leaf >= 0 && store.surface.value === leaf;
+  const [isNaming, setNaming] = useState(false);
   return (
     <div class="area-row" role="group" aria-label={name}>
       <div class="setting-row">
-        <button
-          class="link-button"
-          aria-pressed={isChosen}
-          onClick={() => app.selectSurface(isChosen ? null : leaf)}
-        >
-          {name}
-        </button>
+        {isNaming ? (
+          <NameField
+            {...{ name }}
+            take={(next) => {
+              setNaming(false);
+              if (next !== null) tasks.rename(index, next);
+            }}
+          />
+        ) : (
+          <button
+            class="link-button"
+            aria-pressed={isChosen}
+            onClick={() => app.selectSurface(isChosen ? null : leaf)}
+          >
+            {name}
+          </button>
+        )}
         <small>
           {light && leaf >= 0
             ? say.reached(compact(light.mean), ratio(light.min / light.mean))
             : say.on(surface)}
         </small>
+        {!isNaming && (
+          <button class="icon-button small" aria-label={say.rename(name)} onClick={() => setNaming(true)}>
+            <Pencil size={14} aria-hidden />
+          </button>
+        )}
         <button class="icon-button small" aria-label={say.remove(name)} onClick={() => tasks.remove(index)}>
           <Trash2 size={14} aria-hidden />
         </button>
@@ -122,6 +138,34 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
       )}
       {leaf >= 0 && <AskForLight {...{ name, index }} />}
     </div>
+  );
+}
+
+/** A new name: Enter or leaving the field takes it, Escape does not (null). */
+function NameField({ name, take }: { name: string; take: (next: string | null) => void }) {
+  const isOver = useRef(false); // taken or left: a field that goes is left once more
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => field.current?.select(), []);
+  const end = (next: string | null) => {
+    if (!isOver.current) take(next);
+    isOver.current = true;
+  };
+  return (
+    <input
+      ref={field}
+      class="area-name"
+      type="text"
+      maxLength={60}
+      aria-label={words.value.areas.nameOf(name)}
+      defaultValue={name}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter') end(event.currentTarget.value);
+        if (event.key !== 'Escape') return;
+        event.stopPropagation();
+        end(null);
+      }}
+      onBlur={(event) => end(event.currentTarget.value)}
+    />
   );
 }
 

@@ -1,10 +1,10 @@
 /** Where in plan luminaires may hang: areas kept free, areas that they keep to, and how far they stay from walls. */
 import { SquareDashed, Trash2 } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { noAreas } from '../../document/areas.ts';
+import { asRectangle, cornersOf, noAreas } from '../../document/areas.ts';
 import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
 import { mostAreas } from '../../document/schema.ts';
-import type { Areas, PlanArea } from '../../document/types.ts';
+import type { Areas, PlanArea, PlanOutline } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { words } from '../../language/language.ts';
 
@@ -94,15 +94,41 @@ export function AreaList() {
 
 interface AreaProps {
   readonly name: string;
-  readonly area: PlanArea;
+  readonly area: PlanArea | PlanOutline;
   readonly frame: PlanFrame;
   readonly change: (area: readonly [PlanArea] | null) => void; // null: it goes
 }
 
 const hundredths = (value: number) => Math.round(100 * value) / 100;
 
-/** One area by its south-west corner and its extent. */
+/** One area: a rectangle by its numbers, another one as it was drawn. */
 function AreaRow({ name, area, frame, change }: AreaProps) {
+  const rectangle = asRectangle(area);
+  return (
+    <div
+      class="area-row"
+      role="group"
+      aria-label={name}
+      title={words.value.luminaires.areas.from(words.value.values.corner)}
+    >
+      <div class="setting-row">
+        <span>{name}</span>
+        {!rectangle && <small>{words.value.areas.cornersOf(cornersOf(area).length)}</small>}
+        <button
+          class="icon-button small"
+          aria-label={words.value.luminaires.areas.remove(name)}
+          onClick={() => change(null)}
+        >
+          <Trash2 size={14} aria-hidden />
+        </button>
+      </div>
+      {rectangle && <Numbers {...{ name, frame, change }} area={rectangle} />}
+    </div>
+  );
+}
+
+/** A rectangle by its south-west corner and its extent. */
+function Numbers({ name, area, frame, change }: AreaProps & { readonly area: PlanArea }) {
   const { store } = useApp();
   const [x, z, farX, farZ] = area;
   const [west, south] = inPlan(frame, [x, frame.floor, farZ]);
@@ -115,22 +141,7 @@ function AreaRow({ name, area, frame, change }: AreaProps) {
     change([[nextX, nextZ - depth, nextX + width, nextZ]]);
   };
   return (
-    <div
-      class="area-row"
-      role="group"
-      aria-label={name}
-      title={words.value.luminaires.areas.from(words.value.values.corner)}
-    >
-      <div class="setting-row">
-        <span>{name}</span>
-        <button
-          class="icon-button small"
-          aria-label={words.value.luminaires.areas.remove(name)}
-          onClick={() => change(null)}
-        >
-          <Trash2 size={14} aria-hidden />
-        </button>
-      </div>
+    <>
       {(['x', 'y', 'wide', 'deep'] as const).map((label, index) => (
         <span key={label}>
           <small aria-hidden="true">{words.value.luminaires.areas.sides[label]}</small>
@@ -146,6 +157,6 @@ function AreaRow({ name, area, frame, change }: AreaProps) {
           />
         </span>
       ))}
-    </div>
+    </>
   );
 }
