@@ -12,15 +12,15 @@ constexpr float kOfCeilings = 0.7f, kOfWalls = 0.5f, kOfFloors = 0.2f, kOfThings
 constexpr double kSlanted = 0.7;                            // cos 45 degrees
 constexpr double kLargePlane = 3, kLargePlaneShare = 0.04;  // m2, or of the room's area: part of the building
 
-/// White, for its picture cannot be read.
-bool isUnread(const SourceScene& source, const SourceMaterial& material) {
+/// Pure white, which is what programs give to whatever has no colour yet; or its picture cannot be read.
+bool isWhite(const SourceScene& source, const SourceMaterial& material) {
   const bool hasPicture = material.image >= 0 && source.images[material.image].width > 0;
   const auto& color = material.baseColor;
-  return material.image >= 0 && !hasPicture && std::min({color[0], color[1], color[2]}) == 1;
+  return !hasPicture && std::min({color[0], color[1], color[2]}) == 1;
 }
 
 bool isPlain(const SourceScene& source, const SourceMesh& mesh) {
-  const bool isUndyed = mesh.material < 0 || isUnread(source, source.materials[mesh.material]);
+  const bool isUndyed = mesh.material < 0 || isWhite(source, source.materials[mesh.material]);
   return isUndyed && mesh.colors.empty() && !mesh.extras.reflectance;
 }
 
@@ -35,12 +35,12 @@ float reflectanceOf(const Region& region, double area) {
 AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTree& tree) {
   AssumedReflectance assumed;
   assumed.ofTriangle.resize(source.meshes.size());
-  std::size_t count = 0, unread = 0;
+  std::size_t count = 0, white = 0;
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     if (!isPlain(source, source.meshes[m])) continue;
     assumed.ofTriangle[m].assign(source.meshes[m].triangles.size(), kOfThings);
     ++count;
-    if (source.meshes[m].material >= 0) ++unread;
+    if (source.meshes[m].material >= 0) ++white;
   }
   if (count == 0) return assumed;
 
@@ -55,7 +55,7 @@ AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTre
           if (face.back == back && !values.empty()) values[face.source] = reflectanceOf(region, area);
         }
   assumed.note = std::to_string(count) + (count == 1 ? " mesh has" : " meshes have") + " no material" +
-                 (unread > 0 ? " that can be read" : "") + ": ceilings are taken to reflect " +
+                 (white > 0 ? " but white" : "") + ": ceilings are taken to reflect " +
                  shortNumber(kOfCeilings) + ", walls " + shortNumber(kOfWalls) + ", floors " +
                  shortNumber(kOfFloors) + ", other things " + shortNumber(kOfThings);
   return assumed;

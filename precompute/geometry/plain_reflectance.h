@@ -1,4 +1,4 @@
-// What meshes without a material, or with an unread picture as their only colour, reflect: the usual values
+// What meshes without a material, or with a pure white one, reflect: the usual values
 // of lighting design, by what a face is in its room.
 #pragma once
 

@@ -19,6 +19,7 @@ constexpr double kOneWay = 0.7;                    // |mean normal| from which a
 constexpr double kMeanLevel = 0.7;                 // cos 45 degrees
 constexpr double kDeskLow = 0.6, kDeskHigh = 1.1;  // m over the floor: where people work
 constexpr double kLeastDesk = 0.2;                 // m2
+constexpr double kMuchLost = 0.2;                  // share of the light
 
 /// One surface of the tree, its normals summed up.
 struct Sum {
@@ -52,8 +53,10 @@ SurveyedSurface surveyed(const std::string& name, const Sum& sum, double ground)
   return surface;
 }
 
-/// The surfaces on which luminaires would hang, and those that lie below them.
-void suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surfaces) {
+/// The surfaces on which luminaires would hang, and those that lie below them. Returns the share of light
+/// that is lost, of the mount that loses most.
+double suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surfaces) {
+  double lost = 0;
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> leafOfSide;
   for (const SurfaceGroup& group : inside.tree.groups)
     for (std::size_t r = 0; r < group.regions.size(); ++r)
@@ -65,12 +68,22 @@ void suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surfaces)
       if (const auto leaf = leafOfSide.find({face.triangle, face.back}); leaf != leafOfSide.end())
         surfaces[leaf->second].use = mount.lift > 0 ? Use::kFloor : Use::kMount;
     if (mount.lift > 0) continue;
-    for (const auto& side : inside.space->from(mount.faces, 0).floorSides)
+    const FreeSpace::View view = inside.space->from(mount.faces, 0);
+    lost = std::max(lost, view.lost);
+    for (const auto& side : view.floorSides)
       if (const auto leaf = leafOfSide.find(side); leaf != leafOfSide.end()) ++below[leaf->second];
     const auto most = std::max_element(below.begin(), below.end());
     if (most != below.end() && *most > 0)
       surfaces[static_cast<std::size_t>(most - below.begin())].use = Use::kFloor;
   }
+  return lost;
+}
+
+std::string warningOfLoss(double lost) {
+  return "about " + std::to_string(std::lround(100 * lost)) +
+         " % of the light would be lost: it leaves the model, or meets the backs of faces; close the "
+         "openings, "
+         "turn the faces, or pass --double-sided";
 }
 
 /// What lies about as high over a floor as a desk does.
@@ -95,11 +108,14 @@ Survey survey(const SourceScene& source, const RoomOptions& options) {
   Inside inside = findInside(source, options, tracer, mesh, result.warnings);
   result.warnings.insert(result.warnings.end(), details.begin(), details.end());
 
-  const double ground = boundsOf(mesh.positions).low.y;
+  const Bounds bounds = boundsOf(mesh.positions);
+  result.size = bounds.high - bounds.low;
+  const double ground = bounds.low.y;
   const std::vector<Sum> sums = sumsOf(mesh, inside.tree);
   for (std::size_t s = 0; s < sums.size(); ++s)
     result.surfaces.push_back(surveyed(inside.tree.names[s], sums[s], ground));
-  suggestMounts(inside, result.surfaces);
+  result.lost = suggestMounts(inside, result.surfaces);
+  if (result.lost > kMuchLost) result.warnings.insert(result.warnings.begin(), warningOfLoss(result.lost));
   suggestPlanes(result.surfaces);
 
   if (!roles.measures.empty()) {

@@ -21,6 +21,9 @@ struct SurveyedSurface {
 struct Survey {
   std::vector<SurveyedSurface> surfaces;  // of the room and its measuring planes, largest first
   std::vector<std::string> warnings;      // where luminaires would hang comes first
+  Vec3 size;                              // m, of all that reflects
+  double scale = 1;                       // metres per unit of the file
+  double lost = 0;  // share of the mounts' light that leaves the model or meets backs before it is reflected
 };
 
 /// Errors as of buildRoom.

@@ -129,6 +129,7 @@ Result<Survey> surveyModel(const ModelFile& model, const RoomOptions& options, c
   const auto survey = [&] {
     const auto [source, scale, note] = measured(model, options, host);
     Survey survey = orThrow(surveyRoom(source, options));
+    survey.scale = scale;
     if (!note.empty()) survey.warnings.insert(survey.warnings.begin(), note);
     return survey;
   };

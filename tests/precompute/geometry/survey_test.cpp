@@ -50,6 +50,32 @@ TEST(Survey, SaysWhatSurfacesAreGoodFor) {
   EXPECT_EQ(surface("table").facing, Facing::kAllWays);
   EXPECT_EQ(surface("task").use, Use::kMeasuringPlane);
   EXPECT_THAT(survey->warnings[0], HasSubstr("proposed to hang on 'room/ceiling'"));
+  EXPECT_NEAR(survey->size.y, 2.8, 1e-5);
+  EXPECT_EQ(survey->lost, 0);
+}
+
+TEST(Survey, SaysWhatWouldBeLostBeforeItIs) {
+  TestGltf gltf = testing::boxRoom({6, 2.8, 5}, 1);
+  gltf.glb.json["scenes"][0]["nodes"] = {0, 1, 2};  // floor, ceiling and one wall
+  const auto source = gltf.read();
+  const auto survey = surveyRoom(*source, {});
+  ASSERT_TRUE(survey) << survey.error().message;
+  EXPECT_GT(survey->lost, 0.2);
+  EXPECT_LT(survey->lost, 0.7);
+  EXPECT_THAT(survey->warnings[0], HasSubstr("% of the light would be lost"));
+}
+
+TEST(PlainReflectance, PureWhiteIsNoMaterialYet) {
+  TestGltf gltf;
+  TestMesh mesh;
+  mesh.box({}, {6, 2.8, 5}, true);
+  gltf.node("room", gltf.mesh(mesh, gltf.material("Default", 1)));
+  RoomOptions options;
+  options.patch = 0.5;
+  const auto room = gltf.build(options);
+  ASSERT_TRUE(room) << room.error().message;
+  EXPECT_NEAR(room->surfaces[surfaceIndex(*room, "room/ceiling")].reflectance, 0.7, 1e-6);
+  EXPECT_THAT(allWarnings(room->warnings), HasSubstr("1 mesh has no material but white"));
 }
 
 TEST(PlainReflectance, GoesByWhatASurfaceIs) {
