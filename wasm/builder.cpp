@@ -35,6 +35,8 @@ SceneOptions optionsOf(const val& asked) {
   options.room.scale = asked["scale"].as<double>();
   options.room.siteSpacing = asked["siteSpacing"].as<double>();
   options.room.siteSize = asked["siteSize"].as<double>();
+  options.room.ceiling = asked["ceiling"].as<double>();
+  options.room.doubleSided = asked["doubleSided"].as<bool>();
   options.room.memory = asked["memory"].as<double>();
   options.room.mounts = namesOf(asked["mounts"]);
   options.transport.rays = asked["rays"].as<std::uint32_t>();
@@ -86,6 +88,26 @@ val answer(const Result<Done>& done) { return val(done ? std::string() : done.er
 
 val answer(const Result<std::uint32_t>& count) { return count ? val(*count) : val(count.error().message); }
 
+val listOf(const std::vector<std::string>& lines) {
+  val list = val::array();
+  for (std::size_t i = 0; i < lines.size(); ++i) list.set(i, lines[i]);
+  return list;
+}
+
+val listOf(const std::vector<SurveyedSurface>& surfaces) {
+  val list = val::array();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    val surface = val::object();
+    surface.set("name", surfaces[i].name);
+    surface.set("area", surfaces[i].area);
+    surface.set("high", surfaces[i].high);
+    surface.set("facing", static_cast<int>(surfaces[i].facing));
+    surface.set("use", static_cast<int>(surfaces[i].use));
+    list.set(i, surface);
+  }
+  return list;
+}
+
 constexpr const char* kNoMemory = "not enough memory in this browser; choose coarser patches";
 
 /// Nothing that is thrown leaves the module.
@@ -104,6 +126,23 @@ class Builder {
  public:
   explicit Builder(val lent) : page_(std::move(lent)) {}
 
+  /// What a model's surfaces are good for; nothing is opened.
+  val survey(const std::string& name, val model, val asked) {
+    return guarded([&] {
+      const RoomOptions options = optionsOf(asked).room;
+      const Result<Survey> survey = surveyModel({name, bytesOf(model)}, options, page_.host());
+      if (!survey) return val(survey.error().message);
+      val result = val::object(), size = val::array();
+      size.set(0, survey->size.x), size.set(1, survey->size.y), size.set(2, survey->size.z);
+      result.set("size", size);
+      result.set("scale", survey->scale);
+      result.set("lost", survey->lost);
+      result.set("surfaces", listOf(survey->surfaces));
+      result.set("warnings", listOf(survey->warnings));
+      return result;
+    });
+  }
+
   /// What the room consists of.
   val open(const std::string& name, val model, val asked) {
     return guarded([&] {
@@ -112,15 +151,14 @@ class Builder {
       if (!opened) return val(opened.error().message);
       parts_.emplace(std::move(*opened));
       const Room& room = parts_->room();
-      val result = val::object(), warnings = val::array();
-      for (std::size_t i = 0; i < room.warnings.size(); ++i) warnings.set(i, room.warnings[i]);
+      val result = val::object();
       result.set("rows", room.patches.rows());
       result.set("sites", static_cast<std::uint32_t>(room.sites.size()));
       result.set("clusters", room.patches.clusterCount);
       result.set("patchSize", room.patchSize);
       result.set("source", room.sourceHash);
       result.set("memory", parts_->bytes() / 1e9);
-      result.set("warnings", warnings);
+      result.set("warnings", listOf(room.warnings));
       return result;
     });
   }
@@ -166,6 +204,7 @@ class Builder {
 EMSCRIPTEN_BINDINGS(builder) {
   emscripten::class_<Builder>("Builder")
       .constructor<val>()
+      .function("survey", &Builder::survey)
       .function("open", &Builder::open)
       .function("cast", &Builder::cast)
       .function("add", &Builder::add)

@@ -1,4 +1,4 @@
-// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files, unpacked-model, unpack-worker.
+// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files, unpacked-model, unpack-worker, import-sheet.
 import { packedWithDraco } from '../web/packed-with-draco.ts';
 import { drop, expect, look, picture, test } from './app.ts';
 
@@ -37,6 +37,11 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
 
   await drop(page, { 'packed.glb': Buffer.from(await packedBox()) });
   await expect(page.getByRole('heading', { name: 'Preview of “packed”' })).toBeVisible({ timeout: 60_000 });
+  await page.getByRole('button', { name: 'How it was understood' }).click();
+  const sheet = page.getByRole('complementary', { name: 'How the model was understood' });
+  await expect(sheet.getByText('4.00 × 5.00 m, 3.00 m high')).toBeVisible();
+  await expect(sheet.getByRole('checkbox', { name: 'room/ceiling' })).toBeChecked();
+  await sheet.getByRole('button', { name: 'Close without a change' }).click();
 
   await drop(page, { 'house.skp': 'x' });
   await expect(messages.getByText(/“house.skp” cannot be read here.*export it as glTF/)).toBeVisible();

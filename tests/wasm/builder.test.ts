@@ -11,7 +11,7 @@ import type { LuminaireType, SceneInfo } from '../../web/document/types.ts';
 import { beginCandidates } from '../../web/solver/mounted-session.ts';
 import { openScene } from '../../web/solver/open-scene.ts';
 import { wholeFile } from '../../web/solver/scene-stream.ts';
-import { usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
+import { facings, uses, usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
 import { Stopped, type BuildProgress } from '../../web/builder/pool.ts';
 import { intentionsOf } from '../../web/document/intentions.ts';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
@@ -142,6 +142,17 @@ test('a draft has longer patches and the same places', async () => {
   expect(room.patchSize).toBeGreaterThan(0.3);
   expect(room.sites).toBe(25);
 }, 60_000);
+
+test('a model is surveyed before anything is computed, as its options say', async () => {
+  const survey = await poolOf(1).survey(modelOf(box), usualOptions);
+  const ceiling = survey.surfaces.find(({ use }) => use === uses.mount);
+  expect(ceiling).toMatchObject({ facing: facings.down, high: expect.closeTo(survey.size[1], 3) });
+  expect(survey.lost).toBeLessThan(0.01);
+  const small = await poolOf(1).survey(modelOf(box), { ...usualOptions, scale: 0.5 });
+  expect(small.scale).toBe(0.5);
+  expect(small.size[0]).toBeCloseTo(survey.size[0] / 2);
+  await expect(poolOf(1).survey(modelOf(box.slice(0, 99)), usualOptions)).rejects.toThrow(/cut off/);
+});
 
 test('a computation is stopped at once', async () => {
   const controller = new AbortController();

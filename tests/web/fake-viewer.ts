@@ -27,7 +27,7 @@ export interface FakeViewer extends Viewer {
   held: boolean;
   other: Parameters<Viewer['compareWith']>[0];
   paint: Parameters<Viewer['setPaint']>[0];
-  glow: number | null;
+  glow: readonly number[];
 }
 
 export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer } {
@@ -44,7 +44,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       held: false,
       other: null,
       paint: [],
-      glow: null,
+      glow: [],
       compareWith: (other) => void (viewer.other = other),
       divide: () => {},
       prepare: () => {},
@@ -54,7 +54,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       colors: async () => null,
       setLightColor: () => {},
       setPaint: (paint) => void (viewer.paint = paint),
-      setGlow: (surface) => void (viewer.glow = surface),
+      setGlow: (surfaces) => void (viewer.glow = surfaces),
       setLight: (light) => void (viewer.light = light),
       setLayout: (layout, pinned) => {
         viewer.layout = layout;

@@ -12,9 +12,11 @@ import {
   paintByLeaf,
   paintedColors,
 } from '../document/paint.ts';
+import { leavesOf } from '../document/surface-names.ts';
 import type { Paint } from '../document/types.ts';
 import type { PaintGain, Shown } from '../solver/protocol.ts';
 import type { SurfacePaint, Viewer } from '../viewer/types.ts';
+import { mountsIn } from './importing/model-choices.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
@@ -52,8 +54,17 @@ export class Painting {
       clearTimeout(this.#timer);
       if (light) this.#timer = setTimeout(() => void this.#findGains(light), pause);
     });
-    effect(() => viewer.setGlow(this.isWatched.value ? (this.lines.value[0]?.surface ?? null) : null));
+    effect(() => viewer.setGlow(this.#glowing.value));
   }
+
+  /** What is told of: the surface whose paint helps most, or where luminaires would hang. */
+  readonly #glowing = computed((): readonly number[] => {
+    const { sheet, scene } = this.#store;
+    const told = sheet.value && scene.value ? mountsIn(sheet.value) : [];
+    if (told.length > 0) return told.flatMap((name) => leavesOf([name], scene.value!.surfaces));
+    const first = this.isWatched.value ? this.lines.value[0] : undefined;
+    return first ? [first.surface] : [];
+  });
 
   /** Whether the room's file tells how its surfaces light each other. */
   readonly canPaint = computed(() => this.#store.scene.value?.hasOperator === true);

@@ -10,6 +10,8 @@ export interface BuildOptions {
   readonly mounts: readonly string[]; // nodes or surfaces where luminaires may hang
   readonly siteSpacing: number; // m
   readonly siteSize: number; // m
+  readonly ceiling: number; // m, of a plane of luminaires over the largest floor
+  readonly doubleSided: boolean; // faces of every material have two sides
   readonly memory: number; // GB, refused above
   readonly seed: number;
   readonly exchange: boolean; // the operator behind the light, too: what luminaires of photometric files need
@@ -23,6 +25,8 @@ export const usualOptions: BuildOptions = {
   mounts: [],
   siteSpacing: 0,
   siteSize: 0,
+  ceiling: 0,
+  doubleSided: false,
   memory: 1.5,
   seed: 1,
   exchange: true,
@@ -39,6 +43,26 @@ export interface RoomCounts {
   readonly warnings: readonly string[];
 }
 
+/** What a surface of a model is, and would be good for. */
+export interface SurveyedSurface {
+  readonly name: string;
+  readonly area: number; // m2
+  readonly high: number; // m, over the lowest point of the model
+  readonly facing: number; // of `facings`
+  readonly use: number; // of `uses`, as suggested
+}
+export const facings = { up: 0, down: 1, sideways: 2, allWays: 3 } as const;
+export const uses = { none: 0, mount: 1, floor: 2, plane: 3 } as const;
+
+/** What a model looks like to the pipeline before anything is computed. */
+export interface Survey {
+  readonly size: readonly [number, number, number]; // m
+  readonly scale: number; // metres per unit of the file
+  readonly lost: number; // share of the light of what hangs there, before it is reflected
+  readonly surfaces: readonly SurveyedSurface[]; // largest first
+  readonly warnings: readonly string[];
+}
+
 /** What the module is lent. */
 export interface Lent {
   /** A zlib stream. */
@@ -50,6 +74,7 @@ export interface Lent {
 }
 
 export interface Builder {
+  survey(name: string, model: Uint8Array, options: BuildOptions): Survey | string;
   open(name: string, model: Uint8Array, options: BuildOptions): RoomCounts | string;
   /** The light that rows [first, first + rows) get, for `add`. */
   cast(first: number, rows: number): Uint8Array<ArrayBuffer> | string;

@@ -33,6 +33,11 @@ export class BuilderDriver {
 
   #answer(builder: Builder, message: Exclude<ToBuilder, { readonly type: 'start' }>): void {
     switch (message.type) {
+      case 'survey': {
+        this.#model = message.model;
+        const survey = valid(builder.survey(message.model.name, message.model.bytes, message.options));
+        return this.#post({ type: 'surveyed', survey }, []);
+      }
       case 'open': {
         this.#model = message.model;
         const room = valid(builder.open(message.model.name, message.model.bytes, message.options));

@@ -3,7 +3,7 @@
  * free; what it has cast is handed to all that go on. These take blocks of what follows of it, and hand what they have
  * solved to the first one, which makes the file. The file does not depend on their number.
  */
-import type { BuildOptions, Compiled, RoomCounts } from './builder.ts';
+import type { BuildOptions, Compiled, RoomCounts, Survey } from './builder.ts';
 import type { FromBuilder, Model, ToBuilder } from './protocol.ts';
 
 /** The part of a Worker that the pool uses. */
@@ -67,6 +67,16 @@ export class BuilderPool {
     this.#startWorker = startWorker;
     this.#compiled = compiled;
     this.#count = count;
+  }
+
+  /** Rejects with one readable line. */
+  async survey(model: Model, options: BuildOptions): Promise<Survey> {
+    const member = new Member(this.#startWorker(), await this.#compiled());
+    try {
+      return (await member.ask({ type: 'survey', model, options }, 'surveyed')).survey;
+    } finally {
+      member.end();
+    }
   }
 
   /** Rejects with one readable line, or Stopped. Workers live as long as it. */

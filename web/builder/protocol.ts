@@ -1,5 +1,5 @@
 /** Between the pool and its workers. Each message to a worker but `start` has one answer, in the order of the questions. */
-import type { BuildOptions, Compiled, RoomCounts } from './builder.ts';
+import type { BuildOptions, Compiled, RoomCounts, Survey } from './builder.ts';
 
 /** A model in memory, with the files beside it that it may name. */
 export interface Model {
@@ -10,6 +10,7 @@ export interface Model {
 
 export type ToBuilder =
   | ({ readonly type: 'start' } & Compiled)
+  | { readonly type: 'survey'; readonly model: Model; readonly options: BuildOptions } // -> surveyed
   | { readonly type: 'open'; readonly model: Model; readonly options: BuildOptions } // -> opened
   | { readonly type: 'cast'; readonly first: number; readonly rows: number } // -> cast
   | { readonly type: 'add'; readonly part: Uint8Array<ArrayBuffer> } // -> added
@@ -19,6 +20,7 @@ export type ToBuilder =
   | { readonly type: 'assemble' }; // -> assembled
 
 export type FromBuilder =
+  | { readonly type: 'surveyed'; readonly survey: Survey }
   | { readonly type: 'opened'; readonly room: RoomCounts }
   | { readonly type: 'cast'; readonly part: Uint8Array<ArrayBuffer> }
   | { readonly type: 'added' }

@@ -14,6 +14,7 @@ import { paint } from './de/paint.ts';
 import { panel } from './de/panel.ts';
 import { report } from './de/report.ts';
 import { results } from './de/results.ts';
+import { sheet } from './de/sheet.ts';
 import { steps } from './de/steps.ts';
 import { values } from './de/values.ts';
 
@@ -32,6 +33,7 @@ export const de: Words = {
   panel,
   report,
   results,
+  sheet,
   steps,
   values,
 };

@@ -13,6 +13,7 @@ import { paint } from './en/paint.ts';
 import { panel } from './en/panel.ts';
 import { report } from './en/report.ts';
 import { results } from './en/results.ts';
+import { sheet } from './en/sheet.ts';
 import { steps } from './en/steps.ts';
 import { values } from './en/values.ts';
 
@@ -31,6 +32,7 @@ export const en = {
   panel,
   report,
   results,
+  sheet,
   steps,
   values,
 };

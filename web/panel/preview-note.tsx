@@ -3,6 +3,7 @@ import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { titleOf } from '../app/lighting/lighting.ts';
 import type { LightingState } from '../app/state/store.ts';
+import { OpenSheet } from './import-sheet-panel.tsx';
 import { words } from '../language/language.ts';
 
 /** A file name as one word of a shell. */
@@ -40,6 +41,7 @@ export function PreviewNote() {
           {words.value.opening.again}
         </button>
         <EditRoom />
+        <OpenSheet />
       </div>
       {name && <Command name={name} />}
     </section>
@@ -72,6 +74,7 @@ function Working({ state }: { readonly state: LightingState }) {
         {words.value.opening.preview.stays}
       </p>
       <EditRoom />
+      <OpenSheet />
     </section>
   );
 }

@@ -10,6 +10,7 @@ import { takeFromReload } from '../document/reload.ts';
 import { Dialogs } from './dialogs/dialogs.tsx';
 import { DropZone } from './drop-zone.tsx';
 import { EmbedCaption } from './embed-caption.tsx';
+import { ImportSheetPanel } from './import-sheet-panel.tsx';
 import { MakingPanel } from './making-panel.tsx';
 import { LiveRegion, Messages } from './messages.tsx';
 import { Panel } from './panel.tsx';
@@ -92,10 +93,11 @@ function Work({ store }: { store: Store }) {
   );
 }
 
-/** What is asked of the room, or the room itself while it is being made. */
+/** What is asked of the room; or the room itself while it is being made, or its model while it is being understood. */
 function RightPanel({ store }: { store: Store }) {
   const making = store.making.value;
-  return making ? <MakingPanel plan={making.plan} /> : <Panel />;
+  if (making) return <MakingPanel plan={making.plan} />;
+  return store.sheet.value ? <ImportSheetPanel /> : <Panel />;
 }
 
 /** The page around may move the view and hear of it; nothing else of the app is needed for that. */

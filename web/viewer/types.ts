@@ -83,8 +83,8 @@ export interface Viewer {
   setLightColor(colors: Float32Array): void;
   /** The paint on the surfaces, and what each patch reflects under it; null: as in the file. */
   setPaint(paint: readonly SurfacePaint[], patchReflectance: Float32Array | null): void;
-  /** A leaf surface that glows, for something is told of it; null: none. */
-  setGlow(surface: number | null): void;
+  /** Leaf surfaces that glow, for something is told of them. */
+  setGlow(surfaces: readonly number[]): void;
   /** Linear RGB of each patch as its material has it, some time after the room was opened; null where it is not there any more. */
   colors(): Promise<Float32Array | null>;
   /** `pinned`: sites. */

@@ -180,8 +180,8 @@ class RoomViewer implements Viewer {
     this.#applyPaint();
   }
 
-  setGlow(surface: number | null): void {
-    this.#emphasis.glow(surface);
+  setGlow(surfaces: readonly number[]): void {
+    this.#emphasis.glow(surfaces);
   }
 
   async colors(): Promise<Float32Array | null> {

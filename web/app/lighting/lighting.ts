@@ -2,9 +2,9 @@
  * Light for a model that has none, computed in the page: a draft with coarse patches is shown and solved first, and the
  * full pass takes its place, with everything that was asked meanwhile. One room at a time: the latest wish wins.
  */
-import { usualOptions } from '../../builder/builder.ts';
 import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
+import { chosenModel, chosenOptions, usualChoices, type ModelChoices } from '../importing/model-choices.ts';
 import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
@@ -14,6 +14,7 @@ import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { carriedOver } from './carried-over.ts';
+import type { ImportSheet } from './import-sheet.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 
@@ -42,8 +43,10 @@ export class Lighting {
   readonly #placing: Placing;
   readonly #createPool: CreatePool;
   readonly #shelf: Shelf;
+  sheet: ImportSheet | null = null; // the latest one; store.sheet says whether it is open
   #running: Running | null = null;
   #model: Model | null = null;
+  #choices: ModelChoices = usualChoices;
 
   constructor(
     store: Store,
@@ -60,14 +63,18 @@ export class Lighting {
   }
 
   /** Lights the model whose preview is on the screen. */
-  async light(model: Model): Promise<void> {
+  async light(original: Model, choices: ModelChoices = usualChoices): Promise<void> {
     this.cancel();
+    this.closeSheet();
     const running = (this.#running = { controller: new AbortController(), turn: this.#placing.turn });
-    this.#model = model;
+    this.#model = original;
+    this.#choices = choices;
     try {
+      const model = chosenModel(original, choices);
       const pool = await this.#createPool();
       const first = await this.#build(pool, model, 'draft', running);
       const room = await this.#shelf.nameFor(model.name, first.room.source);
+      this.#store.litRoom.value = room;
       const shown = await this.#showDraft(model.name, room, first, running);
       const full = await this.#build(pool, model, 'full', running);
       const isKept = await this.#kept(room, full);
@@ -83,7 +90,19 @@ export class Lighting {
 
   /** Once more, after it has failed. */
   again(): void {
-    if (this.#model) void this.light(this.#model);
+    if (this.#model) void this.light(this.#model, this.#choices);
+  }
+
+  /** Opens the sheet of how the model was understood; closed by itself. */
+  async adjust(): Promise<void> {
+    const { ImportSheet } = await import('./import-sheet.ts');
+    if (!this.#model || this.#store.sheet.peek()) return;
+    this.sheet = new ImportSheet(this.#store, this, this.#createPool, this.#model, this.#choices);
+  }
+
+  /** Nothing where it is not open. */
+  closeSheet(): void {
+    if (this.#store.sheet.peek()) this.sheet?.close();
   }
 
   /** Ends it; what is on the screen stays. */
@@ -117,9 +136,10 @@ export class Lighting {
     };
     const wish = { model, signal, tell };
     const { coarseness, rays, exchange } = draft;
+    const options = chosenOptions(this.#choices);
     return pass === 'draft'
-      ? pool.build({ ...wish, options: { ...usualOptions, rays, exchange }, coarseness })
-      : pool.build({ ...wish, options: usualOptions });
+      ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness })
+      : pool.build({ ...wish, options });
   }
 
   /** The identity of the draft; '' where something else was opened meanwhile, which stays. */
@@ -197,7 +217,8 @@ export class Lighting {
   }
 
   #warn(title: string, warning: string): void {
-    this.#store.say('warning', words.value.opening.about(title, sentence(warning)));
+    const said = warning.replace(/; (choose with )?--[^;]*$/, ''); // an option of the command
+    this.#store.say('warning', words.value.opening.about(title, sentence(said)));
   }
 }
 

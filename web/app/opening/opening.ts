@@ -91,12 +91,14 @@ export class Opening {
 
   /** A room or an experiment of the gallery. */
   async entry(id: string): Promise<void> {
+    this.lighting.closeSheet();
     this.#store.messages.value = [];
     await this.#openEntry(id);
   }
 
   /** A room that was computed in this browser, as it was left. */
   async own(room: string): Promise<void> {
+    this.lighting.closeSheet();
     this.#store.messages.value = [];
     const title = this.#own.titleOf(room);
     await this.#placing.attempt(words.value.opening.opening(title), async (isCurrent) => {
@@ -175,6 +177,7 @@ export class Opening {
   make(plan: PackedPlan | null): void {
     this.#store.messages.value = [];
     this.lighting.cancel();
+    this.lighting.closeSheet();
     this.#placing.supersede();
     this.#store.making.value = { plan };
   }
@@ -194,6 +197,7 @@ export class Opening {
   /** Leaves the preview of a model, and computes its light no further: the room that was open is shown again. */
   async endPreview(): Promise<void> {
     this.lighting.cancel();
+    this.lighting.closeSheet();
     const isBack = await this.#placing.restore();
     if (!isBack && this.#store.scene.peek() === null) await this.#openFirst();
   }

@@ -25,6 +25,8 @@ import type {
   SceneInfo,
 } from '../../document/types.ts';
 import type { AlphaStep, Outcome, Seen, Shown } from '../../solver/protocol.ts';
+import type { Survey } from '../../builder/builder.ts';
+import type { ModelChoices, ModelMaterial } from '../importing/model-choices.ts';
 import { usualLuminaires } from '../rooms/opening-wish.ts';
 
 export interface Message {
@@ -67,6 +69,15 @@ export interface LightingState {
   readonly share: number; // 0..1 of this pass
   readonly secondsLeft: number | null; // of this pass, once that can be told
   readonly fault: string | null; // why it has ended without light
+}
+
+/** How a model is understood, while that is looked at. */
+export interface SheetState {
+  readonly name: string; // of its file
+  readonly choices: ModelChoices;
+  readonly materials: readonly ModelMaterial[];
+  readonly survey: Survey | null; // before the first look, or where the model cannot be read so
+  readonly fault: string | null; // why
 }
 
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;
@@ -184,6 +195,8 @@ export class Store {
   readonly making = signal<{ readonly plan: PackedPlan | null } | null>(null); // the room maker is open; null: a new room
   readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
   readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
+  readonly litRoom = signal<string | null>(null); // whose model is at hand
+  readonly sheet = signal<SheetState | null>(null);
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
   readonly drawing = signal<AreaKind | 'corners' | null>(null); // the next drag or the next clicks in the plan make one
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen

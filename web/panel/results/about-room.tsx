@@ -3,6 +3,7 @@ import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { patchSize, roomFacts, roomWarnings } from '../../app/words/provenance.ts';
 import type { Saving } from '../../app/state/store.ts';
+import { OpenSheet } from '../import-sheet-panel.tsx';
 import { words } from '../../language/language.ts';
 import { fixed, locale } from '../../language/numbers.ts';
 
@@ -16,6 +17,7 @@ export function AboutRoom() {
   return (
     <>
       <p class="fine-print">{words.value.results.room.patches(fixed(patchSize(scene), 2))}</p>
+      <OpenSheet />
       <details class="about-room">
         <summary>
           {words.value.results.room.about}

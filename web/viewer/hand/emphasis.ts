@@ -22,7 +22,7 @@ export class Emphasis {
   overSurface: number | null = null;
   overLuminaire: number | null = null;
   #room: readonly LitMesh[] = [];
-  #glowing: number | null = null; // surface
+  #glowing: readonly number[] = []; // surfaces
   #begun = 0;
   #loop: FrameLoop;
   #outlines: SurfaceOutlines;
@@ -58,10 +58,10 @@ export class Emphasis {
     this.refresh();
   }
 
-  /** Of a surface that something is told of. */
-  glow(surface: number | null): void {
-    if (surface === this.#glowing) return;
-    this.#glowing = surface;
+  /** Of surfaces that something is told of. */
+  glow(surfaces: readonly number[]): void {
+    if (surfaces.join() === this.#glowing.join()) return;
+    this.#glowing = surfaces;
     this.#tint(0);
     this.#loop.invalidate();
   }
@@ -106,7 +106,7 @@ export class Emphasis {
     for (const { mesh, surface } of this.#room) {
       const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
       const own = surface === this.surface ? selected : hovered;
-      mesh.material.uniforms['tint']!.value = Math.max(own, surface === this.#glowing ? glowTint : 0);
+      mesh.material.uniforms['tint']!.value = Math.max(own, this.#glowing.includes(surface) ? glowTint : 0);
     }
   }
 }

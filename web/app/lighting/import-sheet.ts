@@ -1,0 +1,94 @@
+/** How a model was understood, open to be changed: the pipeline looks at it anew after each change, and lights it when asked. */
+import { effect } from '@preact/signals';
+import type { Model } from '../../builder/protocol.ts';
+import {
+  chosenModel,
+  chosenOptions,
+  materialsOf,
+  mountsIn,
+  type ModelChoices,
+} from '../importing/model-choices.ts';
+import type { SheetState, Store } from '../state/store.ts';
+import { sentence } from '../words/format.ts';
+import type { CreatePool, Lighting } from './lighting.ts';
+
+const calm = 150; // ms without a change, before a model is looked at anew
+
+export class ImportSheet {
+  readonly #store: Store;
+  readonly #lighting: Lighting;
+  readonly #createPool: CreatePool;
+  #model: Model;
+  #turn = 0; // the latest look wins
+  readonly #forget: () => void;
+
+  constructor(store: Store, lighting: Lighting, createPool: CreatePool, model: Model, choices: ModelChoices) {
+    this.#store = store;
+    this.#lighting = lighting;
+    this.#createPool = createPool;
+    this.#model = model;
+    store.sheet.value = {
+      name: model.name,
+      choices,
+      materials: materialsOf(model.bytes),
+      survey: null,
+      fault: null,
+    };
+    let picked = store.surface.peek();
+    this.#forget = effect(() => {
+      const { value } = store.surface;
+      if (value === picked) return;
+      picked = value;
+      const name = value === null ? undefined : store.scene.peek()?.surfaces[value]?.name;
+      if (name !== undefined) this.hang(name);
+    });
+    void this.#look();
+  }
+
+  choose(part: Partial<ModelChoices>): void {
+    const state = this.#store.sheet.peek();
+    if (!state) return;
+    this.#store.sheet.value = { ...state, choices: { ...state.choices, ...part } };
+    if (!('reflectances' in part)) void this.#look();
+  }
+
+  /** Luminaires hang on a surface from now on, or no longer; what was proposed counts as chosen then. */
+  hang(name: string): void {
+    const state = this.#store.sheet.peek();
+    if (!state) return;
+    const hung = mountsIn(state);
+    this.choose({ mounts: hung.includes(name) ? hung.filter((each) => each !== name) : [...hung, name] });
+  }
+
+  light(): void {
+    const state = this.#store.sheet.peek();
+    this.close();
+    if (state) void this.#lighting.light(this.#model, state.choices);
+  }
+
+  close(): void {
+    this.#turn += 1;
+    this.#forget();
+    this.#store.sheet.value = null;
+  }
+
+  async #look(): Promise<void> {
+    const turn = ++this.#turn;
+    await new Promise((done) => setTimeout(done, calm));
+    const asked = this.#store.sheet.peek();
+    if (turn !== this.#turn || !asked) return;
+    const answer = await this.#surveyed(asked);
+    const state = this.#store.sheet.peek();
+    if (turn === this.#turn && state) this.#store.sheet.value = { ...state, ...answer };
+  }
+
+  async #surveyed({ choices }: SheetState): Promise<Pick<SheetState, 'survey' | 'fault'>> {
+    try {
+      const pool = await this.#createPool();
+      const survey = await pool.survey(chosenModel(this.#model, choices), chosenOptions(choices));
+      return { survey, fault: null };
+    } catch (error) {
+      return { survey: null, fault: sentence(error instanceof Error ? error.message : String(error)) };
+    }
+  }
+}

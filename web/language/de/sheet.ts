@@ -1,0 +1,48 @@
+/** Das Blatt, auf dem zu sehen und zu ändern ist, wie ein Modell verstanden wurde. */
+import type { Words } from '../en.ts';
+
+export const sheet: Words['sheet'] = {
+  open: 'Wie es verstanden wurde',
+  name: 'Wie das Modell verstanden wurde',
+  title: (model) => `Wie „${model}“ verstanden wird`,
+  close: 'Ohne Änderung schließen',
+  light: 'So beleuchten',
+  looking: 'Das Modell wird angesehen',
+  size: {
+    title: 'Größe',
+    is: (width, depth, height) => `${width} × ${depth} m, ${height} m hoch`,
+    unit: 'Einheit der Datei',
+    guess: 'Raten',
+    guessed: (unit) => `Geraten: ${unit}.`,
+    other: (metres) => `${metres} m je Einheit`,
+    metres: 'Meter',
+    up: 'Welche Achse nach oben zeigt',
+    upY: 'Y nach oben',
+    upZ: 'Z nach oben',
+  },
+  mounts: {
+    title: 'Leuchten hängen an',
+    none: 'Nichts hier ist eine Decke: sie hängen in einer Ebene über dem größten Boden.',
+    pick: 'Ein Klick auf eine Fläche im Bild nimmt sie dazu oder wieder weg.',
+    surface: (area, height) => `${area} m², in ${height} m Höhe`,
+    plane: 'Stattdessen Ebene über dem Boden',
+    planeHeight: 'Höhe der Ebene über dem Boden',
+    proposed: 'Wie vorgeschlagen',
+  },
+  lost: {
+    much: (percent) =>
+      `Etwa ${percent} % des Lichts gingen verloren: es verlässt das Modell oder trifft Rückseiten.`,
+    doubleSided: 'Flächen haben zwei Seiten',
+  },
+  materials: {
+    title: 'Reflexionsgrade',
+    reflectance: (material) => `Reflexionsgrad von ${material}`,
+    byRole: 'nach der Fläche',
+    byRoleTip: 'Noch ohne Farbe: Decken 70 %, Wände 50 %, Böden 20 %, anderes 40 %',
+    byPicture: 'Bild',
+    none: 'Keine Materialien: Decken reflektieren 70 %, Wände 50 %, Böden 20 %, anderes 40 %.',
+    nameless: (index) => `Material Nr. ${index}`,
+    more: (count) => `und ${count} weitere`,
+  },
+  remarks: 'Bemerkungen',
+};

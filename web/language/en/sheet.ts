@@ -1,0 +1,47 @@
+/** The sheet on which a person sees how a model was understood, and changes it. */
+
+export const sheet = {
+  open: 'How it was understood',
+  name: 'How the model was understood',
+  title: (model: string) => `How “${model}” is understood`,
+  close: 'Close without a change',
+  light: 'Light it so',
+  looking: 'Looking at the model',
+  size: {
+    title: 'Size',
+    is: (width: string, depth: string, height: string) => `${width} × ${depth} m, ${height} m high`,
+    unit: 'Unit of the file',
+    guess: 'Guess',
+    guessed: (unit: string) => `Guessed: ${unit}.`,
+    other: (metres: string) => `${metres} m a unit`,
+    metres: 'metres',
+    up: 'Which axis is up',
+    upY: 'Y up',
+    upZ: 'Z up',
+  },
+  mounts: {
+    title: 'Luminaires hang on',
+    none: 'Nothing here is a ceiling: they hang in a plane over the largest floor.',
+    pick: 'A click on a surface of the picture adds it, or takes it away.',
+    surface: (area: string, height: string) => `${area} m², at ${height} m`,
+    plane: 'Plane over the floor instead',
+    planeHeight: 'Height of the plane over the floor',
+    proposed: 'As proposed',
+  },
+  lost: {
+    much: (percent: string) =>
+      `About ${percent} % of the light would be lost: it leaves the model, or meets the backs of faces.`,
+    doubleSided: 'Faces have two sides',
+  },
+  materials: {
+    title: 'Reflectances',
+    reflectance: (material: string) => `Reflectance of ${material}`,
+    byRole: 'by its surface',
+    byRoleTip: 'No colour yet: ceilings 70 %, walls 50 %, floors 20 %, other things 40 %',
+    byPicture: 'picture',
+    none: 'No materials: ceilings reflect 70 %, walls 50 %, floors 20 %, other things 40 %.',
+    nameless: (index: number) => `Material ${index}`,
+    more: (count: number) => `and ${count} more`,
+  },
+  remarks: 'Remarks',
+};

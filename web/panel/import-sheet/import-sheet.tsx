@@ -1,0 +1,89 @@
+/** The import sheet: how a model is understood, each part of it changed by a click, beside the picture of the room. */
+import { Lightbulb, TriangleAlert, X } from 'lucide-preact';
+import '../room-maker/room-maker.css';
+import './import-sheet.css';
+import { useApp } from '../../app/app.ts';
+import { titleOf } from '../../app/lighting/lighting.ts';
+import type { SheetState } from '../../app/state/store.ts';
+import { sentence } from '../../app/words/format.ts';
+import { words } from '../../language/language.ts';
+import { Check } from '../controls/check.tsx';
+import { Section } from '../room-maker/field.tsx';
+import { MaterialsSection } from './materials-section.tsx';
+import { MountsSection } from './mounts-section.tsx';
+import { SizeSection } from './size-section.tsx';
+
+const mostRemarks = 4;
+const muchLost = 0.2; // share of the light
+
+export function ImportSheet() {
+  const { store, opening } = useApp();
+  const state = store.sheet.value;
+  const sheet = opening.lighting.sheet;
+  if (!state || !sheet) return null;
+  const { survey, fault } = state;
+  return (
+    <aside class="panel maker import-sheet" aria-label={words.value.sheet.name} aria-busy={!survey && !fault}>
+      <header class="maker-header">
+        <h2>{words.value.sheet.title(titleOf(state.name))}</h2>
+        <span class="spacer" />
+        <button class="icon-button" aria-label={words.value.sheet.close} onClick={() => sheet.close()}>
+          <X size={17} aria-hidden />
+        </button>
+      </header>
+      <div class="maker-fields" tabIndex={-1}>
+        {!survey && !fault && <p class="fine-print">{words.value.sheet.looking}</p>}
+        {fault && (
+          <p class="sheet-warning" role="alert">
+            <TriangleAlert size={15} aria-hidden />
+            <span>{fault}</span>
+          </p>
+        )}
+        <SizeSection state={state} choose={(part) => sheet.choose(part)} />
+        <MountsSection state={state} sheet={sheet} />
+        <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
+        <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
+        <Remarks lines={survey?.warnings ?? []} />
+      </div>
+      <footer class="maker-footer">
+        <button class="button primary" disabled={fault !== null} onClick={() => sheet.light()}>
+          <Lightbulb size={15} aria-hidden />
+          <span>{words.value.sheet.light}</span>
+        </button>
+      </footer>
+    </aside>
+  );
+}
+
+/** What the sections do not say already, by fields instead of options of the command. */
+function Remarks({ lines }: { readonly lines: readonly string[] }) {
+  const other = lines.filter((line) => !/--(scale|mount|ceiling|double-sided)/.test(line));
+  if (other.length === 0) return null;
+  return (
+    <Section title={words.value.sheet.remarks}>
+      <ul class="sheet-remarks">
+        {other.slice(0, mostRemarks).map((line) => (
+          <li key={line}>{sentence(line)}</li>
+        ))}
+      </ul>
+    </Section>
+  );
+}
+
+/** Said before anything is computed. */
+function Lost({ state, setDoubleSided }: { state: SheetState; setDoubleSided: (on: boolean) => void }) {
+  const { survey, choices } = state;
+  const isMuch = survey !== null && survey.lost > muchLost;
+  if (!isMuch && !choices.doubleSided) return null;
+  return (
+    <>
+      {isMuch && (
+        <p class="sheet-warning">
+          <TriangleAlert size={15} aria-hidden />
+          <span>{words.value.sheet.lost.much(String(Math.round(100 * survey.lost)))}</span>
+        </p>
+      )}
+      <Check label={words.value.sheet.lost.doubleSided} checked={choices.doubleSided} set={setDoubleSided} />
+    </>
+  );
+}

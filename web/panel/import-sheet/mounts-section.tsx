@@ -1,0 +1,58 @@
+/** Where luminaires hang: surfaces, which glow in the picture, or a plane where nothing is a ceiling. */
+import { hangable, mountsIn } from '../../app/importing/model-choices.ts';
+import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
+import type { SheetState } from '../../app/state/store.ts';
+import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
+import { Check } from '../controls/check.tsx';
+import { NumberRow } from '../controls/number-row.tsx';
+import { Section } from '../room-maker/field.tsx';
+
+const most = 10; // surfaces in the list
+const usualPlane = 2.7; // m
+
+export function MountsSection({ state, sheet }: { readonly state: SheetState; readonly sheet: ImportSheet }) {
+  const text = words.value.sheet.mounts;
+  const { survey, choices } = state;
+  if (!survey) return null;
+  const hung = mountsIn(state);
+  const isPlane = choices.ceiling > 0;
+  return (
+    <Section title={text.title}>
+      {hung.length === 0 && !isPlane && <p class="fine-print">{text.none}</p>}
+      {!isPlane && (
+        <ul class="sheet-list">
+          {hangable(state, most).map(({ name, area, high }) => (
+            <li key={name}>
+              <Check label={name} checked={hung.includes(name)} set={() => sheet.hang(name)} />
+              <span class="fine-print">{text.surface(fixed(area, 1), fixed(high, 2))}</span>
+            </li>
+          ))}
+        </ul>
+      )}
+      {!isPlane && <p class="fine-print">{text.pick}</p>}
+      {choices.mounts.length > 0 && (
+        <button class="button small" onClick={() => sheet.choose({ mounts: [] })}>
+          {text.proposed}
+        </button>
+      )}
+      <Check
+        label={text.plane}
+        checked={isPlane}
+        set={(on) => sheet.choose({ ceiling: on ? usualPlane : 0, mounts: [] })}
+      />
+      {isPlane && (
+        <NumberRow
+          name={text.planeHeight}
+          label={text.planeHeight}
+          unit="m"
+          value={choices.ceiling}
+          step={0.1}
+          min={0.5}
+          max={50}
+          onInput={(ceiling) => sheet.choose({ ceiling })}
+        />
+      )}
+    </Section>
+  );
+}
