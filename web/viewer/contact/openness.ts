@@ -1,8 +1,9 @@
 /**
  * Light within a patch, near what touches it. The file knows the mean of a patch, and a keyboard is smaller than one; so
  * the picture spreads that mean over the patch by how open each place is to what is further away:
- *   V(x) = mean over directions, by the cube of their cosine, of 1 - w (1 - c rho), w = 1 - (d / reach)^2, for what is
- *          met from its front at d < reach, of reflectance rho; 0 from behind; 1 for what meets nothing
+ *   V(x) = 1 - a (1 - mean over directions, by the cube of their cosine, of 1 - w (1 - c rho)), w = 1 - (d / reach)^2,
+ *          for what is met from its front at d < reach, of reflectance rho; 0 from behind; 1 for what meets nothing;
+ *          a: the share of light that comes from all round; 0 where a solid covers x
  *   E(x) = V(x) x (light of the patches, blended) / (mean V of the patches, blended)
  * so a patch keeps its mean, and what is hidden under a foot no longer darkens what is seen beside it. V is known at a
  * lattice on each triangle before which something ends; elsewhere it is 1: the corner of two walls is what their patches say.
@@ -41,7 +42,7 @@ const touching = 0.06; // m: what is nearer has a shadow with an edge
 const within = 0.01; // m: so far inside of a triangle is not at its border
 const lift = 1e-3; // m above the surface, and towards the triangle's middle
 const same = 1e-5; // m
-const inside = 2; // m: how far the walls of what covers a place may be
+const around = 0.4; // of the light comes from all round; the rest from luminaires, whose shadows the patches know
 const lit = 0.8; // how bright, for its reflectance, what is met is
 
 type Vec = readonly [number, number, number];
@@ -53,6 +54,15 @@ const hemisphere: readonly Vec[] = Array.from({ length: directions }, (_, k) => 
   const [r, turn] = [Math.sqrt(1 - z * z), k * Math.PI * (3 - Math.sqrt(5))];
   return [r * Math.cos(turn), r * Math.sin(turn), z];
 });
+
+/** About z: straight on and aslant, where the walls of what covers a place are met. */
+const lookouts: readonly Vec[] = [
+  [0, 0, 1],
+  [0.5, 0.5, Math.SQRT1_2],
+  [-0.5, 0.5, Math.SQRT1_2],
+  [-0.5, -0.5, Math.SQRT1_2],
+  [0.5, -0.5, Math.SQRT1_2],
+];
 
 export const latticeSize = (cells: number): number => ((cells + 1) * (cells + 2)) / 2;
 
@@ -219,8 +229,7 @@ class OpennessOfRoom {
     ) as Triple;
 
     const tree = this.#tree;
-    tree.reach(x, y, z, ...normal, true, inside);
-    if (tree.met >= 0 && tree.isBack) return 0;
+    if (this.#isCovered(x, y, z, normal)) return 0;
     const up = smoothNormal(face, u, v);
     const [s, t] = frameAbout(up);
     const isCrowded = this.#near.count > crowd;
@@ -239,7 +248,18 @@ class OpennessOfRoom {
         sum += 1 - near * (1 - lit * reflectance);
       }
     }
-    return sum / directions;
+    return 1 - around * (1 - sum / directions);
+  }
+
+  /** Whether a place lies within a solid: from there all that is before the surface is seen from behind. */
+  #isCovered(x: number, y: number, z: number, normal: Vec): boolean {
+    const tree = this.#tree;
+    const [s, t] = frameAbout(normal);
+    return lookouts.every(([a, b, c]) => {
+      const [dx, dy, dz] = [0, 1, 2].map((axis) => a * s[axis]! + b * t[axis]! + c * normal[axis]!) as Triple;
+      tree.reach(x, y, z, dx, dy, dz, true, Infinity);
+      return tree.met >= 0 && tree.isBack;
+    });
   }
 
   /** As NearTriangles.meet, by the tree. */
@@ -344,22 +364,31 @@ class NearTriangles {
   }
 }
 
-/** Places that are covered take what is seen beside them: their darkness is not to be smeared over the edge. */
+/**
+ * Places that are covered take what is seen nearest to them, or are open: their darkness is not to be smeared over the
+ * edge of what covers them, nor to show on a sliver beside it.
+ */
 function uncover(values: Float32Array, cells: number): void {
   const at = (i: number, j: number) => j * (cells + 1) - (j * (j - 1)) / 2 + i;
-  const before = values.slice();
-  for (let j = 0; j <= cells; j++)
-    for (let i = 0; i <= cells - j; i++) {
-      if (before[at(i, j)]! > 0) continue;
-      let [sum, count] = [0, 0];
-      for (const [di, dj] of beside) {
-        const [p, q] = [i + di, j + dj];
-        if (p < 0 || q < 0 || p + q > cells || before[at(p, q)]! === 0) continue;
-        sum += before[at(p, q)]!;
-        count++;
+  for (let isDone = false; !isDone;) {
+    const before = values.slice();
+    isDone = true;
+    for (let j = 0; j <= cells; j++)
+      for (let i = 0; i <= cells - j; i++) {
+        if (before[at(i, j)]! > 0) continue;
+        let [sum, count] = [0, 0];
+        for (const [di, dj] of beside) {
+          const [p, q] = [i + di, j + dj];
+          if (p < 0 || q < 0 || p + q > cells || before[at(p, q)]! === 0) continue;
+          sum += before[at(p, q)]!;
+          count++;
+        }
+        if (count === 0) continue;
+        values[at(i, j)] = sum / count;
+        isDone = false;
       }
-      if (count > 0) values[at(i, j)] = sum / count;
-    }
+  }
+  values.forEach((value, k) => (values[k] = value || 1));
 }
 
 const beside = [
