@@ -1,7 +1,9 @@
 // scenes/catalog.json: the list of rooms that the page reads when it opens. A site's owner adds a room by copying its
-// .flux beside it and adding an entry to "rooms": { "id", "title", "description", "file" } and, if wished, "opening".
+// .flux beside it and adding an entry to "rooms": { "id", "title", "description", "file" } and, if wished, "opening" and
+// "translations": { "de": { "title", "description" } }.
 import { rename, writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { german } from './catalog-german.mjs';
 import { catalog, experiments } from './catalog.mjs';
 
 /**
@@ -14,6 +16,7 @@ export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
     id,
     title,
     description,
+    translations: { de: german[id] },
     file: `${room}.flux`,
     ...states[room],
     opening,

@@ -5,6 +5,7 @@ import { areas } from './de/areas.ts';
 import { bars } from './de/bars.ts';
 import { comparing } from './de/comparing.ts';
 import { dialogs } from './de/dialogs.ts';
+import { faults } from './de/faults.ts';
 import { files } from './de/files.ts';
 import { intentions } from './de/intentions.ts';
 import { luminaires } from './de/luminaires.ts';
@@ -24,6 +25,7 @@ export const de: Words = {
   bars,
   comparing,
   dialogs,
+  faults,
   files,
   intentions,
   luminaires,

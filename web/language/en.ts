@@ -4,6 +4,7 @@ import { areas } from './en/areas.ts';
 import { bars } from './en/bars.ts';
 import { comparing } from './en/comparing.ts';
 import { dialogs } from './en/dialogs.ts';
+import { faults } from './en/faults.ts';
 import { files } from './en/files.ts';
 import { intentions } from './en/intentions.ts';
 import { luminaires } from './en/luminaires.ts';
@@ -23,6 +24,7 @@ export const en = {
   bars,
   comparing,
   dialogs,
+  faults,
   files,
   intentions,
   luminaires,

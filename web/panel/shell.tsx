@@ -109,7 +109,10 @@ async function embed(app: App): Promise<void> {
 /** The work as it was left: by a reload, else the latest one, unless the address wishes for a room. */
 async function lastWork() {
   const left = takeFromReload();
-  if (left || wishedRoom() !== null) return left;
+  // The tab may have been left for the page of another room; a reload finds its own step of the history again.
+  const isAnother = left?.project.document.room !== wishedRoom() && roomOfState(history.state) === null;
+  if (wishedRoom() !== null) return isAnother ? null : left;
+  if (left) return left;
   try {
     const { loadLatest } = await import('../document/autosave.ts');
     return await loadLatest();

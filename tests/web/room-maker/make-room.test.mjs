@@ -133,9 +133,9 @@ describe('where luminaires may hang', () => {
     expect(mount.fiatlux).toMatchObject({ siteSpacing: 1.2, siteSize: 0.3, drop: 0.8 });
     expect(planFaults(plan)).toEqual([]);
     plan.mount.drop = 2.75;
-    expect(planFaults(plan)).toEqual(['Luminaires would hang below the floor.']);
+    expect(planFaults(plan)).toEqual([{ fault: 'belowFloor' }]);
     plan.mount = { ...plan.mount, drop: 0.8, luminaire: 1.5 };
-    expect(planFaults(plan)).toEqual([expect.stringMatching(/larger than the distance/)]);
+    expect(planFaults(plan)).toEqual([{ fault: 'overlap' }]);
   });
 
   test.each([0, 30])('whole tiles of a grid at %s degrees; the ceiling stays whole', async (turn) => {

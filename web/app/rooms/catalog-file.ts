@@ -31,11 +31,17 @@ export interface GalleryEntry {
   readonly room: string; // the scene file's name without .flux; what links and projects call the room
   readonly title: string;
   readonly description: string;
+  readonly translations: Readonly<Record<string, Translation>>; // by language; `title` and `description` are in English
   readonly opening: OpeningWish | null; // null: what is asked of any room at first
   readonly view: OpeningView | null; // null: the whole room from outside
   readonly roomType: string | null; // id of what a standard asks of such a room; null: nothing in particular
   readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
   readonly failed: boolean; // the server could not compute the room; progress is then where it ended
+}
+
+interface Translation {
+  readonly title: string;
+  readonly description?: string | undefined;
 }
 
 /** Where the eye stands in a room at first, and how much brighter than usual it sees. */
@@ -105,11 +111,13 @@ const view = v.object({
   exposure: v.optional(number(-20, 20), 0),
 });
 
+const telling = { title: nameSchema, description: v.optional(nameSchema) };
+
 const entry = v.pipe(
   v.object({
     id: v.pipe(v.string(), v.regex(/^[\w.-]{1,80}$/)),
-    title: nameSchema,
-    description: v.optional(nameSchema),
+    ...telling,
+    translations: v.optional(v.record(v.string(), v.object(telling)), {}),
     file: v.pipe(v.string(), v.regex(sceneFile, 'it is not the name of a .flux file in this folder')),
     opening: v.optional(opening),
     view: v.optional(view),
@@ -117,11 +125,12 @@ const entry = v.pipe(
     state: v.optional(v.picklist(['ready', 'computing', 'failed']), 'ready'),
     progress: v.optional(number(0, 1), 0),
   }),
-  v.transform(({ file, state, progress, description = '', ...rest }): GalleryEntry => ({
+  v.transform(({ file, state, progress, ...rest }): GalleryEntry => ({
     id: rest.id,
     room: file.replace(/\.flux$/, ''),
     title: rest.title,
-    description,
+    description: rest.description ?? '',
+    translations: rest.translations,
     opening: rest.opening ?? null,
     view: rest.view ?? null,
     roomType: rest.roomType ?? null,
@@ -139,6 +148,15 @@ const catalog = v.object({
 export function readCatalog(file: unknown): Catalog | string {
   const read = v.safeParse(catalog, file);
   return read.success ? withRoomsProgress(read.output) : firstFault(read.issues);
+}
+
+/** With the words of a language, where an entry has them. */
+export function toldIn(language: string, { rooms, experiments }: Catalog): Catalog {
+  const told = (entry: GalleryEntry) => {
+    const { title = entry.title, description = entry.description } = entry.translations[language] ?? {};
+    return { ...entry, title, description };
+  };
+  return { rooms: rooms.map(told), experiments: experiments.map(told) };
 }
 
 /** An experiment is ready when its room is. */

@@ -1,28 +1,29 @@
 /** The rooms of the site: read when the page opens, and again every few seconds while the server still computes some. */
 import { computed, signal } from '@preact/signals';
 import { firstRoom } from '../opening/first-scene.ts';
-import { readCatalog, type Catalog, type GalleryEntry } from './catalog-file.ts';
+import { readCatalog, toldIn, type Catalog, type GalleryEntry } from './catalog-file.ts';
 import { requestCatalog } from './catalog-request.ts';
-import { words } from '../../language/language.ts';
+import { language, words } from '../../language/language.ts';
 
 const pause = 3000; // ms between looks at a list with rooms that are not ready
 
 const none: Catalog = { rooms: [], experiments: [] };
 
 export class Rooms {
-  readonly catalog = signal<Catalog>(none);
+  readonly catalog = computed(() => toldIn(language.value, this.#read.value));
   readonly fault = signal<string | null>(null); // one sentence where there is no list to be had
   readonly entries = computed(() => [...this.catalog.value.rooms, ...this.catalog.value.experiments]);
+  readonly #read = signal<Catalog>(none);
   #loading: Promise<boolean> | null = null;
 
   get isThere(): boolean {
-    return this.catalog.peek() !== none;
+    return this.#read.peek() !== none;
   }
 
   /** Whether the list is there; asks for it where it is not. The fault of a vain try is told. */
   load(): Promise<boolean> {
     if (this.isThere) return Promise.resolve(true);
-    this.#loading ??= this.#read().finally(() => (this.#loading = null));
+    this.#loading ??= this.#request().finally(() => (this.#loading = null));
     return this.#loading;
   }
 
@@ -52,11 +53,11 @@ export class Rooms {
     return wished?.progress === null ? wished : (rooms.find((entry) => entry.progress === null) ?? wished);
   }
 
-  async #read(): Promise<boolean> {
+  async #request(): Promise<boolean> {
     try {
       const read = readCatalog(await requestCatalog());
       if (typeof read === 'string') throw new Error(words.value.opening.catalog.unreadable(read));
-      this.catalog.value = read;
+      this.#read.value = read;
       this.fault.value = null;
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
@@ -64,7 +65,7 @@ export class Rooms {
     }
     // A list that cannot be had again stays as it was; the next look may find it.
     if (this.catalog.peek().rooms.some((entry) => entry.progress !== null && !entry.failed))
-      setTimeout(() => void this.#read(), pause);
+      setTimeout(() => void this.#request(), pause);
     return this.isThere;
   }
 }

@@ -1,6 +1,7 @@
 /** Numbers for people: three significant digits, units spelt as in the field. */
 import { quantityOfBound, type BoundField } from '../../document/intentions.ts';
 import type { Quantity } from '../../document/types.ts';
+import { inOurWords } from '../../language/faults.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 
 /** 0.0123, 1.23, 12.3, 123, 1 234: three significant digits, never an exponent. */
@@ -94,9 +95,9 @@ export function easedBound(value: number, end: 'min' | 'max'): number {
   return Number(Math.max(0, eased).toPrecision(4));
 }
 
-/** "no connection" -> "No connection." */
+/** "no connection" -> "No connection."; a fault that is told in English in the page's words. */
 export function sentence(text: string): string {
-  const clean = text.trim();
+  const clean = inOurWords(text.trim());
   const start = clean.charAt(0).toUpperCase() + clean.slice(1);
   return /[.!?]$/.test(start) ? start : `${start}.`;
 }

@@ -5,6 +5,7 @@
 import * as v from 'valibot';
 import type { SceneInfo } from '../../document/types.ts';
 import { percent } from './format.ts';
+import { inOurWords } from '../../language/faults.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';
 
@@ -55,7 +56,7 @@ export function roomWarnings(scene: SceneInfo): string[] {
     .filter(({ lost }) => lost > worthTelling)
     .sort((a, b) => b.lost - a.lost)
     .map(({ name, lost }) => words.value.results.room.facts.lostAt(percent(lost), name));
-  return [...warnings, ...losing];
+  return [...warnings.map(inOurWords), ...losing];
 }
 
 /** Sizes, rays and errors as pairs of a name and a value. */

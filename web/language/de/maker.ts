@@ -119,6 +119,21 @@ export const maker: Words['maker'] = {
   save: 'Als .glb sichern',
   light: 'Licht berechnen',
   moreFaults: (count) => `Und ${count} weitere.`,
+  faults: {
+    lostWall: (name) => `${name} hat keine Wand mehr.`,
+    noFit: (name, wall) => `${name} passt nicht in die ${wall} und bleibt weg.`,
+    outside: (name) => `${name} steht teilweise außerhalb des Raums.`,
+    touches: (name) =>
+      `${name} berührt eine Wand oder eine andere Stütze: Pfeiler als Ecken des Umrisses zeichnen.`,
+    tooHigh: (name) => `${name} ist höher als der Raum.`,
+    manyTiles: 'Die Decke hätte zu viele Platten: größere nehmen.',
+    overlap: 'Die Leuchten sind größer als ihr Abstand: Sie können sich überlappen.',
+    belowFloor: 'Die Leuchten würden unter dem Boden hängen.',
+    noRail: 'In diesen Raum passt keine Schiene.',
+    planeAbove: 'Die Nutzebene liegt über der Decke.',
+    tooNarrow: (rim) => `Der Raum ist zu schmal für eine Nutzebene mit einer Randzone von ${rim} m.`,
+    taskOutside: (number) => `Sehaufgabe ${number} liegt teilweise außerhalb des Raums.`,
+  },
   shape: {
     rectangle: 'Rechteck',
     room: 'Raum',

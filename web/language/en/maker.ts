@@ -119,6 +119,21 @@ export const maker = {
   save: 'Save as .glb',
   light: 'Light it',
   moreFaults: (count: number) => `And ${count} more.`,
+  faults: {
+    lostWall: (name: string) => `${name} has lost its wall.`,
+    noFit: (name: string, wall: string) => `${name} does not fit in ${wall}: it is left out.`,
+    outside: (name: string) => `${name} stands partly outside the room.`,
+    touches: (name: string) =>
+      `${name} touches a wall or another column: draw a pier as corners of the outline.`,
+    tooHigh: (name: string) => `${name} is higher than the room.`,
+    manyTiles: 'The ceiling would have too many tiles: make them larger.',
+    overlap: 'Luminaires are larger than the distance between them: they may overlap.',
+    belowFloor: 'Luminaires would hang below the floor.',
+    noRail: 'No rail fits in this room.',
+    planeAbove: 'The working plane lies above the ceiling.',
+    tooNarrow: (rim: string) => `The room is too narrow for a working plane with a rim of ${rim} m.`,
+    taskOutside: (number: number) => `Task area ${number} lies partly outside the room.`,
+  },
   shape: {
     rectangle: 'Rectangle',
     room: 'Room',

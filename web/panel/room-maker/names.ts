@@ -1,5 +1,7 @@
 /** What the things of a plan are called in the page's language; in the room's file they keep their own names. */
 import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
+import type { PlanFault } from '../../room-maker/plan-faults.mjs';
 import { wallName, type ItemKind, type OpeningKind, type RoomPlan } from '../../room-maker/room-plan.mjs';
 
 const capital = (text: string) => (text[0] ?? '').toUpperCase() + text.slice(1);
@@ -18,3 +20,19 @@ export function wallWords(plan: RoomPlan, wall: number): string {
 }
 
 export const wallTitle = (plan: RoomPlan, wall: number): string => capital(wallWords(plan, wall));
+
+/** "Desk 2 is higher than the room." */
+export function faultText(fault: PlanFault, plan: RoomPlan): string {
+  const { faults } = words.value.maker;
+  switch (fault.fault) {
+    case 'tooNarrow':
+      return faults.tooNarrow(shortest(fault.rim));
+    case 'taskOutside':
+      return faults.taskOutside(fault.number);
+    case 'noFit':
+      return faults.noFit(`${kindTitle(fault.kind)} ${fault.number}`, wallWords(plan, fault.wall));
+    default:
+      if (!('kind' in fault)) return faults[fault.fault];
+      return faults[fault.fault](`${kindTitle(fault.kind)} ${fault.number}`);
+  }
+}

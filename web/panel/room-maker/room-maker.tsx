@@ -12,6 +12,7 @@ import { DrawOutline } from './draw-outline.tsx';
 import { FurnitureSection } from './furniture-section.tsx';
 import { Inspector } from './inspector.tsx';
 import { MakingContext } from './making-context.ts';
+import { faultText } from './names.ts';
 import { PlanDrawing } from './plan-drawing.tsx';
 import { PlaneSection } from './plane-section.tsx';
 import { ShapeSection } from './shape-section.tsx';
@@ -111,9 +112,12 @@ function Footer({ making }: { making: Making }) {
     <footer class="maker-footer">
       {faults.length > 0 && (
         <ul class="maker-faults" aria-live="polite">
-          {faults.slice(0, 3).map((fault) => (
-            <li key={fault}>{fault}</li>
-          ))}
+          {faults
+            .slice(0, 3)
+            .map((fault) => faultText(fault, making.plan.value))
+            .map((text) => (
+              <li key={text}>{text}</li>
+            ))}
           {faults.length > 3 && <li>{words.value.maker.moreFaults(faults.length - 3)}</li>}
         </ul>
       )}

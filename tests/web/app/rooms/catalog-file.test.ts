@@ -1,7 +1,7 @@
 /** The list of rooms: the one that is shipped, one that a site's owner writes, and ones that are broken. */
 import { describe, expect, test } from '@jest/globals';
 import { catalogFile } from '../../../../rooms/catalog-file.mjs';
-import { readCatalog, type Catalog } from '../../../../web/app/rooms/catalog-file.ts';
+import { readCatalog, toldIn, type Catalog } from '../../../../web/app/rooms/catalog-file.ts';
 import { firstRoom } from '../../../../web/app/opening/first-scene.ts';
 import { sampleCatalog } from '../../sample-rooms.ts';
 
@@ -21,6 +21,16 @@ describe('the list that is shipped', () => {
     const ids = [...rooms, ...experiments].map(({ id }) => id);
     expect(new Set(ids).size).toBe(ids.length);
     expect([...rooms, ...experiments].every(({ progress }) => progress === null)).toBe(true);
+  });
+
+  test('has a title and a sentence in German for every entry, and English where another language has none', () => {
+    const english = sampleCatalog();
+    const german = toldIn('de', english);
+    const all = ({ rooms, experiments }: Catalog) => [...rooms, ...experiments];
+    expect(all(german).map(({ id }) => id)).toEqual(all(english).map(({ id }) => id));
+    all(german).forEach((entry, i) => expect(entry.description).not.toBe(all(english)[i]!.description));
+    expect(german.rooms[0]?.title).toBe('Großraumbüro');
+    expect(all(toldIn('fr', english))).toEqual(all(english));
   });
 
   test('asks in the words of a project file, with shares where a bound depends on the room', () => {
@@ -69,6 +79,7 @@ describe("an owner's list", () => {
         room: 'attic',
         title: 'Attic',
         description: '',
+        translations: {},
         opening: null,
         view: null,
         roomType: null,

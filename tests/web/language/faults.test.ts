@@ -1,0 +1,53 @@
+/** Faults told in English by the core, the builder and the page's workers, in German; and that these still say them so. */
+import { afterEach, expect, test } from '@jest/globals';
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { en } from '../../../web/language/en.ts';
+import { inOurWords } from '../../../web/language/faults.ts';
+import { speak } from '../../../web/language/language.ts';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
+
+afterEach(() => speak('en'));
+
+test('a fault is told in the language of the page, with what it tells of its own', async () => {
+  const fault = "hall.glb: it requires the extension 'KHR_x', which is not understood; export without it";
+  expect(inOurWords(fault)).toBe(fault);
+  await speak('de');
+  expect(inOurWords(fault)).toBe(
+    'hall.glb: Die Datei verlangt die Erweiterung „KHR_x“, die hier nicht gelesen wird; ohne sie exportieren',
+  );
+  expect(inOurWords('the solver stopped (its script cannot be loaded); reload the page to go on')).toMatch(
+    /\(ihr Skript kann nicht geladen werden\); zum Weitermachen die Seite neu laden$/,
+  );
+  expect(
+    inOurWords('the room is only 0.4 m wide: pass --scale with the metres of one unit of the file'),
+  ).toMatch(/nur 0,4 m breit/);
+  expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
+});
+
+/** The text of what says them, its broken strings joined. */
+function sources(): string {
+  const files = ['core', 'precompute', 'web/solver', 'web/builder'].flatMap((folder) =>
+    readdirSync(path.join(root, folder), { recursive: true, encoding: 'utf8' })
+      .filter((name) => /\.(cpp|h|ts)$/.test(name))
+      .map((name) => readFileSync(path.join(root, folder, name), 'utf8')),
+  );
+  return files.join('\n').replace(/"\s*\n?\s*"/g, '');
+}
+
+test('each is what the sources say, word for word', () => {
+  const text = sources();
+  for (const [name, telling] of Object.entries(en.faults)) {
+    const whole = typeof telling === 'string' ? telling : telling('\u0001', '\u0001', '\u0001');
+    const missing = whole.split('\u0001').filter((piece) => piece.length > 3 && !text.includes(piece));
+    // A sentence that is put together of several strings is there in its parts.
+    const parts = missing.flatMap((piece) =>
+      piece.split(
+        /(?<=[:;,]) | (?=compression$|it$|--scale says how|says how|centimetres|millimetres: pass --scale 0.001$)/,
+      ),
+    );
+    expect([name, parts.filter((part) => !text.includes(part.trim()))]).toEqual([name, []]);
+  }
+});

@@ -1,0 +1,56 @@
+/** What the solver, the builder and the readers of files say. */
+import type { Words } from '../en.ts';
+
+export const faults: Words['faults'] = {
+  connectionLost:
+    'Der Raum konnte nicht geladen werden, die Verbindung ist abgerissen; noch einmal versuchen',
+  solverStopped: (why) =>
+    `Die Berechnung der Lösung ist stehen geblieben (${why}); zum Weitermachen die Seite neu laden`,
+  solverStoppedReading: 'Die Berechnung ist beim Lesen der Datei stehen geblieben; noch einmal versuchen',
+  solverStoppedLighting: 'Die Berechnung des Lichts ist stehen geblieben; noch einmal versuchen',
+  computationStopped: (why) => `Die Berechnung ist stehen geblieben (${why}); noch einmal versuchen`,
+  noScript: 'ihr Skript kann nicht geladen werden',
+  builderOffline: 'Was Licht berechnet, konnte nicht geladen werden: keine Verbindung; noch einmal versuchen',
+  builderMissing:
+    'Was im Browser Licht berechnet, ist noch nicht auf diesem Server; in ein paar Minuten noch einmal versuchen',
+  sceneCut: (bytes) => `Die Raumdatei endet nach ${bytes} Byte; die Seite neu laden`,
+  noScene: 'Das ist keine Raumdatei von Fiat Lux; sie entsteht mit fiatlux precompute',
+  sceneNewer: (version, own) =>
+    `Die Raumdatei hat Version ${version}, gelesen wird bis Version ${own}: ein neueres Fiat Lux nehmen oder die Datei neu erzeugen`,
+  sceneDamaged: (where) => `Die Datei ist beschädigt: mit fiatlux precompute neu erzeugen (${where})`,
+  glbCut: 'Die GLB-Datei ist abgeschnitten; noch einmal exportieren',
+  glbEmpty: 'Die Datei ist leer; noch einmal exportieren',
+  tableEmpty: 'Die Datei ist leer; noch einmal herunterladen',
+  tableDark: 'Die Tabelle enthält kein Licht, alle Lichtstärken sind 0; die Datei noch einmal exportieren',
+  noGltf: 'Das ist weder GLB noch glTF-JSON in UTF-8; den Raum als .glb oder .gltf exportieren',
+  extension: (name) =>
+    `Die Datei verlangt die Erweiterung „${name}“, die hier nicht gelesen wird; ohne sie exportieren`,
+  compressed: (name) =>
+    `Die Datei verlangt die Erweiterung „${name}“, die hier nicht gelesen wird; ohne Kompression exportieren`,
+  noTriangles:
+    'Die Datei enthält keine Flächen: kein Dreieck ist darin; Netze exportieren, nicht Punkte oder Linien',
+  allTransparent:
+    'Die Datei enthält keine Flächen: alles ist durchsichtig oder eine Messebene; den Wänden ein undurchsichtiges Material geben',
+  manyTriangles: (count, most) =>
+    `Das Modell hat ${count} Dreiecke, höchstens ${most} Millionen sind möglich; die Netze vereinfachen`,
+  noMemory: 'Das Modell braucht mehr Speicher, als da ist; das Modell verkleinern',
+  narrow: (width) =>
+    `Der Raum ist nur ${width} m breit; das Modell in Metern exportieren (oder --scale mit den Metern je Einheit)`,
+  millimetres: (width) =>
+    `Der Raum ist ${width} m breit, die Datei ist wohl in Millimetern; in Metern exportieren (oder --scale 0.001)`,
+  centimetres: (width) =>
+    `Der Raum ist ${width} m breit, die Datei ist wohl in Zentimetern oder Millimetern; in Metern exportieren (oder --scale 0.01, --scale 0.001)`,
+  noArea: (count) => `Dreiecke ohne Fläche sind weggelassen: ${count}`,
+  repeated: (count) => `Dreiecke, die andere wiederholen, sind weggelassen: ${count}`,
+  proposedMount: (where) =>
+    `Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an ${where}; mit --mount wählen`,
+  proposedPlane: (height, floor, area) =>
+    `Nichts ist eine Decke: Leuchten sind vorgeschlagen in einer Ebene ${height} m über „${floor}“ (${area} m²); --ceiling nennt eine andere Höhe, --mount einen anderen Ort`,
+  ceilingHeight: (height) =>
+    `Die Decke liegt ${height} m über dem Boden: Ist das so? --scale sagt, wie viele Meter eine Einheit der Datei hat`,
+  clamped: (name, share, most) => `${name} reflektiert ${share} des Lichts; gerechnet wird mit ${most}`,
+  lightLost:
+    'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; siehe fiatlux surfaces, dann --mount, --ceiling oder --double-sided',
+  staysDark: (share) =>
+    `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; siehe fiatlux surfaces, dann --mount oder --ceiling`,
+};

@@ -1,0 +1,55 @@
+/**
+ * What the solver, the builder and the readers of files say themselves, in English and word for word: another language finds
+ * its own sentence by these. What is not here stays in English.
+ */
+
+export const faults = {
+  connectionLost: 'the room could not be loaded: the connection was lost; try again',
+  solverStopped: (why: string) => `the solver stopped (${why}); reload the page to go on`,
+  solverStoppedReading: 'the solver stopped while it read the file; try again',
+  solverStoppedLighting: 'the solver stopped while it computed the light; try again',
+  computationStopped: (why: string) => `the computation stopped (${why}); try again`,
+  noScript: 'its script cannot be loaded',
+  builderOffline: 'what computes light could not be loaded: no connection; try again',
+  builderMissing: 'what computes light in the page is not on this server yet; try again in some minutes',
+  sceneCut: (bytes: string) => `the scene file ends after ${bytes} bytes; load the page again`,
+  noScene: 'not a Fiat Lux scene file: make one with fiatlux precompute',
+  sceneNewer: (version: string, own: string) =>
+    `scene file of version ${version}, but this program reads up to version ${own}: use a newer Fiat Lux, or make the file again`,
+  sceneDamaged: (where: string) => `${where}; the file is damaged: make it again with fiatlux precompute`,
+  glbCut: 'the GLB is cut off; export it again',
+  glbEmpty: 'the file is empty; export it again',
+  tableEmpty: 'the file is empty; fetch it again',
+  tableDark: 'the table holds no light: every intensity is 0; export the file again',
+  noGltf: 'this is neither a GLB nor glTF JSON in UTF-8; export the room as .glb or .gltf',
+  extension: (name: string) =>
+    `it requires the extension '${name}', which is not understood; export without it`,
+  compressed: (name: string) =>
+    `it requires the extension '${name}', which is not understood; export without compression`,
+  noTriangles: 'no surfaces: it holds no triangles; export meshes, not points or lines',
+  allTransparent:
+    'no surfaces: everything is transparent or a measuring plane; give the walls an opaque material',
+  manyTriangles: (count: string, most: string) =>
+    `${count} triangles after instancing, and ${most} million are accepted; simplify the meshes`,
+  noMemory: 'needs more memory than there is; make the model smaller',
+  narrow: (width: string) =>
+    `the room is only ${width} m wide: pass --scale with the metres of one unit of the file`,
+  millimetres: (width: string) =>
+    `the room is ${width} m wide: the file is probably in millimetres: pass --scale 0.001`,
+  centimetres: (width: string) =>
+    `the room is ${width} m wide: the file is probably in centimetres or millimetres: pass --scale 0.01 or 0.001`,
+  noArea: (count: string) => `triangles without area are left out: ${count}`,
+  repeated: (count: string) => `triangles that repeat others are left out: ${count}`,
+  proposedMount: (where: string) =>
+    `no mount is marked: luminaires are proposed to hang on ${where}; choose with --mount`,
+  proposedPlane: (height: string, floor: string, area: string) =>
+    `nothing is a ceiling: luminaires are proposed to hang in a plane ${height} m above '${floor}' (${area} m2); --ceiling says another height, --mount another place`,
+  ceilingHeight: (height: string) =>
+    `the ceiling is ${height} m above the floor: is that so? --scale says how many metres a unit of the file has`,
+  clamped: (name: string, share: string, most: string) =>
+    `${name} reflects ${share} of the light: taken as ${most}`,
+  lightLost:
+    'nearly all light is lost: the luminaires hang outdoors or look at backs; see fiatlux surfaces, then --mount, --ceiling or --double-sided',
+  staysDark: (share: string) =>
+    `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling`,
+};
