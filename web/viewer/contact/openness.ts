@@ -42,7 +42,7 @@ const touching = 0.06; // m: what is nearer has a shadow with an edge
 const within = 0.01; // m: so far inside of a triangle is not at its border
 const lift = 1e-3; // m above the surface, and towards the triangle's middle
 const same = 1e-5; // m
-const around = 0.6; // of the light comes from all round; the rest from luminaires, whose shadows the patches know
+const around = 0.5; // of the light comes from all round; the rest from luminaires, whose shadows the patches know
 const lit = 0.8; // how bright, for its reflectance, what is met is
 
 type Vec = readonly [number, number, number];
