@@ -159,15 +159,24 @@ function Painted() {
 function Helping() {
   const app = useApp();
   const { painting } = app;
-  useEffect(() => {
-    painting.isWatched.value = true;
-    return () => void (painting.isWatched.value = false);
-  }, []);
+  const list = useRef<HTMLDivElement>(null);
   const wish = painting.wish.value;
+  const hasWish = wish !== null;
+  useEffect(() => {
+    if (!list.current) return;
+    const observer = new IntersectionObserver((seen) => {
+      painting.isWatched.value = seen.at(-1)?.isIntersecting ?? false;
+    });
+    observer.observe(list.current);
+    return () => {
+      observer.disconnect();
+      painting.isWatched.value = false;
+    };
+  }, [hasWish]);
   if (!wish) return null;
   const lines = painting.lines.value;
   return (
-    <div class="paint-gains">
+    <div class="paint-gains" ref={list}>
       <h3>
         <PaintRoller size={14} aria-hidden /> {words.value.paint.helps}
       </h3>

@@ -24,7 +24,8 @@ export class CameraRig {
   #loop: FrameLoop;
   #report: (camera: Camera) => void;
   #poses = new RoomPoses({ min: [-2, 0, -2], max: [2, 3, 2] }, [0, 0, 0, 0]);
-  #atHome = true; // untouched since home(): a new picture size frames the room anew
+  /** Untouched since then: a new picture size frames the room anew. */
+  #framed: 'home' | 'plan' | null = 'home';
   #unreported = false;
   #flying: Animation | null = null;
   #isRising = false; // by rise(), a frame at a time
@@ -57,9 +58,9 @@ export class CameraRig {
     const { aspect, planAspect } = this.#poses;
     this.#poses = new RoomPoses(box, facing, aspect, planAspect);
     this.controls.maxDistance = 6 * this.#poses.home().spherical.radius;
-    if (keepView && !this.#atHome) return;
+    if (keepView && this.#framed !== 'home') return;
     this.#apply(this.#poses.home());
-    this.#atHome = true;
+    this.#framed = 'home';
   }
 
   /** In which quadrant the eye is; null in a plan, which has none. */
@@ -71,7 +72,7 @@ export class CameraRig {
 
   /** Flies to the corner view from a quadrant. */
   lookFrom(quadrant: number): void {
-    this.#atHome = false;
+    this.#framed = null;
     this.#fly(this.#poses.corner(quadrant));
   }
 
@@ -85,7 +86,7 @@ export class CameraRig {
     };
     this.#poses.aspect = frame(this.#perspective, top, bottom);
     this.#poses.planAspect = frame(this.#orthographic, planTop, planBottom);
-    if (this.#atHome) this.#apply(this.#poses.home());
+    if (this.#framed) this.#apply(this.#framed === 'home' ? this.#poses.home() : this.#poses.plan());
     this.#project();
   }
 
@@ -115,39 +116,39 @@ export class CameraRig {
   }
 
   set(camera: Camera): void {
-    this.#atHome = false;
+    this.#framed = null;
     this.#stop();
     this.#apply(this.#poses.of(new Vector3(...camera.position), new Vector3(...camera.target), camera.plan));
     this.#loop.invalidate();
   }
 
   flyTo({ position, target, plan }: Camera): void {
-    this.#atHome = false;
+    this.#framed = null;
     this.#fly(this.#poses.of(new Vector3(...position), new Vector3(...target), plan));
   }
 
   /** Stands on a point of the floor and looks where the eye has looked; a drag then turns the head. */
   stand(point: Vector3): void {
-    this.#atHome = false;
+    this.#framed = null;
     const { eye, target } = this.#poses.standing(point, this.controls.target);
     this.#fly(this.#poses.of(eye, target, false));
   }
 
   view(name: ViewName): void {
-    this.#atHome = false;
+    if (name === 'corner') return this.home();
+    this.#framed = name === 'plan' ? 'plan' : null;
     if (name === 'plan') this.#fly(this.#poses.plan());
-    else if (name === 'corner') this.home();
     else this.#fly(this.#poses.framed(directionOf(facingAzimuth[name], 9), 0.05));
   }
 
   home(): void {
     this.#fly(this.#poses.home());
-    this.#atHome = true;
+    this.#framed = 'home';
   }
 
   /** Puts the eye into the room. */
   enter(): void {
-    this.#atHome = false;
+    this.#framed = null;
     this.rise(0);
     this.#loop.invalidate();
   }
@@ -163,16 +164,16 @@ export class CameraRig {
   land(): void {
     this.#stop();
     this.#apply(this.#poses.home());
-    this.#atHome = true;
+    this.#framed = 'home';
     this.#loop.invalidate();
   }
 
   /** The whole room from where the eye stands. */
   fit(): void {
-    if (this.plan) return this.#fly(this.#poses.plan());
+    if (this.plan) return this.view('plan');
     const offset = this.#perspective.position.clone().sub(this.controls.target).normalize();
     this.#fly(this.#poses.framed(offset.toArray(), 0.04));
-    this.#atHome = false;
+    this.#framed = null;
   }
 
   isFloor(point: Vector3): boolean {
@@ -185,7 +186,7 @@ export class CameraRig {
     if (this.plan) eye.add(point).sub(this.controls.target);
     const target = this.plan ? new Vector3(point.x, this.controls.target.y, point.z) : point;
     if (!this.plan) eye.add(target).sub(this.controls.target).lerp(target, 0.25);
-    this.#atHome = false;
+    this.#framed = null;
     this.#fly(this.#poses.of(eye, target, this.plan));
   }
 
@@ -232,7 +233,7 @@ export class CameraRig {
   };
 
   #grabbed = (): void => {
-    this.#atHome = false;
+    this.#framed = null;
     this.#stop();
   };
 

@@ -137,5 +137,13 @@ export function roundRange(high: number, logarithmic: boolean, steps = 0): [numb
   if (steps > 0 && !logarithmic) return [0, Number((steps * roundStep(high, steps)).toPrecision(9))];
   const step = roundStep(high, 5);
   const top = Math.ceil(high / step - 1e-9) * step;
-  return logarithmic ? [Math.pow(10, Math.floor(Math.log10(top) - 2 + 1e-9)), top] : [0, top];
+  return [logarithmic ? nearestRound(top / 100) : 0, top];
+}
+
+/** Of 1, 2 and 5 times the powers of ten the one that is nearest in ratio. */
+function nearestRound(value: number): number {
+  const power = Math.floor(Math.log10(value));
+  const rounds = [1, 2, 5, 10].map((mantissa) => Number((mantissa * 10 ** power).toPrecision(1)));
+  const away = (round: number) => Math.abs(Math.log(round / value));
+  return rounds.reduce((best, round) => (away(round) < away(best) ? round : best));
 }

@@ -113,6 +113,12 @@ export class Stage {
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
+    this.measure();
+  };
+
+  /** Reads what lies over the picture: to be called where controls have come or gone. */
+  measure(): void {
+    const { width, height } = this;
     const style = getComputedStyle(this.#canvas);
     const strip = (name: string) =>
       Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
@@ -120,8 +126,8 @@ export class Stage {
     const planTop = Math.max(top, strip('--plan-top'));
     const bottom = strip('--view-bottom');
     const planBottom = Math.max(bottom, strip('--plan-bottom'));
-    this.#host.resized(width, height, ratio, { top, planTop, bottom, planBottom });
-  };
+    this.#host.resized(width, height, this.ratio, { top, planTop, bottom, planBottom });
+  }
 
   #rescheme = (): void => {
     this.#background.setDark(this.#scheme.matches);

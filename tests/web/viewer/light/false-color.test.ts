@@ -123,7 +123,9 @@ describe('ticks of the legend', () => {
 
   test('a range is round and holds the light', () => {
     expect(falseColor.roundRange(870, false)).toEqual([0, 1000]);
-    expect(falseColor.roundRange(480, true)).toEqual([1, 500]);
+    expect(falseColor.roundRange(480, true)).toEqual([5, 500]);
+    expect(falseColor.roundRange(790, true)).toEqual([10, 800]);
+    expect(falseColor.roundRange(0.9, true)).toEqual([0.01, 1]);
     expect(falseColor.roundRange(0, false)).toEqual([0, 100]);
     expect(falseColor.roundRange(870, false, 8)).toEqual([0, 1600]); // steps of 200
     expect(falseColor.roundRange(870, false, 5)).toEqual([0, 1000]);
