@@ -7,6 +7,18 @@ test('the page speaks German where its address says so, until another language i
   await page.goto('./?room=box&lang=de');
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');
   await expect(page.getByText(/^(Fertig|Wie vorgegeben)$/)).toBeVisible({ timeout: 60_000 });
+
+  // Its words are longer: nothing leaves the open card on the narrowest of screens.
+  const usual = page.viewportSize()!;
+  await page.setViewportSize({ width: 320, height: 640 });
+  const beyond = await page.locator('.card.open').evaluate((card) => {
+    const parts = [...card.querySelectorAll('.field, .field-head > *, input, button')];
+    const { right } = card.getBoundingClientRect();
+    return parts.filter((part) => part.getBoundingClientRect().right > right).map((part) => part.className);
+  });
+  expect(beyond).toEqual([]);
+  await page.setViewportSize(usual);
+
   for (const name of ['Ziele', 'Leuchten', 'Ergebnisse']) await page.getByRole('tab', { name }).click();
   const evenness = page.getByRole('table', { name: 'Licht je Fläche' }).locator('td').last();
   await expect(evenness).toHaveText(/^\d,\d\d$/);
