@@ -1,5 +1,6 @@
 /** A card: surface, verb, what is asked and what it reaches. The opened card carries all its controls and the histogram. */
 import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
+import { useEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
@@ -37,9 +38,14 @@ export function IntentionCard({ card }: CardProps) {
     store.surface.value = leaves[0];
     if (scene) app.viewer.reveal(leaves.map((leaf) => leafBehind(scene, leaf)));
   };
+  // A card above that closes with this opening would draw its title out of sight.
+  const head = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (isOpen) head.current?.scrollIntoView({ block: 'nearest' });
+  }, [isOpen]);
   return (
     <article class={isOpen ? 'card open' : 'card'}>
-      <header>
+      <header ref={head}>
         <button class="card-title" aria-expanded={isOpen} onClick={toggle}>
           <ChevronRight size={15} aria-hidden class="twist" />
           <span class="card-verb">{words.value.intentions.verbs[card.verb].title}</span>
