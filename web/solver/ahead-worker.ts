@@ -4,7 +4,7 @@
  */
 import type { AheadRequest, FetchedAhead, FromWorker, ToWorker } from './protocol.ts';
 import type { FileBytes, WorkerLike } from './solver-client.ts';
-import { stopped } from './stopped.ts';
+import { WorkerEnded } from './worker-ended.ts';
 
 const aheadRevision = 0; // of the answers about the file that nobody has asked for yet; the client counts from 1
 
@@ -34,7 +34,7 @@ export class AheadWorker implements WorkerLike {
   onmessageerror: WorkerLike['onmessageerror'] = null;
   /** Resolves when the file begins to arrive. Rejects where there is none to be had: ask for it as if nobody had. */
   readonly begun: Promise<void>;
-  /** Its bytes. Rejects where they do not all arrive, by the clause that says why. */
+  /** Its bytes. Rejects where they do not all arrive: by WorkerEnded, or because the connection was lost. */
   readonly bytes: Promise<ArrayBuffer>;
   readonly #worker: RawWorker;
   #held: Extract<FromWorker, { readonly revision: number }>[] = [];
@@ -45,8 +45,7 @@ export class AheadWorker implements WorkerLike {
     this.#worker = worker;
     const begun = new Later<void>();
     const bytes = new Later<ArrayBuffer>();
-    const fail = (why: string) => {
-      const error = new Error(why);
+    const fail = (error: Error) => {
       begun.reject(error);
       bytes.reject(error);
     };
@@ -54,10 +53,10 @@ export class AheadWorker implements WorkerLike {
       if (data.type !== 'begun' && data.type !== 'fetched') this.#take(data);
       else if (data.type === 'begun' && data.isThere) begun.resolve();
       else if (data.type === 'fetched' && data.bytes) bytes.resolve(data.bytes);
-      else fail('the connection was lost');
+      else fail(new Error(`${address} could not be fetched ahead`));
     };
     worker.onerror = (event) => {
-      fail(stopped(event.message));
+      fail(new WorkerEnded(event.message ?? ''));
       if (this.onerror) this.onerror(event);
       else died();
     };

@@ -5,9 +5,10 @@
 import type { PhotometricDescription } from '../document/photometry.ts';
 import type { Intentions, Layout } from '../document/types.ts';
 import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
-import { stopped } from './stopped.ts';
+import { words } from '../language/language.ts';
+import { WorkerEnded } from './worker-ended.ts';
 
-/** A scene file, which may still be arriving; where it does not arrive, the clause that says why. */
+/** A scene file, which may still be arriving; rejects by WorkerEnded, or where the connection was lost. */
 export type FileBytes = ArrayBuffer | Promise<ArrayBuffer>;
 
 /** The part of a Worker that the client uses. */
@@ -85,7 +86,7 @@ export class SolverClient {
   open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = this.#colors = null;
-    for (const waiting of [this.#lit, this.#gaining]) endAll(waiting, 'another room was opened');
+    for (const waiting of [this.#lit, this.#gaining]) endAll(waiting, words.value.opening.solver.otherRoom);
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
@@ -231,7 +232,7 @@ export class SolverClient {
     this.#worker.terminate();
     if (++this.#deaths >= hopeless) {
       this.#isGone = true;
-      const message = `${stopped(reason)}; reload the page to go on`;
+      const message = words.value.opening.solver.reload(stopped(reason ?? ''));
       this.#receive({ type: 'failed', revision: this.#revision, message, fatal: true });
       return;
     }
@@ -248,8 +249,10 @@ export class SolverClient {
         (all) => {
           if (revision === this.#latest.open) this.#send({ revision, bytes: all }, this.#wish);
         },
-        (error: Error) => {
-          const message = `the room could not be loaded: ${error.message}; try again`;
+        (error: unknown) => {
+          const said = words.value.opening.solver;
+          const why = error instanceof WorkerEnded ? stopped(error.message) : said.lost;
+          const message = said.notArrived(why);
           this.#take({ type: 'failed', revision, message, fatal: false });
         },
       );
@@ -262,9 +265,9 @@ export class SolverClient {
   }
 
   #endReadings(): void {
-    endAll(this.#readings, 'the solver stopped while it read the file; try again');
+    endAll(this.#readings, words.value.opening.solver.whileReading);
     for (const waiting of [this.#lit, this.#gaining])
-      endAll(waiting, 'the solver stopped while it computed the light; try again');
+      endAll(waiting, words.value.opening.solver.whileLighting);
   }
 
   #wasRead({ revision, shown }: Extract<FromWorker, { readonly type: 'readings' }>): void {
@@ -322,6 +325,12 @@ export class SolverClient {
     const isBeside = answered === bound || answered === compare || answered === check;
     return answered === layout || (isBeside && answered > layout);
   }
+}
+
+/** note: a worker whose script cannot be loaded tells no reason. */
+function stopped(reason: string): string {
+  const said = words.value.opening.solver;
+  return said.stopped(reason.replace(/^(Uncaught )?(\w*Error: )?/, '') || said.noScript);
 }
 
 function endAll(readings: Map<number, Reading<never>>, why: string): void {

@@ -30,6 +30,16 @@ export const opening: Words['opening'] = {
   goingBack: 'Zurück',
   linkOfFile: (room) =>
     `Dieser Link handelt von „${room}“, einer Datei, die nicht zu dieser Seite gehört. Diese .flux-Datei hier öffnen, dann erscheint die Anordnung.`,
+  solver: {
+    noScript: 'sein Skript lässt sich nicht laden',
+    stopped: (why) => `der Solver ist ausgefallen (${why})`,
+    reload: (what) => `${what}; die Seite neu laden`,
+    lost: 'die Verbindung ist abgebrochen',
+    notArrived: (why) => `der Raum konnte nicht geladen werden: ${why}; noch einmal versuchen`,
+    otherRoom: 'ein anderer Raum wurde geöffnet',
+    whileReading: 'der Solver ist beim Lesen der Datei ausgefallen; noch einmal versuchen',
+    whileLighting: 'der Solver ist beim Berechnen des Lichts ausgefallen; noch einmal versuchen',
+  },
   openingLink: 'Link wird geöffnet',
   linkOutdated: (title) => `der Link wird nicht gezeigt: „${title}“ hat sich seitdem geändert`,
   linkNotMade: (why) => `Der Raum in diesem Link kann nicht erstellt werden: ${why}.`,

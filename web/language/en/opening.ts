@@ -26,6 +26,16 @@ export const opening = {
   goingBack: 'Going back',
   linkOfFile: (room: string) =>
     `This link is about “${room}”, a file that is not part of this site. Open that .flux file here and the layout appears.`,
+  solver: {
+    noScript: 'its script cannot be loaded',
+    stopped: (why: string) => `the solver stopped (${why})`,
+    reload: (what: string) => `${what}; reload the page to go on`,
+    lost: 'the connection was lost',
+    notArrived: (why: string) => `the room could not be loaded: ${why}; try again`,
+    otherRoom: 'another room was opened',
+    whileReading: 'the solver stopped while it read the file; try again',
+    whileLighting: 'the solver stopped while it computed the light; try again',
+  },
   openingLink: 'Opening the link',
   linkOutdated: (title: string) => `the link was not shown: “${title}” has changed since it was made`,
   linkNotMade: (why: string) => `The room in this link cannot be made: ${why}.`,
