@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::uint32_t kStepsPerRound = 300, kRounds = 200, kFruitlessRounds = 25;
 constexpr std::uint32_t kPolishSteps = 12000, kShifts = 50, kShiftStep = 200, kMostSitesToShift = 600;
+constexpr std::uint32_t kPairStep = 1000;
+constexpr double kRounding = 1e-9;
 
 std::vector<double> weightsOf(const PreparedScene& prepared) {
   std::vector<double> weights;
@@ -36,6 +38,7 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
                            const Evaluation& incumbent, const Layout* reference)
     : sites_(prepared.candidateCount()),
       relaxation_(std::move(relaxation)),
+      incumbent_(incumbent.goal),
       bound_(-kUnbounded),
       bestDual_(-kUnbounded) {
   const LuminaireRules& rules = intentions.luminaires;
@@ -46,6 +49,7 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
     shift_ = std::make_unique<DiagonalShift>(sites_, problem_.covariance);
   multipliers_.assign(problem_.sides.size() + problem_.aims.size(), 0.0);
   bestMultipliers_ = multipliers_;
+  if (std::isfinite(incumbent.goal)) pairGoal_ = pairGoalOf(prepared, rules, problem_);
   target_ = problem_.squared ? incumbent.goal * incumbent.goal : incumbent.goal;
   openRound();
 }
@@ -82,6 +86,11 @@ void OptimumBound::advance(std::uint32_t steps) {
       moveDiagonal();
       continue;
     }
+    if (stage_ == Stage::kPairs) {
+      steps -= std::min(steps, kPairStep);
+      advancePairs();
+      continue;
+    }
     --steps;
     const bool moving = relaxation_.step();
     ++stepsInRound_;
@@ -114,7 +123,7 @@ void OptimumBound::closeRound() {
   const double dual = relaxation_.bound();
   keep(dual);
   if (stage_ == Stage::kPolish) {
-    stage_ = Stage::kDone;
+    stage_ = pairGoal_ ? Stage::kPairs : Stage::kDone;
     return;
   }
   if (dual > bestDual_ + 1e-6 * std::fabs(dual)) {
@@ -168,11 +177,25 @@ double OptimumBound::constraintValue(const ConvexObjective& form) const {
   return value;
 }
 
-/// A proved value of the objective becomes one of the goal, less the rounding of the sums.
+void OptimumBound::advancePairs() {
+  if (pairGoal_) pairs_ = std::make_unique<PairBound>(std::move(*takePairs()), incumbent_);
+  pairs_->advance();
+  if (keepGoal(pairs_->goal())) isByPairs_ = true;
+  if (pairs_->done()) stage_ = Stage::kDone;
+}
+
+/// A proved value of the objective becomes one of the goal.
 void OptimumBound::keep(double dual) {
-  const double safe = dual - 1e-9 * std::fabs(dual);
-  const double goal = !problem_.squared ? safe : safe > 0 ? std::sqrt(safe) : 0;
-  bound_ = std::max(bound_, goal);
+  const double safe = dual - kRounding * std::fabs(dual);
+  keepGoal(!problem_.squared ? dual : safe > 0 ? std::sqrt(safe) : 0);
+}
+
+/// Less the rounding of the sums. Is it better than what was known?
+bool OptimumBound::keepGoal(double goal) {
+  const double safe = goal - kRounding * std::fabs(goal);
+  if (!std::isfinite(goal) || safe <= bound_) return false;
+  bound_ = safe;
+  return true;
 }
 
 std::optional<double> OptimumBound::within(const Evaluation& evaluation) const {

@@ -1,15 +1,18 @@
 // How good is a layout, provably? A value that no layout meeting the intentions can beat, by convex
 // relaxation (relaxed_intentions.h), Lagrange multipliers for the constraints, and z_i^2 = z_i moved out of
-// the covariance's diagonal. Only dual values are told, never an unconverged primal one.
+// the covariance's diagonal; then, where that applies, by what pairs of luminaires may do (pair_bound.h).
+// Only dual values are told, never an unconverged primal one.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/bound/convex_relaxation.h"
 #include "core/bound/diagonal_shift.h"
+#include "core/bound/pair_bound.h"
 #include "core/bound/relaxed_intentions.h"
 #include "core/search/objective.h"
 
@@ -29,13 +32,20 @@ class OptimumBound {
   /// False where no bound is known: without a goal, or with a contrast as goal.
   bool supported() const { return problem_.supported; }
 
-  /// Goes on for about so many Frank-Wolfe steps (O(sites) each; a Newton step counts as 200).
+  /// Goes on for about so many Frank-Wolfe steps (O(sites) each; a step that factors matrices counts as
+  /// 200 or 1000).
   void advance(std::uint32_t steps);
   bool done() const { return !problem_.supported || stage_ == Stage::kDone; }
 
   /// No layout that meets the constraints has an Evaluation::goal below this; -infinity until something is
   /// proved.
   double goal() const { return bound_; }
+
+  /// Takes away the last and longest stage, PairBound's, to be gone through elsewhere; nothing where there is
+  /// none. Precondition: advance() has not come to it.
+  std::optional<PairGoal> takePairs() { return std::exchange(pairGoal_, std::nullopt); }
+  /// Was goal() proved by pairs of luminaires?
+  bool isByPairs() const { return isByPairs_; }
 
   /// The best possible is better than `evaluation` by at most this share of the bound; nothing while nothing
   /// is proved, or when the evaluation violates a constraint.
@@ -45,7 +55,7 @@ class OptimumBound {
   OptimumBound(PreparedScene& prepared, const Intentions& intentions, ConvexRelaxation relaxation,
                const Evaluation& incumbent, const Layout* reference);
 
-  enum class Stage : std::uint8_t { kMultipliers, kShift, kPolish, kDone };
+  enum class Stage : std::uint8_t { kMultipliers, kShift, kPolish, kPairs, kDone };
 
   /// A form that a multiplier stands before, and what the multiplier may be.
   struct Multiplied {
@@ -57,7 +67,9 @@ class OptimumBound {
   void moveDiagonal();
   void closeRound();
   void closeMultipliers();
+  void advancePairs();
   void keep(double value);
+  bool keepGoal(double goal);
   double constraintValue(const ConvexObjective& form) const;
 
   std::uint32_t sites_ = 0;
@@ -65,7 +77,10 @@ class OptimumBound {
   ConvexRelaxation relaxation_;
   std::vector<double> multipliers_, bestMultipliers_;  // of the sides, then of the aims
   std::unique_ptr<DiagonalShift> shift_;
-  double target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
+  std::optional<PairGoal> pairGoal_;  // until its bound is begun
+  std::unique_ptr<PairBound> pairs_;
+  bool isByPairs_ = false;
+  double incumbent_, target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
   Stage stage_ = Stage::kMultipliers;
   std::uint32_t stepsInRound_ = 0, rounds_ = 0, fruitless_ = 0, shifts_ = 0;
 };

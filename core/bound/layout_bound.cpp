@@ -46,6 +46,12 @@ double LayoutBound::goal() const {
   return least;
 }
 
+BoundKind LayoutBound::kind() const {
+  if (proved_) return BoundKind::kEnumeration;
+  const bool isByPairs = parts_.size() == 1 && parts_[0]->isByPairs();
+  return isByPairs ? BoundKind::kPairs : BoundKind::kRelaxation;
+}
+
 std::optional<double> LayoutBound::within(const Evaluation& evaluation) const {
   if (!supported()) return std::nullopt;
   if (proved_) return evaluation.violation > 1e-9 ? std::nullopt : std::optional<double>(0);

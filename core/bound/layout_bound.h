@@ -13,6 +13,10 @@
 
 namespace fiatlux {
 
+/// What a bound is proved by.
+enum class BoundKind : std::uint8_t { kRelaxation, kPairs, kEnumeration };
+inline constexpr const char* kBoundKindNames[] = {"relaxation", "pairs", "enumeration"};  // by code
+
 class LayoutBound {
  public:
   /// As OptimumBound, for what a search has found; `prepared` is of sites and must outlive it.
@@ -25,6 +29,9 @@ class LayoutBound {
   bool done() const;
   /// No layout that meets the constraints has an Evaluation::goal below this; -infinity until it is proved.
   double goal() const;
+  BoundKind kind() const;
+  /// As OptimumBound::takePairs.
+  std::optional<PairGoal> takePairs() { return parts_.size() == 1 ? parts_[0]->takePairs() : std::nullopt; }
   /// As OptimumBound::within.
   std::optional<double> within(const Evaluation& evaluation) const;
 

@@ -108,8 +108,13 @@ class Relaxer {
       return;
     }
     if (goal.sense == Sense::kNear) return addAim(goal, *form, factor);
+    const double before = result_.goal.constant;
     addLinear(result_.goal, *form, goal, factor);
-    if (form->sigma != 0) addSigmaGoal(setOf(goal), factor * form->sigma);
+    result_.rest += result_.goal.constant - before;
+    if (form->sigma == 0) return;
+    const LitSet set = setOf(goal);
+    result_.sigmas.push_back({set.quantity, set.surfaces, factor * form->sigma});
+    addSigmaGoal(set, factor * form->sigma);
   }
 
   /// weight |value / target - 1|. Precondition: the value is linear.

@@ -33,12 +33,21 @@ struct RelaxedAim {
   double weight = 0;
 };
 
+/// A sigma in the goal, and what it counts a unit.
+struct RelaxedSigma {
+  Quantity quantity = Quantity::kIlluminance;
+  SurfaceSet surfaces;
+  double factor = 0;
+};
+
 struct RelaxedIntentions {
   /// False where no bound is known: without a goal, with a contrast as goal, or for the most sigma of ties.
   bool supported = false;
   FluxRange flux;
   ConvexObjective goal;  // with the aims never above Evaluation::goal, or above its square where `squared`
   bool squared = false;  // the goal is one sigma to make small
+  std::vector<RelaxedSigma> sigmas;  // the goal is `rest` + goal.linear x + perDimming t + these
+  double rest = 0;
   std::vector<double> covariance;      // where squared: C in the goal's units, m x m
   std::vector<RelaxedAim> aims;        // to be added to `goal`
   std::vector<ConvexObjective> sides;  // each <= 0 for every layout that meets the constraints

@@ -261,6 +261,7 @@ Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
 Result<Done> Session::startBound() {
   if (!search_) return Error{"no search is running that could be bounded"};
   bound_ = std::make_unique<LayoutBound>(*prepared_, intentions_, *search_);
+  bound_->takePairs();  // its steps are too long for whoever waits for the next search
   return Done{};
 }
 

@@ -144,6 +144,7 @@ void printRun(PreparedScene& prepared, const AskedSearch& asked, const Run& run)
 /// What is proved about the best possible goal: its bound in the goal's unit, and how far the best run is
 /// from it at most.
 Json boundJson(PreparedScene& prepared, const Intentions& intentions, const LayoutSearch& best) {
+  const auto begin = Clock::now();
   LayoutBound bound(prepared, intentions, best);
   while (!bound.done()) bound.advance(1u << 12);
   const std::optional<double> within = bound.within(best.evaluation());
@@ -151,7 +152,10 @@ Json boundJson(PreparedScene& prepared, const Intentions& intentions, const Layo
   const Layout reference{spreadSites(prepared, intentions.luminaires), {}, 1};
   const double factor =
       intentions.goals.size() == 1 ? Objective(prepared, intentions, reference).goalFactor(0) : 1.0;
-  return {{"goal", bound.goal() / factor}, {"within", *within}};
+  return {{"goal", bound.goal() / factor},
+          {"within", *within},
+          {"kind", kBoundKindNames[static_cast<std::size_t>(bound.kind())]},
+          {"seconds", std::chrono::duration<double>(Clock::now() - begin).count()}};
 }
 
 void printBound(const Json& bound) {
@@ -159,7 +163,10 @@ void printBound(const Json& bound) {
     std::printf("nothing is proved about the best possible for these intentions\n");
   else
     std::printf(
-        "proved: no layout reaches a goal beyond %s; the best found is within %.3g %% of the best possible\n",
+        "proved by %s in %.3g s: no layout reaches a goal beyond %s; the best found is within %.3g %% of the "
+        "best "
+        "possible\n",
+        bound["kind"].get<std::string>().c_str(), bound["seconds"].get<double>(),
         shortNumber(bound["goal"].get<double>(), kReportDigits).c_str(), 100 * bound["within"].get<double>());
 }
 

@@ -227,6 +227,33 @@ TEST(Bound, DeclinesWhatItCannotProve) {
   EXPECT_FALSE(bound.within({0, -1, 1}));
 }
 
+TEST(Bound, ComesNearWhereLuminairesAreFewAndKeepTheirDistance) {
+  PreparedScene prepared(smallRoom());
+  Intentions apart = three({wallNear(45), kEven});
+  apart.luminaires.minDistance = 1.6;
+  const Evaluation best = exhaustiveOptimum(prepared, apart);
+  ASSERT_LT(best.violation, 1e-9);
+  const double bound = boundOf(prepared, apart, best);
+  EXPECT_LE(bound, best.goal * (1 + 1e-6));
+  EXPECT_GE(bound, best.goal * 0.98);
+}
+
+TEST(Bound, SaysWhatItIsProvedBy) {
+  PreparedScene prepared(smallRoom());
+  Intentions intentions = three({kEven});
+  const Evaluation best = exhaustiveOptimum(prepared, intentions);
+  OptimumBound whole(prepared, intentions, best), early(prepared, intentions, best);
+  EXPECT_TRUE(early.takePairs());
+  EXPECT_FALSE(early.takePairs());
+  for (OptimumBound* bound : {&whole, &early})
+    while (!bound->done()) bound->advance(1000);
+  EXPECT_TRUE(whole.isByPairs());
+  EXPECT_FALSE(early.isByPairs());
+  EXPECT_GT(whole.goal(), early.goal());
+  intentions.luminaires.dimmingLow = 0.5;
+  EXPECT_FALSE(OptimumBound(prepared, intentions, best).takePairs()) << "it is of one dimming";
+}
+
 TEST(DiagonalShift, StaysPositiveAndHelpsADiagonalMatrix) {
   // C = diag(1, 2, 3): everything may be moved out.
   DiagonalShift shift(3, {1, 0, 0, 0, 2, 0, 0, 0, 3});
