@@ -108,7 +108,8 @@ export class Comparing {
       new Promise<Outcome | null>((resolve) =>
         this.#try([asked], evaluationsOfRelief, ([outcome]) => resolve(outcome ?? null)),
       );
-    const relief = await findRelief(of, constraints, tryOne);
+    const { areas, excluded } = this.#store.document.peek().luminaires;
+    const relief = await findRelief(of, constraints, tryOne, areas ? excluded : null);
     if (this.#store.traced.peek().intentions === of) this.#store.relief.value = relief;
   }
 

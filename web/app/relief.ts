@@ -19,8 +19,19 @@ export interface EasedBound {
   readonly bound: number | null;
 }
 
+/** A rule about places as it would do: m between luminaires, or the room without its areas in plan. */
+export type EasedRule =
+  | { readonly rule: 'apart'; readonly least: number }
+  | { readonly rule: 'places'; readonly excluded: readonly number[] };
+
+/** What it costs is told, too. */
+export interface RuleWay extends Way<EasedRule> {
+  readonly lumens: number;
+}
+
 export interface Relief {
   readonly of: Intentions; // that were asked for
+  readonly rules: readonly RuleWay[]; // each alone does, and every bound is met
   readonly conflict: readonly number[]; // constraints that cannot be met together; without any of them the others can
   readonly single: readonly Way<EasedBound>[]; // each alone does
   readonly patches: readonly Way<number>[]; // constraints that do as true minima or maxima instead of by statistics
@@ -31,12 +42,17 @@ export interface Relief {
 /** What a short search reaches for other intentions; null where the rules leave no layout. */
 export type TryOne = (asked: Intentions) => Promise<Outcome | null>;
 
-/** `reached`: the value of each constraint in the layout shown, and whether it is met there. */
+/**
+ * `reached`: the value of each constraint in the layout shown, and whether it is met there. `withoutAreas`: the places kept
+ * free one by one, where areas in plan keep others free; else null.
+ */
 export async function findRelief(
   of: Intentions,
   reached: readonly { readonly value: number; readonly met: boolean; readonly margin: number }[],
   tryOne: TryOne,
+  withoutAreas: readonly number[] | null = null,
 ): Promise<Relief> {
+  const rules = await easedRules(of, withoutAreas, tryOne);
   const all = [...of.constraints.keys()];
   const layoutFor = async (asked: Intentions) => {
     const outcome = await tryOne(asked);
@@ -68,7 +84,41 @@ export async function findRelief(
   const flux = await moreFlux(of, conflict, layoutFor);
   const broken = all.filter((i) => !reached[i]?.met);
   const together = single.length === 0 ? await easedTogether(of, broken, reached, layoutFor) : null;
-  return { of, conflict, single, patches, flux, together };
+  return { of, rules, conflict, single, patches, flux, together };
+}
+
+/** Distances below one, m, to a tenth; the last one is none. */
+const shorterThan = (apart: number): number[] => {
+  const tenths = Math.ceil(10 * apart - 1e-9) - 1;
+  const stride = Math.max(1, Math.ceil(tenths / 10));
+  const steps = Array.from({ length: Math.floor(tenths / stride) }, (_, i) => (tenths - i * stride) / 10);
+  return [...steps.filter((step) => step > 0), 0];
+};
+
+/** How near together, or where else, luminaires would have to hang for every bound to be met. */
+async function easedRules(
+  of: Intentions,
+  withoutAreas: readonly number[] | null,
+  tryOne: TryOne,
+): Promise<RuleWay[]> {
+  const { luminaires } = of;
+  const ways: RuleWay[] = [];
+  const lumens = new Map<EasedRule, number>();
+  const under = async (change: EasedRule) => {
+    const eased = change.rule === 'apart' ? { minDistance: change.least } : { excluded: change.excluded };
+    const outcome = await tryOne({ ...of, luminaires: { ...luminaires, ...eased } });
+    lumens.set(change, outcome?.lumens ?? 0);
+    return outcome?.met ? outcome.layout : null;
+  };
+  const tried: EasedRule[][] = [];
+  if (luminaires.minDistance > 0)
+    tried.push(shorterThan(luminaires.minDistance).map((least) => ({ rule: 'apart', least })));
+  if (withoutAreas) tried.push([{ rule: 'places', excluded: withoutAreas }]);
+  for (const changes of tried) {
+    const way = await firstThatDoes(changes, under);
+    if (way) ways.push({ ...way, lumens: lumens.get(way.change) ?? 0 });
+  }
+  return ways;
 }
 
 type LayoutFor = (asked: Intentions) => Promise<Layout | null>;

@@ -74,6 +74,21 @@ test('a guarantee by statistics may do as one of every patch', async () => {
   expect(relief.patches.map(({ change }) => change)).toEqual([0]);
 });
 
+test('rules about places that stand in the way are named with what would do', async () => {
+  const room = async ({ luminaires }: Intentions) => {
+    const met = luminaires.minDistance <= 1.3 || luminaires.excluded.length === 1;
+    return { layout, lumens: 1000 * (1 + luminaires.minDistance), met, violation: met ? 0 : 1 };
+  };
+  const asked = wish(floor(200));
+  const luminaires = { ...asked.luminaires, minDistance: 1.8, excluded: [4, 5, 6] };
+  const { rules } = await findRelief({ ...asked, luminaires }, [missed(100, -0.5)], room, [5]);
+  expect(rules).toEqual([
+    { change: { rule: 'apart', least: 1.3 }, layout, lumens: 2300 },
+    { change: { rule: 'places', excluded: [5] }, layout, lumens: 2800 },
+  ]);
+  expect((await findRelief(asked, [missed(100, -0.5)], room)).rules).toEqual([]);
+});
+
 test('steps are round, and each asks for less', () => {
   const down = roundSteps(500, 'min', false, 437);
   expect(down.slice(0, 3)).toEqual([490, 480, 475]);

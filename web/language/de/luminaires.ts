@@ -33,6 +33,10 @@ export const luminaires: Words['luminaires'] = {
     asked: { free: 'freie Anordnung', symmetric: 'symmetrische Anordnung', rows: 'Reihen', field: 'Raster' },
     met: { free: 'freie Anordnung', symmetric: 'symmetrische Anordnung', rows: 'Reihen', field: 'Raster' },
     notAs: (rule, count) => `Nicht als ${rule} mit ${count}. Alles erfüllt als:`,
+    notApart: (metres) => `Nicht mit ${metres} m Abstand. Alles ist erfüllt mit:`,
+    apartBy: (metres) => `${metres} m Abstand`,
+    notWithin: 'Nicht in den Flächen im Grundriss. Alles ist erfüllt:',
+    anywhere: 'ohne diese Flächen',
     more: (count) => `Oder ${count} ${count === 1 ? 'Leuchte' : 'Leuchten'} mehr`,
   },
   counts: {
@@ -40,6 +44,7 @@ export const luminaires: Words['luminaires'] = {
     of: (count, cost) => `${count} Leuchten: ${cost}`,
     tip: (count, cost) => `${count}: ${cost}`,
     none: 'Keine dieser Zahlen erfüllt alle Vorgaben.',
+    noBounds: 'Es gibt keine Forderung, die eine Anzahl verfehlen könnte: etwa ein Mindestmittelwert.',
     allMet: (cost) => `${cost}, alles erfüllt`,
     fewest: (count) => `Wenigste, die alles erfüllen: ${count}`,
     cheapest: (count, watts) => `Geringste Leistung: ${count} (${watts} W)`,
@@ -66,7 +71,7 @@ export const luminaires: Words['luminaires'] = {
   dimmedFrom: 'Mindestens',
   dimmedLeast: 'Gedimmt auf mindestens',
   apart: 'Abstand mindestens',
-  neighbours: 'Nur Nachbarn weichen einer verschobenen Leuchte aus',
+  neighbours: 'Höchstens vier andere folgen einer verschobenen Leuchte',
   noFewer: (count) => `Nicht weniger: ${count} sind fixiert.`,
   unpin: (count) => (count === 1 ? 'Fixierte lösen' : `Alle ${count} lösen`),
   allow: (count) =>

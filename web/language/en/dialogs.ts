@@ -24,7 +24,7 @@ export const dialogs = {
     luminaire: { what: 'Drag a luminaire', does: 'pin it elsewhere; the others compensate' },
     area: {
       what: 'Luminaires, Keep out or Keep in',
-      does: 'drag a rectangle in the plan where none, or all, may hang',
+      does: 'drag a rectangle in the plan, or click corners, where none, or all, may hang',
     },
     arrows: { what: 'Arrows on a slider', does: 'one step; Shift × 10, Alt × 0.1' },
   },

@@ -4,7 +4,7 @@ import { useApp } from '../../app/app.ts';
 import type { EasedBound, Relief, Way } from '../../app/relief.ts';
 import { conflicting, easedCards, fieldText, type Conflicting } from '../../app/words/explain.ts';
 import { compact, unitOfBound } from '../../app/words/format.ts';
-import { MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
+import { EasedRules, MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
 import { namesText } from './surface-picker.tsx';
 import { words } from '../../language/language.ts';
 import { shortest } from '../../language/numbers.ts';
@@ -32,6 +32,7 @@ export function InfeasibleHelp() {
         {titleOf(relief ? bounds.length : 0, missed)}
       </h2>
       <RulesFirst />
+      {relief && <EasedRules rules={relief.rules} />}
       {relief ? <Ways relief={relief} bounds={bounds} /> : <p>{words.value.intentions.infeasible.looking}</p>}
     </section>
   );

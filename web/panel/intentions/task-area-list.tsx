@@ -1,6 +1,6 @@
 /** Task areas: drawn in the plan or taken from furniture, moved by their numbers, asked for light. */
 import { Pencil, SquareDashed, Trash2, Waypoints } from 'lucide-preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
 import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
@@ -145,7 +145,7 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
 function NameField({ name, take }: { name: string; take: (next: string | null) => void }) {
   const isOver = useRef(false); // taken or left: a field that goes is left once more
   const field = useRef<HTMLInputElement>(null);
-  useEffect(() => field.current?.select(), []);
+  useLayoutEffect(() => field.current?.select(), []); // before the next key
   const end = (next: string | null) => {
     if (!isOver.current) take(next);
     isOver.current = true;

@@ -2,6 +2,7 @@
 import { useApp } from '../../app/app.ts';
 import { fewestMet } from '../../app/comparing.ts';
 import type { Comparison } from '../../app/state/store.ts';
+import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
 import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
@@ -11,6 +12,7 @@ export function CountStrip() {
   const comparison = store.comparison.value;
   if (!comparison || comparison.counts.length < 2) return null;
   const isCurrent = comparison.of === store.traced.value.intentions;
+  const isBounded = hasBounds(store.traced.value.intentions);
   const shown = store.shown.value?.layout.sites.length;
   const take = (count: number) =>
     store.edit(words.value.steps.count, ({ luminaires }) => {
@@ -25,11 +27,11 @@ export function CountStrip() {
           return (
             <button
               key={count}
-              class={outcome?.met ? 'met' : 'unmet'}
+              class={outcome?.met && isBounded ? 'met' : 'unmet'}
               aria-pressed={count === shown}
               aria-label={words.value.luminaires.counts.of(
                 count,
-                outcome?.met ? words.value.luminaires.counts.allMet(cost) : cost,
+                outcome?.met && isBounded ? words.value.luminaires.counts.allMet(cost) : cost,
               )}
               title={words.value.luminaires.counts.tip(count, cost)}
               onClick={() => take(count)}
@@ -40,10 +42,17 @@ export function CountStrip() {
           );
         })}
       </div>
-      <Fewest comparison={comparison} take={take} />
+      {isBounded ? (
+        <Fewest comparison={comparison} take={take} />
+      ) : (
+        <p class="field-note">{words.value.luminaires.counts.noBounds}</p>
+      )}
     </div>
   );
 }
+
+/** Whether there is anything that a number of luminaires could miss. */
+const hasBounds = ({ constraints, glare }: Intentions) => constraints.length > 0 || glare?.max !== undefined;
 
 const tallest = 34; // px
 

@@ -1,7 +1,9 @@
 /** Ways out of what cannot be met that lie with the luminaires: another arrangement, or more of them. Each was tried. */
 import { useApp } from '../../app/app.ts';
 import { arrangementOf, fewestMet, rules } from '../../app/comparing.ts';
+import type { RuleWay } from '../../app/relief.ts';
 import type { Rule } from '../../document/types.ts';
+import { shortest } from '../../language/numbers.ts';
 import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
 
@@ -38,6 +40,38 @@ export function RulesFirst() {
         ))}
       </div>
     </div>
+  );
+}
+
+/** Where it is the distance or the areas in plan: what of them would do, and what that costs. */
+export function EasedRules({ rules: ways }: { rules: readonly RuleWay[] }) {
+  const { store } = useApp();
+  const { minDistance } = store.document.value.luminaires;
+  const say = words.value.luminaires.arrangement;
+  const take = ({ change, layout }: RuleWay) =>
+    store.edit(
+      change.rule === 'apart' ? words.value.steps.distance : words.value.steps.area,
+      ({ luminaires }) => {
+        if (change.rule === 'apart') luminaires.minDistance = change.least;
+        else delete luminaires.areas;
+      },
+      null,
+      { by: 'search', from: layout },
+    );
+  return (
+    <>
+      {ways.map((way) => (
+        <div key={way.change.rule} class="rules-first">
+          <p>{way.change.rule === 'apart' ? say.notApart(shortest(minDistance)) : say.notWithin}</p>
+          <div class="row">
+            <button class="button small" onClick={() => take(way)}>
+              {way.change.rule === 'apart' ? say.apartBy(shortest(way.change.least)) : say.anywhere},{' '}
+              {costText({ met: true, lumens: way.lumens }, store.efficacy.value)}
+            </button>
+          </div>
+        </div>
+      ))}
+    </>
   );
 }
 
