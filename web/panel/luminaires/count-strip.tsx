@@ -1,4 +1,5 @@
 /** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { fewestMet } from '../../app/comparing.ts';
 import type { Comparison } from '../../app/state/store.ts';
@@ -9,11 +10,14 @@ import { words } from '../../language/language.ts';
 
 export function CountStrip() {
   const { store } = useApp();
+  const strip = useRef<HTMLDivElement>(null);
+  const shown = store.shown.value?.layout.sites.length;
+  const isThere = (store.comparison.value?.counts.length ?? 0) > 1;
+  useLayoutEffect(() => centre(strip.current), [shown, isThere]);
   const comparison = store.comparison.value;
   if (!comparison || comparison.counts.length < 2) return null;
   const isCurrent = comparison.of === store.traced.value.intentions;
   const isBounded = hasBounds(store.traced.value.intentions);
-  const shown = store.shown.value?.layout.sites.length;
   const take = (count: number) =>
     store.edit(words.value.steps.count, ({ luminaires }) => {
       luminaires.count = count;
@@ -21,7 +25,7 @@ export function CountStrip() {
     });
   return (
     <div class="field count-strip" data-current={isCurrent}>
-      <div class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
+      <div ref={strip} class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
           const cost = costText(outcome, store.efficacy.value);
           return (
@@ -53,6 +57,14 @@ export function CountStrip() {
 
 /** Whether there is anything that a number of luminaires could miss. */
 const hasBounds = ({ constraints, glare }: Intentions) => constraints.length > 0 || glare?.max !== undefined;
+
+/** What is shown stands in the middle of what is in view. */
+function centre(strip: HTMLElement | null): void {
+  const pressed = strip?.querySelector<HTMLElement>('[aria-pressed="true"]');
+  if (!strip || !pressed) return;
+  const [all, one] = [strip.getBoundingClientRect(), pressed.getBoundingClientRect()];
+  strip.scrollLeft += one.left + one.width / 2 - all.left - all.width / 2;
+}
 
 const tallest = 34; // px
 
