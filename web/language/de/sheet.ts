@@ -37,7 +37,7 @@ export const sheet: Words['sheet'] = {
   materials: {
     title: 'Reflexionsgrade',
     reflectance: (material) => `Reflexionsgrad von ${material}`,
-    byRole: 'nach der Fläche',
+    byRole: 'je Fläche',
     byRoleTip: 'Noch ohne Farbe: Decken 70 %, Wände 50 %, Böden 20 %, anderes 40 %',
     byPicture: 'Bild',
     none: 'Keine Materialien: Decken reflektieren 70 %, Wände 50 %, Böden 20 %, anderes 40 %.',

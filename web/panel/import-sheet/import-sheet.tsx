@@ -31,19 +31,21 @@ export function ImportSheet() {
           <X size={17} aria-hidden />
         </button>
       </header>
-      <div class="maker-fields" tabIndex={-1}>
-        {!survey && !fault && <p class="fine-print">{words.value.sheet.looking}</p>}
-        {fault && (
-          <p class="sheet-warning" role="alert">
-            <TriangleAlert size={15} aria-hidden />
-            <span>{fault}</span>
-          </p>
-        )}
-        <SizeSection state={state} choose={(part) => sheet.choose(part)} />
-        <MountsSection state={state} sheet={sheet} />
-        <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
-        <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
-        <Remarks lines={survey?.warnings ?? []} />
+      <div class="maker-body">
+        <div class="maker-fields" tabIndex={-1}>
+          {!survey && !fault && <p class="fine-print">{words.value.sheet.looking}</p>}
+          {fault && (
+            <p class="sheet-warning" role="alert">
+              <TriangleAlert size={15} aria-hidden />
+              <span>{fault}</span>
+            </p>
+          )}
+          <SizeSection state={state} choose={(part) => sheet.choose(part)} />
+          <MountsSection state={state} sheet={sheet} />
+          <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
+          <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
+          <Remarks lines={survey?.warnings ?? []} />
+        </div>
       </div>
       <footer class="maker-footer">
         <button class="button primary" disabled={fault !== null} onClick={() => sheet.light()}>
