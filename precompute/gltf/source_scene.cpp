@@ -49,17 +49,36 @@ std::string planIn(const nlohmann::json& json) {
   return text.size() > kLongest ? std::string() : text;
 }
 
+/// Triangles of one mesh wherever it is shown.
+struct Shown {
+  std::size_t each = 0, times = 0;
+  int first = -1;  // node
+};
+
 /// Refuses what is too many before it is read.
 void checkTriangles(const Model& model, const std::vector<int>& nodes) {
+  std::vector<Shown> meshes(model.meshes.size());
   std::size_t triangles = 0;
   for (const int i : nodes)
-    if (const int mesh = model.nodes[i].mesh; mesh >= 0)
-      for (const auto& primitive : model.meshes[mesh].primitives)
-        triangles += triangleCount(model, primitive);
-  if (triangles > GltfBudget::kTriangles)
-    throw GltfError(std::to_string(triangles) + " triangles after instancing, and " +
+    if (const int mesh = model.nodes[i].mesh; mesh >= 0) {
+      Shown& shown = meshes[mesh];
+      if (shown.times++ == 0) {
+        shown.first = i;
+        for (const auto& primitive : model.meshes[mesh].primitives)
+          shown.each += triangleCount(model, primitive);
+      }
+      triangles += shown.each;
+    }
+  if (triangles > GltfBudget::kTriangles) {
+    const auto most = std::max_element(meshes.begin(), meshes.end(), [](const Shown& a, const Shown& b) {
+      return a.each * a.times < b.each * b.times;
+    });
+    throw GltfError(std::to_string(triangles) + " triangles after instancing, most of them in node " +
+                    std::to_string(most->first) + " '" + cleanName(model.nodes[most->first].name) + "' (" +
+                    std::to_string(most->each) + ", " + std::to_string(most->times) + " times), and " +
                     std::to_string(GltfBudget::kTriangles / 1'000'000) +
                     " million are accepted; simplify the meshes");
+  }
   if (triangles == 0)
     throw GltfError("no surfaces: it holds no triangles; export meshes, not points or lines");
 }

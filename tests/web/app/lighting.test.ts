@@ -2,10 +2,15 @@
 import { describe, expect, test } from '@jest/globals';
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
+import type { BuilderPool } from '../../../web/builder/pool.ts';
+import type { Model } from '../../../web/builder/protocol.ts';
+import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
+import type { Placing } from '../../../web/app/opening/placing.ts';
+import type { Solving } from '../../../web/app/solving.ts';
+import { firstDisplay, Store } from '../../../web/app/state/store.ts';
 import { areSameSites, carriedOver } from '../../../web/app/lighting/carried-over.ts';
 import { TimeLeft } from '../../../web/app/lighting/time-left.ts';
 import { askedOfUnknown, documentFrom } from '../../../web/app/rooms/opening-wish.ts';
-import { firstDisplay } from '../../../web/app/state/store.ts';
 import { timeLeft } from '../../../web/panel/preview-note.tsx';
 
 function sceneWith(identity: string, xs: readonly number[]): SceneInfo {
@@ -50,4 +55,21 @@ test('the time left is told once something is known, and comes down', () => {
   const later = left.at(0.9, 18_000);
   expect(later).toBeLessThan(early!);
   expect([0.3, 8, 23, 200].map(timeLeft)).toEqual(['1 s', '8 s', '25 s', '3 min']);
+});
+
+test('what is wrong with a model is known before anything is computed', async () => {
+  const model: Model = { name: 'cut.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  const lightingOf = (survey: () => Promise<unknown>) =>
+    new Lighting(
+      new Store(),
+      null as unknown as Solving,
+      null as unknown as Placing,
+      null as unknown as Shelf,
+      async () => ({ survey }) as unknown as BuilderPool,
+    );
+  const broken = lightingOf(async () => {
+    throw new Error('cut.glb: the GLB is cut off; export it again');
+  });
+  expect(await broken.faultOf(model)).toBe('cut.glb: the GLB is cut off; export it again');
+  expect(await lightingOf(async () => ({})).faultOf(model)).toBeNull();
 });

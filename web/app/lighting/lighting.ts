@@ -2,6 +2,7 @@
  * Light for a model that has none, computed in the page: a draft with coarse patches is shown and solved first, and the
  * full pass takes its place, with everything that was asked meanwhile. One room at a time: the latest wish wins.
  */
+import { usualOptions } from '../../builder/builder.ts';
 import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
 import { chosenModel, chosenOptions, usualChoices, type ModelChoices } from '../importing/model-choices.ts';
@@ -91,6 +92,17 @@ export class Lighting {
   /** Once more, after it has failed. */
   again(): void {
     if (this.#model) void this.light(this.#model, this.#choices);
+  }
+
+  /** Why a model cannot be lit, as far as that is known before anything is computed; null where it can. */
+  async faultOf(model: Model): Promise<string | null> {
+    try {
+      const pool = await this.#createPool();
+      await pool.survey(model, usualOptions);
+      return null;
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
   }
 
   /** Opens the sheet of how the model was understood; closed by itself. */

@@ -21,6 +21,8 @@ import { words } from '../../language/language.ts';
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
 
+const lineOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
 /** The model in one plain .glb; null where it is broken. */
 async function plainOf({ bytes, siblings }: Model): Promise<Model['bytes'] | null> {
   const { needsUnpacking } = await import('../importing/plain-glb.ts');
@@ -61,7 +63,7 @@ export class FileOpening {
       if (inside) return await this.open(inside);
       if (!model && isForImport(files.map(({ name }) => name))) return await this.#import(files);
     } catch (error) {
-      return this.#refuse(error instanceof Error ? error.message : String(error));
+      return this.#refuse(lineOf(error));
     }
     const arePhotometric = files.every(({ name }) => isPhotometricName(name));
     if (model) {
@@ -132,13 +134,22 @@ export class FileOpening {
     const isOpen = await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const plain = await plainOf(model);
       if (plain) model = { name, bytes: plain, siblings: new Map() };
-      if (plain && isCurrent()) await this.#viewer.preview(plain.buffer);
+      if (plain && isCurrent()) await this.#preview(model);
       if (!isCurrent()) return;
       this.#store.making.value = null;
       this.#store.plan.value = /\.glb$/i.test(name) ? planOfGlb(bytes) : null;
       if (plain) this.#store.preview.value = name;
     });
     if (isOpen) await this.#lighting.light(model);
+  }
+
+  /** Of a model that cannot be shown, what computes light tells better what is wrong. */
+  async #preview(model: Model): Promise<void> {
+    try {
+      await this.#viewer.preview(model.bytes.buffer);
+    } catch (error) {
+      throw new Error((await this.#lighting.faultOf(model)) ?? lineOf(error), { cause: error });
+    }
   }
 
   #refuse(why: string): void {
