@@ -1,7 +1,7 @@
 /** The frame of the app: bar, view, panel, dialogs. It makes the app once the canvas exists and opens the first room. */
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { forgetLink, isEmbedded, roomOfState, wishedRoom } from '../app/opening/address.ts';
+import { forgetLink, isEmbedded, isShownAgain, roomOfState, wishedRoom } from '../app/opening/address.ts';
 import { AppContext, App, type Parts } from '../app/app.ts';
 import { actions } from '../app/actions.ts';
 import { listenToKeys } from '../app/keyboard.ts';
@@ -109,10 +109,9 @@ async function embed(app: App): Promise<void> {
 /** The work as it was left: by a reload, else the latest one, unless the address wishes for a room. */
 async function lastWork() {
   const left = takeFromReload();
-  // The tab may have been left for the page of another room; a reload finds its own step of the history again.
-  const isAnother = left?.project.document.room !== wishedRoom() && roomOfState(history.state) === null;
-  if (wishedRoom() !== null) return isAnother ? null : left;
-  if (left) return left;
+  const wished = wishedRoom();
+  if (left && isShownAgain(left.project.document.room, wished, history.state)) return left;
+  if (wished !== null) return null;
   try {
     const { loadLatest } = await import('../document/autosave.ts');
     return await loadLatest();

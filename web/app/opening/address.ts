@@ -44,6 +44,11 @@ export function roomOfState(state: unknown): string | null {
   return typeof fiatlux === 'string' ? fiatlux : null;
 }
 
+/** Whether the work on a room that this tab was left with is shown again: not where it went on to the page of another. */
+export function isShownAgain(room: string, wished: string | null, state: unknown): boolean {
+  return wished === null || room === wished || roomOfState(state) !== null; // a reload keeps its step of the history
+}
+
 /** The room that is on the screen now: a new step where it is another one than before. */
 export function tellRoom(room: string): void {
   // An embedded page leaves the steps of the history to the page around it.
