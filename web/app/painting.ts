@@ -33,6 +33,8 @@ export class Painting {
   readonly #viewer: Viewer;
   /** Whether somebody looks at what paint gains. */
   readonly isWatched = signal(false);
+  /** Whether that stands on the screen: only then the best one glows. */
+  readonly isSeen = signal(false);
   readonly #gains = signal<{ readonly of: Shown; readonly gains: readonly PaintGain[] } | null>(null);
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -62,7 +64,7 @@ export class Painting {
     const { sheet, scene } = this.#store;
     const told = sheet.value && scene.value ? mountsIn(sheet.value) : [];
     if (told.length > 0) return told.flatMap((name) => leavesOf([name], scene.value!.surfaces));
-    const first = this.isWatched.value ? this.lines.value[0] : undefined;
+    const first = this.isSeen.value ? this.lines.value[0] : undefined;
     return first ? [first.surface] : [];
   });
 

@@ -61,6 +61,8 @@ test('which paint helps is told of what is asked, and the first glows while it i
     { surface: wall, name: 'wall', isLighter: true, text: '+12.0 lx', share: 1 },
     { surface: 0, name: 'floor', isLighter: false, text: '+2.00 lx', share: 2 / 12 },
   ]);
+  expect(viewer.glow).toEqual([]); // not on the screen
+  app.painting.isSeen.value = true;
   expect(viewer.glow).toEqual([wall]);
   // A bound that is missed comes first.
   const card = app.store.document.value.cards.at(-1)!;
@@ -70,7 +72,7 @@ test('which paint helps is told of what is asked, and the first glows while it i
     ['floor', false],
     ['wall', false],
   ]);
-  app.painting.isWatched.value = false;
+  app.painting.isSeen.value = false;
   expect(viewer.glow).toEqual([]);
 });
 

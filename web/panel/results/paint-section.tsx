@@ -164,13 +164,14 @@ function Helping() {
   const hasWish = wish !== null;
   useEffect(() => {
     if (!list.current) return;
+    painting.isWatched.value = true;
     const observer = new IntersectionObserver((seen) => {
-      painting.isWatched.value = seen.at(-1)?.isIntersecting ?? false;
+      painting.isSeen.value = seen.at(-1)?.isIntersecting ?? false;
     });
     observer.observe(list.current);
     return () => {
       observer.disconnect();
-      painting.isWatched.value = false;
+      painting.isWatched.value = painting.isSeen.value = false;
     };
   }, [hasWish]);
   if (!wish) return null;
