@@ -35,12 +35,14 @@ float reflectanceOf(const Region& region, double area) {
 AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTree& tree) {
   AssumedReflectance assumed;
   assumed.ofTriangle.resize(source.meshes.size());
-  std::size_t count = 0, white = 0;
+  std::size_t count = 0;
+  std::string white;  // the first of such materials
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     if (!isPlain(source, source.meshes[m])) continue;
     assumed.ofTriangle[m].assign(source.meshes[m].triangles.size(), kOfThings);
     ++count;
-    if (source.meshes[m].material >= 0) ++white;
+    if (const int material = source.meshes[m].material; material >= 0 && white.empty())
+      white = " but white ('" + source.materials[material].name + "')";
   }
   if (count == 0) return assumed;
 
@@ -55,9 +57,9 @@ AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTre
           if (face.back == back && !values.empty()) values[face.source] = reflectanceOf(region, area);
         }
   assumed.note = std::to_string(count) + (count == 1 ? " mesh has" : " meshes have") + " no material" +
-                 (white > 0 ? " but white" : "") + ": ceilings are taken to reflect " +
-                 shortNumber(kOfCeilings) + ", walls " + shortNumber(kOfWalls) + ", floors " +
-                 shortNumber(kOfFloors) + ", other things " + shortNumber(kOfThings);
+                 white + ": ceilings are taken to reflect " + shortNumber(kOfCeilings) + ", walls " +
+                 shortNumber(kOfWalls) + ", floors " + shortNumber(kOfFloors) + ", other things " +
+                 shortNumber(kOfThings);
   return assumed;
 }
 
