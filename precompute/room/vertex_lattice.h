@@ -13,11 +13,11 @@
 
 namespace fiatlux {
 
-/// Some vertices (indices into positions, which must outlive it) in cubes of edge `cell` (m).
+/// Some vertices (indices into positions) in cubes of edge `cell` (m).
 class VertexLattice {
  public:
   VertexLattice(const std::vector<Vec3>& positions, const std::vector<std::uint32_t>& vertices, double cell)
-      : positions_(positions), cell_(cell) {
+      : cell_(cell) {
     for (const std::uint32_t v : vertices)
       cells_[key(at(positions[v].x), at(positions[v].y), at(positions[v].z))].push_back(v);
   }
@@ -67,7 +67,6 @@ class VertexLattice {
     return (static_cast<std::uint64_t>(x) & 0x1fffff) << 42 |
            (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 | (static_cast<std::uint64_t>(z) & 0x1fffff);
   }
-  const std::vector<Vec3>& positions_;
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };

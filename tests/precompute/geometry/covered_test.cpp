@@ -63,7 +63,9 @@ TEST(Covered, FloorUnderABodyAndWallBehindIt) {
   EXPECT_NEAR(coveredOf(*room, "south"), 1, 0.26);
   EXPECT_EQ(coveredOf(*room, "north"), 0);
   for (const Surface& surface : room->surfaces)
-    if (surface.name == "floor") EXPECT_NEAR(surface.area, 16 - coveredOf(*room, "floor"), 1e-6);
+    if (surface.name == "floor") {
+      EXPECT_NEAR(surface.area, 16 - coveredOf(*room, "floor"), 1e-6);
+    }
 }
 
 TEST(Covered, ATableShadesItsFloorAndCoversNothing) {

@@ -85,7 +85,9 @@ TEST(PhotometricShadow, LightGoesUpToo) {
   const auto light = directLight(room, tracer, {withTable(squareAt({2, 1.5, 2.5}, 0.3, 0), upwards, 2)}, {});
   EXPECT_NEAR(absorbed(room, light), 100 * std::numbers::pi, 5);
   for (std::uint32_t p = 0; p < room.patches.count; ++p)
-    if (room.patches.center[p].y < 1.5) EXPECT_EQ(light[p], 0) << p;
+    if (room.patches.center[p].y < 1.5) {
+      EXPECT_EQ(light[p], 0) << p;
+    }
 }
 
 TEST(PhotometricShadow, APointReadsTheInverseSquare) {

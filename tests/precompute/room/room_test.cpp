@@ -86,7 +86,9 @@ TEST(VertexLattice, FindsEveryVertexOnASegment) {
     const std::size_t work = lattice.alongSegment(a, b, 1e-6, [&](std::uint32_t v) { found.insert(v); });
     for (std::uint32_t i = 1000; i < 1010; ++i) EXPECT_TRUE(found.count(i)) << cell << ", " << i;
     EXPECT_GT(work, 0u);
-    if (cell < 0.1) EXPECT_LT(found.size(), 200u);
+    if (cell < 0.1) {
+      EXPECT_LT(found.size(), 200u);
+    }
   }
 }
 
