@@ -9,6 +9,7 @@
 #include "core/base/short_number.h"
 #include "precompute/base/json_text.h"
 #include "precompute/base/names.h"
+#include "precompute/base/repeated_key.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -146,6 +147,9 @@ Result<Done> readJson(const std::string& text, const std::function<void(const Js
   if (text.size() > kLongestJson) return Error{"longer than " + std::to_string(kLongestJson >> 20) + " MB"};
   const Result<Json> json = parseJson(text);
   if (!json) return json.error();
+  if (const auto twice = repeatedKey(text))
+    return Error{"key \"" + printable(twice->key, kLongestQuote) +
+                 "\" stands twice in one object; leave one out (line " + std::to_string(twice->line) + ")"};
   try {
     read(JsonField(*json, "", {}));
     return Done{};

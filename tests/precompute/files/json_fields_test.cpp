@@ -42,6 +42,15 @@ TEST(JsonFields, AnUnknownKeyIsNamedWithTheClosestOne) {
       200u);
 }
 
+TEST(JsonFields, AKeyThatStandsTwiceIsNoneOfTwoValues) {
+  EXPECT_EQ(errorOf("{\"flux\": 100,\n \"flux\": 200}", [](const JsonField&) { FAIL() << "read"; }),
+            "key \"flux\" stands twice in one object; leave one out (line 2)");
+  EXPECT_LT(errorOf("{\"" + std::string(1 << 10, 'k') + "\": 1, \"" + std::string(1 << 10, 'k') + "\": 1}",
+                    [](const JsonField&) {})
+                .size(),
+            200u);
+}
+
 TEST(JsonFields, FaultsNameThePlaceAndTheLine) {
   const std::string text = "{\"list\": [\n1,\n\"x\"], \"n\": 1.5, \"v\": [1,\n\n \"y\"]}";
   const auto error = [&](const auto& read) { return errorOf(text, read); };
