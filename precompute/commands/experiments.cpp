@@ -81,7 +81,7 @@ std::string reportOf(const ExperimentsOptions& options, const Experiments& e,
          " sites). The paper's room is not published: ours meets all counts that it "
          "prints, not its dimensions, so shares and "
          "ratios are compared, not absolute values. Raw runs: "
-         "[experiments/runs.csv](experiments/runs.csv). Times are of this machine.\n\n" +
+         "[experiments/runs.csv](experiments/runs.csv). Times are processor times of this machine.\n\n" +
          table + "\n" + withPictures(e.report) + roomPictures(plots);
 }
 

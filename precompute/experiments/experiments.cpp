@@ -2,11 +2,11 @@
 #include "precompute/experiments/experiments.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "core/bound/bound.h"
+#include "precompute/experiments/processor_time.h"
 #include "precompute/experiments/svg_plot.h"
 
 namespace fiatlux {
@@ -25,10 +25,10 @@ RunSummary repeat(Experiments& e, const std::string& name, const Intentions& int
   RunSummary summary;
   std::vector<double> values;
   for (std::uint64_t seed = 1; seed <= e.runs; ++seed) {
-    const auto begin = std::chrono::steady_clock::now();
+    const ProcessorTime time;
     Vns vns(e.prepared, intentions, seed);
     vns.advance(e.evaluations);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = time.seconds();
     Evaluator evaluator(e.prepared, intentions);
     evaluator.load(vns.incumbent().sites);
     values.push_back(evaluator.goalValue(0));

@@ -2,12 +2,12 @@
 // search for the smallest alpha that really guarantees it.
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 
 #include "core/alpha/alpha_search.h"
 #include "core/alpha/guarantees.h"
 #include "precompute/experiments/experiments.h"
+#include "precompute/experiments/processor_time.h"
 #include "precompute/experiments/svg_plot.h"
 
 namespace fiatlux {
@@ -197,9 +197,9 @@ void experimentAlpha(Experiments& e) {
   assert(e.guaranteed > 0);
   e.report += "## 5.4 The smallest alpha\n\n";
   const double minimum = e.guaranteed;
-  const auto begin = std::chrono::steady_clock::now();
+  const ProcessorTime time;
   const AlphaSearch search = searched(e, minimum, 1);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = time.seconds();
   e.report += "At least " + number(minimum) + " lm/m2 on every patch. " + search.verdict() + " " +
               number(1e3 * seconds, 3) + " ms.\n\n";
   reportIterations(e, search);
