@@ -18,6 +18,11 @@
 #include "core/transport/room_view.h"
 
 namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kMostSitesOfPairs = 130;  // so that a step of their bound delays no answer
+
+}  // namespace
 
 Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
   Result<SceneReader> reader = SceneReader::open(file);
@@ -261,7 +266,7 @@ Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
 Result<Done> Session::startBound() {
   if (!search_) return Error{"no search is running that could be bounded"};
   bound_ = std::make_unique<LayoutBound>(*prepared_, intentions_, *search_);
-  bound_->takePairs();  // its steps are too long for whoever waits for the next search
+  if (prepared_->candidateCount() > kMostSitesOfPairs) bound_->takePairs();
   return Done{};
 }
 

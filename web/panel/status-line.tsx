@@ -1,7 +1,8 @@
 /** What the solver does, in one quiet line. */
 import { RefreshCw } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { count, duration, percentAtMost } from '../app/words/format.ts';
+import { count, duration } from '../app/words/format.ts';
+import { provedOf } from '../app/words/proved.ts';
 import { words } from '../language/language.ts';
 
 // A proved bound further away than this says nothing that helps.
@@ -16,6 +17,7 @@ export function StatusLine() {
   const isMet = shown !== null && unmet === 0;
   const isMissing = state === 'settled' && unmet > 0;
   const isTelling = state === 'settled' && isMet && bound !== null && bound.gap <= loosest;
+  const proved = isTelling ? provedOf(bound.gap) : null;
   const took = duration(milliseconds);
   return (
     <footer class="status-line">
@@ -24,13 +26,13 @@ export function StatusLine() {
       {evaluations > 0 && (
         <span class="status-figures" title={words.value.panel.status.took(took)}>
           {words.value.panel.status.layouts(evaluations, count(evaluations))}
-          {!isTelling && !isMissing && ` · ${took}`}
+          {!proved && !isMissing && ` · ${took}`}
         </span>
       )}
       {isMissing && <span class="status-unmet">{words.value.panel.status.unmet(unmet)}</span>}
-      {isTelling && (
-        <span class="status-bound" title={words.value.panel.status.proved}>
-          {words.value.panel.status.within(percentAtMost(bound.gap))}
+      {proved && (
+        <span class={`status-bound ${proved.isNear ? 'near' : ''}`} title={words.value.panel.status.proved}>
+          {proved.text}
         </span>
       )}
       <span class="spacer" />

@@ -14,6 +14,7 @@ export const panel: Words['panel'] = {
     layouts: (n, text) => `${text} ${n === 1 ? 'Anordnung' : 'Anordnungen'}`,
     unmet: (n) => `${counted(n, 'Vorgabe', 'Vorgaben')} nicht erfüllt`,
     within: (gap) => `bis auf ${gap} optimal`,
+    best: 'bestmöglich, bewiesen',
   },
   tabs: { intentions: 'Ziele', luminaires: 'Leuchten', results: 'Ergebnisse' },
   name: 'Ziele und Ergebnisse',

@@ -13,6 +13,7 @@ export const panel = {
     layouts: (n: number, text: string) => `${text} ${n === 1 ? 'layout' : 'layouts'}`,
     unmet: (n: number) => `${counted(n, 'bound', 'bounds')} not met`,
     within: (gap: string) => `within ${gap} of the best`,
+    best: 'best possible, proved',
   },
   tabs: { intentions: 'Intentions', luminaires: 'Luminaires', results: 'Results' },
   name: 'Intentions and results',
