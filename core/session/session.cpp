@@ -20,7 +20,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kMostSitesOfPairs = 130;  // so that a step of their bound delays no answer
+constexpr std::uint32_t kMostSitesOfPairs = 200;  // so that a step of their bound delays no answer
 
 }  // namespace
 
