@@ -13,7 +13,7 @@ import { lightField, type LightField } from '../document/light-field.ts';
 import { paintByLeaf } from '../document/paint.ts';
 import type { RoomPlan } from '../document/plan-frame.ts';
 import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
-import type { Display, Paint, Quantity, SceneInfo } from '../document/types.ts';
+import type { Display, Luminaires, Paint, Quantity, SceneInfo } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
 import { roundRange, type Scale } from '../viewer/light/false-color.ts';
 import { words } from '../language/language.ts';
@@ -68,6 +68,7 @@ export function reportOf(app: App): Report {
     assumptions: [
       maintenanceText(maintenanceOf(document.luminaires)),
       ...paintedText(document.paint, scene),
+      ...rulesText(document.luminaires),
       ...assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
     ],
     facts: roomFacts(scene),
@@ -104,6 +105,20 @@ function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): 
     words.value.report.assumptions.ownCopy,
     ...roomWarnings(scene),
   ];
+}
+
+/** Under which rules the luminaires hang; none where they hang anywhere. */
+export function rulesText({ arrangement, minDistance, areas }: Luminaires): string[] {
+  const say = words.value.report.rules;
+  const rule = arrangement?.rule ?? 'free';
+  const { keepOut = [], keepIn = [], fromWalls = 0 } = areas ?? {};
+  const parts = [
+    ...(rule === 'free' ? [] : [say.as[rule]]),
+    ...(minDistance > 0 ? [say.apart(shortest(minDistance))] : []),
+    ...(fromWalls > 0 ? [say.fromWalls(shortest(fromWalls))] : []),
+    ...(keepOut.length + keepIn.length > 0 ? [say.areas] : []),
+  ];
+  return parts.length === 0 ? [] : [say.all(parts.join(', '))];
 }
 
 /** Which surfaces are not as the room's file has them. */

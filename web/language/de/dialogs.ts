@@ -25,7 +25,7 @@ export const dialogs: Words['dialogs'] = {
     luminaire: { what: 'Leuchte ziehen', does: 'anderswo fixieren; die anderen gleichen aus' },
     area: {
       what: 'Leuchten: Sperren oder Zulassen',
-      does: 'im Grundriss ein Rechteck ziehen, in dem keine oder alle hängen dürfen',
+      does: 'im Grundriss ein Rechteck ziehen oder Ecken anklicken: dort dürfen keine oder alle hängen',
     },
     arrows: { what: 'Pfeile am Regler', does: 'ein Schritt; Umschalt × 10, Alt × 0,1' },
   },

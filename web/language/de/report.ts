@@ -52,6 +52,13 @@ export const report: Words['report'] = {
     min: 'min',
     max: 'max',
   },
+  rules: {
+    all: (parts) => `Die Leuchten hängen nach Vorgabe: ${parts}.`,
+    as: { symmetric: 'im Grundriss symmetrisch', rows: 'in Reihen', field: 'als regelmäßiges Feld' },
+    apart: (metres) => `mindestens ${metres} m voneinander`,
+    fromWalls: (metres) => `mindestens ${metres} m von Wänden`,
+    areas: 'wo Flächen im Grundriss es zulassen',
+  },
   basis: 'Worauf die Zahlen beruhen',
   signature: { designed: 'Geplant von', checked: 'Geprüft von', place: 'Ort und Datum' },
   places: (corner) => `Orte der Leuchten: x, y, z in m ab ${corner}`,

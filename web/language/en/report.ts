@@ -51,6 +51,13 @@ export const report = {
     min: 'min',
     max: 'max',
   },
+  rules: {
+    all: (parts: string) => `Luminaires hang by rule: ${parts}.`,
+    as: { symmetric: 'symmetric in plan', rows: 'in rows', field: 'as a regular field' },
+    apart: (metres: string) => `at least ${metres} m apart`,
+    fromWalls: (metres: string) => `at least ${metres} m from walls`,
+    areas: 'as areas in plan leave them room',
+  },
   basis: 'What the figures rest on',
   signature: { designed: 'Designed by', checked: 'Checked by', place: 'Place and date' },
   places: (corner: string) => `Places of the luminaires: x, y, z in m from the ${corner}`,

@@ -1,0 +1,24 @@
+/** What the report says of the rules that luminaires hang by. */
+import { expect, test } from '@jest/globals';
+import { rulesText } from '../../../web/report/report.ts';
+import type { Luminaires } from '../../../web/document/types.ts';
+
+const free: Luminaires = {
+  count: 6,
+  flux: 1000,
+  dimming: [1, 1],
+  pinned: [],
+  excluded: [],
+  minDistance: 0,
+};
+
+test('the rules that luminaires hang by are one sentence, and none where there are none', () => {
+  expect(rulesText(free)).toEqual([]);
+  expect(rulesText({ ...free, arrangement: { rule: 'rows' }, minDistance: 1.8 })).toEqual([
+    'Luminaires hang by rule: in rows, at least 1.8 m apart.',
+  ]);
+  const areas = { keepOut: [[0, 0, 1, 1]], keepIn: [], fromWalls: 0.5 } as const;
+  expect(rulesText({ ...free, areas })).toEqual([
+    'Luminaires hang by rule: at least 0.5 m from walls, as areas in plan leave them room.',
+  ]);
+});
