@@ -18,8 +18,8 @@ test('a fault is told in the language of the page, with what it tells of its own
   expect(inOurWords(fault)).toBe(
     'hall.glb: Die Datei verlangt die Erweiterung „KHR_x“, die hier nicht gelesen wird; ohne sie exportieren',
   );
-  expect(inOurWords('the solver stopped (its script cannot be loaded); reload the page to go on')).toMatch(
-    /\(ihr Skript kann nicht geladen werden\); zum Weitermachen die Seite neu laden$/,
+  expect(inOurWords('the computation stopped (its script cannot be loaded); try again')).toMatch(
+    /\(ihr Skript kann nicht geladen werden\); noch einmal versuchen$/,
   );
   expect(
     inOurWords('the room is only 0.4 m wide: pass --scale with the metres of one unit of the file'),

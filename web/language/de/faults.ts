@@ -4,10 +4,6 @@ import type { Words } from '../en.ts';
 export const faults: Words['faults'] = {
   connectionLost:
     'Der Raum konnte nicht geladen werden, die Verbindung ist abgerissen; noch einmal versuchen',
-  solverStopped: (why) =>
-    `Die Berechnung der Lösung ist stehen geblieben (${why}); zum Weitermachen die Seite neu laden`,
-  solverStoppedReading: 'Die Berechnung ist beim Lesen der Datei stehen geblieben; noch einmal versuchen',
-  solverStoppedLighting: 'Die Berechnung des Lichts ist stehen geblieben; noch einmal versuchen',
   computationStopped: (why) => `Die Berechnung ist stehen geblieben (${why}); noch einmal versuchen`,
   noScript: 'ihr Skript kann nicht geladen werden',
   builderOffline: 'Was Licht berechnet, konnte nicht geladen werden: keine Verbindung; noch einmal versuchen',

@@ -5,9 +5,6 @@
 
 export const faults = {
   connectionLost: 'the room could not be loaded: the connection was lost; try again',
-  solverStopped: (why: string) => `the solver stopped (${why}); reload the page to go on`,
-  solverStoppedReading: 'the solver stopped while it read the file; try again',
-  solverStoppedLighting: 'the solver stopped while it computed the light; try again',
   computationStopped: (why: string) => `the computation stopped (${why}); try again`,
   noScript: 'its script cannot be loaded',
   builderOffline: 'what computes light could not be loaded: no connection; try again',
