@@ -116,11 +116,20 @@ export function legendTicks(scale: Omit<Scale, 'colorMap'>, count = 6): LegendTi
 /** Ticks whose labels would touch give way to their neighbours; both ends stay. */
 function apartTicks(ticks: readonly LegendTick[], count: number): LegendTick[] {
   const widthOf = ({ label }: LegendTick) => (0.16 * (label.length + 1.5)) / (count + 1); // of the legend
+  /** Where its label begins and ends: those at the ends of the legend stay within it. */
+  const spanOf = (tick: LegendTick): readonly [number, number] => {
+    const width = widthOf(tick);
+    const from = tick.at < 0.06 ? tick.at : tick.at > 0.94 ? tick.at - width : tick.at - width / 2;
+    return [from, from + width];
+  };
   const kept: LegendTick[] = [];
   const last = ticks.at(-1);
   for (const tick of ticks) {
     const before = kept.at(-1);
-    const free = (other: LegendTick) => Math.abs(tick.at - other.at) >= (widthOf(tick) + widthOf(other)) / 2;
+    const free = (other: LegendTick) => {
+      const [[from, to], [otherFrom, otherTo]] = [spanOf(tick), spanOf(other)];
+      return from >= otherTo - 1e-9 || to <= otherFrom + 1e-9;
+    };
     if ((!before || free(before)) && (tick === last || !last || free(last))) kept.push(tick);
     else if (tick === last && kept.length > 1) kept.splice(-1, 1, tick);
     else if (tick === last) kept.push(tick);
