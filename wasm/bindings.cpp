@@ -62,12 +62,12 @@ val valueOf(const std::vector<ObserverRows>& observers, const std::vector<Observ
   return result;
 }
 
-/// Six numbers a grid: surface, points, spacing, rim, E_m and E_min.
+/// Seven numbers a grid: surface, points, spacing, rim, E_m, E_min and E_max.
 val valueOf(const std::vector<GridReading>& grids) {
   std::vector<double> numbers;
   for (const GridReading& g : grids)
     numbers.insert(numbers.end(), {static_cast<double>(g.surface), static_cast<double>(g.points), g.spacing,
-                                   g.rim, g.mean, g.least});
+                                   g.rim, g.mean, g.least, g.most});
   return copied(numbers);
 }
 
@@ -100,7 +100,7 @@ val valueOf(Session& session, const Shown& shown) {
   result.set("goals", copied(shown.goals));
   result.set("constraints", copied(constraints));
   result.set("observers", valueOf(session.scene()->observers, shown.observers));
-  result.set("grids", valueOf(session.grids()->read(shown.illuminance)));
+  result.set("grids", valueOf(session.gridsOf(shown.illuminance)));
   result.set("planes", valueOf(shown.planes));
   result.set("direct", shown.direct.empty() ? val::null() : copied(shown.direct));
   return result;
@@ -277,7 +277,8 @@ Constraint constraintOf(const val& v) {
           kNone,
           quantityOf(v),
           v["isLeast"].as<bool>(),
-          vec3Of(v["direction"])};
+          vec3Of(v["direction"]),
+          v["onGrid"].as<bool>()};
 }
 
 /// Who looks: nobody where `asked` is null; those of the room, or six numbers each: eye and direction.

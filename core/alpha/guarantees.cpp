@@ -9,6 +9,7 @@
 namespace fiatlux {
 
 bool isGuarantee(const Constraint& c) {
+  if (c.onGrid) return false;  // mean and sigma are of all patches
   return (c.statistic == Statistic::kMinimum && std::isfinite(c.lower)) ||
          (c.statistic == Statistic::kMaximum && std::isfinite(c.upper));
 }

@@ -150,7 +150,7 @@ class Relaxer {
   /// What a side says, scaled so that multipliers are of the goal's size.
   void addSide(const Constraint& c, Side side, double bound) {
     const std::optional<RelaxedForm> asked = relaxedSide(c.statistic, side, bound, c.alpha);
-    if (!asked) return;
+    if (!asked || c.onGrid) return;  // note: a grid's mean is not its surface's
     ConvexObjective form;
     form.linear.assign(sites_, 0.0);
     addLinear(form, *asked, c, 1);

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "core/scene/zones.h"
+
 namespace fiatlux {
 namespace {
 
@@ -87,10 +89,10 @@ PatchLattice latticeOf(const Patches& patches, const std::vector<std::uint32_t>&
 
 }  // namespace
 
-GridRule gridRule(double length, double width) {
+GridRule gridRule(double length, double width, bool hasRim) {
   assert(length > 0 && width > 0);
   GridRule rule;
-  rule.rim = std::min(kWidestRim, kRimShare * std::min(length, width));
+  if (hasRim) rule.rim = std::min(kWidestRim, kRimShare * std::min(length, width));
   const double inner = length - 2 * rule.rim, across = width - 2 * rule.rim;
   const double longer = std::max(inner, across), shorter = std::min(inner, across);
   const double d = longer >= 2 * shorter ? shorter : longer;
@@ -109,10 +111,10 @@ std::uint32_t PatchLattice::patchAt(double u, double v) const {
   return column < columns && row < rows ? patchOfCell[std::size_t{row} * columns + column] : kNone;
 }
 
-CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches,
-                                  const Surface& surface) {
+CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches, const Surface& surface,
+                                  bool hasRim) {
   const double along = lattice.columns * lattice.cellU, across = lattice.rows * lattice.cellV;
-  CalculationGrid grid{gridRule(along, across), {}};
+  CalculationGrid grid{gridRule(along, across, hasRim), {}};
   if (!surface.measuring && std::min(along, across) < kNarrowestFloor) return grid;
   const double rim = grid.rule.rim, r = 0.999 * rim;
   const std::uint32_t columns = grid.rule.columns, rows = grid.rule.rows;
@@ -147,6 +149,17 @@ std::vector<PatchLattice> measuredLattices(const Scene& scene) {
   return lattices;
 }
 
+std::vector<PatchLattice> zoneLattices(const Scene& scene) {
+  std::vector<PatchLattice> lattices;
+  for (std::size_t z = 0; z < scene.zones.size(); ++z) {
+    const std::vector<std::uint32_t>& rows = scene.zones[z].rows;
+    if (scene.patches.normal[rows[0]].y < kLevel) continue;
+    lattices.push_back(latticeOf(scene.patches, rows));
+    lattices.back().surface = firstZone(scene) + static_cast<std::uint32_t>(z);
+  }
+  return lattices;
+}
+
 std::vector<PatchShare> sharesAt(const PatchLattice& lattice, const Patches& patches,
                                  const std::array<double, 2>& point) {
   const double u = std::clamp(point[0] / lattice.cellU - 0.5, 0.0, lattice.columns - 1.0);
@@ -171,54 +184,51 @@ GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
                         const std::vector<double>& values) {
   assert(!values.empty() && values.size() == grid.points.size());
   GridReading reading{surface, static_cast<std::uint32_t>(values.size()), grid.rule.spacing, grid.rule.rim};
-  reading.least = values[0];
+  reading.least = reading.most = values[0];
   for (const double value : values) {
     reading.mean += value / static_cast<double>(values.size());
     reading.least = std::min(reading.least, value);
+    reading.most = std::max(reading.most, value);
   }
   return reading;
 }
 
-CalculationGrids::CalculationGrids(const Scene& scene) {
-  for (const PatchLattice& lattice : measuredLattices(scene)) {
-    Grid grid{
-        lattice.surface, calculationGridOn(lattice, scene.patches, scene.surfaces[lattice.surface]), {}};
-    for (const auto& point : grid.of.points)
-      grid.readings.push_back(readingAt(lattice, scene.patches, point));
-    if (!grid.readings.empty()) grids_.push_back(std::move(grid));
+std::vector<std::vector<PatchShare>> gridPointsOf(const Scene& scene, std::uint32_t surface) {
+  const bool isZone = surface >= firstZone(scene);
+  std::vector<std::vector<PatchShare>> points;
+  for (const PatchLattice& lattice : isZone ? zoneLattices(scene) : measuredLattices(scene)) {
+    if (lattice.surface != surface) continue;
+    const CalculationGrid grid = calculationGridOn(lattice, scene.patches, scene.surfaces[surface], !isZone);
+    for (const auto& point : grid.points) points.push_back(sharesAt(lattice, scene.patches, point));
   }
+  return points;
 }
 
-/// The four cells around a point, of those that hold a patch that counts.
-CalculationGrids::Reading CalculationGrids::readingAt(const PatchLattice& lattice, const Patches& patches,
-                                                      const std::array<double, 2>& point) {
-  const double u = std::clamp(point[0] / lattice.cellU - 0.5, 0.0, lattice.columns - 1.0);
-  const double v = std::clamp(point[1] / lattice.cellV - 0.5, 0.0, lattice.rows - 1.0);
-  const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
-  Reading reading;
-  for (const std::uint32_t i : {0u, 1u})
-    for (const std::uint32_t j : {0u, 1u}) {
-      if (column + i >= lattice.columns || row + j >= lattice.rows) continue;
-      const std::uint32_t p = lattice.patchOfCell[std::size_t{row + j} * lattice.columns + column + i];
-      if (p == kNone || !patches.counts(p)) continue;
-      reading.patch[reading.count] = p;
-      reading.weight[reading.count++] = std::fabs(1.0 - i - (u - column)) * std::fabs(1.0 - j - (v - row));
-    }
-  assert(reading.count > 0);
-  return reading;
+CalculationGrids::CalculationGrids(const Scene& scene) { add(scene, measuredLattices(scene), true); }
+
+CalculationGrids CalculationGrids::ofZones(const Scene& scene) {
+  CalculationGrids grids;
+  grids.add(scene, zoneLattices(scene), false);
+  return grids;
+}
+
+void CalculationGrids::add(const Scene& scene, const std::vector<PatchLattice>& lattices, bool hasRim) {
+  for (const PatchLattice& lattice : lattices) {
+    const Surface& surface = scene.surfaces[lattice.surface];
+    Grid grid{lattice.surface, calculationGridOn(lattice, scene.patches, surface, hasRim), {}};
+    for (const auto& point : grid.of.points) grid.points.push_back(sharesAt(lattice, scene.patches, point));
+    if (!grid.points.empty()) grids_.push_back(std::move(grid));
+  }
 }
 
 std::vector<GridReading> CalculationGrids::read(const std::vector<float>& light) const {
   std::vector<GridReading> result;
   for (const Grid& grid : grids_) {
     std::vector<double> values;
-    for (const Reading& at : grid.readings) {
-      double sum = 0, weights = 0;
-      for (std::uint32_t k = 0; k < at.count; ++k) {
-        sum += at.weight[k] * light[at.patch[k]];
-        weights += at.weight[k];
-      }
-      values.push_back(sum / weights);
+    for (const std::vector<PatchShare>& point : grid.points) {
+      double sum = 0;
+      for (const PatchShare& share : point) sum += share.share * light[share.row];
+      values.push_back(sum);
     }
     result.push_back(gridReading(grid.surface, grid.of, values));
   }
@@ -226,7 +236,10 @@ std::vector<GridReading> CalculationGrids::read(const std::vector<float>& light)
 }
 
 std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light) {
-  return CalculationGrids(scene).read(light);
+  std::vector<GridReading> readings = CalculationGrids(scene).read(light);
+  const std::vector<GridReading> ofZones = CalculationGrids::ofZones(scene).read(light);
+  readings.insert(readings.end(), ofZones.begin(), ofZones.end());
+  return readings;
 }
 
 }  // namespace fiatlux

@@ -1,7 +1,8 @@
 // The calculation grid of EN 12464-1 on floors and level measuring planes: a rim is left out (0.5 m, or 15 %
 // of the shorter side where that is less), and points are at most p = 0.2 x 5^log10(d) m apart, at most 10 m,
 // d the longer side of what is left, or the shorter one where they differ by a factor of two or more. Read
-// off the patches of a scene; `fiatlux light` takes the same points to its rays.
+// off the patches of a scene; `fiatlux light` takes the same points to its rays. A task area (a zone) has a
+// grid of its own, without a rim.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct GridRule {
 };
 
 /// Of `length` x `width` metres, both above 0.
-GridRule gridRule(double length, double width);
+GridRule gridRule(double length, double width, bool hasRim = true);
 
 /// A plane piece of a surface, cut into cells of which each holds one patch or none.
 struct PatchLattice {
@@ -40,14 +41,16 @@ struct CalculationGrid {
 
 /// The points of a lattice whose rim lies on it too and that nothing covers; none where `surface` is a floor
 /// and its piece narrower than half a metre (a threshold, the feet of chairs).
-CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches,
-                                  const Surface& surface);
+CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches, const Surface& surface,
+                                  bool hasRim = true);
 
 /// Is that a floor or a measuring plane: level, facing up, and measuring or hardly above the `lowest` height?
 bool wantsGrid(const Surface& surface, const Vec3& normal, double height, double lowest);
 
 /// The lattices of a scene's floors and level measuring planes, in the order of their patches.
 std::vector<PatchLattice> measuredLattices(const Scene& scene);
+/// Those of its zones that are level, likewise.
+std::vector<PatchLattice> zoneLattices(const Scene& scene);
 
 /// A row around a point, and its share of a bilinear reading there.
 struct PatchShare {
@@ -59,11 +62,14 @@ struct PatchShare {
 std::vector<PatchShare> sharesAt(const PatchLattice& lattice, const Patches& patches,
                                  const std::array<double, 2>& point);
 
+/// Of every point of a surface's or a zone's grids; none where it has no grid.
+std::vector<std::vector<PatchShare>> gridPointsOf(const Scene& scene, std::uint32_t surface);
+
 /// What a layout does to a grid.
 struct GridReading {
   std::uint32_t surface = 0, points = 0;
   double spacing = 0, rim = 0;                                       // m
-  double mean = 0, least = 0;                                        // lx: E_m and E_min
+  double mean = 0, least = 0, most = 0;                              // lx: E_m, E_min and E_max
   double uniformity() const { return mean > 0 ? least / mean : 0; }  // U_o
 };
 
@@ -74,30 +80,27 @@ GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
 /// Every grid of a scene, made once to be read of any light.
 class CalculationGrids {
  public:
+  /// Those of its surfaces.
   explicit CalculationGrids(const Scene& scene);
+  /// Those of its zones.
+  static CalculationGrids ofZones(const Scene& scene);
 
   /// Bilinear between the patches. `light`: lx, one a row of the scene.
   std::vector<GridReading> read(const std::vector<float>& light) const;
 
  private:
-  /// The patches around a point and their weights: at least one, whose weights sum to more than 0.
-  struct Reading {
-    std::array<std::uint32_t, 4> patch = {};
-    std::array<double, 4> weight = {};
-    std::uint32_t count = 0;
-  };
   struct Grid {
     std::uint32_t surface = 0;
     CalculationGrid of;
-    std::vector<Reading> readings;  // one a point
+    std::vector<std::vector<PatchShare>> points;
   };
-  static Reading readingAt(const PatchLattice& lattice, const Patches& patches,
-                           const std::array<double, 2>& point);
+  CalculationGrids() = default;
+  void add(const Scene& scene, const std::vector<PatchLattice>& lattices, bool hasRim);
 
   std::vector<Grid> grids_;
 };
 
-/// What the grids of a scene read of one light.
+/// What the grids of a scene, and then those of its zones, read of one light.
 std::vector<GridReading> readGrids(const Scene& scene, const std::vector<float>& light);
 
 }  // namespace fiatlux

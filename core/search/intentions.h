@@ -39,6 +39,7 @@ struct Constraint {
   std::optional<Quantity> quantity = {};  // nothing: that of the intentions
   bool isLeast = false;                   // of points of planes: of the least of them, not of their mean
   Vec3 direction = {};                    // of a vertical: unit, level, that its plane faces
+  bool onGrid = false;                    // mean, minimum, uniformity: at the points of EN 12464-1's grid
 };
 
 /// How the luminaires hang together (arrangements.h).

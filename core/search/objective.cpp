@@ -90,7 +90,7 @@ void Objective::addGlare(PreparedScene& prepared, const Constraint& c) {
 /// The mean of its points is a sum of what each luminaire does there, but for a ratio.
 std::uint32_t Objective::planeSet(PreparedScene& prepared, const Constraint& c) {
   ObjectiveSet set{{}, prepared.rowOf(meanOfPoints(prepared.scene(), c)), false, false, RowOf::kPlanes};
-  if (c.isLeast || c.statistic == Statistic::kModelling) {
+  if (c.isLeast || c.statistic == Statistic::kModelling || (c.onGrid && c.statistic != Statistic::kMean)) {
     set.ofPoints = c;
     needsExtremes_ = true;
   }
@@ -98,11 +98,13 @@ std::uint32_t Objective::planeSet(PreparedScene& prepared, const Constraint& c) 
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
 
-void Objective::addConstraint(PreparedScene& prepared, const Constraint& c, Quantity quantity) {
-  if (c.statistic == Statistic::kUgr) return addGlare(prepared, c);
-  const StatisticTraits& traits = traitsOf(c.statistic);
+void Objective::addConstraint(PreparedScene& prepared, const Constraint& asked, Quantity quantity) {
+  if (asked.statistic == Statistic::kUgr) return addGlare(prepared, asked);
+  const StatisticTraits& traits = traitsOf(asked.statistic);
+  Constraint c = asked;
+  c.quantity = quantity;
   Bound bound{c.statistic,
-              traits.ofPlanes ? planeSet(prepared, c) : setFor(prepared, quantity, traits, c.surfaces),
+              isOfPoints(c) ? planeSet(prepared, c) : setFor(prepared, quantity, traits, c.surfaces),
               0,
               c.alpha,
               0,

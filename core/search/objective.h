@@ -90,7 +90,7 @@ class Objective {
   std::uint32_t observerSets(PreparedScene& prepared, std::uint32_t first, std::uint32_t count);
   void addGlare(PreparedScene& prepared, const Constraint& constraint);
   std::uint32_t planeSet(PreparedScene& prepared, const Constraint& constraint);
-  void addConstraint(PreparedScene& prepared, const Constraint& constraint, Quantity quantity);
+  void addConstraint(PreparedScene& prepared, const Constraint& asked, Quantity quantity);
   void addGoal(PreparedScene& prepared, const Goal& goal, Quantity quantity);
   void scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;

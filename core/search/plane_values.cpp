@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/scene/calculation_grid.h"
+
 namespace fiatlux {
 namespace {
 
@@ -19,6 +21,24 @@ const Responses& verticalOf(const PlaneLight& plane, const Vec3& direction) {
                    [&](const PlaneLight::Vertical& each) { return length(each.direction - direction) == 0; });
   assert(vertical != plane.verticals.end());
   return vertical->light;
+}
+
+/// What each site does at the points of a surface's grid.
+std::shared_ptr<const Responses> lightOnGrid(const Scene& scene, std::uint32_t surface, Quantity quantity) {
+  const Responses& rows = responsesOf(scene, quantity);
+  const std::vector<std::vector<PatchShare>> points = gridPointsOf(scene, surface);
+  auto light = std::make_shared<Responses>();
+  light->rows = static_cast<std::uint32_t>(points.size());
+  light->sites = rows.sites;
+  for (std::uint32_t j = 0; j < rows.sites; ++j) {
+    const float* column = rows.column(j);
+    for (const std::vector<PatchShare>& point : points) {
+      double sum = 0;
+      for (const PatchShare& share : point) sum += share.share * column[share.row];
+      light->illuminance.push_back(static_cast<float>(sum));
+    }
+  }
+  return light;
 }
 
 /// light += flux x the column of a site.
@@ -45,44 +65,57 @@ std::vector<PlaneWish> planesAskedOf(const Intentions& intentions) {
   return wishes;
 }
 
-std::vector<const Responses*> uprightOf(const Scene& scene, const Constraint& constraint) {
-  std::vector<const Responses*> all;
+std::vector<std::shared_ptr<const Responses>> lightAtPoints(const Scene& scene,
+                                                            const Constraint& constraint) {
+  std::vector<std::shared_ptr<const Responses>> all;
   for (const std::uint32_t surface : constraint.surfaces) {
+    if (constraint.onGrid) {
+      all.push_back(lightOnGrid(scene, surface, *constraint.quantity));
+      continue;
+    }
     const PlaneLight& plane = planeOf(scene, surface);
-    all.push_back(constraint.statistic == Statistic::kVertical ? &verticalOf(plane, constraint.direction)
-                                                               : &plane.cylindrical);
+    const Responses& upright = constraint.statistic == Statistic::kVertical
+                                   ? verticalOf(plane, constraint.direction)
+                                   : plane.cylindrical;
+    all.emplace_back(std::shared_ptr<const Responses>(), &upright);  // the scene's
   }
   return all;
+}
+
+double valueOf(const Constraint& constraint, const MeanAndLeast& points) {
+  if (constraint.statistic == Statistic::kUniformity)
+    return points.mean > 0 ? points.least / points.mean : 0;  // a dark surface is not called even
+  return constraint.isLeast || constraint.statistic == Statistic::kMinimum ? points.least : points.mean;
 }
 
 std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constraint) {
   std::vector<double> mean(scene.sites.size());
   std::size_t points = 0;
-  for (const Responses* upright : uprightOf(scene, constraint)) {
-    points += upright->rows;
-    for (std::uint32_t j = 0; j < upright->sites; ++j)
-      for (std::uint32_t p = 0; p < upright->rows; ++p) mean[j] += upright->column(j)[p];
+  for (const std::shared_ptr<const Responses>& light : lightAtPoints(scene, constraint)) {
+    points += light->rows;
+    for (std::uint32_t j = 0; j < light->sites; ++j)
+      for (std::uint32_t p = 0; p < light->rows; ++p) mean[j] += light->column(j)[p];
   }
   for (double& value : mean) value /= static_cast<double>(points);
   return mean;
 }
 
 PlaneValues::PlaneValues(const Scene& scene, const Constraint& constraint) {
-  const std::vector<const Responses*> upright = uprightOf(scene, constraint);
+  const std::vector<std::shared_ptr<const Responses>> asked = lightAtPoints(scene, constraint);
   const bool isRatio = constraint.statistic == Statistic::kModelling;
-  for (std::size_t i = 0; i < upright.size(); ++i) {
+  for (std::size_t i = 0; i < asked.size(); ++i) {
     const Responses* horizontal = isRatio ? &planeOf(scene, constraint.surfaces[i]).horizontal : nullptr;
-    planes_.push_back({upright[i], horizontal, {}, {}});
-    points_ += upright[i]->rows;
+    planes_.push_back({asked[i], horizontal, {}, {}});
+    points_ += asked[i]->rows;
   }
 }
 
 void PlaneValues::load(const std::uint32_t* sites, const double* flux, std::uint32_t count) {
   for (Plane& plane : planes_) {
-    plane.light.assign(plane.upright->rows, 0.0);
+    plane.light.assign(plane.asked->rows, 0.0);
     if (plane.horizontal) plane.on.assign(plane.horizontal->rows, 0.0);
     for (std::uint32_t i = 0; i < count; ++i) {
-      add(*plane.upright, sites[i], flux[i], plane.light);
+      add(*plane.asked, sites[i], flux[i], plane.light);
       if (plane.horizontal) add(*plane.horizontal, sites[i], flux[i], plane.on);
     }
   }
@@ -94,7 +127,7 @@ MeanAndLeast PlaneValues::changed(const FluxChange* changes, std::uint32_t count
     light_ = plane.light;
     on_ = plane.on;
     for (std::uint32_t c = 0; c < count; ++c) {
-      add(*plane.upright, changes[c].site, changes[c].flux, light_);
+      add(*plane.asked, changes[c].site, changes[c].flux, light_);
       if (plane.horizontal) add(*plane.horizontal, changes[c].site, changes[c].flux, on_);
     }
     for (std::size_t p = 0; p < light_.size(); ++p) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/scene/plane_points.h"
@@ -12,18 +13,23 @@
 
 namespace fiatlux {
 
+/// Does a constraint speak of points: of measuring planes, or of a grid?
+inline bool isOfPoints(const Constraint& c) { return c.onGrid || traitsOf(c.statistic).ofPlanes; }
+
 /// What must be known of which measuring planes, each once.
 std::vector<PlaneWish> planesAskedOf(const Intentions& intentions);
 
-/// What each site does at the points that a constraint speaks of, one plane after the other. Refers to the
-/// scene. Precondition: its statistic is of planes, and they are there (Scene::planes).
-std::vector<const Responses*> uprightOf(const Scene& scene, const Constraint& constraint);
+/// What each site does at the points that a constraint speaks of, one surface after the other. May refer to
+/// the scene. Precondition: isOfPoints; planes are there (Scene::planes), and of a grid its quantity is said.
+std::vector<std::shared_ptr<const Responses>> lightAtPoints(const Scene& scene, const Constraint& constraint);
 /// Their mean over all points, an entry a site.
 std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constraint);
+/// What a constraint asks of its points.
+double valueOf(const Constraint& constraint, const MeanAndLeast& points);
 
 class PlaneValues {
  public:
-  /// As for uprightOf.
+  /// As for lightAtPoints.
   PlaneValues(const Scene& scene, const Constraint& constraint);
 
   /// Sets the layout that `changed` starts from.
@@ -34,10 +40,11 @@ class PlaneValues {
   MeanAndLeast changed(const FluxChange* changes, std::uint32_t count);
 
  private:
-  /// lx at the points of a plane, upright and on it.
+  /// lx at the points of a plane.
   struct Plane {
-    const Responses *upright, *horizontal;  // the latter for a ratio; else nullptr
-    std::vector<double> light, on;          // under the loaded layout
+    std::shared_ptr<const Responses> asked;
+    const Responses* horizontal;    // on the plane, for a ratio; else nullptr
+    std::vector<double> light, on;  // under the loaded layout
   };
   std::vector<Plane> planes_;
   std::size_t points_ = 0;

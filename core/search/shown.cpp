@@ -91,9 +91,10 @@ ConstraintReading readConstraint(const Lit& lit, const Constraint& c, Quantity q
     return {ugrOf(ratio), above, margin, 0, above};
   }
   double below = 0, above = 0;
-  if (traits.ofPlanes) {
-    const MeanAndLeast points = planeValueUnder(lit.prepared.scene(), c, lit.layout);
-    below = above = c.isLeast ? points.least : points.mean;
+  if (isOfPoints(c)) {
+    Constraint ofQuantity = c;
+    ofQuantity.quantity = quantity;
+    below = above = valueOf(c, planeValueUnder(lit.prepared.scene(), ofQuantity, lit.layout));
   } else {
     const Read read = readFor(lit, quantity, c);
     below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/short_number.h"
+#include "core/scene/calculation_grid.h"
 #include "core/scene/plane_points.h"
 #include "core/search/arrangements.h"
 #include "core/search/prepared_scene.h"
@@ -288,6 +289,20 @@ Result<Done> checkPlanes(const Scene& scene, const Constraint& c, const std::str
   return Done{};
 }
 
+Result<Done> checkGrid(const Scene& scene, const Constraint& c, Quantity quantity, const std::string& where) {
+  if (c.statistic != Statistic::kMean && c.statistic != Statistic::kMinimum &&
+      c.statistic != Statistic::kUniformity)
+    return Error{where + ": a grid tells mean, minimum and uniformity only"};
+  if (quantity == Quantity::kExitance)
+    return Error{where + ": a grid tells light that falls on it; ask for illuminance"};
+  if (c.surfaces.empty()) return Error{where + ": a grid is of floors and measuring planes; name one"};
+  const auto hasGrid = [&](std::uint32_t surface) { return !gridPointsOf(scene, surface).empty(); };
+  if (std::none_of(c.surfaces.begin(), c.surfaces.end(), hasGrid))
+    return Error{where + ": \"" + scene.surfaces[c.surfaces[0]].name +
+                 "\" has no point of an EN 12464-1 grid; name a floor, a measuring plane or a task area"};
+  return Done{};
+}
+
 Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity quantity,
                              const std::string& where) {
   if (std::isnan(c.lower) || std::isnan(c.upper)) return Error{where + ": a bound is not a number"};
@@ -298,6 +313,7 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
   if (traitsOf(c.statistic).needsAlpha && (!(c.alpha >= 0) || !std::isfinite(c.alpha)))
     return Error{where + ": alpha is " + text(c.alpha) + "; it must be 0 or more"};
   if (auto ok = checkSets(scene, c, quantity, where); !ok) return ok;
+  if (c.onGrid) return checkGrid(scene, c, quantity, where);
   if (!traitsOf(c.statistic).ofPlanes) return Done{};
   return checkPlanes(scene, c, where);
 }

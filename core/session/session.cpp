@@ -251,6 +251,14 @@ std::shared_ptr<const CalculationGrids> Session::grids() {
   return grids_;
 }
 
+std::vector<GridReading> Session::gridsOf(const std::vector<float>& light) {
+  std::vector<GridReading> readings = grids()->read(light);
+  if (scene_->zones.empty()) return readings;
+  const std::vector<GridReading> ofZones = CalculationGrids::ofZones(*scene_).read(light);
+  readings.insert(readings.end(), ofZones.begin(), ofZones.end());
+  return readings;
+}
+
 Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
   Result<Done> can = ready();
   if (!can) return can;

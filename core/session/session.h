@@ -107,6 +107,8 @@ class Session {
   Result<Shown> show(const Layout& layout);
   /// The calculation grids of the room. Precondition: the scene is open.
   std::shared_ptr<const CalculationGrids> grids();
+  /// What they, and those of the task areas that are asked about, read of a light (lx, one a row). Likewise.
+  std::vector<GridReading> gridsOf(const std::vector<float>& light);
 
   /// The alpha-search of paper section 4 for the true minima and maxima that are asked for: nullptr before
   /// startAlpha succeeded. `held`: whose luminaires are pinned, as for start(); nothing else is read of it.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/calculation_grid.h"
+#include "core/scene/zones.h"
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
@@ -54,9 +55,10 @@ void evaluate(const EvaluateOptions& options) {
                                                  file.directOnly ? std::vector<float>(light.size()) : light));
   std::vector<PlaneReading> planes;
   if (!file.planes.empty()) planes = orThrow(options.layout, planeReadings(file, layout, scene, light));
-  const LightResults results = photometric || !file.paint.empty()
-                                   ? lightResults(scene.patches, scene.surfaces, light)
-                                   : lightResults(scene, layout);
+  const std::vector<Zone> zones = orThrow(options.layout, zonesOf(scene, file.taskAreas));
+  orThrow(options.layout, takeZones(scene, zones));
+  const LightResults results =
+      photometric || !file.paint.empty() ? lightResults(scene, light) : lightResults(scene, layout);
   if (!options.patches.empty())
     orThrow(replaceFile(options.patches, patchesCsv(scene.patches, scene.surfaces, light)));
   const std::vector<GridReading> grids = readGrids(scene, light);

@@ -64,6 +64,8 @@ void light(LightOptions options) {
   options.forward.directOnly |= file.directOnly;
   if (!file.planes.empty() && options.forward.directOnly)
     throw CommandError(options.layout + ": \"planes\" are told of all light; drop them or \"quantity\"");
+  if (!file.taskAreas.empty())
+    throw CommandError(options.layout + ": \"taskAreas\" are of a scene file; give them to fiatlux evaluate");
   std::vector<MeasuringPoint> points = pointsOf(options);
   if (!options.patches.empty()) orThrow(checkReplaceable(options.patches));
 

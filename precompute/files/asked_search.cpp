@@ -8,6 +8,7 @@
 
 #include "core/base/short_number.h"
 #include "core/photometry/photometric_values.h"
+#include "core/scene/zones.h"
 #include "core/search/plane_values.h"
 #include "core/search/validate_intentions.h"
 #include "core/transport/direct_part.h"
@@ -35,6 +36,7 @@ AskedSearch::AskedSearch(const Scene& room, IntentionsFile asked)
 
 Result<AskedSearch> AskedSearch::make(Scene& room, IntentionsFile asked) {
   AskedSearch search(room, std::move(asked));
+  if (auto ok = takeZones(room, search.intentions_.zones); !ok) return ok.error();
   if (!search.isOfTypes()) {
     if (auto ok = observe(room, search.intentions_.observers); !ok) return ok.error();
     if (asksForDirect(search.intentions_))
@@ -84,7 +86,7 @@ Result<Done> AskedSearch::makeCandidates() {
   candidateScene_.observers = std::move(observers);
   candidateScene_.planes = std::move(*planes);
   candidateScene_.direct = std::move(direct);
-  return Done{};
+  return takeZones(candidateScene_, intentions_.zones);
 }
 
 /// Pinned and excluded sites become candidates: a pinned luminaire hangs in the first way that fits there, of
@@ -118,7 +120,7 @@ LightResults AskedSearch::lightResults(const Layout& layout) const {
   const Quantity light =
       intentions_.quantity == Quantity::kDirect ? Quantity::kDirect : Quantity::kIlluminance;
   if (!isOfTypes() && light != Quantity::kDirect) return fiatlux::lightResults(*room_, layout);
-  return fiatlux::lightResults(room_->patches, room_->surfaces, illuminanceOf(scene(), layout, light));
+  return fiatlux::lightResults(*room_, illuminanceOf(scene(), layout, light));
 }
 
 nlohmann::ordered_json AskedSearch::layoutJson(const Layout& layout) const {

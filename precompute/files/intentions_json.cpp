@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "core/scene/surface_names.h"
+#include "core/scene/zones.h"
 #include "core/search/validate_intentions.h"
+#include "precompute/files/areas_json.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/json_fields.h"
 #include "precompute/files/observers_json.h"
@@ -161,8 +163,9 @@ void readFixed(const JsonField& json, IntentionsFile& asked) {
   }
 }
 
-LuminaireRules rulesOf(const JsonField& json) {
-  json.requireKeys({"count", "flux", "dimming", "pinned", "excluded", "minDistance", "types", "fixed"});
+LuminaireRules rulesOf(const Scene& scene, const JsonField& json) {
+  json.requireKeys(
+      {"count", "flux", "dimming", "pinned", "excluded", "areas", "minDistance", "types", "fixed"});
   LuminaireRules rules;
   if (const auto count = json.find("count")) readCount(*count, rules);
   if (const auto flux = json.find("flux")) rules.flux = fluxesOf(*flux);
@@ -174,6 +177,10 @@ LuminaireRules rulesOf(const JsonField& json) {
   }
   if (const auto pinned = json.find("pinned")) rules.pinned = sitesOf(*pinned);
   if (const auto excluded = json.find("excluded")) rules.excluded = sitesOf(*excluded);
+  if (const auto areas = json.find("areas"))
+    for (const std::uint32_t site : sitesLeftOut(scene, *areas, rules.pinned))
+      if (std::find(rules.excluded.begin(), rules.excluded.end(), site) == rules.excluded.end())
+        rules.excluded.push_back(site);
   if (const auto distance = json.find("minDistance")) rules.minDistance = distance->number();
   return rules;
 }
@@ -245,8 +252,8 @@ void readPlanePart(const JsonField& json, Constraint& constraint) {
 }
 
 Constraint constraintOf(const Scene& scene, const std::vector<Observer>& observers, const JsonField& json) {
-  json.requireKeys(
-      {"surface", "statistic", "min", "max", "alpha", "over", "observer", "quantity", "of", "direction"});
+  json.requireKeys({"surface", "statistic", "min", "max", "alpha", "over", "observer", "quantity", "of",
+                    "direction", "on"});
   Constraint constraint;
   constraint.statistic = statisticOf(json, false);
   if (const auto least = json.find("min")) constraint.lower = least->number();
@@ -261,6 +268,8 @@ Constraint constraintOf(const Scene& scene, const std::vector<Observer>& observe
   if (constraint.observer != kNone && constraint.statistic != Statistic::kUgr)
     json.fail("\"observer\" belongs to ugr only");
   readPlanePart(json, constraint);
+  if (const auto on = json.find("on"))
+    constraint.onGrid = on->oneOf<bool>({{"patches", false}, {"grid", true}});
   return constraint;
 }
 
@@ -276,13 +285,15 @@ std::vector<Observer> askedObservers(const Scene& scene, const JsonField& json) 
 }
 
 IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const ReadNamed& read) {
-  json.requireKeys({"luminaires", "arrangement", "goals", "constraints", "quantity", "observers"});
+  json.requireKeys(
+      {"luminaires", "arrangement", "goals", "constraints", "quantity", "observers", "taskAreas"});
   IntentionsFile asked;
   Intentions& intentions = asked.intentions;
+  intentions.zones = scene.zones;
   intentions.observers = askedObservers(scene, json);
   if (const auto quantity = quantityOf(json)) intentions.quantity = *quantity;
   if (const auto luminaires = json.find("luminaires")) {
-    intentions.luminaires = rulesOf(*luminaires);
+    intentions.luminaires = rulesOf(scene, *luminaires);
     if (const auto types = luminaires->find("types")) readTypes(scene, *luminaires, *types, read, asked);
     if (const auto fixed = luminaires->find("fixed")) readFixed(*fixed, asked);
   }
@@ -297,6 +308,13 @@ IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const Rea
   return asked;
 }
 
+/// `divided`: the room, which gets its task areas.
+void divide(const Scene& room, const JsonField& json, Scene& divided) {
+  const Result<std::vector<Zone>> zones = zonesOf(room, taskAreasOf(json));
+  if (!zones) json.fail(zones.error().message);
+  if (auto ok = takeZones(divided, *zones); !ok) json.fail(ok.error().message);
+}
+
 /// Only what is asked of squares of light.
 Result<Intentions> ofSquares(const Result<IntentionsFile>& asked) {
   if (!asked) return asked.error();
@@ -309,11 +327,14 @@ Result<Intentions> ofSquares(const Result<IntentionsFile>& asked) {
 Result<IntentionsFile> parseIntentionsFile(const Scene& room, const std::string& text,
                                            const ReadNamed& read) {
   IntentionsFile asked;
-  const Result<Done> done =
-      readJson(text, [&](const JsonField& json) { asked = intentionsOf(room, json, read); });
+  std::optional<Scene> divided;  // the room where task areas divide it: they are named like surfaces
+  const Result<Done> done = readJson(text, [&](const JsonField& json) {
+    if (const auto areas = json.find("taskAreas")) divide(room, *areas, divided.emplace(room));
+    asked = intentionsOf(divided ? *divided : room, json, read);
+  });
   if (!done) return done.error();
   if (!asked.types.empty()) return asked;
-  if (auto ok = checkIntentions(room, asked.intentions); !ok) return ok.error();
+  if (auto ok = checkIntentions(divided ? *divided : room, asked.intentions); !ok) return ok.error();
   return asked;
 }
 

@@ -111,13 +111,14 @@ LayoutEntry entryOf(const JsonField& json, const ReadNamed& read) {
 }
 
 LayoutFile layoutOf(const JsonField& json, const ReadNamed& read) {
-  json.requireKeys({"dimming", "luminaires", "observers", "paint", "planes", "quantity"});
+  json.requireKeys({"dimming", "luminaires", "observers", "paint", "planes", "taskAreas", "quantity"});
   LayoutFile file;
   if (const auto quantity = json.find("quantity"))
     file.directOnly = quantity->oneOf<bool>({{"illuminance", false}, {"direct", true}});
   if (const auto observers = json.find("observers")) file.observers = observersOf(*observers);
   if (const auto paint = json.find("paint")) file.paint = paintOf(*paint);
   if (const auto planes = json.find("planes")) file.planes = planesOf(*planes);
+  if (const auto areas = json.find("taskAreas")) file.taskAreas = taskAreasOf(*areas);
   if (const auto dimming = json.find("dimming")) file.dimming = dimming->number(0, kLargestDimming);
   for (const JsonField& luminaire :
        json.at("luminaires", "list them: [{\"site\": 12, \"flux\": 3000}]").list(kMostLuminaires))

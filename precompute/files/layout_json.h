@@ -12,6 +12,7 @@
 #include "core/scene/luminaire.h"
 #include "core/scene/scene.h"
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/files/areas_json.h"
 #include "precompute/files/named_files.h"
 #include "precompute/files/observers_json.h"
 #include "precompute/files/paint_json.h"
@@ -41,6 +42,7 @@ struct LayoutFile {
   AskedObservers observers;
   std::vector<NamedPaint> paint;
   std::vector<AskedPlane> planes;
+  std::vector<AskedArea> taskAreas;  // of a scene; `light` knows none
   bool directOnly = false;  // "quantity": "direct", of what nothing has reflected; else all light is read
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/zones.h"
 #include "precompute/files/terminal.h"
 
 namespace fiatlux {
@@ -94,8 +95,22 @@ LightResults lightResults(const Patches& patches, const std::vector<Surface>& su
   return results;
 }
 
+LightResults lightResults(const Scene& scene, const std::vector<float>& light) {
+  const std::uint32_t first = firstZone(scene);
+  LightResults results =
+      lightResults(scene.patches, {scene.surfaces.begin(), scene.surfaces.begin() + first}, light);
+  for (std::size_t z = 0; z < scene.zones.size(); ++z) {
+    const Surface& surface = scene.surfaces[first + z];
+    WeightedMoments lit;
+    for (const std::uint32_t p : scene.zones[z].rows) lit.add(scene.patches.area[p], light[p]);
+    results.surfaces.push_back(
+        {surface.name, surface.area, surface.patches, surface.reflectance, true, lit.statistics(), {}});
+  }
+  return results;
+}
+
 LightResults lightResults(const Scene& scene, const Layout& layout) {
-  LightResults results = lightResults(scene.patches, scene.surfaces, illuminanceOf(scene, layout));
+  LightResults results = lightResults(scene, illuminanceOf(scene, layout));
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     setMeanAndSigma(scene.illuminance[s], layout, results.surfaces[s].illuminance);
     if (!scene.surfaces[s].measuring)
@@ -116,6 +131,7 @@ nlohmann::ordered_json gridsJson(const std::vector<Surface>& surfaces,
                     {"rim", grid.rim},
                     {"mean", grid.mean},
                     {"min", grid.least},
+                    {"max", grid.most},
                     {"uniformity", grid.uniformity()}});
   return json;
 }

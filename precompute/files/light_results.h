@@ -34,6 +34,8 @@ LightResults lightResults(const Patches& patches, const std::vector<Surface>& su
 /// Of a layout on a scene: means and sigmas by the mean rows and covariances (exact), minima and maxima from
 /// the quantised patches.
 LightResults lightResults(const Scene& scene, const Layout& layout);
+/// Of any light (lx, one a row), those of its zones after its surfaces'.
+LightResults lightResults(const Scene& scene, const std::vector<float>& light);
 
 /// [{"name", "area", "patches", "mean", "sigma", "min", "max", "uniformity", "reflectance", "exitance":
 /// {...}}, ...]; "measuring": true and no exitance for measuring planes.

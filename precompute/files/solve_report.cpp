@@ -67,6 +67,7 @@ Json violationsJson(const Scene& scene, const Intentions& intentions, const Show
     if (constraint.quantity)
       entry["quantity"] = kQuantityNames[static_cast<std::size_t>(*constraint.quantity)];
     if (constraint.isLeast) entry["of"] = "minimum";
+    if (constraint.onGrid) entry["on"] = "grid";
     if (constraint.statistic == Statistic::kVertical)
       entry["direction"] = {constraint.direction.x, constraint.direction.y, constraint.direction.z};
     if (constraint.observer != kNone) entry["observer"] = intentions.observers[constraint.observer].name;
@@ -114,7 +115,9 @@ std::string constraintLine(const Scene& scene, const Intentions& intentions, con
   line += traits.name;
   if (traits.needsAlpha) line += " (alpha " + shortNumber(constraint.alpha, kReportDigits) + ")";
   if (constraint.statistic == Statistic::kVertical) line += " towards " + directionText(constraint.direction);
-  if (traits.needsSurfaces) line += " of " + printable(surfaceSetName(scene, constraint.surfaces), 80);
+  if (traits.needsSurfaces)
+    line += (constraint.onGrid ? " on the grid of " : " of ") +
+            printable(surfaceSetName(scene, constraint.surfaces), 80);
   if (constraint.statistic == Statistic::kUgr)
     line += constraint.observer == kNone
                 ? " of the worst observer"

@@ -78,7 +78,17 @@ export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentio
     goal: 1,
     violation: constraints.reduce((sum, { violation }) => sum + violation, 0),
     observers: [],
-    grids: [{ name: 'floor', points: 12, spacing: 1, rim: 0.5, mean: rows[0]!.mean, min: rows[0]!.min }],
+    grids: [
+      {
+        name: 'floor',
+        points: 12,
+        spacing: 1,
+        rim: 0.5,
+        mean: rows[0]!.mean,
+        min: rows[0]!.min,
+        max: rows[0]!.max,
+      },
+    ],
     planes: [],
   };
 }

@@ -113,11 +113,12 @@ export function asksForDirect({ goals, constraints, quantity }: Intentions): boo
 function constraintsOf(card: Card): { field: BoundField; constraint: Constraint }[] {
   const { mean, spread, guarantee, uniformity, contrast } = card;
   const where = whereOf(card);
+  const onGrid = card.onGrid && ({ on: 'grid' } as const);
   const list: { field: BoundField; constraint: Constraint }[] = [];
   const add = (field: BoundField, constraint: Omit<Constraint, 'surfaces'>) =>
     list.push({ field, constraint: { ...constraint, ...where } });
-  if (mean?.min) add('mean.min', { statistic: 'mean', min: mean.min });
-  if (mean?.max !== undefined) add('mean.max', { statistic: 'mean', max: mean.max });
+  if (mean?.min) add('mean.min', { statistic: 'mean', min: mean.min, ...onGrid });
+  if (mean?.max !== undefined) add('mean.max', { statistic: 'mean', max: mean.max, ...onGrid });
   if (spread?.min) add('spread.min', { statistic: 'sigma', min: spread.min });
   if (spread?.max !== undefined) add('spread.max', { statistic: 'sigma', max: spread.max });
   if (guarantee) {
@@ -125,7 +126,7 @@ function constraintsOf(card: Card): { field: BoundField; constraint: Constraint 
     const chebyshev = { statistic: 'chebyshev', alpha } as const;
     if (guarantee.min)
       add('guarantee.min', {
-        ...(by === 'chebyshev' ? chebyshev : { statistic: 'minimum' }),
+        ...(by === 'chebyshev' ? chebyshev : { statistic: 'minimum', ...onGrid }),
         min: guarantee.min,
       });
     if (guarantee.max !== undefined)
@@ -134,7 +135,7 @@ function constraintsOf(card: Card): { field: BoundField; constraint: Constraint 
         max: guarantee.max,
       });
   }
-  if (uniformity) add('uniformity', { statistic: 'uniformity', min: uniformity });
+  if (uniformity) add('uniformity', { statistic: 'uniformity', min: uniformity, ...onGrid });
   if (contrast?.min) add('contrast', { statistic: 'contrast', min: contrast.min, over: contrast.over });
   return [...list, ...planeConstraintsOf(card)];
 }

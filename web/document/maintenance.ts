@@ -62,7 +62,7 @@ interface Readings {
   }[];
   readonly goals: readonly { readonly value: number }[];
   readonly constraints: readonly { readonly value: number }[];
-  readonly grids: readonly { readonly mean: number; readonly min: number }[];
+  readonly grids: readonly { readonly mean: number; readonly min: number; readonly max: number }[];
   readonly observers: readonly { readonly cylindrical: number }[];
   readonly planes: readonly {
     readonly horizontal: MeanAndLeast;
@@ -108,7 +108,12 @@ export function maintained<Shown extends Readings>(
       min: row.min * factor,
       max: row.max * factor,
     })),
-    grids: shown.grids.map((grid) => ({ ...grid, mean: grid.mean * factor, min: grid.min * factor })),
+    grids: shown.grids.map((grid) => ({
+      ...grid,
+      mean: grid.mean * factor,
+      min: grid.min * factor,
+      max: grid.max * factor,
+    })),
     observers: shown.observers.map((each) => ({ ...each, cylindrical: each.cylindrical * factor })),
     planes: shown.planes.map((plane) => ({
       ...plane,

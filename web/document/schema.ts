@@ -64,6 +64,7 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
     uniformity: v.exactOptional(number(0, 1)),
     contrast: v.exactOptional(v.object({ over: names, min: ratio })),
     direct: v.exactOptional(v.boolean()),
+    onGrid: v.exactOptional(v.boolean()),
     cylindrical: v.exactOptional(v.object(planeBounds(lux))),
     modelling: v.exactOptional(v.object(planeBounds(ratio))),
     vertical: v.exactOptional(v.object({ ...planeBounds(lux), direction: levelSchema })),

@@ -37,6 +37,7 @@ export interface Constraint {
   readonly quantity?: Quantity; // absent: that of the intentions
   readonly of?: 'minimum'; // of the points of planes: of the least; absent: of their mean
   readonly direction?: Point; // vertical only: level, of any length but 0
+  readonly on?: 'grid'; // mean, minimum, uniformity: at the points of the grid of EN 12464-1; absent: of the patches
 }
 
 /** Bounds of a statistic of planes: of the mean of the points, and of the least of them. */
@@ -69,6 +70,7 @@ export interface Card {
   readonly uniformity?: number; // U_o at least
   readonly contrast?: { readonly over: SurfaceNames; readonly min: number };
   readonly direct?: boolean; // it speaks of direct light alone
+  readonly onGrid?: boolean; // mean, evenness and darkest spot are those of the EN grid's points
   // On measuring planes only, of all light:
   readonly cylindrical?: PlaneBounds; // lx: how well faces are seen
   readonly modelling?: PlaneBounds; // cylindrical over horizontal

@@ -74,6 +74,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       alpha: constraint.alpha ?? 1,
       isLeast: constraint.of === 'minimum',
       direction: constraint.direction ?? null,
+      onGrid: constraint.on === 'grid',
       ...surfaces(constraint),
     })),
   };
@@ -156,9 +157,11 @@ function observersOf({ names, numbers }: CoreShown['observers']): ObserverResult
 }
 
 function gridsOf(numbers: Float64Array, leaves: readonly NamedSurface[]): GridResult[] {
-  return Array.from({ length: numbers.length / 6 }, (_, i) => {
-    const [surface = 0, points = 0, spacing = 0, rim = 0, mean = 0, min = 0] = numbers.subarray(6 * i);
-    return { name: leaves[surface]?.name ?? '', points, spacing, rim, mean, min };
+  return Array.from({ length: numbers.length / 7 }, (_, i) => {
+    const [surface = 0, points = 0, spacing = 0, rim = 0, mean = 0, min = 0, max = 0] = numbers.subarray(
+      7 * i,
+    );
+    return { name: leaves[surface]?.name ?? '', points, spacing, rim, mean, min, max };
   });
 }
 

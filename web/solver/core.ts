@@ -147,6 +147,7 @@ export interface CoreConstraint {
   readonly quantity: number | null; // null: that of the intentions
   readonly isLeast: boolean; // of the points of planes: of the least of them
   readonly direction: readonly [number, number, number] | null; // vertical only
+  readonly onGrid: boolean; // at the points of the grid
 }
 
 /** How many luminaires of a type there may be; its name is for whoever reads that this cannot be. */

@@ -41,6 +41,7 @@ export interface GridResult {
   readonly rim: number; // m that are left out along the edges
   readonly mean: number; // lx, E_m
   readonly min: number; // lx, E_min
+  readonly max: number; // lx, E_max
 }
 
 /** Of the points of a measuring plane: their mean, and the least of them. */
@@ -70,7 +71,7 @@ export interface Shown {
   readonly goal: number; // the weighted objective, relative to the start layout
   readonly violation: number; // 0 = every constraint is met
   readonly observers: readonly ObserverResult[]; // none: nobody looks, or the room's file cannot tell
-  readonly grids: readonly GridResult[]; // of illuminance, whatever the quantity
+  readonly grids: readonly GridResult[]; // of what `illuminance` is, those of task areas too
   readonly planes: readonly PlaneResult[]; // those that are asked about
 }
 

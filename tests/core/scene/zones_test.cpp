@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/scene/calculation_grid.h"
 #include "core/search/patch_extremes.h"
 #include "core/session/session.h"
 #include "tests/core/synthetic_scene.h"
@@ -50,6 +51,24 @@ TEST(Zones, HaveTheStatisticsOfTheirRows) {
   EXPECT_NEAR(together.sigma, plane.sigma, 1e-3 * plane.mean);
   const Extremes extremes = extremesUnder(scene, Quantity::kIlluminance, {first}, kLayout);
   EXPECT_NEAR((extremes.minimumLow + extremes.minimumHigh) / 2, explicitly.minimum, 1e-4 * explicitly.mean);
+}
+
+TEST(Zones, HaveAGridOfTheirOwnWithoutARim) {
+  Scene scene = syntheticScene(16, 8);
+  const std::vector<float> light = illuminanceOf(scene, kLayout);
+  const std::size_t before = readGrids(scene, light).size();
+  const Zone left = zoneBetween(scene, "task 1", 0, 1);
+  ASSERT_TRUE(takeZones(scene, {left}));
+  const std::vector<GridReading> readings = readGrids(scene, light);
+  ASSERT_EQ(readings.size(), before + 1);
+  const GridReading& task = readings.back();
+  EXPECT_EQ(scene.surfaces[task.surface].name, "task 1");
+  EXPECT_EQ(task.rim, 0);
+  const ExplicitStatistics patches = explicitStatistics(scene, light, {task.surface});
+  EXPECT_NEAR(task.mean, patches.mean, 0.03 * patches.mean);
+  EXPECT_GE(task.least, patches.minimum * (1 - 1e-6));
+  EXPECT_LE(task.most, patches.maximum * (1 + 1e-6));
+  EXPECT_EQ(gridPointsOf(scene, task.surface).size(), task.points);
 }
 
 TEST(Zones, AreReplacedAndLeaveNothingBehind) {

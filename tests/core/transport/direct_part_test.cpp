@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/candidates/candidate_scene.h"
+#include "core/scene/calculation_grid.h"
+#include "core/scene/zones.h"
 #include "core/search/evaluator.h"
 #include "core/search/shown.h"
 #include "core/session/session.h"
@@ -72,6 +74,72 @@ TEST(DirectPart, TrialsOfTheSearchAreFullEvaluations) {
     evaluator.tryMoves(1, &site, 1, best);
     ASSERT_EQ(best.count, 1u);
     const Evaluation full = Evaluator(prepared, emergency()).evaluate({0, site, 6});
+    EXPECT_NEAR(best.evaluation.violation, full.violation, 1e-4 * (1 + full.violation));
+    EXPECT_NEAR(best.evaluation.goal, full.goal, 1e-4 * full.goal);
+  }
+}
+
+/// Escape light on a part of the plane, and even light on its grid.
+Intentions onGrids(const Scene& scene) {
+  Zone route{"route", 2, {}};
+  for (std::uint32_t p = scene.patches.count; p < scene.patches.rows(); ++p)
+    if (scene.patches.surface[p] == 2 && scene.patches.center[p].x < 1.1) route.rows.push_back(p);
+  const auto zone = static_cast<std::uint32_t>(scene.surfaces.size() - scene.zones.size());
+  Intentions intentions;
+  intentions.luminaires.count = 3;
+  intentions.luminaires.flux = {400};
+  intentions.zones = {route};
+  intentions.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {0}, {}}};
+  const auto add = [&](Statistic statistic, double least, std::uint32_t surface, Quantity quantity) {
+    intentions.constraints.push_back({statistic, least, kUnbounded, 1, {surface}, {}, kNone, quantity});
+    intentions.constraints.back().onGrid = true;
+  };
+  add(Statistic::kMinimum, 5, zone, Quantity::kDirect);
+  add(Statistic::kMean, 30, 2, Quantity::kIlluminance);
+  add(Statistic::kUniformity, 0.6, 2, Quantity::kIlluminance);
+  return intentions;
+}
+
+TEST(DirectPart, IsReadOnTheGridOfATaskArea) {
+  Session session;
+  session.adopt(operatorScene(16, 8));
+  const Intentions intentions = onGrids(*session.scene());
+  ASSERT_TRUE(session.setIntentions(intentions));
+  const Shown shown = *session.show({{1, 4, 6}, {400, 400, 400}, 0.5});
+  const Scene& scene = *session.scene();
+  const auto readingOf = [&](const std::vector<float>& light, std::uint32_t surface) {
+    for (const GridReading& reading : readGrids(scene, light))
+      if (reading.surface == surface) return reading;
+    return GridReading{};
+  };
+  const GridReading route = readingOf(shown.direct, intentions.constraints[0].surfaces[0]);
+  const GridReading plane = readingOf(shown.illuminance, 2);
+  ASSERT_GT(route.points, 0u);
+  EXPECT_LT(route.least, readingOf(shown.illuminance, route.surface).least);
+  EXPECT_NEAR(shown.constraints[0].value, route.least, 1e-4 * route.least);
+  EXPECT_NEAR(shown.constraints[1].value, plane.mean, 1e-4 * plane.mean);
+  EXPECT_NEAR(shown.constraints[2].value, plane.uniformity(), 1e-4);
+  EXPECT_EQ(session.gridsOf(shown.illuminance).size(), readGrids(scene, shown.illuminance).size());
+
+  Intentions wrong = intentions;
+  wrong.constraints[0].statistic = Statistic::kMaximum;
+  EXPECT_THAT(session.setIntentions(wrong).error().message, testing::HasSubstr("a grid tells"));
+}
+
+TEST(DirectPart, TrialsOnGridsAreFullEvaluations) {
+  Scene scene = operatorScene(16, 8);
+  ASSERT_TRUE(addDirect(scene));
+  const Intentions intentions = onGrids(scene);
+  ASSERT_TRUE(takeZones(scene, intentions.zones));
+  PreparedScene prepared(scene);
+  Evaluator evaluator(prepared, intentions);
+  evaluator.load({0, 3, 6});
+  for (std::uint32_t site : {1u, 2u, 4u, 5u, 7u}) {
+    Trial best;
+    best.evaluation.violation = kUnbounded;
+    evaluator.tryMoves(1, &site, 1, best);
+    ASSERT_EQ(best.count, 1u);
+    const Evaluation full = Evaluator(prepared, intentions).evaluate({0, site, 6});
     EXPECT_NEAR(best.evaluation.violation, full.violation, 1e-4 * (1 + full.violation));
     EXPECT_NEAR(best.evaluation.goal, full.goal, 1e-4 * full.goal);
   }

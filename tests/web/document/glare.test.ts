@@ -75,10 +75,10 @@ test('a bound on glare stands after all others, and what observers see comes bac
       names: ['a', 'b'],
       numbers: Float64Array.of(1, 2, 3, 0, 0, 1, 18, 30, 150, 4, 5, 6, 1, 0, 0, -Infinity, 0, 90),
     },
-    grids: Float64Array.of(0, 48, 0.527, 0.5, 510, 340),
+    grids: Float64Array.of(0, 48, 0.527, 0.5, 510, 340, 600),
   };
   expect(shownOf(shown, 0, leaves).grids).toEqual([
-    { name: 'floor', points: 48, spacing: 0.527, rim: 0.5, mean: 510, min: 340 },
+    { name: 'floor', points: 48, spacing: 0.527, rim: 0.5, mean: 510, min: 340, max: 600 },
   ]);
   expect(shownOf(shown, 0, leaves).observers).toMatchObject([
     { name: 'a', position: [1, 2, 3], ugr: 18, background: 30, cylindrical: 150 },

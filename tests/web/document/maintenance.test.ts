@@ -46,7 +46,7 @@ test('a bound that the new installation just meets is just met by what is shown'
     surfaces: [{ mean: 625, sigma: 10, min: 500, max: 1250 }],
     goals: [{ value: 0.25 }, { value: 10 }, { value: 1000 }],
     constraints: [{ value: 625 }, { value: 0.7 }, { value: 605 }, { value: 0.4 }, { value: 150 }],
-    grids: [{ mean: 625, min: 500 }],
+    grids: [{ mean: 625, min: 500, max: 750 }],
     observers: [{ cylindrical: 200, ugr: 17 }],
     planes: [
       {
@@ -69,7 +69,7 @@ test('a bound that the new installation just meets is just met by what is shown'
     },
   ]);
   expect(aged.surfaces).toEqual([{ mean: 500, sigma: 8, min: 400, max: 1000 }]);
-  expect(aged.grids).toEqual([{ mean: 500, min: 400 }]);
+  expect(aged.grids).toEqual([{ mean: 500, min: 400, max: 600 }]);
   expect(aged.observers).toEqual([{ cylindrical: 160, ugr: 17 }]); // glare is that of the new installation
   expect(aged.goals.map(({ value }) => value)).toEqual([0.25, 8, 1000]);
   expect(aged.constraints.map(({ value }) => value)).toEqual([500, 0.7, 484, 0.4, 120]);

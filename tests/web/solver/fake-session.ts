@@ -262,7 +262,7 @@ function shown(sites: number[]): CoreShown {
     goals: Float64Array.of(5),
     constraints: Float64Array.of(30, 0.5, -0.5),
     observers: { names: [], numbers: new Float64Array() },
-    grids: Float64Array.of(1, 4, 0.5, 0.5, 3.5, 3),
+    grids: Float64Array.of(1, 4, 0.5, 0.5, 3.5, 3, 4),
     planes: [],
   };
 }
