@@ -53,7 +53,14 @@ const rooms = [
     opening: {
       roomType: 'classroom',
       cards: [
-        { id: 'type-task', verb: 'homogenize', surfaces: ['working plane'], mean: { min: 510 } },
+        {
+          id: 'type-task',
+          verb: 'homogenize',
+          surfaces: ['working plane'],
+          mean: { min: 500 },
+          uniformity: 0.6,
+          onGrid: true,
+        },
         { id: 'type-walls', verb: 'keep', surfaces: walls, mean: { min: 150 } },
         { id: 'type-ceiling', verb: 'keep', surfaces: ['ceiling'], mean: { min: 100 } },
       ],

@@ -19,7 +19,8 @@ function goalsOf({ verb, aim, surfaces, weight = 1 }) {
 }
 
 /** One constraint a bound of a card, in the order of its fields. */
-function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, uniformity, contrast }) {
+function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, uniformity, contrast, onGrid }) {
+  const on = onGrid && { on: 'grid' };
   const ends = (range, statistic) =>
     ['min', 'max']
       .filter((end) => range[end] !== undefined)
@@ -27,10 +28,10 @@ function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, unifo
   const ofPatches = { min: { statistic: 'minimum' }, max: { statistic: 'maximum' } };
   const { by, alpha } = guarantee;
   return [
-    ...ends(mean, () => ({ statistic: 'mean' })),
+    ...ends(mean, () => ({ statistic: 'mean', ...on })),
     ...ends(spread, () => ({ statistic: 'sigma' })),
     ...ends(guarantee, (end) => (by === 'patches' ? ofPatches[end] : { statistic: 'chebyshev', alpha })),
-    ...(uniformity ? [{ surface: surfaces, statistic: 'uniformity', min: uniformity }] : []),
+    ...(uniformity ? [{ surface: surfaces, statistic: 'uniformity', min: uniformity, ...on }] : []),
     ...(contrast ? [{ surface: surfaces, statistic: 'contrast', ...contrast }] : []),
   ];
 }
@@ -38,16 +39,18 @@ function constraintsOf({ surfaces, mean = {}, spread = {}, guarantee = {}, unifo
 /** Where photometric files lie, as `fiatlux` sees it from the root of the project. */
 const luminaireFolder = 'public/luminaires/';
 
+const ratios = ['uniformity', 'contrast'];
+
 /** What is left of the light of a new installation: the product, to a hundredth (web/document/maintenance.ts). */
 const factorOf = ({ maintenance = [] }) =>
   Math.round(100 * maintenance.reduce((all, each) => all * each, 1)) / 100;
 
-/** What the new installation has to reach; the cards of an opening with maintenance ask of means alone. */
+/** What the new installation has to reach; a ratio does not age. */
 const asNew = (factor) => (asked) => ({
   ...asked,
   ...Object.fromEntries(
     ['min', 'max', 'target'].flatMap((bound) =>
-      asked[bound] === undefined ? [] : [[bound, asked[bound] / factor]],
+      asked[bound] === undefined || ratios.includes(asked.statistic) ? [] : [[bound, asked[bound] / factor]],
     ),
   ),
 });
@@ -56,8 +59,6 @@ const asNew = (factor) => (asked) => ({
 export function openingIntentions({ cards, luminaires, types, quantity = 'illuminance' }) {
   const { most, maintenance: _, arrangement, ...rest } = luminaires;
   const factor = factorOf(luminaires);
-  const isOfRatio = cards.some(({ uniformity, contrast }) => uniformity || contrast);
-  if (factor !== 1 && isOfRatio) throw new Error('an opening with maintenance asks of no ratio');
   const inFolder = ({ photometry, count, turns, aims, flux, watts }) => ({
     photometry: luminaireFolder + photometry,
     count,

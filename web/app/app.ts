@@ -9,6 +9,7 @@ import { leavesOf } from '../document/surface-names.ts';
 import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
+import { BestFinding } from './best-figures.ts';
 import { Challenge } from './challenge.ts';
 import { Comparing } from './comparing.ts';
 import { Film } from './film.ts';
@@ -60,6 +61,7 @@ export class App {
     this.hand = new Hand(store, this.solving);
     this.tasks = new TaskAreas(store);
     new Comparing(store, this.solving);
+    new BestFinding(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
     this.painting = new Painting(store, this.solving, this.viewer);
     this.keeping = new Keeping(store, this.solving, this.viewer, this.types);

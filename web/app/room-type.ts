@@ -20,13 +20,17 @@ async function fromSite(app: App, wished: readonly OpeningType[]): Promise<reado
 export async function lightAs(app: App, type: RoomType): Promise<void> {
   const { store } = app;
   const scene = store.scene.peek();
-  if (!scene || cardsOf(type, scene.surfaces).length === 0) {
-    store.say('warning', words.value.dialogs.presets.noSurface(type.title()));
+  const surfaces = store.sceneWithAreas.peek()?.surfaces ?? [];
+  if (!scene || cardsOf(type, surfaces).length === 0) {
+    const { noRoute, noSurface } = words.value.dialogs.presets;
+    store.say('warning', type.numbers.centreLine === undefined ? noSurface(type.title()) : noRoute);
     return;
   }
   const luminaires = await fromSite(app, luminairesFor(type, store.document.peek(), scene));
   if (store.scene.peek() !== scene) return;
-  store.edit(words.value.steps.preset(type.title()), (draft) => askForType(draft, type, scene, luminaires));
+  store.edit(words.value.steps.preset(type.title()), (draft) =>
+    askForType(draft, type, { surfaces, sites: scene.sites }, luminaires),
+  );
   store.tab.value = 'results';
 }
 

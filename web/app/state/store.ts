@@ -9,6 +9,7 @@ import { barredSites, type AreaKind } from '../../document/areas.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
 import { intentionsOf, withExcluded } from '../../document/intentions.ts';
 import { paintedScene } from '../../document/paint.ts';
+import type { BestFigures } from '../best-figures.ts';
 import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { RoomPlan } from '../../document/plan-frame.ts';
@@ -172,6 +173,7 @@ export class Store {
   readonly sentScore = signal<number | null>(null); // that came with a link, until it is told
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);
   readonly comparison = signal<Comparison | null>(null); // of other numbers and arrangements, maybe of an older wish
+  readonly bestFigures = signal<BestFigures | null>(null); // of a wish with rows that are not met, maybe an older one
   readonly relief = signal<Relief | null>(null); // of a wish that cannot be met, maybe an older one
   readonly check = signal<LayoutCheck | null>(null); // of the layout shown, or of an older one
   readonly alphaRun = signal<AlphaRun | null>(null);

@@ -55,7 +55,8 @@ export function easedCards(
 
 export function fieldText(card: Card, field: BoundField): string {
   const isOfAll = planeStatistics.some((each) => field.startsWith(each));
-  const text = textOf(card, field);
+  const isRead = card.onGrid && (field.startsWith('mean') || field === 'uniformity');
+  const text = isRead ? words.value.values.onGrid(textOf(card, field)) : textOf(card, field);
   return card.direct && !isOfAll ? words.value.values.direct(text) : text;
 }
 

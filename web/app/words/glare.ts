@@ -26,5 +26,6 @@ export function glareVerdict(observers: readonly ObserverResult[], target: numbe
     unit: 'UGR',
     margin: null,
     met: actual === null ? null : actual < target + margin,
+    alone: { ugr: target },
   };
 }

@@ -9,13 +9,15 @@ import { fixed, typed } from '../../language/numbers.ts';
 export interface Preset {
   readonly id: string;
   readonly title: () => string;
-  readonly standard: 'EN 12464-1:2021' | 'CIE 157';
+  readonly standard: 'EN 12464-1:2021' | 'CIE 157' | 'EN 1838';
   readonly required?: number; // maintained mean, lx
   readonly modified?: number; // where the context asks for more, lx
   readonly uniformity?: number; // U_o
   readonly walls?: number; // mean, lx
   readonly ceiling?: number; // mean, lx
   readonly most?: number; // largest illuminance anywhere, lx
+  readonly least?: number; // direct light of emergency luminaires anywhere, lx
+  readonly centreLine?: number; // and along the middle of a route, lx
 }
 
 const task = (
@@ -37,6 +39,24 @@ export const presets: readonly Preset[] = [
   { id: 'museum-low', title: () => words.value.values.presets.exhibitLow, standard: 'CIE 157', most: 200 },
   { id: 'museum-high', title: () => words.value.values.presets.exhibitHigh, standard: 'CIE 157', most: 50 },
 ];
+
+/** Emergency lighting: what nothing has reflected counts, and how much brighter the brightest point may be. */
+export const emergency = {
+  escape: {
+    id: 'escape',
+    title: () => words.value.values.types.escape,
+    standard: 'EN 1838',
+    least: 0.5,
+    centreLine: 1,
+  },
+  openArea: {
+    id: 'open-area',
+    title: () => words.value.values.types.openArea,
+    standard: 'EN 1838',
+    least: 0.5,
+  },
+} as const satisfies Record<string, Preset>;
+export const largestDiversity = 40;
 
 /** The card with a preset's numbers for the task itself; other bounds of the card go. */
 export function withPreset(card: Card, preset: Preset): Card {
@@ -64,6 +84,8 @@ const plain = (value = 0): string => typed(value);
 /** "500 lx, U_o 0.60; walls 150 lx, ceiling 100 lx". */
 export function presetText(preset: Preset): string {
   if (preset.most !== undefined) return words.value.values.presets.mostAnywhere(preset.most);
+  if (preset.least !== undefined)
+    return words.value.values.presets.emergency(typed(preset.centreLine ?? preset.least));
   return words.value.values.presets.numbers(
     plain(preset.required),
     plain(preset.modified),

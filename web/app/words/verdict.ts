@@ -2,7 +2,14 @@
 import { ugrText } from '../../document/glare.ts';
 import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
-import type { Card, FiatLuxDocument, Quantity, SceneInfo, SurfaceNames } from '../../document/types.ts';
+import type {
+  Card,
+  Constraint,
+  FiatLuxDocument,
+  Quantity,
+  SceneInfo,
+  SurfaceNames,
+} from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
@@ -18,13 +25,20 @@ export interface Verdict {
   readonly unit: string; // of both; '' for a ratio
   readonly margin: number | null; // relative, negative = short; null where nothing is to be met
   readonly met: boolean | null; // null = a wish without a bound
+  readonly alone?: Alone; // how the row could be asked for by itself; absent: it cannot
 }
+
+/** One bound, with light as the document has it (maintained where that is), or a limit of glare. */
+export type Alone = Constraint | { readonly ugr: number };
+
+/** What tells a row from the others. */
+export const nameOf = ({ where, what }: Verdict): string => `${where}\n${what}`;
 
 type Asked = Pick<FiatLuxDocument, 'cards' | 'quantity' | 'taskAreas'>;
 
 export function verdicts(
   document: Asked,
-  { origins }: Pick<TracedIntentions, 'origins'>,
+  { origins, intentions }: Pick<TracedIntentions, 'origins' | 'intentions'>,
   shown: Pick<Shown, 'constraints' | 'surfaces' | 'illuminance' | 'direct'>,
   scene: SceneInfo,
 ): Verdict[] {
@@ -34,6 +48,7 @@ export function verdicts(
     const bounds = origins.flatMap((origin, i): Verdict[] => {
       const target = boundOf(card, origin.field);
       const result = shown.constraints[i];
+      const alone = intentions.constraints[i];
       if (origin.card !== card.id || target === undefined || !result) return [];
       return [
         {
@@ -44,6 +59,7 @@ export function verdicts(
           unit: unitOfBound(origin.field, document.quantity),
           margin: result.margin,
           met: result.met,
+          ...(alone && { alone }),
         },
       ];
     });

@@ -60,6 +60,7 @@ export const dialogs: Words['dialogs'] = {
     doRename: 'Umbenennen',
   },
   presets: {
+    noRoute: 'Zuerst den Rettungsweg als Sehaufgabenbereich zeichnen; beurteilt wird längs seiner Mitte.',
     noSurface: (title) => `Dieser Raum hat keine Fläche, von der „${title}“ verlangt werden könnte.`,
     name: 'Fertige Ziele',
     for: 'Für',

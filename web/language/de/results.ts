@@ -99,6 +99,8 @@ export const results: Words['results'] = {
     target: 'Soll',
     actual: 'Ist',
     met: 'Erfüllt',
+    aloneMet: 'erfüllbar, doch nicht mit dem Rest',
+    bestFound: (value) => `bestens erreicht: ${value}`,
   },
   places: { walls: 'Wände', ceiling: 'Decke', task: 'Sehaufgabe' },
 };

@@ -58,6 +58,7 @@ export const dialogs = {
     doRename: 'Rename',
   },
   presets: {
+    noRoute: 'Draw the escape route as a task area first; each is judged along its middle.',
     noSurface: (title: string) => `This room has no surface that “${title}” could be asked of.`,
     name: 'Ready-made intentions',
     for: 'For',

@@ -100,6 +100,8 @@ export const results = {
     target: 'Target',
     actual: 'Actual',
     met: 'Met',
+    aloneMet: 'can be met, but not with the rest',
+    bestFound: (value: string) => `best found: ${value}`,
   },
   places: { walls: 'walls', ceiling: 'ceiling', task: 'task' },
 };

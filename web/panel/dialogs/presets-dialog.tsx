@@ -40,7 +40,7 @@ export function PresetsDialog({ close }: { close: () => void }) {
                 <strong>{type.title()}</strong>
                 <span>
                   {presetText(type.numbers)}
-                  {words.value.dialogs.presets.maintained}
+                  {type.numbers.least === undefined && words.value.dialogs.presets.maintained}
                 </span>
               </button>
             </li>

@@ -3,7 +3,7 @@ import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { everyVerdict, maintenanceText, roomTypes } from '../../app/words/room-types.ts';
-import { targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
+import { nameOf, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';
 
@@ -12,6 +12,8 @@ export function VerdictTable() {
   const { roomType, luminaires } = store.document.value;
   const rows = everyVerdict(store);
   const type = roomTypes.find(({ id }) => id === roomType);
+  const best = store.bestFigures.value;
+  const figures = best?.of === store.traced.value.intentions ? best.figures : null;
   if (rows.length === 0) return null;
   return (
     <>
@@ -41,7 +43,7 @@ export function VerdictTable() {
         </thead>
         <tbody>
           {rows.map((row, i) => (
-            <Row key={i} row={row} />
+            <Row key={i} row={row} best={figures?.get(nameOf(row))} />
           ))}
         </tbody>
       </table>
@@ -50,7 +52,12 @@ export function VerdictTable() {
   );
 }
 
-function Row({ row }: { row: Verdict }) {
+interface RowProps {
+  readonly row: Verdict;
+  readonly best: number | undefined; // that was found for this row alone, where it is not met
+}
+
+function Row({ row, best }: RowProps) {
   const { where, what, actual, unit, margin, met } = row;
   const spare = margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
   return (
@@ -66,6 +73,7 @@ function Row({ row }: { row: Verdict }) {
           <strong>{valueText(actual, unit)}</strong>
         )}
         {spare && <small class="verdict-margin">{spare}</small>}
+        {met === false && best !== undefined && <small class="verdict-margin">{bestText(row, best)}</small>}
       </td>
       <td>
         {met !== null && (
@@ -81,4 +89,10 @@ function Row({ row }: { row: Verdict }) {
       </td>
     </tr>
   );
+}
+
+/** Whether the row could be met by itself, or how near to it any layout came. */
+function bestText({ target, unit }: Verdict, best: number): string {
+  const { aloneMet, bestFound } = words.value.results.verdict;
+  return best === target ? aloneMet : bestFound(valueText(best, unit));
 }

@@ -1,0 +1,28 @@
+/** What rows of the verdict could reach alone. */
+import { expect, test } from '@jest/globals';
+import { askedAlone, figureOf } from '../../../web/app/best-figures.ts';
+import type { Intentions } from '../../../web/document/types.ts';
+import { usualLuminaires } from '../../../web/app/rooms/opening-wish.ts';
+
+const even = { statistic: 'uniformity', surfaces: ['floor'], min: 0.4, on: 'grid' } as const;
+const asked: Intentions = {
+  luminaires: usualLuminaires,
+  goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['floor'] }],
+  constraints: [even, { statistic: 'mean', surfaces: ['walls'], min: 50 }],
+  quantity: 'illuminance',
+  glare: { max: 19 },
+};
+
+test('a row is asked for alone, by the same luminaires; observers stay, their limit goes', () => {
+  expect(askedAlone(asked, even)).toEqual({ ...asked, goals: [], constraints: [even], glare: {} });
+  const glare = askedAlone(asked, { ugr: 16 });
+  expect(glare).toEqual({ ...asked, goals: [], constraints: [], glare: { max: 16 } });
+});
+
+test('what was met has its target, what was not is as far from it as the violation says', () => {
+  expect(figureOf(even, { met: true, violation: 0 })).toBe(0.4);
+  expect(figureOf(even, { met: false, violation: 0.25 })).toBeCloseTo(0.3);
+  const most = { statistic: 'mean', surfaces: ['wall'], max: 50 } as const;
+  expect(figureOf(most, { met: false, violation: 0.1 })).toBeCloseTo(55);
+  expect(figureOf({ ugr: 19 }, { met: false, violation: 9 })).toBeCloseTo(27);
+});
