@@ -21,13 +21,13 @@ const titleOf = (verb: Verb) => words.value.intentions.verbs[verb].title;
 export function IntentionsTab() {
   const app = useApp();
   const { store } = app;
-  const { cards, saving } = store.document.value;
+  const { cards, saving, quantity } = store.document.value;
   const inPaperWords = usePaperWords();
   const selected = store.sceneWithAreas.value?.surfaces[store.surface.value ?? -1]?.name;
   return (
     <>
       {inPaperWords && <QuantityChoice />}
-      {!inPaperWords && <RoomTypeOffer />}
+      {quantity !== 'exitance' && <RoomTypeOffer />}
       <FirstHint />
       <InfeasibleHelp />
       <ul class="cards">
