@@ -122,7 +122,31 @@ describe('a room type', () => {
     expect(store.document.peek().luminaires.types).toBeUndefined();
   });
 
-  test('of the emergency counts direct light on routes that were drawn, by luminaires of its own', () => {
+  test('is judged on its grid first; what the file does not tell is said so', () => {
+    const { store, scene } = storeOf('corridor');
+    const rows = everyVerdict(store);
+    expect(rows.slice(0, 3).map(({ where, what }) => `${where}: ${what}`)).toEqual([
+      'floor: Ēₘ on the EN grid at least',
+      'floor: Uₒ on the EN grid at least',
+      'walls: Ēₘ at least',
+    ]);
+    expect(rows.some(({ what }) => what === 'mean at least')).toBe(false); // said on the grid already
+    const cylindrical = rows.find(({ what }) => what.startsWith('cylindrical'))!;
+    expect(cylindrical).toMatchObject({ actual: null, met: null, target: 50 });
+    expect(valueText(cylindrical.actual, cylindrical.unit)).toBe('not in this file');
+    const mean = rows[0]!;
+    expect(mean.met).toBe(mean.actual! >= 100);
+    expect(targetText(mean)).toBe('100 lx');
+    const dark = typeVerdicts(typeOf('corridor'), scene, {
+      ...store.shown.peek()!,
+      grids: [{ name: 'floor', points: 4, spacing: 1, rim: 0.5, mean: 0, min: 0, max: 0 }],
+    });
+    expect(dark[0]).toMatchObject({ actual: 0, met: false, margin: -1 });
+  });
+});
+
+describe('emergency lighting', () => {
+  test('counts direct light on routes that were drawn, by luminaires of its own', () => {
     const { store, scene } = storeOf('corridor');
     const escape = typeOf('escape');
     expect(cardsOf(escape, scene.surfaces)).toEqual([]); // nobody has drawn a route
@@ -155,27 +179,5 @@ describe('a room type', () => {
       { where: 'route', target: 1, actual: expect.closeTo(1.2), met: true },
       { where: 'route', target: 40, actual: 50, met: false },
     ]);
-  });
-
-  test('is judged on its grid first; what the file does not tell is said so', () => {
-    const { store, scene } = storeOf('corridor');
-    const rows = everyVerdict(store);
-    expect(rows.slice(0, 3).map(({ where, what }) => `${where}: ${what}`)).toEqual([
-      'floor: Ēₘ on the EN grid at least',
-      'floor: Uₒ on the EN grid at least',
-      'walls: Ēₘ at least',
-    ]);
-    expect(rows.some(({ what }) => what === 'mean at least')).toBe(false); // said on the grid already
-    const cylindrical = rows.find(({ what }) => what.startsWith('cylindrical'))!;
-    expect(cylindrical).toMatchObject({ actual: null, met: null, target: 50 });
-    expect(valueText(cylindrical.actual, cylindrical.unit)).toBe('not in this file');
-    const mean = rows[0]!;
-    expect(mean.met).toBe(mean.actual! >= 100);
-    expect(targetText(mean)).toBe('100 lx');
-    const dark = typeVerdicts(typeOf('corridor'), scene, {
-      ...store.shown.peek()!,
-      grids: [{ name: 'floor', points: 4, spacing: 1, rim: 0.5, mean: 0, min: 0, max: 0 }],
-    });
-    expect(dark[0]).toMatchObject({ actual: 0, met: false, margin: -1 });
   });
 });
