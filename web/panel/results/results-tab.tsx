@@ -18,8 +18,8 @@ export function ResultsTab() {
   if (!store.shown.value || !store.scene.value) return <p class="empty">{words.value.results.none}</p>;
   return (
     <>
-      <Differences />
       <VerdictTable />
+      <Differences />
       <Power />
       <SurfaceTable />
       <PaintSection />
