@@ -9,7 +9,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kFirstSteps = 60, kMoreSteps = 30, kMostRounds = 9, kFruitlessRounds = 2;
+constexpr std::uint32_t kFirstSteps = 60, kMoreSteps = 30, kMostRounds = 9, kFruitlessPairRounds = 2;
 constexpr double kFruitful = 0.02;   // of the gap that is left
 constexpr double kClosed = 1e-5;     // of the goal
 constexpr double kMostScaled = 1e3;  // a certificate is scaled up by at most so much
@@ -94,8 +94,8 @@ void PairBound::closeRound() {
   fruitless_ = before - gap < kFruitful * before ? fruitless_ + 1 : 0;
   certifying_ = false;
   steps_ = 0;
-  done_ =
-      ++rounds_ >= kMostRounds || fruitless_ >= kFruitlessRounds || gap <= kClosed * std::fabs(incumbent_);
+  done_ = ++rounds_ >= kMostRounds || fruitless_ >= kFruitlessPairRounds ||
+          gap <= kClosed * std::fabs(incumbent_);
   if (done_) return;
   double sigma = found.sigma;
   if (goal_.factor < 0 && std::isfinite(bound_))

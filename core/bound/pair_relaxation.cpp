@@ -15,9 +15,9 @@ using Index = Eigen::Index;
 using Eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kStretch = 1.618;     // of the multipliers' step: below the golden ratio it converges
-constexpr double kRounding = 1e-12;    // of the largest entry: what Cholesky must leave over
-constexpr double kCloseEnough = 2e-4;  // of the certificate's value
+constexpr double kStretch = 1.618;         // of the multipliers' step: below the golden ratio it converges
+constexpr double kFactorRounding = 1e-12;  // of the largest entry: what Cholesky must leave over
+constexpr double kCloseEnough = 2e-4;      // of the certificate's value
 constexpr std::uint32_t kBalanceEvery = 10, kMostNewtonSteps = 40;
 
 enum class Pair : char { kAny, kSame, kApart };
@@ -176,7 +176,7 @@ void PairRelaxation::step() {
 
 Matrix PairRelaxation::State::leftOver(const Vector& multipliers) const {
   Matrix result = fixed - adjoint(multipliers);
-  result.diagonal().array() -= kRounding * static_cast<double>(m) * fixed.cwiseAbs().maxCoeff();
+  result.diagonal().array() -= kFactorRounding * static_cast<double>(m) * fixed.cwiseAbs().maxCoeff();
   return result;
 }
 
