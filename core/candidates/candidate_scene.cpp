@@ -136,6 +136,7 @@ std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& ob
 }
 
 Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<PlaneWish>& wishes) const {
+  if (wishes.empty()) return std::vector<PlaneLight>();
   for (const PlaneWish& wish : wishes)
     if (Result<Done> ok = checkPlane(*room_, wish.surface); !ok) return ok.error();
   const RoomView view(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance);

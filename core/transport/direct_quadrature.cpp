@@ -23,6 +23,14 @@ std::uint32_t partsFor(double size, double step) {
       std::min(std::ceil(size / std::max(step, 1e-9)), static_cast<double>(kMostParts)));
 }
 
+/// m from centre to centre at which a patch and a luminaire may touch.
+double reachOf(const PatchTile& tile, const Luminaire& luminaire) {
+  return 0.5 * (tile.lengthU + tile.lengthV + std::max(luminaire.width, luminaire.height));
+}
+
+/// Of a patch's quadrature, rad.
+double stepOf(const Luminaire& luminaire) { return std::min(luminaire.beam / kBeamParts, kWidestStep); }
+
 /// The middle of part i of `count` of an edge that runs from -1/2 to 1/2.
 double middle(std::uint32_t i, std::uint32_t count) { return (i + 0.5) / count - 0.5; }
 
@@ -101,13 +109,20 @@ void flush(Points& points, const Luminaire& luminaire, std::uint32_t width, std:
 DirectQuadrature::DirectQuadrature(const Scene& scene)
     : scene_(scene), tiles_(patchTiles(scene.patches, scene.lightOperator->charts)) {}
 
+double DirectQuadrature::farFrom(std::uint32_t row, const Luminaire& luminaire) const {
+  const PatchTile& tile = tiles_[row];
+  const double wanted = std::max(std::max(tile.lengthU, tile.lengthV) / stepOf(luminaire),
+                                 kNearField * std::max(luminaire.width, luminaire.height));
+  constexpr double kSlack = 1 + 1e-9;  // note: of rounding, so that both say the same
+  return kSlack * (wanted + reachOf(tile, luminaire));
+}
+
 DirectQuadrature::Parts DirectQuadrature::partsOf(std::uint32_t row, const Vec3& apart,
                                                   const Luminaire& luminaire) const {
   const PatchTile& tile = tiles_[row];
   const double distance = length(apart);
-  const double reach = 0.5 * (tile.lengthU + tile.lengthV + std::max(luminaire.width, luminaire.height));
-  const double nearest = std::max(distance - reach, kNearest * distance);
-  const double step = std::min(luminaire.beam / kBeamParts, kWidestStep) * nearest;
+  const double nearest = std::max(distance - reachOf(tile, luminaire), kNearest * distance);
+  const double step = stepOf(luminaire) * nearest;
   return {partsFor(tile.lengthU, step), partsFor(tile.lengthV, step),
           partsFor(luminaire.width, nearest / kNearField), partsFor(luminaire.height, nearest / kNearField)};
 }
@@ -168,7 +183,8 @@ void DirectQuadrature::inFloat(const Luminaire& luminaire, const Look& look, con
     if (visible[p] == 0) continue;
     const PatchTile& tile = tiles_[p];
     const Vec3 apart = patches.center[p] - luminaire.position;
-    Parts parts = partsOf(p, apart, luminaire);
+    const double far = farFrom(p, luminaire);
+    Parts parts = dot(apart, apart) > far * far ? Parts{} : partsOf(p, apart, luminaire);
     std::uint32_t count = parts.u * parts.v;
     const bool areMany = count * parts.width * parts.height > kMostPairs;
     if (areMany) count = kMostPairs, parts.width = parts.height = 1;

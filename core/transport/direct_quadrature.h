@@ -34,6 +34,8 @@ class DirectQuadrature {
     std::uint32_t u = 1, v = 1, width = 1, height = 1;
   };
   Parts partsOf(std::uint32_t row, const Vec3& apart, const Luminaire& luminaire) const;
+  /// Beyond that distance from a luminaire's centre partsOf() a row is one of everything.
+  double farFrom(std::uint32_t row, const Luminaire& luminaire) const;
   double exactOn(std::uint32_t row, const Luminaire& luminaire) const;
   template <class Add>
   void pairUp(const PatchTile& tile, const Luminaire& luminaire, const Add& add) const;

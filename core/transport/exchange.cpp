@@ -1,12 +1,11 @@
 #include "core/transport/exchange.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+
+#include "core/transport/column_block.h"
 
 namespace fiatlux {
 namespace {
-
-constexpr std::uint32_t kTogether = 16;  // columns: each entry of H is read once for them
 
 /// kRows rows from `first` on of out = H in; both row-major, kWidth columns. As many sums as a processor adds
 /// at a time.
@@ -29,18 +28,13 @@ void multiplyWide(const float* h, std::uint32_t rows, std::uint32_t count, const
   for (; first < rows; ++first) multiplyRows<kWidth, 1>(h, first, count, in, out);
 }
 
-/// out = H in: rows x width of count x width; width is one that padded() makes.
+/// out = H in: rows x width of count x width; width is one that paddedColumns() makes.
 void multiply(const float* h, std::uint32_t rows, std::uint32_t count, const float* in, std::uint32_t width,
               float* out) {
   if (width == 4) return multiplyWide<4, 8>(h, rows, count, in, out);
   if (width == 8) return multiplyWide<8, 4>(h, rows, count, in, out);
-  multiplyWide<kTogether, 2>(h, rows, count, in, out);
+  multiplyWide<kColumnBlock, 2>(h, rows, count, in, out);
 }
-
-/// Columns that are made for so many, the rest zero: vectors want whole fours.
-std::uint32_t padded(std::uint32_t columns) { return columns <= 4 ? 4 : columns <= 8 ? 8 : kTogether; }
-
-using GroupMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace
 
@@ -55,8 +49,8 @@ ExchangeOperator::ExchangeOperator(const Patches& patches, const ExchangeGroups&
 std::vector<float> ExchangeOperator::indirect(const std::vector<float>& direct, std::uint32_t columns) const {
   const std::size_t rows = patches_.rows();
   std::vector<float> light(rows * columns), in, out;
-  for (std::uint32_t first = 0; first < columns; first += kTogether) {
-    const std::uint32_t some = std::min(kTogether, columns - first), width = padded(some);
+  for (std::uint32_t first = 0; first < columns; first += kColumnBlock) {
+    const std::uint32_t some = std::min(kColumnBlock, columns - first), width = paddedColumns(some);
     in.assign(rows * width, 0.0f);
     out.resize(rows * width);
     for (std::uint32_t j = 0; j < some; ++j)
@@ -70,49 +64,76 @@ std::vector<float> ExchangeOperator::indirect(const std::vector<float>& direct, 
 
 std::vector<float> ExchangeOperator::spread(const std::vector<float>& lumens, std::uint32_t columns) const {
   const std::size_t rows = patches_.rows();
-  std::vector<float> means(std::size_t{total_} * columns), spread(rows * columns), light(rows * columns);
-  Eigen::Map<GroupMatrix>(means.data(), total_, columns).noalias() =
-      Eigen::Map<const GroupMatrix>(exchange_.means.data(), total_, count_) *
-      Eigen::Map<const GroupMatrix>(lumens.data(), count_, columns);
-  interpolation_.apply(means.data(), columns, spread.data());
-  for (std::size_t p = 0; p < rows; ++p) {
-    float* row = &spread[p * columns];
-    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
-      const float* source = &lumens[std::size_t{exchange_.group[i]} * columns];
-      for (std::uint32_t j = 0; j < columns; ++j) row[j] += exchange_.rest[i] * source[j];
-    }
-    for (std::uint32_t j = 0; j < columns; ++j) light[j * rows + p] = row[j];
+  // Most groups send nothing where one wall is painted: what H says of the others, side by side.
+  std::vector<std::uint32_t> lit, place(count_, kNone);
+  for (std::uint32_t d = 0; d < count_; ++d) {
+    const float* of = &lumens[std::size_t{d} * columns];
+    if (std::all_of(of, of + columns, [](float value) { return value == 0; })) continue;
+    place[d] = static_cast<std::uint32_t>(lit.size());
+    lit.push_back(d);
+  }
+  std::vector<float> between;
+  for (std::uint32_t c = 0; c < total_; ++c)
+    for (const std::uint32_t d : lit) between.push_back(exchange_.means[std::size_t{c} * count_ + d]);
+
+  const auto sources = static_cast<std::uint32_t>(lit.size());
+  std::vector<float> light(rows * columns), in, means, out;
+  for (std::uint32_t first = 0; first < columns; first += kColumnBlock) {
+    const std::uint32_t some = std::min(kColumnBlock, columns - first), width = paddedColumns(some);
+    in.assign(std::size_t{sources} * width, 0.0f);
+    means.resize(std::size_t{total_} * width);
+    out.resize(rows * width);
+    for (std::uint32_t i = 0; i < sources; ++i)
+      for (std::uint32_t j = 0; j < some; ++j)
+        in[std::size_t{i} * width + j] = lumens[std::size_t{lit[i]} * columns + first + j];
+    multiply(between.data(), total_, sources, in.data(), width, means.data());
+    interpolation_.apply(means.data(), width, out.data());
+    addRest(place.data(), in.data(), width, out.data());
+    for (std::uint32_t j = 0; j < some; ++j)
+      for (std::size_t p = 0; p < rows; ++p) light[(first + j) * rows + p] = out[p * width + j];
   }
   return light;
+}
+
+/// out += R in; `place`: the row of `in` that is each group's, kNone where it is zero.
+void ExchangeOperator::addRest(const std::uint32_t* place, const float* in, std::uint32_t width,
+                               float* out) const {
+  withWidth(width, [&](auto fixed) {
+    for (std::uint32_t p = 0; p < patches_.rows(); ++p)
+      for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
+        const std::uint32_t at = place[exchange_.group[i]];
+        if (at != kNone)
+          addScaled(out + std::size_t{p} * fixed, exchange_.rest[i], in + std::size_t{at} * fixed, fixed);
+      }
+  });
 }
 
 void ExchangeOperator::indirectBlock(const float* direct, std::uint32_t width, float* out) const {
   // First reflected lumens of each patch; receivers reflect nothing.
   std::vector<float> phi(std::size_t{patches_.rows()} * width, 0.0f);
-  for (std::uint32_t p = 0; p < patches_.count; ++p) {
-    const auto weight = static_cast<float>(patches_.area[p] * patches_.reflectance[p]);
-    for (std::uint32_t j = 0; j < width; ++j)
-      phi[std::size_t{p} * width + j] = weight * direct[std::size_t{p} * width + j];
-  }
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < patches_.count; ++p)
+      addScaled(&phi[p * fixed], static_cast<float>(patches_.area[p] * patches_.reflectance[p]),
+                direct + p * fixed, fixed);
+  });
 
   // Means over the groups: H W^T phi + R^T phi.
   std::vector<float> sums(std::size_t{total_} * width), sources(sums.size()), means(sums.size());
   interpolation_.reduce(phi.data(), width, sums.data(), sources.data());
   multiply(exchange_.means.data(), total_, count_, sources.data(), width, means.data());
-  for (std::uint32_t p = 0; p < patches_.count; ++p)
-    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
-      float* mean = &means[std::size_t{exchange_.group[i]} * width];
-      for (std::uint32_t j = 0; j < width; ++j)
-        mean[j] += exchange_.rest[i] * phi[std::size_t{p} * width + j];
-    }
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < patches_.count; ++p)
+      for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i)
+        addScaled(&means[std::size_t{exchange_.group[i]} * fixed], exchange_.rest[i], &phi[p * fixed], fixed);
+  });
 
   // Spread over the groups, and what is not smooth: R times the sums.
   interpolation_.apply(means.data(), width, out);
-  for (std::uint32_t p = 0; p < patches_.rows(); ++p)
-    for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
-      const float* sum = &sums[std::size_t{exchange_.group[i]} * width];
-      for (std::uint32_t j = 0; j < width; ++j) out[std::size_t{p} * width + j] += exchange_.rest[i] * sum[j];
-    }
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < patches_.rows(); ++p)
+      for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i)
+        addScaled(out + p * fixed, exchange_.rest[i], &sums[std::size_t{exchange_.group[i]} * fixed], fixed);
+  });
 }
 
 }  // namespace fiatlux

@@ -24,7 +24,7 @@ class ExchangeOperator {
   std::vector<float> indirect(const std::vector<float>& direct, std::uint32_t columns) const;
 
   /// lx of every row, column-major rows x columns, for lumens that leave the groups of patches evenly
-  /// (row-major groups x columns).
+  /// (row-major groups x columns). The fewer groups they leave, the sooner.
   std::vector<float> spread(const std::vector<float>& lumens, std::uint32_t columns) const;
   /// Mean lx over group `to` per lumen that leaves group `from`, 1/m2.
   double between(std::uint32_t to, std::uint32_t from) const {
@@ -33,6 +33,7 @@ class ExchangeOperator {
 
  private:
   void indirectBlock(const float* direct, std::uint32_t width, float* out) const;
+  void addRest(const std::uint32_t* place, const float* in, std::uint32_t width, float* out) const;
 
   const Patches& patches_;
   const Exchange& exchange_;

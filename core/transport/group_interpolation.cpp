@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/transport/column_block.h"
+
 namespace fiatlux {
 namespace {
 
 /// Of the trace of the normal equations, added to their diagonal: where all neighbours lie on one line, the
 /// gradient across it is zero, and rounding cannot make it anything else.
 constexpr double kRegular = 1e-3;
+
+/// row = value + alongU u + alongV v, of columns that do not overlap.
+template <class Width>
+void interpolate(const float* __restrict value, float alongU, const float* __restrict u, float alongV,
+                 const float* __restrict v, float* __restrict row, Width width) {
+  for (std::uint32_t j = 0; j < width; ++j) row[j] = value[j] + alongU * u[j] + alongV * v[j];
+}
 
 }  // namespace
 
@@ -123,27 +132,27 @@ void GroupInterpolation::gradients(const float* values, std::uint32_t width, std
 void GroupInterpolation::apply(const float* values, std::uint32_t width, float* rows) const {
   std::vector<float> u, v;
   gradients(values, width, u, v);
-  for (std::size_t p = 0; p < group_.size(); ++p) {
-    const std::size_t at = std::size_t{group_[p]} * width;
-    float* row = rows + p * width;
-    for (std::uint32_t j = 0; j < width; ++j)
-      row[j] = values[at + j] + alongU_[p] * u[at + j] + alongV_[p] * v[at + j];
-  }
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < group_.size(); ++p) {
+      const std::size_t at = std::size_t{group_[p]} * fixed;
+      interpolate(values + at, alongU_[p], &u[at], alongV_[p], &v[at], rows + p * fixed, fixed);
+    }
+  });
 }
 
 void GroupInterpolation::reduce(const float* rows, std::uint32_t width, float* sums, float* values) const {
   const std::size_t size = std::size_t{total_} * width;
   std::vector<float> u(size, 0.0f), v(size, 0.0f);
   std::fill(sums, sums + size, 0.0f);
-  for (std::size_t p = 0; p < group_.size(); ++p) {
-    const std::size_t at = std::size_t{group_[p]} * width;
-    const float* row = rows + p * width;
-    for (std::uint32_t j = 0; j < width; ++j) {
-      sums[at + j] += row[j];
-      u[at + j] += alongU_[p] * row[j];
-      v[at + j] += alongV_[p] * row[j];
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < group_.size(); ++p) {
+      const std::size_t at = std::size_t{group_[p]} * fixed;
+      const float* row = rows + p * fixed;
+      addScaled(sums + at, 1.0f, row, fixed);
+      addScaled(&u[at], alongU_[p], row, fixed);
+      addScaled(&v[at], alongV_[p], row, fixed);
     }
-  }
+  });
   std::copy(sums, sums + size, values);
   for (std::uint32_t c = 0; c < total_; ++c) {
     for (std::uint32_t i = offset_[c]; i < offset_[c + 1]; ++i) {

@@ -1,6 +1,7 @@
 #include "core/transport/intensity_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fiatlux {
@@ -15,12 +16,16 @@ Vec3 directionAt(double u, double v) {
 
 }  // namespace
 
-IntensityMap::IntensityMap(const Intensity& intensity) {
-  candela_.reserve((kEdge + 1) * (kEdge + 1));
-  for (int row = 0; row <= kEdge; ++row)
+IntensityMap::IntensityMap(const Intensity& intensity, bool mirrored) : candela_((kEdge + 1) * (kEdge + 1)) {
+  const int first = mirrored ? kEdge / 2 : 0;
+  for (int row = first; row <= kEdge; ++row)
+    for (int column = first; column <= kEdge; ++column)
+      candela_[index(row, column)] =
+          static_cast<float>(intensity(directionAt(2.0 * column / kEdge - 1, 2.0 * row / kEdge - 1)));
+  for (int row = 0; mirrored && row <= kEdge; ++row)
     for (int column = 0; column <= kEdge; ++column)
-      candela_.push_back(
-          static_cast<float>(intensity(directionAt(2.0 * column / kEdge - 1, 2.0 * row / kEdge - 1))));
+      candela_[index(row, column)] =
+          candela_[index(std::max(row, kEdge - row), std::max(column, kEdge - column))];
 }
 
 double IntensityMap::at(const Vec3& direction) const {
@@ -43,26 +48,34 @@ double IntensityMap::at(const Vec3& direction) const {
 
 void IntensityMap::look(const float* x, const float* y, const float* z, int count, float* candela) const {
   constexpr int kMost = 64;
-  float across[kMost], down[kMost];
+  std::array<float, kMost> right, below, corners[4];
+  std::array<int, kMost> corner;
   for (int first = 0; first < count; first += kMost) {
     const int n = std::min(kMost, count - first);
-    // Places on the square, in cells.
+    // Places on the square, in cells. note: whole numbers by one loop, which the compiler makes vectors of.
     for (int i = 0; i < n; ++i) {
       const float dx = x[first + i], dy = y[first + i], dz = z[first + i];
       const float scale = 1 / (std::abs(dx) + std::abs(dy) + std::abs(dz));
       const float u = scale * dx, v = scale * dy;
-      const float foldedU = std::copysign(1 - std::abs(v), u), foldedV = std::copysign(1 - std::abs(u), v);
-      across[i] = 0.5f * kEdge * ((dz < 0 ? foldedU : u) + 1);
-      down[i] = 0.5f * kEdge * ((dz < 0 ? foldedV : v) + 1);
+      const float outU = 1 - std::abs(v), outV = 1 - std::abs(u);
+      const float foldedU = u < 0 ? -outU : outU, foldedV = v < 0 ? -outV : outV;
+      const float across = 0.5f * kEdge * ((dz < 0 ? foldedU : u) + 1);
+      const float down = 0.5f * kEdge * ((dz < 0 ? foldedV : v) + 1);
+      int column = static_cast<int>(across), row = static_cast<int>(down);
+      column = column < 0 ? 0 : column > kEdge - 1 ? kEdge - 1 : column;
+      row = row < 0 ? 0 : row > kEdge - 1 ? kEdge - 1 : row;
+      right[i] = across - static_cast<float>(column), below[i] = down - static_cast<float>(row);
+      corner[i] = row * (kEdge + 1) + column;
     }
     for (int i = 0; i < n; ++i) {
-      const int column = std::clamp(static_cast<int>(across[i]), 0, kEdge - 1),
-                row = std::clamp(static_cast<int>(down[i]), 0, kEdge - 1);
-      const float right = across[i] - static_cast<float>(column), below = down[i] - static_cast<float>(row);
-      const float* corner = &candela_[static_cast<std::size_t>(row * (kEdge + 1) + column)];
-      const float upper = corner[0] + right * (corner[1] - corner[0]);
-      const float lower = corner[kEdge + 1] + right * (corner[kEdge + 2] - corner[kEdge + 1]);
-      candela[first + i] = upper + below * (lower - upper);
+      const float* at = candela_.data() + corner[i];
+      corners[0][i] = at[0], corners[1][i] = at[1];
+      corners[2][i] = at[kEdge + 1], corners[3][i] = at[kEdge + 2];
+    }
+    for (int i = 0; i < n; ++i) {
+      const float upper = corners[0][i] + right[i] * (corners[1][i] - corners[0][i]);
+      const float lower = corners[2][i] + right[i] * (corners[3][i] - corners[2][i]);
+      candela[first + i] = upper + below[i] * (lower - upper);
     }
   }
 }

@@ -2,6 +2,7 @@
 // inside the diamond |u| + |v| <= 1): a look-up without angles, for millions of directions.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/scene/luminaire.h"
@@ -10,8 +11,9 @@ namespace fiatlux {
 
 class IntensityMap {
  public:
-  /// Sampled at the crossings of kEdge x kEdge cells, a third of a degree apart.
-  explicit IntensityMap(const Intensity& intensity);
+  /// Sampled at the crossings of kEdge x kEdge cells, a third of a degree apart. `mirrored`: it is the same
+  /// on both sides of C0-C180 and of C90-C270, and a quarter is sampled.
+  explicit IntensityMap(const Intensity& intensity, bool mirrored = false);
 
   /// cd along a unit direction in the luminaire's axes; linear within a cell.
   double at(const Vec3& direction) const;
@@ -20,6 +22,9 @@ class IntensityMap {
 
  private:
   static constexpr int kEdge = 384;
+  static std::size_t index(int row, int column) {
+    return static_cast<std::size_t>(row * (kEdge + 1) + column);
+  }
   std::vector<float> candela_;  // (kEdge + 1)^2
 };
 

@@ -38,8 +38,10 @@ PhotometricType exactType(std::shared_ptr<const Photometry> photometry) {
 }
 
 PhotometricType sampledType(std::shared_ptr<const Photometry> photometry) {
+  const PhotometricSymmetry symmetry = photometry->symmetry;
   PhotometricType type = exactType(std::move(photometry));
-  const auto map = std::make_shared<const IntensityMap>(type.candela);
+  const bool mirrored = symmetry == PhotometricSymmetry::kAxial || symmetry == PhotometricSymmetry::kQuadrant;
+  const auto map = std::make_shared<const IntensityMap>(type.candela, mirrored);
   type.candela = [map](const Vec3& direction) { return map->at(direction); };
   type.map = map;
   return type;

@@ -87,11 +87,9 @@ std::vector<float> Repaint::light(const std::vector<float>& light, std::uint32_t
 
   // What the new paint reflects more: at once, and of what comes back.
   Eigen::MatrixXd lumens = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(groups_.size()), columns);
-  for (std::uint32_t p = 0; p < patches.count; ++p) {
-    if (change_[p] == 0) continue;
-    for (std::uint32_t j = 0; j < columns; ++j)
-      lumens(place[ofRow[p]], j) += patches.area[p] * change_[p] * light[j * rows + p];
-  }
+  for (std::uint32_t j = 0; j < columns; ++j)
+    for (std::uint32_t p = 0; p < patches.count; ++p)
+      if (change_[p] != 0) lumens(place[ofRow[p]], j) += patches.area[p] * change_[p] * light[j * rows + p];
   lumens = solver_->factors.solve(lumens);
 
   // Where it goes.
