@@ -402,14 +402,14 @@ val check(Session& session, val sites, val flux, double dimming) {
 
 // --- candidates: luminaires of photometric files on sites
 
-Result<std::vector<CandidateType>> typesOf(const val& files, const val& flux) {
+Result<std::vector<CandidateType>> typesOf(Session& room, const val& files, const val& flux) {
   const std::vector<double> lumens = vectorOf<double>(flux);
   std::vector<CandidateType> types;
   for (std::size_t i = 0; i < lumens.size(); ++i) {
     const std::vector<std::uint8_t> bytes = vectorOf<std::uint8_t>(files[i]);
-    Result<Photometry> photometry = readPhotometry(bytes);
-    if (!photometry) return photometry.error();
-    types.push_back({sampledType(std::make_shared<const Photometry>(std::move(*photometry))), lumens[i]});
+    Result<PhotometricType> type = room.photometricType(bytes);
+    if (!type) return type.error();
+    types.push_back({std::move(*type), lumens[i]});
   }
   return types;
 }
@@ -458,7 +458,7 @@ std::string taken(Candidates& candidates, Session& room, Result<CandidateScene> 
 
 std::string begin(Candidates& candidates, Session& room, val files, val flux, val asked, val paint) {
   if (!room.scene()) return "no scene is open";
-  Result<std::vector<CandidateType>> types = typesOf(files, flux);
+  Result<std::vector<CandidateType>> types = typesOf(room, files, flux);
   if (!types) return types.error().message;
   const Result<std::shared_ptr<const Repaint>> painted = repaintOf(room, paint);
   if (!painted) return painted.error().message;
@@ -471,6 +471,7 @@ std::string begin(Candidates& candidates, Session& room, val files, val flux, va
 std::string beginPainted(Candidates& candidates, const Candidates& base, Session& room, val paint) {
   const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
   if (!painted) return painted.error().message;
+  candidates.session = &room;
   candidates.scene.emplace(base.scene->repainted(*painted));
   return {};
 }

@@ -42,10 +42,11 @@ CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> typ
       light_(std::move(light)),
       paint_(std::move(paint)),
       types_(std::move(types)),
-      candidates_(std::move(candidates)) {
-  responses_.rows = room.responses.rows;
-  responses_.sites = static_cast<std::uint32_t>(candidates_.size());
-  responses_.illuminance.reserve(std::size_t{responses_.rows} * responses_.sites);
+      candidates_(std::move(candidates)),
+      responses_(std::make_shared<Responses>()) {
+  responses_->rows = room.responses.rows;
+  responses_->sites = static_cast<std::uint32_t>(candidates_.size());
+  responses_->illuminance.reserve(std::size_t{responses_->rows} * responses_->sites);
 }
 
 Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
@@ -79,6 +80,7 @@ Luminaire CandidateScene::luminaireOf(const Candidate& candidate) const {
 
 /// In the room as its file has it.
 std::vector<float> CandidateScene::columnsOf(std::size_t first, std::size_t count) const {
+  if (unpainted_) return {unpainted_->column(first), unpainted_->column(first) + count * unpainted_->rows};
   if (types_.empty()) {
     std::vector<float> columns;
     for (std::size_t i = first; i < first + count; ++i) {
@@ -109,7 +111,7 @@ bool CandidateScene::advance(std::uint32_t count) {
   if (some > 0) {
     std::vector<float> columns = columnsOf(done_, some);
     if (paint_) columns = paint_->light(columns, static_cast<std::uint32_t>(some));
-    responses_.illuminance.insert(responses_.illuminance.end(), columns.begin(), columns.end());
+    responses_->illuminance.insert(responses_->illuminance.end(), columns.begin(), columns.end());
     done_ += some;
   }
   return done_ == candidates_.size();
@@ -118,8 +120,7 @@ bool CandidateScene::advance(std::uint32_t count) {
 CandidateScene CandidateScene::repainted(std::shared_ptr<const Repaint> paint) const {
   assert(done_ == candidates_.size() && !paint_);
   CandidateScene scene(*room_, types_, candidates_, light_, std::move(paint));
-  scene.responses_.illuminance = scene.paint_->light(responses_.illuminance, responses_.sites);
-  scene.done_ = done_;
+  scene.unpainted_ = responses_;
   return scene;
 }
 
@@ -132,7 +133,7 @@ std::vector<Luminaire> CandidateScene::luminaires() const {
 std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
   if (observers.empty()) return {};
   return RoomView(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance)
-      .rows(observers, luminaires(), responses_);
+      .rows(observers, luminaires(), *responses_);
 }
 
 Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<PlaneWish>& wishes) const {
@@ -140,7 +141,7 @@ Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<Plane
   for (const PlaneWish& wish : wishes)
     if (Result<Done> ok = checkPlane(*room_, wish.surface); !ok) return ok.error();
   const RoomView view(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance);
-  std::vector<PlaneLight> planes = planeLight(*room_, view, wishes, luminaires(), responses_);
+  std::vector<PlaneLight> planes = planeLight(*room_, view, wishes, luminaires(), *responses_);
   if (Result<Done> lit = checkLit(*room_, planes); !lit) return lit.error();
   return planes;
 }
@@ -186,7 +187,7 @@ Scene CandidateScene::finish(Quantity quantity) {
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
       if (!scene.surfaces[s].measuring) scene.surfaces[s].reflectance = paint_->meanReflectance(s);
   }
-  scene.responses = std::move(responses_);
+  scene.responses = responses_.use_count() > 1 ? *responses_ : std::move(*responses_);
   setMeanRows(quantity, scene);
   return scene;
 }

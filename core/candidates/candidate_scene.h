@@ -55,8 +55,8 @@ class CandidateScene {
   /// together.
   bool advance(std::uint32_t count);
 
-  /// The same candidates under other paint, all their light made of what is here. Precondition: advance()
-  /// said true, and this is the room as its file has it.
+  /// The same candidates under other paint: advance() makes their light of what is here, which is kept as
+  /// long as anybody needs it. Precondition: advance() said true, and this is the room as its file has it.
   CandidateScene repainted(std::shared_ptr<const Repaint> paint) const;
 
   const Scene& room() const { return *room_; }
@@ -90,7 +90,8 @@ class CandidateScene {
   std::vector<CandidateType> types_;               // none of squares
   std::vector<Candidate> candidates_;
   std::size_t done_ = 0;  // candidates
-  Responses responses_;
+  std::shared_ptr<Responses> responses_;
+  std::shared_ptr<const Responses> unpainted_;  // of all candidates, where that is known
 };
 
 }  // namespace fiatlux

@@ -93,6 +93,18 @@ std::shared_ptr<const PhotometricLight> Session::photometricLight() {
   return light_;
 }
 
+Result<PhotometricType> Session::photometricType(std::span<const std::uint8_t> file) {
+  constexpr std::size_t kKept = 16;
+  for (const KnownType& known : types_)
+    if (std::equal(file.begin(), file.end(), known.file.begin(), known.file.end())) return known.type;
+  Result<Photometry> photometry = readPhotometry(file);
+  if (!photometry) return photometry.error();
+  if (types_.size() == kKept) types_.erase(types_.begin());
+  types_.push_back(
+      {{file.begin(), file.end()}, sampledType(std::make_shared<const Photometry>(std::move(*photometry)))});
+  return types_.back().type;
+}
+
 Result<std::shared_ptr<const Repaint>> Session::repaint(const std::vector<SurfacePaint>& paint) {
   if (!scene_) return Error{"no scene is open"};
   const Result<Done> checked = checkPaint(*scene_, paint);

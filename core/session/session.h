@@ -17,6 +17,7 @@
 #include "core/search/intentions.h"
 #include "core/search/layout_search.h"
 #include "core/search/shown.h"
+#include "core/transport/mounted_luminaire.h"
 #include "core/transport/photometric_light.h"
 #include "core/transport/repaint.h"
 
@@ -68,6 +69,8 @@ class Session {
   /// The light of luminaires on the sites of the scene, which keeps what it finds out about them.
   /// Precondition: the scene has a light operator.
   std::shared_ptr<const PhotometricLight> photometricLight();
+  /// The sampled type of a photometric file; those of the latest files are kept.
+  Result<PhotometricType> photometricType(std::span<const std::uint8_t> file);
   /// The room under other paint, kept until another paint is asked for. An Error where the scene has no light
   /// operator, or a surface is none that can be painted. Refers to the scene and to its photometricLight().
   Result<std::shared_ptr<const Repaint>> repaint(const std::vector<SurfacePaint>& paint);
@@ -131,6 +134,11 @@ class Session {
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
   std::unique_ptr<Scene> scene_;
   std::shared_ptr<const PhotometricLight> light_;
+  struct KnownType {
+    std::vector<std::uint8_t> file;
+    PhotometricType type;
+  };
+  std::vector<KnownType> types_;     // the latest one last
   std::vector<SurfacePaint> paint_;  // of repaint_
   std::shared_ptr<const Repaint> repaint_;
   std::unique_ptr<PreparedScene> prepared_;

@@ -4,7 +4,7 @@
  */
 import { frameOn, middleOf } from './mounting.ts';
 import type { PhotometricDescription } from './photometry.ts';
-import { distance, positionOf, siteCount } from './sites.ts';
+import { positionOf, siteCount } from './sites.ts';
 import { leavesOf } from './surface-names.ts';
 import type { Aim, LuminaireType, Mounting, Point, SceneInfo } from './types.ts';
 
@@ -52,7 +52,7 @@ export function candidatesOf(
   scene: SceneInfo,
 ): Candidate[] {
   const { sites } = scene;
-  const mount = new Mount(sites);
+  const mount = mountOf(sites);
   const ways = types.map((type) => ({ type, ways: mountingsOf(type, scene), luminous: describedBy(type) }));
   return [...Array(siteCount(sites)).keys()].flatMap((site) =>
     ways.flatMap(({ type, ways: all, luminous }) =>
@@ -65,9 +65,18 @@ export function candidatesOf(
 
 /** Whether a type fits on any site. */
 export function fitsSomewhere(type: LuminaireType, luminous: Luminous, scene: SceneInfo): boolean {
-  const mount = new Mount(scene.sites);
+  const mount = mountOf(scene.sites);
   const sites = [...Array(siteCount(scene.sites)).keys()];
   return mountingsOf(type, scene).some((way) => sites.some((site) => mount.holds(site, way, luminous)));
+}
+
+const mounts = new WeakMap<Sites, Mount>();
+
+/** Made once for the sites of a room. */
+function mountOf(sites: Sites): Mount {
+  const known = mounts.get(sites) ?? new Mount(sites);
+  mounts.set(sites, known);
+  return known;
 }
 
 /** What the sites tell of the surfaces that luminaires hang on: squares as large as a site, or as far as to the next one. */
@@ -79,9 +88,10 @@ class Mount {
     this.#sites = sites;
     const places = Array.from(sites.size, (_, site) => positionOf(sites, site));
     this.#reach = Float64Array.from(sites.size, (size, site) => {
+      const [x, y, z] = places[site]!;
       let pitch = Infinity;
       places.forEach((place, other) => {
-        if (other !== site) pitch = Math.min(pitch, distance(place, places[site]!));
+        if (other !== site) pitch = Math.min(pitch, Math.hypot(place[0] - x, place[1] - y, place[2] - z));
       });
       return Math.max(size, Number.isFinite(pitch) ? Math.min(pitch, 2 * size) : 0) / 2 + slack;
     });

@@ -292,7 +292,7 @@ export interface Candidates {
     candidates: Float64Array,
     paint: Float64Array,
   ): string;
-  /** The candidates of `base`, whose light is all there in the room as its file has it, under paint: their light is there, too. */
+  /** The candidates of `base`, whose light is all there in the room as its file has it, under paint: advance() makes theirs of it. */
   beginPainted(base: Candidates, room: Session, paint: Float64Array): string;
   /** Squares on some sites of a painted room: candidate i on sites[i]; in layouts fluxes are in lm. */
   beginSquares(room: Session, sites: Uint32Array, paint: Float64Array): string;

@@ -9,7 +9,7 @@ import type { PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
-import type { Candidates, CoreModule, Session } from './core.ts';
+import type { Candidates, CoreModule, OrError, Session } from './core.ts';
 import type { HungSession } from './hung-session.ts';
 import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 import { PaintedSession } from './painted-session.ts';
@@ -27,7 +27,7 @@ export interface Wanted {
 
 interface Photometric {
   readonly file: Uint8Array;
-  readonly description: PhotometricDescription;
+  readonly description: PhotometricDescription; // note: its candela have gone to the page
 }
 
 interface Made {
@@ -50,6 +50,7 @@ interface Making {
 
 const slice = 16; // candidates between two looks at what else is asked: the core makes so many together
 const paintedSlice = 8; // in a painted room, where the next step of a slider is waited for
+const mostKept = 640; // candidates whose light without paint is kept for the next step: 64 MB in a large room
 
 export class Mounts {
   readonly #core: Core;
@@ -60,6 +61,9 @@ export class Mounts {
   #all: Made | null = null;
   #making: Making | null = null; // the next `#all`
   #unpainted: { readonly key: string; readonly scene: Candidates } | null = null; // of the latest painted layout
+  #base: { readonly key: string; readonly scene: Candidates; isWhole: boolean } | null = null; // of all, for any paint
+  #described: { readonly file: Uint8Array; readonly description: OrError<PhotometricDescription> } | null =
+    null;
   #listed: { readonly key: string; readonly candidates: readonly Candidate[] } | null = null; // latest list
 
   constructor(core: Core, room: Session) {
@@ -67,9 +71,18 @@ export class Mounts {
     this.#room = room;
   }
 
+  /** What a photometric file says; most likely it is brought next. */
+  describe(file: Uint8Array): OrError<PhotometricDescription> {
+    const description = this.#core.describePhotometry(file);
+    this.#described = { file, description };
+    return description;
+  }
+
   /** Takes a photometric file that can be read; another one is left to whoever shows what it says. */
   bring(hash: string, file: Uint8Array): void {
-    const description = this.#core.describePhotometry(file);
+    const latest = this.#described;
+    const isKnown = latest !== null && areSame(latest.file, file);
+    const description = isKnown ? latest.description : this.#core.describePhotometry(file);
     if (typeof description !== 'string') this.#files.set(hash, { file, description });
   }
 
@@ -80,6 +93,7 @@ export class Mounts {
     this.#few = this.#all = this.#listed = null;
     this.#forget();
     this.#forgetUnpainted();
+    this.#forgetBase();
   }
 
   /** Whether `session` has nothing to make. */
@@ -102,8 +116,12 @@ export class Mounts {
   /** One slice of all that a search may try; true when it is there. Throws one readable line. */
   advance(wanted: Wanted): boolean {
     if (this.isReady(wanted)) return true;
-    const { key, plan, scene } = this.#begun(wanted);
-    if (!scene.advance(this.#paint(wanted).length > 0 ? paintedSlice : slice)) return false;
+    const isPainted = this.#paint(wanted).length > 0;
+    const hasBase = isPainted && this.#mayKeep(wanted);
+    if (hasBase && !this.#advanceBase(wanted)) return false;
+    const { key, plan, scene } = this.#begun(wanted, hasBase);
+    if (!scene.advance(isPainted && !hasBase ? paintedSlice : slice)) return false;
+    if (!isPainted) this.#forgetBase();
     this.#all?.session.delete();
     this.#all = { key, session: this.#adopted(scene, plan, wanted) };
     this.#making = null;
@@ -154,8 +172,31 @@ export class Mounts {
       this.#forgetUnpainted();
       this.#unpainted = { key, scene: base };
     }
-    const error = scene.beginPainted(this.#unpainted!.scene, this.#room, paint);
-    if (error) throw new Error(error);
+    check(scene.beginPainted(this.#unpainted!.scene, this.#room, paint));
+  }
+
+  #mayKeep(wanted: Wanted): boolean {
+    return this.#types(wanted).length > 0 && this.#candidates(wanted).length <= mostKept;
+  }
+
+  /** One slice of the light of all candidates in the room as its file has it; true when it is there. */
+  #advanceBase({ asked, ...rest }: Wanted): boolean {
+    const wanted = { asked: { ...asked, paint: [] }, ...rest };
+    const key = this.#usedOf(wanted);
+    if (this.#base?.key !== key) {
+      this.#forgetBase();
+      const plan = this.#plan(wanted);
+      this.#base = { key, scene: new this.#core.Candidates(), isWhole: false };
+      plan.begin(this.#base.scene);
+    }
+    const base = this.#base;
+    base.isWhole ||= base.scene.advance(slice);
+    return base.isWhole;
+  }
+
+  #forgetBase(): void {
+    this.#base?.scene.delete();
+    this.#base = null;
   }
 
   #forgetUnpainted(): void {
@@ -187,14 +228,15 @@ export class Mounts {
     return extent !== 'all' && this.#few?.key === this.#keyOf(wanted) ? this.#few : null;
   }
 
-  /** What is being made for these wishes, begun anew where it was for others. */
-  #begun(wanted: Wanted): Making {
+  /** What is being made for these wishes, begun anew where it was for others; `hasBase`: from the light without paint. */
+  #begun(wanted: Wanted, hasBase: boolean): Making {
     const key = this.#keyOf(wanted);
     if (this.#making?.key === key) return this.#making;
     this.#forget();
     const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
-    plan.begin(scene);
+    if (hasBase) check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
+    else plan.begin(scene);
     this.#making = { key, plan, scene };
     return this.#making;
   }
@@ -220,8 +262,7 @@ export class Mounts {
     return {
       size: sites.length,
       begin: (scene) => {
-        const error = scene.beginSquares(this.#room, Uint32Array.from(sites), paint);
-        if (error) throw new Error(error);
+        check(scene.beginSquares(this.#room, Uint32Array.from(sites), paint));
       },
       sessionOf: (session) => new PaintedSession(session, sites, few.length > 0),
     };
@@ -268,7 +309,8 @@ export class Mounts {
     return this.#listed.candidates;
   }
 
-  #keyOf(wanted: Wanted): string {
+  /** What their candidates depend on. */
+  #usedOf(wanted: Wanted): string {
     const used = this.#types(wanted).map(({ id, hash, flux, turns, tilt, aims }) => [
       id,
       hash,
@@ -277,13 +319,24 @@ export class Mounts {
       tilt,
       aims,
     ]);
+    return JSON.stringify(used);
+  }
+
+  #keyOf(wanted: Wanted): string {
     const { asked, layout, extent } = wanted;
     const place: readonly [readonly number[], readonly Mounting[]] | null =
       extent === 'all' || !layout ? null : [layout.sites, layout.mountings ?? []];
     const glare = asked.glare && { ...asked.glare, max: 0 };
     const readings = [asked.quantity, asksForDirect(asked), glare, planesAskedOf(asked)];
-    return JSON.stringify([extent, readings, used, [...this.#paint(wanted)], place]);
+    return JSON.stringify([extent, readings, this.#usedOf(wanted), [...this.#paint(wanted)], place]);
   }
+}
+
+const areSame = (a: Uint8Array, b: Uint8Array) =>
+  a.length === b.length && a.every((byte, i) => byte === b[i]);
+
+function check(error: string): void {
+  if (error) throw new Error(error);
 }
 
 function fitsNowhere(types: readonly LuminaireType[]): string {

@@ -187,7 +187,7 @@ export class SessionDriver {
   }
 
   #describe({ revision, file }: Request<'describe'>): void {
-    const description = this.#core.describePhotometry(new Uint8Array(file));
+    const description = this.#mounts.describe(new Uint8Array(file));
     const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
     this.#post({ type: 'described', revision, description }, transfer);
   }

@@ -16,16 +16,19 @@ export class FakeClock {
 
 /** Remembers which files hang on which sites. */
 export class FakeCandidates implements Candidates {
+  static begun = 0; // whose light was made from nothing
   asked: number[] = []; // site and file of each
   #left = 0;
 
   begin(_room: Session, _files: readonly Uint8Array[], _flux: Float64Array, candidates: Float64Array) {
     this.asked = [...candidates].filter((_, i) => i % 7 < 2);
     this.#left = this.asked.length / 2;
+    FakeCandidates.begun += 1;
     return '';
   }
   beginPainted(base: FakeCandidates, _room: Session, paint: Float64Array) {
     this.asked = [...base.asked, ...paint];
+    this.#left = base.asked.length / 2;
     return '';
   }
   beginSquares(_room: Session, sites: Uint32Array, paint: Float64Array) {

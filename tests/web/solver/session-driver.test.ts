@@ -439,8 +439,23 @@ describe('paint', () => {
     expect(mounted.calls).toContain('adopt 1 0 0 0.25');
     expect(kinds()).toEqual(['improved 2']);
     settle();
-    expect(mounted.calls).toContain('adopt 0 0 1 0');
+    expect(mounted.calls).toContain('adopt 0 0 1 0 0 0.25');
     expect(kinds().at(-1)).toBe('settled 2');
+  });
+
+  test('leaves the light of types to the next step of paint', async () => {
+    await openedForTypes();
+    const wish = (reflectance: number) => ({
+      intentions: { ...ofTypes(), paint: [{ surface: 'floor', reflectance }] },
+      start: { ...start, mountings: [mounting] },
+    });
+    await driver.receive(solve(2, wish(0.25)));
+    settle();
+    const { begun } = FakeCandidates;
+    await driver.receive(solve(3, wish(0.5)));
+    settle();
+    expect(FakeCandidates.begun).toBe(begun);
+    expect(mounted.calls).toContain('adopt 0 0 1 0 0 0.5');
   });
 
   test('of surfaces that are not there, or in a room whose file cannot tell, changes nothing', async () => {
