@@ -122,7 +122,8 @@ TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
   Result<CandidateScene> asInTheFile = CandidateScene::begin(room, twoTypes(), kCandidates, light);
   while (!asInTheFile->advance(3)) continue;
   CandidateScene repainted = asInTheFile->repainted(paint);
-  EXPECT_TRUE(repainted.advance(0));
+  EXPECT_FALSE(repainted.advance(3));
+  EXPECT_TRUE(repainted.advance(3));
   const Scene ofBoth = repainted.finish(GetParam());
   const Scene ofSquares = squares->finish(GetParam()), ofTypes = types->finish(GetParam());
   const Result<Scene> before = candidateScene(room, GetParam(), twoTypes(), kCandidates);
