@@ -27,7 +27,6 @@ type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type:
 type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' | 'gains'>>;
 
 export class SessionDriver {
-  readonly #core: Core;
   readonly #mounts: Mounts;
   readonly #session: Session;
   readonly #color: LightColor;
@@ -54,7 +53,6 @@ export class SessionDriver {
    * work though no message has come.
    */
   constructor(core: Core, session: Session, post: Post, clock: Clock, wake: () => void) {
-    this.#core = core;
     this.#mounts = new Mounts(core, session);
     this.#asked = session;
     this.#session = session;
