@@ -57,7 +57,8 @@ void PairBound::advance() {
 
 /// The certificate as a parabola; with multipliers scaled up as far as they may be, another one.
 void PairBound::learn() {
-  const double least = relaxation_.bound(), scaled = std::min(relaxation_.slack(), kMostScaled);
+  const double least = relaxation_.bound();
+  const double scaled = goal_.factor > 0 ? std::min(relaxation_.slack(), kMostScaled) : 1;
   if (!std::isfinite(least)) return;
   for (const double c : {1.0, scaled})
     parabolas_.push_back(

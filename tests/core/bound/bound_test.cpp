@@ -238,6 +238,33 @@ TEST(Bound, ComesNearWhereLuminairesAreFewAndKeepTheirDistance) {
   EXPECT_GE(bound, best.goal * 0.98);
 }
 
+TEST(Bound, IsNeverAboveTheBestOfFourLuminaires) {
+  PreparedScene prepared(smallRoom());
+  Intentions even = three({wallNear(60), kEven}), varied = three({{Statistic::kSigma, Sense::kMaximize}});
+  even.luminaires.minDistance = 1.1;
+  for (Intentions* intentions : {&even, &varied}) {
+    intentions->luminaires.count = 4;
+    Evaluator evaluator(prepared, *intentions);
+    Evaluation best{1e9, 0, 1};
+    const std::uint32_t m = prepared.candidateCount();
+    const auto areApart = [&](std::uint32_t i, std::uint32_t j) {
+      return !prepared.conflict(i, j, intentions->luminaires.minDistance);
+    };
+    for (std::uint32_t a = 0; a < m; ++a)
+      for (std::uint32_t b = a + 1; b < m; ++b)
+        for (std::uint32_t c = b + 1; c < m; ++c)
+          for (std::uint32_t d = c + 1; d < m; ++d) {
+            if (!areApart(a, b) || !areApart(a, c) || !areApart(a, d) || !areApart(b, c) || !areApart(b, d) ||
+                !areApart(c, d))
+              continue;
+            if (const Evaluation e = evaluator.evaluate({a, b, c, d}); isBetter(e, best)) best = e;
+          }
+    const double bound = boundOf(prepared, *intentions, best);
+    EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal));
+    EXPECT_GT(bound, best.goal - 0.1 * std::fabs(best.goal));
+  }
+}
+
 TEST(Bound, SaysWhatItIsProvedBy) {
   PreparedScene prepared(smallRoom());
   Intentions intentions = three({kEven});
