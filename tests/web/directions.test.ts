@@ -14,7 +14,7 @@ const floors: readonly (readonly [floor: string, below: readonly string[]])[] = 
   ['language/', []],
   ['document/', ['language/']],
   ['offline/', []],
-  ['solver/', ['document/']],
+  ['solver/', ['document/', 'language/']],
   ['builder/', ['document/']],
   ['viewer/types.ts', ['document/']],
   ['viewer/stage/', ['viewer/types.ts', 'document/', 'language/']],

@@ -1,5 +1,5 @@
-// The bound (convex_relaxation, diagonal_shift) against brute force: never above the optimum of an exhaustive
-// enumeration, and tight where theory says so.
+// The bound (convex_relaxation, diagonal_shift; pair_bound, pair_goal, pair_relaxation) against brute force:
+// never above the optimum of an exhaustive enumeration, and tight where theory says so.
 #include "core/bound/bound.h"
 
 #include <gtest/gtest.h>
