@@ -68,7 +68,6 @@ const rooms = [
       luminaires: {
         count: 12,
         most: 20,
-        arrangement: { rule: 'field' },
         maintenance: [0.9, 1, 0.95, 0.94],
       },
       types: [{ photometry: 'panel.ldt' }],
