@@ -51,6 +51,13 @@ async function settled(page) {
   );
 }
 
+/** The light has its colour and the shadows near contacts, which come some time after it is there. */
+async function complete(page) {
+  const isThere = () => performance.getEntriesByName('contacts lit').length > 0;
+  await page.waitForFunction(isThere, undefined, { timeout: patience });
+  await page.waitForTimeout(1500);
+}
+
 /** A JPEG of the page, scaled down to `width` x `height` in the browser; the quality falls until it is small enough. */
 async function jpeg(page, file, width, height, largest) {
   const png = (await page.screenshot()).toString('base64');
@@ -104,6 +111,7 @@ try {
   };
   if (wanted('screenshot')) {
     const page = await open(1440, 900);
+    await complete(page);
     await jpeg(page, 'docs/screenshot.jpg', 1440, 900, 250_000);
     await page.close();
   }
@@ -112,6 +120,7 @@ try {
     for (const colorScheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
       await settled(page);
+      await complete(page);
       await jpeg(page, `public/thumbnails/${colorScheme}/${id}.jpg`, width, height, largest);
     }
   };
