@@ -25,14 +25,15 @@ async function paint([reflectance, patience]) {
   const slider = document.querySelector('.paint input[type="range"]');
   const { answered } = globalThis.__record;
   answered.length = 0;
+  const isOwn = ({ askedAt }) => askedAt >= performance.timeOrigin + begun - 1; // not of the step before
+  const begun = performance.now();
   slider.value = String(reflectance);
   slider.dispatchEvent(new Event('input', { bubbles: true }));
-  const begun = performance.now();
-  while (answered.length === 0) {
+  while (!answered.some(isOwn)) {
     if (performance.now() - begun > 10_000) return Infinity;
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
-  const [{ askedAt, postedAt }] = answered;
+  const { askedAt, postedAt } = answered.find(isOwn);
   await new Promise((resolve) => setTimeout(resolve, patience));
   return postedAt - askedAt;
 }
