@@ -60,6 +60,7 @@ Result<OpeningLight> openingLight(const std::string& option, const Scene& scene)
   if (!asked) return Error{"--opening: " + asked.error().message};
   if (!asked->intentions.observers.empty())
     return Error{"--opening: it knows no observers; leave \"ugr\" out"};
+  if (!asked->paint.empty()) return Error{"--opening: a room opens in its own paint; leave \"paint\" out"};
   Scene room = scene;  // note: candidates are made of a room that may change
   const Result<AskedSearch> search = AskedSearch::make(room, std::move(*asked));
   if (!search) return Error{"--opening: " + search.error().message};

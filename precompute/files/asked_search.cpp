@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "core/base/short_number.h"
 #include "core/photometry/photometric_values.h"
@@ -29,7 +30,10 @@ double rounded(double value) { return std::round(1e6 * value) / 1e6; }
 }  // namespace
 
 AskedSearch::AskedSearch(const Scene& room, IntentionsFile asked)
-    : room_(&room), intentions_(std::move(asked.intentions)), types_(std::move(asked.types)) {
+    : room_(&room),
+      intentions_(std::move(asked.intentions)),
+      types_(std::move(asked.types)),
+      paint_(std::move(asked.paint)) {
   for (const AskedType& type : types_)
     flux_.push_back(type.flux > 0 ? type.flux : rounded(integratedFlux(*type.photometry)));
 }
@@ -37,7 +41,7 @@ AskedSearch::AskedSearch(const Scene& room, IntentionsFile asked)
 Result<AskedSearch> AskedSearch::make(Scene& room, IntentionsFile asked) {
   AskedSearch search(room, std::move(asked));
   if (auto ok = takeZones(room, search.intentions_.zones); !ok) return ok.error();
-  if (!search.isOfTypes()) {
+  if (!search.hasCandidates()) {
     if (auto ok = observe(room, search.intentions_.observers); !ok) return ok.error();
     if (asksForDirect(search.intentions_))
       if (auto ok = addDirect(room); !ok) return ok.error();
@@ -46,7 +50,8 @@ Result<AskedSearch> AskedSearch::make(Scene& room, IntentionsFile asked) {
   }
   if (auto ok = search.checkPower(); !ok) return ok.error();
   if (auto ok = search.makeCandidates(); !ok) return ok.error();
-  if (auto ok = search.takeSites(search.intentions_.luminaires); !ok) return ok.error();
+  if (search.isOfTypes())
+    if (auto ok = search.takeSites(search.intentions_.luminaires); !ok) return ok.error();
   if (auto ok = checkIntentions(search.candidateScene_, search.intentions_); !ok) return ok.error();
   return search;
 }
@@ -66,15 +71,37 @@ Result<Done> AskedSearch::checkPower() const {
   return Done{};
 }
 
-Result<Done> AskedSearch::makeCandidates() {
+/// nullptr where nothing is painted.
+Result<std::shared_ptr<const Repaint>> AskedSearch::repaint(const PhotometricLight* light) const {
+  if (paint_.empty()) return std::shared_ptr<const Repaint>();
+  const Result<std::vector<SurfacePaint>> onLeaves = paintOnLeaves(paint_, room_->surfaces);
+  if (!onLeaves) return onLeaves.error();
+  if (auto ok = checkPaint(*room_, *onLeaves); !ok) return ok.error();
+  return std::make_shared<const Repaint>(*room_, light->exchange(), paintedReflectance(*room_, *onLeaves));
+}
+
+/// `light`: nullptr in a room without light operator, which ends in an error.
+Result<CandidateScene> AskedSearch::beginCandidates(std::shared_ptr<const PhotometricLight> light) {
+  Result<std::shared_ptr<const Repaint>> paint = repaint(light.get());
+  if (!paint) return paint.error();
+  if (!isOfTypes()) {
+    std::vector<std::uint32_t> sites(room_->sites.size());
+    std::iota(sites.begin(), sites.end(), 0u);
+    return CandidateScene::ofSquares(*room_, sites, std::move(*paint));
+  }
   std::vector<CandidateType> types;
   std::vector<TypeWays> ways;
   for (std::size_t t = 0; t < types_.size(); ++t) {
     types.push_back({sampledType(types_[t].photometry), flux_[t], types_[t].watts});
     ways.push_back(types_[t].ways);
   }
-  if (room_->lightOperator) candidates_ = candidatesOf(*room_, types, ways);
-  Result<CandidateScene> making = CandidateScene::begin(*room_, std::move(types), candidates_);
+  if (light) candidates_ = candidatesOf(*room_, types, ways);
+  return CandidateScene::begin(*room_, std::move(types), candidates_, std::move(light), std::move(*paint));
+}
+
+Result<Done> AskedSearch::makeCandidates() {
+  const auto light = room_->lightOperator ? std::make_shared<const PhotometricLight>(*room_) : nullptr;
+  Result<CandidateScene> making = beginCandidates(light);
   if (!making) return making.error();
   while (!making->advance(kTogether)) continue;
   std::vector<ObserverRows> observers = making->seenBy(intentions_.observers);
@@ -119,12 +146,18 @@ Result<Done> AskedSearch::takeSites(const LuminaireRules& asked) {
 LightResults AskedSearch::lightResults(const Layout& layout) const {
   const Quantity light =
       intentions_.quantity == Quantity::kDirect ? Quantity::kDirect : Quantity::kIlluminance;
-  if (!isOfTypes() && light != Quantity::kDirect) return fiatlux::lightResults(*room_, layout);
-  return fiatlux::lightResults(*room_, illuminanceOf(scene(), layout, light));
+  if (!hasCandidates() && light != Quantity::kDirect) return fiatlux::lightResults(*room_, layout);
+  return fiatlux::lightResults(scene(), illuminanceOf(scene(), layout, light));
 }
 
 nlohmann::ordered_json AskedSearch::layoutJson(const Layout& layout) const {
-  if (!isOfTypes()) return fiatlux::layoutJson(layout, *room_);
+  nlohmann::ordered_json json = isOfTypes() ? typesJson(layout) : fiatlux::layoutJson(layout, *room_);
+  for (const auto& [surface, reflectance] : paint_)
+    json["paint"].push_back({{"surface", surface}, {"reflectance", reflectance}});
+  return json;
+}
+
+nlohmann::ordered_json AskedSearch::typesJson(const Layout& layout) const {
   nlohmann::ordered_json luminaires = nlohmann::ordered_json::array();
   for (const std::uint32_t c : layout.sites) {
     const Candidate& hung = candidates_[c];

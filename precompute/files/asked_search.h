@@ -1,12 +1,15 @@
 // What a search is asked by a file of intentions: about the sites of the room, or, where luminaires are of
-// photometric files, about the candidates that these make in it (core/candidates), and back again.
+// photometric files or the room is painted, about the candidates that these make in it (core/candidates), and
+// back again.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/candidates/candidate_scene.h"
 #include "core/search/shown.h"
 #include "precompute/files/intentions_json.h"
 #include "precompute/files/light_results.h"
@@ -16,13 +19,13 @@ namespace fiatlux {
 class AskedSearch {
  public:
   /// Computes the light of all candidates, and what observers see of them or of the room's squares. An error
-  /// where the room knows squares only, nothing fits, or the intentions do not pass checkIntentions. The room
-  /// must outlive it.
+  /// where the room knows squares in its own paint only, nothing fits, a painted surface is not there, or the
+  /// intentions do not pass checkIntentions. The room must outlive it.
   static Result<AskedSearch> make(Scene& room, IntentionsFile asked);
 
   bool isOfTypes() const { return !types_.empty(); }
   /// What is searched: its sites are candidates where luminaires are of types.
-  const Scene& scene() const { return isOfTypes() ? candidateScene_ : *room_; }
+  const Scene& scene() const { return hasCandidates() ? candidateScene_ : *room_; }
   const Intentions& intentions() const { return intentions_; }
   const Scene& room() const { return *room_; }
 
@@ -30,7 +33,7 @@ class AskedSearch {
   /// for.
   LightResults lightResults(const Layout& layout) const;
   /// A layout of that scene as readLayoutFile reads it, on sites of the room; photometric files are named as
-  /// in the intentions.
+  /// in the intentions. With the paint that was asked for.
   nlohmann::ordered_json layoutJson(const Layout& layout) const;
   /// A layout of that scene as one of the room's sites: where luminaires hang, and their lm.
   Layout onSites(const Layout& layout) const;
@@ -43,13 +46,19 @@ class AskedSearch {
 
  private:
   explicit AskedSearch(const Scene& room, IntentionsFile asked);
+  /// Of types on sites, or of the sites themselves in the painted room, by their numbers.
+  bool hasCandidates() const { return isOfTypes() || !paint_.empty(); }
+  Result<std::shared_ptr<const Repaint>> repaint(const PhotometricLight* light) const;
+  Result<CandidateScene> beginCandidates(std::shared_ptr<const PhotometricLight> light);
   Result<Done> makeCandidates();
+  nlohmann::ordered_json typesJson(const Layout& layout) const;
   Result<Done> takeSites(const LuminaireRules& asked);
   Result<Done> checkPower() const;
 
   const Scene* room_;
   Intentions intentions_;
   std::vector<AskedType> types_;
+  std::vector<NamedPaint> paint_;
   std::vector<double> flux_;  // lm, of each type
   std::vector<Candidate> candidates_;
   Scene candidateScene_;

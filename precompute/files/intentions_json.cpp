@@ -286,7 +286,7 @@ std::vector<Observer> askedObservers(const Scene& scene, const JsonField& json) 
 
 IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const ReadNamed& read) {
   json.requireKeys(
-      {"luminaires", "arrangement", "goals", "constraints", "quantity", "observers", "taskAreas"});
+      {"luminaires", "arrangement", "goals", "constraints", "quantity", "observers", "taskAreas", "paint"});
   IntentionsFile asked;
   Intentions& intentions = asked.intentions;
   intentions.zones = scene.zones;
@@ -297,6 +297,7 @@ IntentionsFile intentionsOf(const Scene& scene, const JsonField& json, const Rea
     if (const auto types = luminaires->find("types")) readTypes(scene, *luminaires, *types, read, asked);
     if (const auto fixed = luminaires->find("fixed")) readFixed(*fixed, asked);
   }
+  if (const auto paint = json.find("paint")) asked.paint = paintOf(*paint);
   if (const auto arrangement = json.find("arrangement"))
     intentions.luminaires.arrangement = arrangementOf(*arrangement);
   if (const auto goals = json.find("goals"))
@@ -318,6 +319,7 @@ void divide(const Scene& room, const JsonField& json, Scene& divided) {
 /// Only what is asked of squares of light.
 Result<Intentions> ofSquares(const Result<IntentionsFile>& asked) {
   if (!asked) return asked.error();
+  if (!asked->paint.empty()) return Error{"paint: it is for fiatlux solve and alpha; leave it out"};
   if (asked->types.empty()) return asked->intentions;
   return Error{"luminaires.types: photometric files are for fiatlux solve and alpha; give a flux instead"};
 }

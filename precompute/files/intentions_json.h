@@ -11,6 +11,7 @@
 #include "core/scene/scene.h"
 #include "core/search/intentions.h"
 #include "precompute/files/named_files.h"
+#include "precompute/files/paint_json.h"
 
 namespace fiatlux {
 
@@ -27,6 +28,7 @@ struct AskedType {
 struct IntentionsFile {
   Intentions intentions;         // pinned and excluded sites are those of the room
   std::vector<AskedType> types;  // none: luminaires are Lambertian squares
+  std::vector<NamedPaint> paint;
 };
 
 /// The intentions in `text` for this room. Those without types are checked by checkIntentions too; of those
@@ -36,7 +38,7 @@ Result<IntentionsFile> parseIntentionsFile(const Scene& room, const std::string&
 /// The same from a file, which may name others in its folder and below; errors begin with the path.
 Result<IntentionsFile> readIntentionsFile(const Scene& room, const std::string& path);
 
-/// Intentions that know no types, for what is about squares alone.
+/// Intentions that know no types and no paint, for what is about squares in the room as it is.
 Result<Intentions> parseIntentions(const Scene& scene, const std::string& text);
 
 }  // namespace fiatlux

@@ -323,6 +323,36 @@ TEST_F(Commands, SolveFindsPlacesAndTypesThatEvaluateReadsBack) {
   EXPECT_THAT(text.out, HasSubstr("lamps/spot.ies"));
 }
 
+TEST_F(Commands, SolveSeesTheRoomAsItIsPainted) {
+  samples::IesFile lamp;
+  lamp.width = lamp.length = 0.1;
+  writeTextFile(*folder_ / "lamp.ies", lamp.text());
+  for (const char* luminaires : {R"("flux": 900)", R"("types": [{"photometry": "lamp.ies", "flux": 900}])"}) {
+    writeTextFile(*folder_ / "dark.json", std::string(R"({"luminaires": {"count": 2, )") + luminaires +
+                                              R"(}, "paint": [{"surface": "floor", "reflectance": 0.15}],
+        "goals": [{"surface": "floor", "statistic": "sigma", "sense": "min"}]})");
+    const CommandRun run = runFiatlux(
+        *folder_, "solve box.flux --intentions dark.json --json --evaluations 500 -o painted.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json solved = json::parse(run.out)["runs"][0];
+    const CommandRun evaluate = runFiatlux(*folder_, "evaluate box.flux --layout painted.json --json");
+    ASSERT_EQ(evaluate.status, 0) << evaluate.err;
+    const json evaluated = json::parse(evaluate.out);
+    double absorbed = 0;
+    for (std::size_t s = 0; s < 6; ++s) {
+      const json &surface = evaluated["surfaces"][s], &found = solved["surfaces"][s];
+      const double mean = surface["mean"];
+      EXPECT_NEAR(found["mean"].get<double>(), mean, 5e-3 * mean) << surface["name"];
+      EXPECT_NEAR(found["reflectance"].get<double>(), surface["reflectance"].get<double>(), 1e-3);
+      absorbed += surface["area"].get<double>() * (1 - surface["reflectance"].get<double>()) * mean;
+    }
+    EXPECT_NEAR(evaluated["surfaces"][0]["reflectance"].get<double>(), 0.15, 1e-6);
+    EXPECT_NEAR(absorbed, 1800, 0.02 * 1800);
+  }
+  writeTextFile(*folder_ / "dark.json", R"({"paint": [{"surface": "sail", "reflectance": 0.15}]})");
+  EXPECT_THAT(failure("solve box.flux --intentions dark.json"), HasSubstr("is called \"sail\""));
+}
+
 TEST_F(Commands, TypesAreRefusedWithACure) {
   std::filesystem::create_directory(*folder_ / "lamps");
   writeTextFile(*folder_ / "lamp.ies", samples::IesFile{}.text());
