@@ -207,8 +207,8 @@ test('a browser without 3D graphics is told what to do', async ({ page, watched 
   watched.faults.length = 0; // three reports it to the console, too
 });
 
-const broken: readonly [string, string, number | null, RegExp][] = [
-  ['the worker is blocked', '**/assets/worker*.js', null, /script cannot be loaded/],
+const broken: readonly [string, string | RegExp, number | null, RegExp][] = [
+  ['the worker is blocked', /\/assets\/worker-[^/]{8}\.js$/, null, /script cannot be loaded/],
   ['the module is missing', '**/*.wasm', 404, /core\.wasm cannot be loaded/],
   ['the room does not arrive', '**/*.flux', null, /no connection/],
   ['there is no list of rooms', '**/catalog.json', 404, /list of rooms could not be loaded/],

@@ -535,6 +535,14 @@ describe('the registry of actions', () => {
   test('is found by words', () => {
     expect(matching(actions, 'plan view')[0]?.id).toBe('view-plan');
     expect(matching(actions, 'zzz')).toEqual([]);
+    const surface = {
+      ...actions[0]!,
+      id: 'surface-0',
+      title: () => 'wall south',
+      group: 'Surfaces' as const,
+    };
+    expect(matching([...actions, surface], 'wall south').length).toBeGreaterThan(1); // a view, too
+    expect(matching([...actions, surface], 'wall south')[0]).toBe(surface);
   });
 
   test('keys read as written', () => {

@@ -6,13 +6,16 @@ import { keyText } from '../../app/keyboard.ts';
 import { Dialog } from './dialog.tsx';
 import { words } from '../../language/language.ts';
 
-/** Actions whose title holds every word that is typed, in the registry's order. */
+/** Actions whose title holds every word that is typed, in the registry's order; those that begin so come first. */
 export function matching(all: readonly Action[], query: string): Action[] {
-  const typed = query.toLowerCase().split(/\s+/).filter(Boolean);
-  return all.filter((action) => {
+  const wanted = query.trim().toLowerCase();
+  const typed = wanted.split(/\s+/);
+  const found = all.filter((action) => {
     const text = `${action.title()} ${words.value.actions.groups[action.group]}`.toLowerCase();
     return action.id !== 'palette' && typed.every((word) => text.includes(word));
   });
+  const beginsSo = (action: Action) => action.title().toLowerCase().startsWith(wanted);
+  return [...found.filter(beginsSo), ...found.filter((action) => !beginsSo(action))];
 }
 
 export function Palette({ close }: { close: () => void }) {
