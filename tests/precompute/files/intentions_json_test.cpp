@@ -186,7 +186,7 @@ TEST(IntentionsJson, RefusesWhatItDoesNotKnow) {
   expectRefusal("[]", "expected an object");
   expectRefusal(R"({"goal": []})",
                 "unknown key \"goal\"; the closest is \"goals\" (known are luminaires, arrangement, goals, "
-                "constraints, quantity, observers, taskAreas)");
+                "constraints, quantity, observers, taskAreas, paint)");
   expectRefusal(R"({"luminaires": {"cuont": 3}})", "luminaires: unknown key \"cuont\"");
   expectRefusal(R"({"luminaires": {"count": "3"}})", "luminaires.count: expected a number, found a text");
   expectRefusal(R"({"luminaires": {"count": 2.5}})", "whole number");
