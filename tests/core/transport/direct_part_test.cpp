@@ -62,21 +62,26 @@ TEST(DirectPart, ReadingsAreThoseOfItsPatches) {
   EXPECT_LT(checkStatistics(scene, Quantity::kDirect, direct).largestDifference, 1e-5);
 }
 
-TEST(DirectPart, TrialsOfTheSearchAreFullEvaluations) {
-  Scene scene = operatorScene(16, 8);
-  ASSERT_TRUE(addDirect(scene));
+/// One luminaire of three is tried on other sites.
+void expectTrialsAreFullEvaluations(const Scene& scene, const Intentions& intentions) {
   PreparedScene prepared(scene);
-  Evaluator evaluator(prepared, emergency());
+  Evaluator evaluator(prepared, intentions);
   evaluator.load({0, 3, 6});
   for (std::uint32_t site : {1u, 2u, 4u, 5u, 7u}) {
     Trial best;
     best.evaluation.violation = kUnbounded;
     evaluator.tryMoves(1, &site, 1, best);
     ASSERT_EQ(best.count, 1u);
-    const Evaluation full = Evaluator(prepared, emergency()).evaluate({0, site, 6});
+    const Evaluation full = Evaluator(prepared, intentions).evaluate({0, site, 6});
     EXPECT_NEAR(best.evaluation.violation, full.violation, 1e-4 * (1 + full.violation));
     EXPECT_NEAR(best.evaluation.goal, full.goal, 1e-4 * full.goal);
   }
+}
+
+TEST(DirectPart, TrialsOfTheSearchAreFullEvaluations) {
+  Scene scene = operatorScene(16, 8);
+  ASSERT_TRUE(addDirect(scene));
+  expectTrialsAreFullEvaluations(scene, emergency());
 }
 
 /// Escape light on a part of the plane, and even light on its grid.
@@ -131,18 +136,7 @@ TEST(DirectPart, TrialsOnGridsAreFullEvaluations) {
   ASSERT_TRUE(addDirect(scene));
   const Intentions intentions = onGrids(scene);
   ASSERT_TRUE(takeZones(scene, intentions.zones));
-  PreparedScene prepared(scene);
-  Evaluator evaluator(prepared, intentions);
-  evaluator.load({0, 3, 6});
-  for (std::uint32_t site : {1u, 2u, 4u, 5u, 7u}) {
-    Trial best;
-    best.evaluation.violation = kUnbounded;
-    evaluator.tryMoves(1, &site, 1, best);
-    ASSERT_EQ(best.count, 1u);
-    const Evaluation full = Evaluator(prepared, intentions).evaluate({0, site, 6});
-    EXPECT_NEAR(best.evaluation.violation, full.violation, 1e-4 * (1 + full.violation));
-    EXPECT_NEAR(best.evaluation.goal, full.goal, 1e-4 * full.goal);
-  }
+  expectTrialsAreFullEvaluations(scene, intentions);
 }
 
 TEST(DirectPart, CandidatesKeepTheirOwn) {

@@ -1,15 +1,8 @@
 import { expect, test } from '@jest/globals';
 import { arrangementOf, countsAround, fewestMet, withCount, withRule } from '../../../web/app/comparing.ts';
-import type { Intentions, Luminaires } from '../../../web/document/types.ts';
+import type { Intentions } from '../../../web/document/types.ts';
+import { sixLuminaires as luminaires } from '../six-luminaires.ts';
 
-const luminaires: Luminaires = {
-  count: 6,
-  flux: 1000,
-  dimming: [1, 1],
-  pinned: [],
-  excluded: [],
-  minDistance: 0,
-};
 const asked: Intentions = { luminaires, goals: [], constraints: [], quantity: 'illuminance' };
 
 test('the strip shows the range asked for, else the numbers around', () => {

@@ -1,16 +1,7 @@
 /** What the report says of the rules that luminaires hang by. */
 import { expect, test } from '@jest/globals';
 import { rulesText } from '../../../web/report/report.ts';
-import type { Luminaires } from '../../../web/document/types.ts';
-
-const free: Luminaires = {
-  count: 6,
-  flux: 1000,
-  dimming: [1, 1],
-  pinned: [],
-  excluded: [],
-  minDistance: 0,
-};
+import { sixLuminaires as free } from '../six-luminaires.ts';
 
 test('the rules that luminaires hang by are one sentence, and none where there are none', () => {
   expect(rulesText(free)).toEqual([]);

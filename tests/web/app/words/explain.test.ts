@@ -4,18 +4,12 @@ import { conflicting, easedCards, opposedCards } from '../../../../web/app/words
 import { documentFrom } from '../../../../web/app/rooms/opening-wish.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
 import type { Card, Verb } from '../../../../web/document/types.ts';
+import { sixLuminaires } from '../../six-luminaires.ts';
 
 test('what conflicts is told in the words of its card, with the number that would do', () => {
   const card: Card = { id: 'c', surfaces: ['floor'], verb: 'keep', weight: 1, mean: { min: 300, max: 400 } };
   const asked = { cards: [card], saving: false, quantity: 'illuminance', seed: 1 } as const;
-  const luminaires = {
-    count: 2,
-    flux: 1000,
-    dimming: [1, 1],
-    pinned: [],
-    excluded: [],
-    minDistance: 0,
-  } as const;
+  const luminaires = { ...sixLuminaires, count: 2 };
   const document = documentFrom({ ...asked, luminaires }, '', 'box');
   const { origins } = intentionsOf(document);
   const results = [
