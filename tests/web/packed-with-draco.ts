@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { writeGlb } from '../../web/app/importing/gltf-container.ts';
+import { writeGlb } from '../../web/document/gltf-container.ts';
 
 const require = createRequire(import.meta.url);
 const home = path.dirname(require.resolve('draco3dgltf/package.json'));

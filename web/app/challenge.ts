@@ -12,6 +12,7 @@ import { scatteredLayout, type Variants } from './variants.ts';
 import { sentence } from './words/format.ts';
 import { boundText, highestScore, outcomeText, scoreOf, type Best } from './words/score.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 export const lamps = 6;
 const patience = 3000; // ms for a proof
@@ -109,8 +110,7 @@ export class Challenge {
       this.#store.announcement.value = words.value.comparing.challenge.yourTurn;
     } catch (error) {
       this.#game.value = null;
-      if (!(error instanceof Superseded))
-        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      if (!(error instanceof Superseded)) this.#store.say('error', sentence(reasonOf(error)));
     }
   }
 

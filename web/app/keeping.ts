@@ -13,6 +13,7 @@ import { hasLink, isEmbedded, pageOf } from './opening/address.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 /** A room that was open: what was done in it, and the bytes of one that the site does not have. */
 export interface Visited {
@@ -143,7 +144,7 @@ export class Keeping {
       const { save } = await import('../document/autosave.ts');
       saving.value = { state: 'saved', at: await save(this.#left()) };
     } catch (error) {
-      saving.value = { state: 'refused', why: error instanceof Error ? error.message : String(error) };
+      saving.value = { state: 'refused', why: reasonOf(error) };
       this.#tellRefusal();
     }
   }

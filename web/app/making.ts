@@ -12,6 +12,7 @@ import { planOf, readPlan, type RoomPlan } from '../room-maker/room-plan.mjs';
 import type { PackedPlan } from '../document/made-room.ts';
 import type { App } from './app.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 /** What of a plan is selected; indices into its lists, a wall by its first corner. */
 export interface Selected {
@@ -131,7 +132,7 @@ export class Making {
         this.#drawn = plan;
       }
     } catch (error) {
-      this.#app.store.say('error', words.value.maker.notDrawn(error instanceof Error ? error.message : String(error))); // prettier-ignore
+      this.#app.store.say('error', words.value.maker.notDrawn(reasonOf(error))); // prettier-ignore
     } finally {
       this.#isDrawing = false;
     }

@@ -5,13 +5,14 @@ import { sentence } from './words/format.ts';
 import { askForType, cardsOf, luminairesFor, roomTypes, type RoomType } from './words/room-types.ts';
 import type { LuminaireType } from '../document/types.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 /** None where the site does not give them, which is said. */
 async function fromSite(app: App, wished: readonly OpeningType[]): Promise<readonly LuminaireType[]> {
   try {
     return await app.types.fromSite(wished);
   } catch (error) {
-    app.store.say('warning', sentence(error instanceof Error ? error.message : String(error)));
+    app.store.say('warning', sentence(reasonOf(error)));
     return [];
   }
 }

@@ -15,6 +15,7 @@ import type { Message, Store } from './state/store.ts';
 import { sentence } from './words/format.ts';
 import { withNearMisses } from './words/near-miss.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 /** Something newer was asked for: nothing that a person has to be told. */
 export class Superseded extends Error {}
@@ -243,7 +244,7 @@ export class Solving {
       this.solve();
     } catch (error) {
       if (error instanceof Superseded) return;
-      this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      this.#store.say('error', sentence(reasonOf(error)));
     }
   }
 

@@ -20,6 +20,7 @@ import type { Solving } from './solving.ts';
 import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
+import { reasonOf } from '../document/reason.ts';
 
 export type Against = 'kept' | 'opened' | 'scattered' | 'best';
 
@@ -161,7 +162,7 @@ export class Variants {
     } catch (error) {
       if (turn !== this.#turn) return;
       this.close();
-      const why = error instanceof Error ? error.message : String(error);
+      const why = reasonOf(error);
       this.#store.say('warning', words.value.steps.nothingToCompare(why));
     }
   }

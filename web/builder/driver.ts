@@ -2,6 +2,7 @@
 import { zlibSync } from 'fflate';
 import { instantiate, type Builder, type Compiled } from './builder.ts';
 import type { FromBuilder, Model, ToBuilder } from './protocol.ts';
+import { reasonOf } from '../document/reason.ts';
 
 export type Post = (message: FromBuilder, transfer: Transferable[]) => void;
 
@@ -104,7 +105,7 @@ function lineOf(error: unknown): string {
     return error.message
       .replace('--memory allows', 'a page may use')
       .replace(/pass (.*a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
-  const what = error instanceof Error ? error.message : String(error);
+  const what = reasonOf(error);
   if (/memory|allocation|OOM/i.test(what) && !/out of bounds/i.test(what))
     return 'not enough memory in this browser: close other pages, or make the room smaller';
   return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;

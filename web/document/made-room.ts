@@ -3,6 +3,7 @@
  * maker (room-maker/plan-code); here it is only told apart from what is none, and bounded.
  */
 import * as v from 'valibot';
+import { readContainer } from './gltf-container.ts';
 import type { SceneInfo } from './types.ts';
 
 const mostNumbers = 4000; // of one list; a piece of furniture has seven
@@ -26,15 +27,11 @@ function planIn(value: unknown): PackedPlan | null {
 
 /** The plan that a binary glTF of the room maker carries; null where it is another file. */
 export function planOfGlb(bytes: ArrayBuffer): PackedPlan | null {
-  const [glTF, json] = [0x46546c67, 0x4e4f534a];
   try {
-    const view = new DataView(bytes);
-    if (view.getUint32(0, true) !== glTF || view.getUint32(16, true) !== json) return null;
-    const text = new TextDecoder().decode(new Uint8Array(bytes, 20, view.getUint32(12, true)));
-    const { scene = 0, scenes } = JSON.parse(text);
+    const { scene = 0, scenes } = JSON.parse(readContainer(new Uint8Array(bytes)).text);
     return planIn(scenes?.[scene]?.extras?.fiatlux?.plan);
   } catch {
-    return null; // shorter than a header, or no JSON: not ours
+    return null; // cut off, or no JSON: not ours
   }
 }
 

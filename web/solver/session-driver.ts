@@ -20,6 +20,7 @@ import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
+import { reasonOf } from '../document/reason.ts';
 
 export type Post = (message: FromWorker, transfer: Transferable[]) => void;
 type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type: Type }>;
@@ -202,7 +203,7 @@ export class SessionDriver {
       tell(typeof numbers === 'string' ? numbers : gainsOf(numbers, asked));
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
-      tell(error instanceof Error ? error.message : String(error));
+      tell(reasonOf(error));
     }
   }
 
@@ -319,7 +320,7 @@ export class SessionDriver {
       answer({ ...shown, colors: this.#color.of(shown.illuminance, paint) });
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
-      answer(error instanceof Error ? error.message : String(error));
+      answer(reasonOf(error));
     }
   }
 
@@ -384,7 +385,7 @@ export class SessionDriver {
   #fail(revision: number, error: unknown): void {
     // note: a trap leaves the module's memory in an unknown state; the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) throw error;
-    const message = error instanceof Error ? error.message : String(error);
+    const message = reasonOf(error);
     this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
 }

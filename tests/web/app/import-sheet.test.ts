@@ -3,7 +3,7 @@ import { afterEach, expect, jest, test } from '@jest/globals';
 import { facings, uses, type BuildOptions, type Survey } from '../../../web/builder/builder.ts';
 import type { BuilderPool } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
-import { writeGlb } from '../../../web/app/importing/gltf-container.ts';
+import { writeGlb } from '../../../web/document/gltf-container.ts';
 import { usualChoices, type ModelChoices } from '../../../web/app/importing/model-choices.ts';
 import { ImportSheet } from '../../../web/app/lighting/import-sheet.ts';
 import type { Lighting } from '../../../web/app/lighting/lighting.ts';

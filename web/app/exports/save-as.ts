@@ -2,6 +2,7 @@
 import type { App } from '../app.ts';
 import type { ExportFormat } from './formats.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 const patience = 10_000; // ms that a browser may take to begin with a download
 
@@ -11,7 +12,7 @@ export async function saveAs(format: ExportFormat, app: App): Promise<void> {
     const blob = typeof content === 'string' ? new Blob([content], { type: format.type }) : content;
     download(`${fileStem(app.store.roomTitle.peek())}${format.suffix}`, blob);
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
+    const why = reasonOf(error);
     app.store.say('error', words.value.actions.exports.failed(format.noun(), why));
   }
 }

@@ -5,6 +5,7 @@ import { importModel, type Imported } from './import-model.ts';
 import { cureOf, isModel } from './model-files.ts';
 import { planOfStf } from './stf-plan.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 export type Import = Imported | { readonly plan: PackedPlan; readonly note: string | null };
 
@@ -17,9 +18,7 @@ export async function imported(files: readonly File[]): Promise<Import> {
     if (main && isModel(main.name)) return await importModel(files);
     if (stf) return stfRoom(await stf.text());
   } catch (error) {
-    throw new Error(
-      words.value.opening.import.unreadable(name, error instanceof Error ? error.message : String(error)),
-    );
+    throw new Error(words.value.opening.import.unreadable(name, reasonOf(error)));
   }
   throw new Error(
     words.value.opening.import.comesFrom(name, cureOf(name) ?? words.value.opening.import.anotherProgram),

@@ -11,7 +11,8 @@ import {
   type SurveyedSurface,
 } from '../../builder/builder.ts';
 import type { Model } from '../../builder/protocol.ts';
-import { readContainer, writeGlb } from './gltf-container.ts';
+import { readContainer, writeGlb } from '../../document/gltf-container.ts';
+import { luminance, type Rgb } from '../../document/linear-colour.mjs';
 
 export interface ModelChoices {
   readonly unit: number; // metres; 0: 1, or a guess where that is absurd
@@ -38,8 +39,6 @@ export interface ModelMaterial {
   readonly hasPicture: boolean;
 }
 
-type Rgb = [number, number, number];
-
 /** Those parts of a glTF's JSON that are touched. */
 interface Gltf {
   scene?: number;
@@ -54,8 +53,6 @@ interface Gltf {
 
 const most = 0.95; // of a reflectance
 const turned = Math.SQRT1_2; // a quarter about x, as a quaternion
-
-const luminance = ([r, g, b]: Rgb) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 function colorOf(factor: readonly number[] | undefined): Rgb {
   const [r = 1, g = 1, b = 1] = factor ?? [];

@@ -4,7 +4,7 @@
  * says what is wrong.
  */
 import type { DracoModule } from 'draco3dgltf/draco_decoder_gltf_nodejs.js';
-import { readContainer, writeGlb } from './gltf-container.ts';
+import { readContainer, writeGlb } from '../../document/gltf-container.ts';
 
 type Bytes = Uint8Array<ArrayBuffer>;
 

@@ -11,6 +11,7 @@ import {
 import type { SheetState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import type { CreatePool, Lighting } from './lighting.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 const calm = 150; // ms without a change, before a model is looked at anew
 
@@ -88,7 +89,7 @@ export class ImportSheet {
       const survey = await pool.survey(chosenModel(this.#model, choices), chosenOptions(choices));
       return { survey, fault: null };
     } catch (error) {
-      return { survey: null, fault: sentence(error instanceof Error ? error.message : String(error)) };
+      return { survey: null, fault: sentence(reasonOf(error)) };
     }
   }
 }

@@ -18,6 +18,7 @@ import { carriedOver } from './carried-over.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 /** The draft: patches so many times as long, and so many rays from each; light of squares only. */
 const draft = { coarseness: 2.5, rays: 256, exchange: false };
@@ -83,7 +84,7 @@ export class Lighting {
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
         return;
-      this.#fail(error instanceof Error ? error.message : String(error));
+      this.#fail(reasonOf(error));
     } finally {
       if (this.#running === running) this.#running = null;
     }
@@ -101,7 +102,7 @@ export class Lighting {
       await pool.survey(model, usualOptions);
       return null;
     } catch (error) {
-      return error instanceof Error ? error.message : String(error);
+      return reasonOf(error);
     }
   }
 
@@ -223,7 +224,7 @@ export class Lighting {
       await this.#shelf.keep(name, room.source, file);
       return true;
     } catch (error) {
-      this.#store.say('warning', error instanceof Error ? error.message : String(error));
+      this.#store.say('warning', reasonOf(error));
       return false;
     }
   }

@@ -21,6 +21,7 @@ import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { genericFile, genericLuminaires } from './generic-luminaires.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 /** Files to choose from, and what holds them. */
 export interface Offer {
@@ -29,7 +30,6 @@ export interface Offer {
 }
 
 const parseXml = (text: string) => new DOMParser().parseFromString(text, 'text/xml');
-const reason = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 export class LuminaireTypes {
   readonly files = signal<PhotometricFiles>({});
@@ -83,7 +83,7 @@ export class LuminaireTypes {
       if (parts.length > 1) this.#choose({ from: name, parts });
       else if (parts[0]) await this.#add(parts[0], true);
     } catch (error) {
-      this.#store.say('error', sentence(words.value.opening.about(cleanName(name), reason(error))));
+      this.#store.say('error', sentence(words.value.opening.about(cleanName(name), reasonOf(error))));
     }
   }
 
@@ -92,7 +92,7 @@ export class LuminaireTypes {
     try {
       await this.#add(part, false);
     } catch (error) {
-      this.#store.say('error', sentence(words.value.opening.about(cleanName(part.name), reason(error))));
+      this.#store.say('error', sentence(words.value.opening.about(cleanName(part.name), reasonOf(error))));
     }
   }
 
@@ -236,7 +236,7 @@ export class LuminaireTypes {
       const description = await this.#solving.describe(bytesOfText(text));
       this.descriptions.value = { ...this.descriptions.peek(), [hash]: description };
     } catch (error) {
-      this.#store.say('error', sentence(words.value.luminaires.type.unreadable(reason(error))));
+      this.#store.say('error', sentence(words.value.luminaires.type.unreadable(reasonOf(error))));
     }
   }
 

@@ -17,11 +17,10 @@ import type { Store } from '../state/store.ts';
 import type { Lighting } from '../lighting/lighting.ts';
 import type { Placement, Placing } from './placing.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
-
-const lineOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** The model in one plain .glb; null where it is broken. */
 async function plainOf({ bytes, siblings }: Model): Promise<Model['bytes'] | null> {
@@ -63,7 +62,7 @@ export class FileOpening {
       if (inside) return await this.open(inside);
       if (!model && isForImport(files.map(({ name }) => name))) return await this.#import(files);
     } catch (error) {
-      return this.#refuse(lineOf(error));
+      return this.#refuse(reasonOf(error));
     }
     const arePhotometric = files.every(({ name }) => isPhotometricName(name));
     if (model) {
@@ -148,7 +147,7 @@ export class FileOpening {
     try {
       await this.#viewer.preview(model.bytes.buffer);
     } catch (error) {
-      throw new Error((await this.#lighting.faultOf(model)) ?? lineOf(error), { cause: error });
+      throw new Error((await this.#lighting.faultOf(model)) ?? reasonOf(error), { cause: error });
     }
   }
 

@@ -33,6 +33,7 @@ import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 export class Opening {
   readonly #store: Store;
@@ -132,7 +133,7 @@ export class Opening {
     try {
       asked = askedOf(await this.#wishOf(this.#rooms.roomOf(room)), scene);
     } catch (error) {
-      this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)));
+      this.#store.say('error', sentence(reasonOf(error)));
       return;
     }
     if (this.#store.scene.peek() !== scene) return;
@@ -312,7 +313,7 @@ export class Opening {
       await this.#files.open([await madeFile(room, plan)]);
       return true;
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
+      const why = reasonOf(error);
       this.#store.say('error', words.value.opening.linkNotMade(why));
       return false;
     }

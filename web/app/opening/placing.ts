@@ -18,6 +18,7 @@ import { sentence } from '../words/format.ts';
 import { tellRoom } from './address.ts';
 import { rememberRoom } from './first-scene.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 /** What is on the screen: its file, and what the solver made of it. */
 interface Placed {
@@ -86,7 +87,7 @@ export class Placing {
     } catch (error) {
       if (isCurrent() && !(error instanceof Superseded)) {
         const again = { label: words.value.opening.again, run: () => void this.attempt(what, action) };
-        this.#store.say('error', sentence(error instanceof Error ? error.message : String(error)), again);
+        this.#store.say('error', sentence(reasonOf(error)), again);
       }
       return false;
     } finally {

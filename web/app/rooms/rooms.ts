@@ -4,6 +4,7 @@ import { firstRoom } from '../opening/first-scene.ts';
 import { readCatalog, toldIn, type Catalog, type GalleryEntry } from './catalog-file.ts';
 import { requestCatalog } from './catalog-request.ts';
 import { language, words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 const pause = 3000; // ms between looks at a list with rooms that are not ready
 
@@ -60,7 +61,7 @@ export class Rooms {
       this.#read.value = read;
       this.fault.value = null;
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
+      const why = reasonOf(error);
       if (!this.isThere) this.fault.value = words.value.opening.catalog.notLoaded(why);
     }
     // A list that cannot be had again stays as it was; the next look may find it.

@@ -6,6 +6,7 @@ import { download } from '../../app/exports/save-as.ts';
 import type { OwnRoom, Quota } from '../../document/own-rooms.ts';
 import { words } from '../../language/language.ts';
 import { fixed, locale } from '../../language/numbers.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 const megabytes = (bytes: number) => `${fixed(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
 
@@ -40,7 +41,7 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
   const { own, opening, store } = useApp();
   const [isNaming, setNaming] = useState(false);
   const told = (work: Promise<unknown>) =>
-    void work.catch((error: unknown) => store.say('error', error instanceof Error ? error.message : String(error))); // prettier-ignore
+    void work.catch((error: unknown) => store.say('error', reasonOf(error))); // prettier-ignore
   if (isNaming) return <Naming room={room} done={() => setNaming(false)} />;
   const save = async () => {
     download(room.room, new Blob([await own.read(room.room)]));

@@ -9,6 +9,7 @@ import { Dialog } from './dialog.tsx';
 import { ShareEmbed } from './share-embed.tsx';
 import { words } from '../../language/language.ts';
 import { shortest } from '../../language/numbers.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 /** Where fingers are, the system has a list of people and apps to send things to. */
 const canSend = (): boolean =>
@@ -21,7 +22,7 @@ export function ShareDialog({ close }: { close: () => void }) {
     try {
       return [keeping.link(), null];
     } catch (error) {
-      return [null, error instanceof Error ? error.message : String(error)];
+      return [null, reasonOf(error)];
     }
   }, []);
   const isOwn = !app.rooms.has(store.document.value.room);

@@ -26,6 +26,7 @@ import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
 import { words } from '../../language/language.ts';
+import { reasonOf } from '../../document/reason.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
 export interface LitMesh {
@@ -99,7 +100,7 @@ export async function readGlb(glb: ArrayBuffer): Promise<Group> {
     for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
     return gltf.scene;
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = reasonOf(error);
     throw new Error(words.value.opening.view.notShown(reason), { cause: error });
   }
 }

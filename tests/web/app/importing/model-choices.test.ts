@@ -1,7 +1,7 @@
 // What a person chooses of a model: which options it becomes, and what is written into the file.
 import { describe, expect, test } from '@jest/globals';
 import { facings, uses, type Survey, type SurveyedSurface } from '../../../../web/builder/builder.ts';
-import { readContainer, writeGlb } from '../../../../web/app/importing/gltf-container.ts';
+import { readContainer, writeGlb } from '../../../../web/document/gltf-container.ts';
 import {
   chosenModel,
   chosenOptions,

@@ -3,7 +3,7 @@ import { describe, expect, test } from '@jest/globals';
 import createDecoder from 'draco3dgltf/draco_decoder_gltf_nodejs.js';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
-import { readContainer, writeGlb } from '../../../../web/app/importing/gltf-container.ts';
+import { readContainer, writeGlb } from '../../../../web/document/gltf-container.ts';
 import { packedWithDraco, wasmOfDraco } from '../../packed-with-draco.ts';
 import { needsUnpacking, plainGlb, type Codecs } from '../../../../web/app/importing/plain-glb.ts';
 
