@@ -422,6 +422,17 @@ describe('rooms of the site', () => {
     expect(document.value.room).toBe('box');
   });
 
+  test('one that is on the screen already stays as it is', async () => {
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    const again = app.opening.entry('box');
+    app.addCard('illuminate', ['floor']); // while it would be opened
+    await opened(again);
+    expect(host.asked.filter((name) => name === 'box.flux')).toHaveLength(1);
+    expect(app.store.document.value.cards.at(-1)).toMatchObject({ surfaces: ['floor'] });
+  });
+
   test("a room of the site's owner opens by a link, too", async () => {
     host.catalog = { rooms: [{ id: 'attic', title: 'Attic', file: 'My_attic.v2.flux' }] };
     globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;

@@ -26,7 +26,7 @@ import { progressText, type Rooms } from '../rooms/rooms.ts';
 import type { Solving } from '../solving.ts';
 import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
-import { forgetLink } from './address.ts';
+import { forgetLink, hasLink } from './address.ts';
 import { isFirstVisit, requestScene } from './first-scene.ts';
 import { Lighting, type CreatePool } from '../lighting/lighting.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
@@ -94,7 +94,7 @@ export class Opening {
   async entry(id: string): Promise<void> {
     this.lighting.closeSheet();
     this.#store.messages.value = [];
-    await this.#openEntry(id);
+    if (!this.#isOpen(id)) await this.#openEntry(id);
   }
 
   /** A room that was computed in this browser, as it was left. */
@@ -207,6 +207,13 @@ export class Opening {
   #isTaken(): boolean {
     const { loading, scene, preview } = this.#store;
     return [loading, scene, preview].some((each) => each.peek() !== null);
+  }
+
+  /** Whether a room of the gallery is on the screen already: opened again, it would lose what is edited meanwhile. */
+  #isOpen(id: string): boolean {
+    const { loading, scene, preview, making, document } = this.#store;
+    const isShown = scene.peek() !== null && document.peek().room === id && !hasLink();
+    return isShown && [loading, preview, making].every((each) => each.peek() === null);
   }
 
   /** Waits for the list of rooms; where there is none to be had, one sentence offers to try again. */

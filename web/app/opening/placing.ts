@@ -107,7 +107,7 @@ export class Placing {
     title: string,
     isCurrent: () => boolean,
     make: (scene: SceneInfo) => Placement | Promise<Placement>,
-    options: { readonly isReturn?: boolean } = {},
+    options: { readonly isReturn?: boolean; readonly isReplacement?: boolean } = {},
   ): Promise<void> {
     if (!isCurrent()) return;
     this.#remember();
@@ -121,6 +121,7 @@ export class Placing {
       placement = await make(scene);
       this.#viewer.setAims(aimsOf(placement.document, scene));
       await this.#viewer.open(room, scene);
+      if (options.isReplacement) placement = await make(scene); // what was edited meanwhile comes along
     } catch (error) {
       // The solver has the new scene by now, the screen still the old one.
       if (isCurrent()) await this.#takeBack(layout);
@@ -139,7 +140,7 @@ export class Placing {
     const turn = this.#turn;
     const isCurrent = () => turn === this.#turn;
     const arrival = this.#store.arrival.peek();
-    await this.place(bytes, title, isCurrent, make);
+    await this.place(bytes, title, isCurrent, make, { isReplacement: true });
     if (!isCurrent()) return false;
     this.#store.arrival.value = arrival;
     return true;
