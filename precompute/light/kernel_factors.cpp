@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "precompute/rays/effort.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
