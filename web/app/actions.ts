@@ -8,6 +8,7 @@ import { exportFormats } from './exports/formats.ts';
 import { saveAs } from './exports/save-as.ts';
 import type { Dialog } from './state/store.ts';
 import { chooseLanguage, language, languages, words, type Language } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 
 export interface Action {
   readonly id: string;
@@ -368,7 +369,7 @@ export function placesOf({ rooms, store }: App): Action[] {
   return [
     ...surfaces.map(({ name }, surface): Action => ({
       id: `surface-${surface}`,
-      title: () => name,
+      title: () => surfaceText(name),
       group: 'Surfaces',
       run(app) {
         app.selectSurface(surface);

@@ -3,6 +3,7 @@ import { effect } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { markedAreas, type MarkedArea } from '../document/areas.ts';
+import { eachText } from './words/places.ts';
 import { keepRange } from '../document/intentions.ts';
 import { leafBehind, markedTasks } from '../document/task-areas.ts';
 import { leavesOf } from '../document/surface-names.ts';
@@ -29,6 +30,7 @@ import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 import { Variants } from './variants.ts';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 
 export interface Parts {
   readonly canvas: HTMLCanvasElement;
@@ -100,7 +102,7 @@ export class App {
     store.card.value = card.id;
     store.announcement.value = words.value.steps.cardAdded(
       words.value.intentions.verbs[verb].title.toLowerCase(),
-      surfaces.join(', '),
+      eachText(surfaces),
     );
   }
 
@@ -195,7 +197,7 @@ export class App {
     if (name === undefined) return;
     const card = store.document.peek().cards.find((each) => each.surfaces.includes(name));
     if (card) store.card.value = card.id;
-    store.announcement.value = words.value.steps.selected(name);
+    store.announcement.value = words.value.steps.selected(surfaceText(name));
   }
 
   /** Shows how a surface is painted. */

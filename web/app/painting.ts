@@ -20,6 +20,7 @@ import { mountsIn } from './importing/model-choices.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 import { activeWish, gainLines } from './words/paint-gains.ts';
 
 const pause = 250; // ms after the latest light
@@ -103,7 +104,7 @@ export class Painting {
       ...(color !== null && { color }),
     };
     this.#edit(
-      words.value.paint.step(name),
+      words.value.paint.step(surfaceText(name)),
       (all) => {
         const at = all.findIndex(({ surface: other }) => other === name);
         return at < 0 ? [...all, paint] : all.map((each, i) => (i === at ? paint : each));
@@ -115,7 +116,7 @@ export class Painting {
   /** As in the file again: a leaf, or (null) all of them. */
   reset(leaf: number | null): void {
     const name = leaf === null ? null : this.#store.scene.peek()?.surfaces[leaf]?.name;
-    const label = name == null ? words.value.paint.takeAllOff : words.value.paint.takeOff(name);
+    const label = name == null ? words.value.paint.takeAllOff : words.value.paint.takeOff(surfaceText(name));
     this.#edit(label, (all) => (name === null ? [] : all.filter(({ surface }) => surface !== name)), null);
   }
 

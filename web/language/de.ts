@@ -17,6 +17,7 @@ import { report } from './de/report.ts';
 import { results } from './de/results.ts';
 import { sheet } from './de/sheet.ts';
 import { steps } from './de/steps.ts';
+import { surfaces } from './de/surfaces.ts';
 import { values } from './de/values.ts';
 
 export const de: Words = {
@@ -37,5 +38,6 @@ export const de: Words = {
   results,
   sheet,
   steps,
+  surfaces,
   values,
 };

@@ -16,6 +16,7 @@ import { report } from './en/report.ts';
 import { results } from './en/results.ts';
 import { sheet } from './en/sheet.ts';
 import { steps } from './en/steps.ts';
+import { surfaces } from './en/surfaces.ts';
 import { values } from './en/values.ts';
 
 export const en = {
@@ -36,6 +37,7 @@ export const en = {
   results,
   sheet,
   steps,
+  surfaces,
   values,
 };
 

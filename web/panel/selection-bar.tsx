@@ -20,6 +20,7 @@ import type { SceneInfo } from '../document/types.ts';
 import { NumberField } from './controls/number-field.tsx';
 import { verbs } from './intentions/verbs.ts';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 
 export function SelectionBar() {
   const { store } = useApp();
@@ -42,10 +43,10 @@ function SurfaceBar({ surface }: { surface: number }) {
     <div
       class="selection-bar of-surface"
       role="toolbar"
-      aria-label={words.value.bars.selection.intentionsFor(name)}
+      aria-label={words.value.bars.selection.intentionsFor(surfaceText(name))}
     >
       <span class="selection-name">
-        <strong>{name}</strong>
+        <strong>{surfaceText(name)}</strong>
         {row && (
           <span>
             {compact(row.mean)} {unitOf(store.document.value.quantity)}

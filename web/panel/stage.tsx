@@ -16,6 +16,7 @@ import { SelectionBar } from './selection-bar.tsx';
 import { UselessNote } from './useless-note.tsx';
 import { ViewToolbar } from './view-toolbar.tsx';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 
 interface Props {
   readonly canvas: RefObject<HTMLCanvasElement | null>;
@@ -122,7 +123,7 @@ function Probe() {
       <strong>
         {compact(value)} {unitOf(quantity)}
       </strong>
-      <span>{surface.name}</span>
+      <span>{surfaceText(surface.name)}</span>
     </div>
   );
 }

@@ -13,6 +13,7 @@ import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { reportOf, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 import { fixed } from '../language/numbers.ts';
 
 export function ReportPage({ close }: { close: () => void }) {
@@ -236,7 +237,7 @@ function Plan({ report: { plan, luminaires, areas } }: Props) {
               stroke-dasharray={`${mm} ${0.6 * mm}`}
             />
             <Note at={at(outline[0]!)} mm={mm} anchor="start">
-              {name}
+              {surfaceText(name)}
             </Note>
           </g>
         ))}

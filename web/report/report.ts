@@ -17,6 +17,7 @@ import type { Display, Luminaires, Paint, Quantity, SceneInfo } from '../documen
 import type { SurfaceResult } from '../solver/protocol.ts';
 import { roundRange, type Scale } from '../viewer/light/false-color.ts';
 import { words } from '../language/language.ts';
+import { surfaceText } from '../language/surface-names.ts';
 import { fixed, locale, shortest } from '../language/numbers.ts';
 
 export interface Report {
@@ -93,7 +94,11 @@ function lightInPlan(
     mode === 'falseColor' && display.quantity !== 'exitance'
       ? display.range
       : roundRange(most, logarithmic, steps);
-  return { name: scene.surfaces[leaf]?.name ?? '', field, scale: { colorMap, steps, logarithmic, range } };
+  return {
+    name: surfaceText(scene.surfaces[leaf]?.name ?? ''),
+    field,
+    scale: { colorMap, steps, logarithmic, range },
+  };
 }
 
 function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): string[] {
@@ -125,7 +130,7 @@ export function rulesText({ arrangement, minDistance, areas }: Luminaires): stri
 function paintedText(paint: readonly Paint[] | undefined, scene: SceneInfo): string[] {
   const painted = [...paintByLeaf(paint, scene.surfaces).values()];
   if (painted.length === 0 || !scene.hasOperator) return [];
-  const list = painted.map(({ surface, reflectance }) => `${surface} ${fixed(reflectance, 2)}`);
+  const list = painted.map(({ surface, reflectance }) => `${surfaceText(surface)} ${fixed(reflectance, 2)}`);
   return [words.value.paint.report(list.join(', '))];
 }
 

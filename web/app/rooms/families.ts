@@ -1,5 +1,7 @@
 /** Families of numbered surfaces ("desk 1" ... "desk 12"): folded into one line wherever surfaces are listed. */
 
+import { surfaceText } from '../../language/surface-names.ts';
+
 const numbered = /^(.*\D)\s(\d+)$/;
 
 /** "desk" of "desk 7"; null where a name carries no number. */
@@ -13,7 +15,7 @@ export interface Fold<T> {
   readonly items: readonly T[];
 }
 
-/** Folds families of two or more; each stands where its first member stood. */
+/** Folds families of two or more; each stands where its first member stood, its title in the page's words. */
 export function folded<T>(items: readonly T[], nameOf: (item: T) => string): Fold<T>[] {
   const families = new Map<string, T[]>();
   for (const item of items) {
@@ -27,7 +29,10 @@ export function folded<T>(items: readonly T[], nameOf: (item: T) => string): Fol
     const sorted = [...members].sort((a, b) => numberOf(a) - numberOf(b));
     const [first] = sorted;
     return {
-      title: sorted.length === 1 && first ? nameOf(first) : `${family} ${numbersText(sorted.map(numberOf))}`,
+      title:
+        sorted.length === 1 && first
+          ? surfaceText(nameOf(first))
+          : `${surfaceText(family)} ${numbersText(sorted.map(numberOf))}`,
       items: sorted,
     };
   });

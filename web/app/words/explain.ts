@@ -10,6 +10,7 @@ import type { Card, FiatLuxDocument, Verb } from '../../document/types.ts';
 import type { IntentionResult } from '../../solver/protocol.ts';
 import type { EasedBound, Relief, Way } from '../relief.ts';
 import { alphaText } from './format.ts';
+import { placesText } from './places.ts';
 import { words } from '../../language/language.ts';
 
 /** What a relief says of a bound, in the words of its card. */
@@ -79,7 +80,7 @@ function textOf(card: Card, field: BoundField): string {
     case 'uniformity':
       return words.value.values.fields.uniformity;
     case 'contrast':
-      return words.value.values.fields.contrast(card.contrast?.over.join(', ') ?? '');
+      return words.value.values.fields.contrast(placesText(card.contrast?.over ?? []));
     default:
       return words.value.values.ofPlanes[field];
   }

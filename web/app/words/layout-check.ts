@@ -2,9 +2,11 @@
 import { boundOf, type Origin } from '../../document/intentions.ts';
 import type { FiatLuxDocument, Layout } from '../../document/types.ts';
 import { fieldText } from './explain.ts';
+import { placesText } from './places.ts';
 import { compact, percent, unitOfBound } from './format.ts';
 import { fine } from './provenance.ts';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 
 export interface LayoutCheck {
   readonly layout: Layout; // the one that was checked
@@ -22,7 +24,9 @@ export function checkText(
   origins: readonly Origin[],
 ): string {
   const where =
-    surface === 'all' ? words.value.results.check.wholeRoom : words.value.results.check.surface(surface);
+    surface === 'all'
+      ? words.value.results.check.wholeRoom
+      : words.value.results.check.surface(surfaceText(surface));
   const difference = words.value.results.check.difference(fine(largestDifference), where);
   if (margins.length === 0) return difference;
   const tight = [...margins].filter(({ margin }) => margin < little).sort((a, b) => a.margin - b.margin);
@@ -36,7 +40,7 @@ export function checkText(
     const bound = card && boundOf(card, origin.field);
     if (!card || bound === undefined) return [];
     const unit = ` ${unitOfBound(origin.field, document.quantity)}`.trimEnd();
-    const what = `${card.surfaces.join(', ')}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
+    const what = `${placesText(card.surfaces)}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
     return [`${what}, ${marginText(margin)}`];
   });
   const more = tight.length > 3 ? words.value.results.check.more(tight.length - 3) : '';

@@ -2,11 +2,12 @@
 import { planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
 import { isPaintable, leastPaint, mostPaint } from '../../document/paint.ts';
 import { isRatio } from '../../document/statistics.ts';
-import type { Constraint, Goal, Quantity, SceneInfo, Statistic, SurfaceNames } from '../../document/types.ts';
+import type { Constraint, Goal, Quantity, SceneInfo, Statistic } from '../../document/types.ts';
 import type { PaintGain, Shown } from '../../solver/protocol.ts';
 import { words } from '../../language/language.ts';
 import { fixed } from '../../language/numbers.ts';
 import { compact, percent, unitOf } from './format.ts';
+import { placesText } from './places.ts';
 
 const told = 0.1; // of reflectance, that gains are told for
 const worthTelling = 1e-3; // of the value
@@ -31,9 +32,6 @@ export interface GainLine {
   readonly text: string; // "+12 lx"
   readonly share: number; // of the largest gain
 }
-
-const placeOf = (names: SurfaceNames) =>
-  names.includes('all') ? words.value.values.wholeRoom : names.join(', ');
 
 /** What no paint changes, or none that is told. */
 const untold: readonly Statistic[] = ['power', 'ugr', ...planeStatistics];
@@ -68,7 +66,7 @@ export function activeWish(
 function ofBound(asked: Constraint, index: number, value: number): Wish {
   const isTooLow = asked.min !== undefined && value < asked.min;
   const { more, less, statistics } = words.value.paint;
-  const text = (isTooLow ? more : less)(statistics[asked.statistic], placeOf(asked.surfaces));
+  const text = (isTooLow ? more : less)(statistics[asked.statistic], placesText(asked.surfaces));
   return {
     of: 'constraints',
     index,
@@ -81,7 +79,7 @@ function ofBound(asked: Constraint, index: number, value: number): Wish {
 }
 
 function ofGoal({ statistic, sense, surfaces, target }: Goal, index: number, value: number): Wish {
-  const where = placeOf(surfaces);
+  const where = placesText(surfaces);
   const { more, less, about, statistics } = words.value.paint;
   const text = {
     max: more(statistics[statistic], where),

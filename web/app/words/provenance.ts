@@ -8,6 +8,7 @@ import { percent } from './format.ts';
 import { inOurWords } from '../../language/faults.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 
 const known = <T extends v.GenericSchema>(schema: T) => v.fallback(v.optional(schema), undefined);
 const share = v.pipe(v.number(), v.finite(), v.minValue(0));
@@ -55,7 +56,7 @@ export function roomWarnings(scene: SceneInfo): string[] {
   const losing = scene.surfaces
     .filter(({ lost }) => lost > worthTelling)
     .sort((a, b) => b.lost - a.lost)
-    .map(({ name, lost }) => words.value.results.room.facts.lostAt(percent(lost), name));
+    .map(({ name, lost }) => words.value.results.room.facts.lostAt(percent(lost), surfaceText(name)));
   return [...warnings.map(inOurWords), ...losing];
 }
 

@@ -22,6 +22,7 @@ import { glareVerdict } from './glare.ts';
 import { emergency, largestDiversity, presets, type Preset } from './standards.ts';
 import { verdicts, type Verdict } from './verdict.ts';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 import { fixed } from '../../language/numbers.ts';
 
 export interface RoomType {
@@ -235,15 +236,19 @@ function emergencyVerdicts(
   return placesOf(type, scene.surfaces).task.flatMap((name) => {
     const reading = gridOf(shown, name);
     const bound: Constraint = { statistic: 'minimum', surfaces: [name], on: 'grid', quantity: 'direct' };
-    const rows = [atLeast(name, gridLeast, reading?.least ?? null, least, 'lx', bound)];
+    const rows = [atLeast(surfaceText(name), gridLeast, reading?.least ?? null, least, 'lx', bound)];
     const area = areas.find((each) => each.name === name);
     const darkest = area && darkestAlong(scene, area, shown.illuminance);
-    if (centreLine !== undefined) rows.push(atLeast(name, onLine, darkest ?? null, centreLine, 'lx'));
+    if (centreLine !== undefined)
+      rows.push(atLeast(surfaceText(name), onLine, darkest ?? null, centreLine, 'lx'));
     const ratio = reading && (reading.least > 0 ? reading.most / reading.least : Infinity);
     const margin = ratio === null ? null : 1 - ratio / largestDiversity;
     const met = margin === null ? null : margin >= -rounding;
     const what = atMostOf(diversity);
-    return [...rows, { where: name, what, target: largestDiversity, actual: ratio, unit: '', margin, met }];
+    return [
+      ...rows,
+      { where: surfaceText(name), what, target: largestDiversity, actual: ratio, unit: '', margin, met },
+    ];
   });
 }
 
@@ -271,16 +276,23 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Ve
     const reading = gridOf(shown, name);
     if (numbers.required !== undefined)
       rows.push(
-        atLeast(name, words.value.values.gridMean, reading?.mean ?? null, numbers.required, 'lx', {
-          statistic: 'mean',
-          surfaces: [name],
-          on: 'grid',
-        }),
+        atLeast(
+          surfaceText(name),
+          words.value.values.gridMean,
+          reading?.mean ?? null,
+          numbers.required,
+          'lx',
+          {
+            statistic: 'mean',
+            surfaces: [name],
+            on: 'grid',
+          },
+        ),
       );
     if (numbers.uniformity !== undefined)
       rows.push(
         atLeast(
-          name,
+          surfaceText(name),
           words.value.values.gridUniformity,
           reading?.uniformity ?? null,
           numbers.uniformity,

@@ -2,19 +2,13 @@
 import { ugrText } from '../../document/glare.ts';
 import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
-import type {
-  Card,
-  Constraint,
-  FiatLuxDocument,
-  Quantity,
-  SceneInfo,
-  SurfaceNames,
-} from '../../document/types.ts';
+import type { Card, Constraint, FiatLuxDocument, Quantity, SceneInfo } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
 import { fieldText } from './explain.ts';
 import { compact, ratio, unitOf, unitOfBound } from './format.ts';
+import { placesText } from './places.ts';
 import { words } from '../../language/language.ts';
 
 export interface Verdict {
@@ -44,7 +38,7 @@ export function verdicts(
 ): Verdict[] {
   const unit = unitOf(document.quantity);
   return document.cards.flatMap((card) => {
-    const where = namesOf(card.surfaces);
+    const where = placesText(card.surfaces);
     const bounds = origins.flatMap((origin, i): Verdict[] => {
       const target = boundOf(card, origin.field);
       const result = shown.constraints[i];
@@ -85,9 +79,6 @@ export function valueText(value: number | null, unit: string): string {
 export function targetText({ target, unit }: Verdict): string {
   return target === null ? '–' : valueText(target, unit);
 }
-
-const namesOf = (names: SurfaceNames): string =>
-  names.map((name) => (name === 'all' ? words.value.results.surfaces.wholeRoom : name)).join(', ');
 
 type Readings = Pick<SurfaceResult, 'mean' | 'sigma'>;
 

@@ -4,7 +4,7 @@ import { lightAs } from '../../app/room-type.ts';
 import { roomTypes, type RoomType } from '../../app/words/room-types.ts';
 import { presets, presetText, withPreset, type Preset } from '../../app/words/standards.ts';
 import { Dialog } from './dialog.tsx';
-import { namesText } from '../intentions/surface-picker.tsx';
+import { namesText } from '../../app/words/places.ts';
 import { words } from '../../language/language.ts';
 
 export function PresetsDialog({ close }: { close: () => void }) {

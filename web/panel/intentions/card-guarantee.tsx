@@ -8,7 +8,7 @@ import { AlphaPlot } from './alpha-plot.tsx';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
-import { namesText } from './surface-picker.tsx';
+import { namesText } from '../../app/words/places.ts';
 import { useReached } from './use-reached.ts';
 import { words } from '../../language/language.ts';
 

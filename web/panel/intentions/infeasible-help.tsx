@@ -5,7 +5,7 @@ import type { EasedBound, Relief, Way } from '../../app/relief.ts';
 import { conflicting, easedCards, fieldText, type Conflicting } from '../../app/words/explain.ts';
 import { compact, unitOfBound } from '../../app/words/format.ts';
 import { EasedRules, MoreLuminaires, RulesFirst } from '../luminaires/other-ways.tsx';
-import { namesText } from './surface-picker.tsx';
+import { namesText } from '../../app/words/places.ts';
 import { words } from '../../language/language.ts';
 import { shortest } from '../../language/numbers.ts';
 

@@ -11,10 +11,11 @@ import { InfeasibleHelp } from './infeasible-help.tsx';
 import { IntentionCard } from './intention-card.tsx';
 import { RoomTypeOffer } from './room-type-offer.tsx';
 import { TaskAreaList } from './task-area-list.tsx';
-import { namesText } from './surface-picker.tsx';
+import { namesText } from '../../app/words/places.ts';
 import { More } from '../controls/more.tsx';
 import { Check } from '../controls/check.tsx';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 
 const titleOf = (verb: Verb) => words.value.intentions.verbs[verb].title;
 
@@ -46,7 +47,9 @@ export function IntentionsTab() {
       <div class="row">
         <button class="button grow" disabled={!store.scene.value} onClick={() => app.addCard()}>
           <Plus size={15} aria-hidden />
-          <span>{selected ? words.value.intentions.addFor(selected) : words.value.intentions.add}</span>
+          <span>
+            {selected ? words.value.intentions.addFor(surfaceText(selected)) : words.value.intentions.add}
+          </span>
         </button>
         <button
           class="icon-button framed"

@@ -2,18 +2,12 @@
 import { ChevronDown, ChevronRight } from 'lucide-preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { familyOf, folded } from '../../app/rooms/families.ts';
+import { folded } from '../../app/rooms/families.ts';
+import { eachText, namesText } from '../../app/words/places.ts';
 import type { SurfaceNames } from '../../document/types.ts';
 import { useDismiss } from '../controls/menu.tsx';
 import { words } from '../../language/language.ts';
-
-/** "desk 1, desk 2, ..." in few words. */
-export function namesText(names: SurfaceNames): string {
-  if (names.length === 1) return names[0] === 'all' ? words.value.values.wholeRoom : (names[0] ?? '');
-  const families = new Set(names.map(familyOf));
-  const [family] = families;
-  return families.size === 1 && family ? `${names.length} × ${family}` : names.join(', ');
-}
+import { isFoundBy, surfaceText } from '../../language/surface-names.ts';
 
 /** Inner nodes of the tree ("room" of "room/floor") that hold more than one surface. */
 export function innerNodes(names: readonly string[]): string[] {
@@ -40,7 +34,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
     if (open) root.current?.querySelector<HTMLElement>('input')?.focus();
   }, [open]);
   const leaves = store.sceneWithAreas.value?.surfaces.map((surface) => surface.name) ?? [];
-  const wanted = (name: string) => name.toLowerCase().includes(filter.toLowerCase());
+  const wanted = (name: string) => isFoundBy(filter, name);
   const only = (next: SurfaceNames) => {
     onChange(next);
     setOpen(false);
@@ -61,7 +55,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
       <button
         class="picker-button"
         aria-expanded={open}
-        aria-label={`${label}: ${names.join(', ')}`}
+        aria-label={`${label}: ${eachText(names)}`}
         onClick={() => setOpen(!open)}
       >
         <span>{namesText(names)}</span>
@@ -89,7 +83,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
               .filter(wanted)
               .map((node) => (
                 <button key={node} class="picker-group" onClick={() => only([node])}>
-                  {node}
+                  {surfaceText(node)}
                 </button>
               ))}
             {folded(leaves.filter(wanted), (name) => name).map(({ title, items }) =>
@@ -146,7 +140,8 @@ function Family({ isFound, ...choice }: ChoiceProps & { isFound: boolean }) {
           <ChevronRight size={14} aria-hidden class="twist" />
         </button>
       </div>
-      {isOpen && of.map((name) => <Choice key={name} title={name} of={[name]} {...{ names, set }} />)}
+      {isOpen &&
+        of.map((name) => <Choice key={name} title={surfaceText(name)} of={[name]} {...{ names, set }} />)}
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { mostAreas } from '../../document/schema.ts';
 import { rectangleOf, worktopsOf } from '../../document/task-areas.ts';
 import type { PlanArea, TaskArea } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 import { NumberField } from '../controls/number-field.tsx';
 
 export function TaskAreaList() {
@@ -77,7 +78,7 @@ function AddAt() {
       <option value={middle}>{say.middle}</option>
       {worktopsOf(scene).map(({ name }) => (
         <option key={name} value={name}>
-          {name}
+          {surfaceText(name)}
         </option>
       ))}
     </select>
@@ -97,11 +98,11 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
   const isChosen = leaf >= 0 && store.surface.value === leaf;
   const [isNaming, setNaming] = useState(false);
   return (
-    <div class="area-row" role="group" aria-label={name}>
+    <div class="area-row" role="group" aria-label={surfaceText(name)}>
       <div class="setting-row">
         {isNaming ? (
           <NameField
-            {...{ name }}
+            name={surfaceText(name)}
             take={(next) => {
               setNaming(false);
               if (next !== null) tasks.rename(index, next);
@@ -113,20 +114,28 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
             aria-pressed={isChosen}
             onClick={() => app.selectSurface(isChosen ? null : leaf)}
           >
-            {name}
+            {surfaceText(name)}
           </button>
         )}
         <small>
           {light && leaf >= 0
             ? say.reached(compact(light.mean), ratio(light.min / light.mean))
-            : say.on(surface)}
+            : say.on(surfaceText(surface))}
         </small>
         {!isNaming && (
-          <button class="icon-button small" aria-label={say.rename(name)} onClick={() => setNaming(true)}>
+          <button
+            class="icon-button small"
+            aria-label={say.rename(surfaceText(name))}
+            onClick={() => setNaming(true)}
+          >
             <Pencil size={14} aria-hidden />
           </button>
         )}
-        <button class="icon-button small" aria-label={say.remove(name)} onClick={() => tasks.remove(index)}>
+        <button
+          class="icon-button small"
+          aria-label={say.remove(surfaceText(name))}
+          onClick={() => tasks.remove(index)}
+        >
           <Trash2 size={14} aria-hidden />
         </button>
       </div>

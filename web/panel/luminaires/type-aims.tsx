@@ -7,11 +7,12 @@ import { NumberField } from '../controls/number-field.tsx';
 import type { TypeProps } from './type-card.tsx';
 import { useTypeEdit } from './type-use.tsx';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 import { fixed, listed } from '../../language/numbers.ts';
 
 const most = 64;
 const textOf = (aim: Aim): string =>
-  typeof aim === 'string' ? aim : listed(aim.map((value) => fixed(value, 2)));
+  typeof aim === 'string' ? surfaceText(aim) : listed(aim.map((value) => fixed(value, 2)));
 
 export function TypeAims({ type }: TypeProps) {
   const { store } = useApp();
@@ -39,7 +40,7 @@ export function TypeAims({ type }: TypeProps) {
           <option value="point">{words.value.luminaires.aims.point}</option>
           {surfaces.map(({ name }, index) => (
             <option key={name} value={String(index)}>
-              {name}
+              {surfaceText(name)}
             </option>
           ))}
         </select>

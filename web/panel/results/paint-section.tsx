@@ -6,6 +6,7 @@ import { isPaintable, leastPaint, mostPaint, palette, type NamedPaint } from '..
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 import { fixed } from '../../language/numbers.ts';
 
 const step = 0.05; // of reflectance
@@ -56,7 +57,9 @@ function SurfaceChoice() {
             (each, index) =>
               isPaintable(each) && (
                 <option key={each.name} value={String(index)}>
-                  {painting.on(index) ? words.value.paint.isPainted(each.name) : each.name}
+                  {painting.on(index)
+                    ? words.value.paint.isPainted(surfaceText(each.name))
+                    : surfaceText(each.name)}
                 </option>
               ),
           )}
@@ -81,7 +84,7 @@ function Choice({ leaf }: { leaf: number }) {
       <div class="paint-row">
         <span>{words.value.paint.reflectance}</span>
         <Slider
-          label={words.value.paint.reflectanceOf(original.name)}
+          label={words.value.paint.reflectanceOf(surfaceText(original.name))}
           value={reflectance}
           min={leastPaint}
           max={mostPaint}
@@ -91,7 +94,7 @@ function Choice({ leaf }: { leaf: number }) {
           onEnd={end}
         />
         <NumberField
-          label={words.value.paint.exactly(original.name)}
+          label={words.value.paint.exactly(surfaceText(original.name))}
           value={Math.round(reflectance * 1000) / 1000}
           step={step}
           min={leastPaint}
@@ -143,7 +146,7 @@ function Painted() {
           <span key={leaf}>
             {i > 0 && ', '}
             <button class="plain link" onClick={() => app.selectSurface(leaf)}>
-              {surfaces[leaf]?.name} {fixed(painting.on(leaf)?.reflectance ?? 0, 2)}
+              {surfaceText(surfaces[leaf]?.name ?? '')} {fixed(painting.on(leaf)?.reflectance ?? 0, 2)}
             </button>
           </span>
         ))}
@@ -195,7 +198,7 @@ function Helping() {
                 app.viewer.reveal([surface]);
               }}
             >
-              <span class="paint-name">{name}</span>
+              <span class="paint-name">{surfaceText(name)}</span>
               <span>{(isLighter ? words.value.paint.lighter : words.value.paint.darker)(text)}</span>
               <span class="paint-bar" style={{ '--share': String(share) }} aria-hidden="true" />
             </button>

@@ -11,6 +11,7 @@ import { unionOf } from '../../app/state/statistics.ts';
 import { usePaperWords } from '../intentions/card-hooks.ts';
 import type { SurfaceResult } from '../../solver/protocol.ts';
 import { words } from '../../language/language.ts';
+import { isFoundBy, surfaceText } from '../../language/surface-names.ts';
 
 const enough = 12; // surfaces: more of them get a field to find one by
 
@@ -31,7 +32,7 @@ export function SurfaceTable() {
   const lines = shown.surfaces
     .map((row, index): Line => ({ row, leaf: index < scene.surfaces.length ? index : null }))
     .filter((line) => !(isPlane(line) && quantity === 'exitance'))
-    .filter(({ row }) => row.name.toLowerCase().includes(filter.toLowerCase()))
+    .filter(({ row }) => isFoundBy(filter, row.name))
     // What is measured is what is looked for: planes come first.
     .sort((a, b) => Number(isPlane(b)) - Number(isPlane(a)));
   const toggle = (title: string) => {
@@ -149,10 +150,10 @@ function SurfaceRow({ row, leaf, isMember }: Line & { isMember?: boolean }) {
           <button
             class="plain"
             aria-pressed={isSelected}
-            title={row.name}
+            title={surfaceText(row.name)}
             onClick={() => app.selectSurface(isSelected ? null : leaf)}
           >
-            {row.name}
+            {surfaceText(row.name)}
           </button>
         )}
       </th>

@@ -1,0 +1,39 @@
+/** Surfaces are called in the language of the page; those of one's own rooms as they are. Covers web/language/surface-names. */
+import { afterEach, expect, test } from '@jest/globals';
+import { namesText, placesText } from '../../../web/app/words/places.ts';
+import { speak } from '../../../web/language/language.ts';
+import { isFoundBy, surfaceText } from '../../../web/language/surface-names.ts';
+
+afterEach(() => speak('en'));
+
+test('a name is read in the language of the page, alone, in a family and as a part', async () => {
+  const names = [
+    'wall north',
+    'desk 3',
+    'working plane background',
+    'constructor',
+    'Fauteuil 2',
+    'room/floor',
+  ];
+  expect(names.map(surfaceText)).toEqual(names);
+  await speak('de');
+  expect(names.map(surfaceText)).toEqual([
+    'Wand Nord',
+    'Schreibtisch 3',
+    'Nutzebene, Hintergrund',
+    'constructor',
+    'Fauteuil 2',
+    'room/Fußboden',
+  ]);
+  expect(isFoundBy('schreib', 'desk 3') && isFoundBy('DESK', 'desk 3')).toBe(true);
+  expect(isFoundBy('stuhl', 'desk 3')).toBe(false);
+});
+
+test('several surfaces are told in few words', async () => {
+  const desks = Array.from({ length: 12 }, (_, i) => `desk ${i + 1}`);
+  expect([namesText(desks), placesText([...desks, 'floor'])]).toEqual(['12 × desk', 'desk 1–12, floor']);
+  expect([namesText(['all']), placesText(['all'])]).toEqual(['the whole room', 'the whole room']);
+  expect([namesText(['desk 1', 'floor']), placesText(['desk 1'])]).toEqual(['desk 1, floor', 'desk 1']);
+  await speak('de');
+  expect([namesText(desks), placesText(desks)]).toEqual(['12 × Schreibtisch', 'Schreibtisch 1–12']);
+});

@@ -1,0 +1,22 @@
+/** Names of surfaces as a person reads them. Files, links and the solver know each by the name that its room gives it. */
+import { words } from './language.ts';
+
+const numbered = /^(.*\D) (\d+)$/;
+const partOfPlane = /^(.+) (surround|background)$/;
+
+/** In the page's language where it has words for the name, or for that of a family ("desk 3"); else as the room has it. */
+export function surfaceText(name: string): string {
+  const { names, surround, background } = words.value.surfaces;
+  if (Object.hasOwn(names, name)) return names[name as keyof typeof names];
+  if (name.includes('/')) return name.split('/').map(surfaceText).join('/');
+  const [, whole, part] = partOfPlane.exec(name) ?? [];
+  if (whole) return (part === 'surround' ? surround : background)(surfaceText(whole));
+  const [, family, number] = numbered.exec(name) ?? [];
+  return family && Object.hasOwn(names, family) ? `${surfaceText(family)} ${number}` : name;
+}
+
+/** Whether a name holds what was typed, as it is read or as the room has it. */
+export function isFoundBy(typed: string, name: string): boolean {
+  const sought = typed.toLowerCase();
+  return [name, surfaceText(name)].some((each) => each.toLowerCase().includes(sought));
+}
