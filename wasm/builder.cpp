@@ -36,6 +36,14 @@ SceneOptions optionsOf(const val& asked) {
   options.room.siteSpacing = asked["siteSpacing"].as<double>();
   options.room.siteSize = asked["siteSize"].as<double>();
   options.room.ceiling = asked["ceiling"].as<double>();
+  options.room.drop = asked["drop"].as<double>();
+  options.room.plane = asked["plane"].as<double>();
+  options.room.planeRim = asked["planeRim"].as<double>();
+  options.room.isZUp = asked["up"].as<std::string>() == "z";
+  const val reflectances = asked["reflectances"];
+  for (unsigned i = 0, count = reflectances["length"].as<unsigned>(); i < count; ++i)
+    options.room.reflectances.push_back(
+        {reflectances[i][0].as<std::string>(), reflectances[i][1].as<double>()});
   options.room.doubleSided = asked["doubleSided"].as<bool>();
   options.room.memory = asked["memory"].as<double>();
   options.room.mounts = namesOf(asked["mounts"]);
@@ -136,6 +144,10 @@ class Builder {
       size.set(0, survey->size.x), size.set(1, survey->size.y), size.set(2, survey->size.z);
       result.set("size", size);
       result.set("scale", survey->scale);
+      result.set("patch", survey->patch);
+      result.set("rows", survey->rows);
+      result.set("triangles", survey->triangles);
+      result.set("sites", survey->sites);
       result.set("lost", survey->lost);
       result.set("surfaces", listOf(survey->surfaces));
       result.set("warnings", listOf(survey->warnings));

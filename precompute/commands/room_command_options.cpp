@@ -1,12 +1,42 @@
 #include "precompute/commands/room_command_options.h"
 
+#include <charconv>
+
 #include "precompute/commands/option_checks.h"
+#include "precompute/gltf/reflectance.h"
 
 namespace fiatlux {
 
 namespace {
 
 constexpr double kMost = 1e6;  // m, GB: beyond any room, far from what a number can hold
+
+/// Whether a text is a number and nothing else.
+bool isAllOf(const std::string& text, double& value) {
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return fault == std::errc() && end == text.data() + text.size();
+}
+
+/// NAME=VALUE, a name that may hold '=' itself.
+void addReflectanceOption(CLI::App& command, RoomOptions& room) {
+  const auto add = [&room](const std::vector<std::string>& given) {
+    room.reflectances.clear();
+    for (const std::string& text : given) {
+      const std::size_t end = text.rfind('=');
+      double value = -1;
+      const bool isNumber = end != std::string::npos && isAllOf(text.substr(end + 1), value);
+      if (!isNumber || end == 0 || !(value >= 0 && value <= kMostReflectance))
+        throw CLI::ValidationError("--reflectance",
+                                   "'" + text + "' is no MATERIAL=VALUE with a value from 0 to 0.95");
+      room.reflectances.push_back({text.substr(0, end), value});
+    }
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--reflectance", add, "MATERIAL=VALUE: what a material reflects, 0 to 0.95 (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("TEXT");
+}
 
 }  // namespace
 
@@ -26,6 +56,20 @@ void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, 
       .add_option("--scale", room.scale,
                   "Metres of one unit of the file (default: 1, or a guess where that is absurd)")
       ->check(numberFrom(1e-6, kMost));
+  command
+      .add_option_function<std::string>(
+          "--up", [&room](const std::string& axis) { room.isZUp = axis == "z"; },
+          "Axis of the file that is up (default: y)")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("y|z");
+  addReflectanceOption(command, room);
+  command
+      .add_option("--plane", room.plane,
+                  "A measuring plane so many metres over the floor below the luminaires")
+      ->check(numberFrom(0.01, kMost));
+  command.add_option("--plane-rim", room.planeRim, "How far that plane stays away from the floor's edges, m")
+      ->check(numberFrom(0, kMost))
+      ->capture_default_str();
   command.add_flag("--double-sided", room.doubleSided, "Faces of every material have two sides");
   command.add_flag("--verbose", verbose, "Tell all remarks on the model, not the first five alone");
 }

@@ -13,7 +13,9 @@
 #include "precompute/geometry/covered.h"
 #include "precompute/geometry/cut_patches.h"
 #include "precompute/geometry/inside.h"
+#include "precompute/geometry/patch_size.h"
 #include "precompute/geometry/plain_reflectance.h"
+#include "precompute/geometry/working_plane.h"
 #include "precompute/gltf/reflectance.h"
 #include "precompute/room/memory.h"
 
@@ -24,43 +26,6 @@ constexpr std::uint32_t kMostClusters = 3000;
 constexpr double kFloorLike = 0.7;                // cos 45 degrees: a measuring plane that lies
 constexpr double kMostRoomOption = 1e6;           // m
 constexpr std::uint32_t kMostClusterEdge = 4096;  // patches
-
-// The patch size that is chosen where none is given.
-constexpr double kUsualPatches = 25000, kManyPatches = 100000;  // of a room, of a huge one
-constexpr double kFinestPatch = 0.05, kCoarsestPatch = 0.5;     // m
-constexpr double kFewMore = 1.15;                               // times as many are fine
-constexpr double kSnaps = 0.25;  // e to this: how much a patch may change to divide the sites' spacing
-constexpr int kCoarsenings = 3;
-
-/// A patch size and the charts for it.
-struct Cut {
-  double patch = 0;  // m
-  std::vector<ChartDraft> charts;
-};
-
-/// The patch size that gives about 25 000 patches, between 0.05 and 0.5 m (huge rooms: up to 100 000
-/// patches), and where a mount's site spacing is known a whole fraction of it, so that squares of light end
-/// where patches do.
-Cut fittingCut(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree) {
-  double spacing = 0;
-  for (const SourceMesh& from : source.meshes)
-    if (from.extras.mount && from.extras.siteSpacing && spacing == 0) spacing = *from.extras.siteSpacing;
-  const auto snapped = [&](double patch) {
-    const double fraction = spacing > 0 ? spacing / std::max(1.0, std::round(spacing / patch)) : patch;
-    return std::abs(std::log(fraction / patch)) < kSnaps ? fraction : patch;
-  };
-  const double area = areaOf(tree);
-  double patch = std::clamp(std::sqrt(area / kUsualPatches), kFinestPatch,
-                            std::max(kCoarsestPatch, std::sqrt(area / kManyPatches)));
-
-  // Thin and small things get more patches than their area says: coarsen until the number fits.
-  for (int i = 0;; ++i) {
-    Cut cut{snapped(patch), makeCharts(mesh, tree, snapped(patch), 0)};
-    const double count = foreseenPatches(cut.charts);
-    if (i == kCoarsenings || count < kFewMore * kUsualPatches || cut.patch >= kCoarsestPatch) return cut;
-    patch = std::min(patch * std::sqrt(count / kUsualPatches), kCoarsestPatch);
-  }
-}
 
 void addSurfaces(const SurfaceTree& tree, bool measuring, Room& room) {
   for (const std::string& name : tree.names) {
@@ -122,11 +87,11 @@ void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts,
 }
 
 /// Measuring planes: what lies looks up, whichever way it was drawn.
-void addMeasuringPlanes(const SourceScene& source, const Roles& roles, const RoomOptions& options,
-                        UniqueNames& names, Room& room) {
-  if (roles.measures.empty()) return;
+void addMeasuringPlanes(const SourceScene& source, const std::vector<std::uint32_t>& meshes,
+                        const RoomOptions& options, UniqueNames& names, Room& room) {
+  if (meshes.empty()) return;
   const double patch = room.patchSize;
-  const WeldedMesh mesh = weld(source, roles.measures);
+  const WeldedMesh mesh = weld(source, meshes);
   std::vector<Face> faces = frontFaces(mesh);
   for (Face& face : faces) {
     const Vec3 normal = normalized(areaVector(mesh.positions, face.vertex));
@@ -150,6 +115,8 @@ void checkOptions(const RoomOptions& options) {
   if (!(options.siteSpacing >= 0 && options.siteSpacing < kMostRoomOption)) refuse("--site-spacing");
   if (!(options.siteSize >= 0 && options.siteSize < kMostRoomOption)) refuse("--site-size");
   if (!(options.ceiling >= 0 && options.ceiling < kMostRoomOption)) refuse("--ceiling");
+  if (!(options.plane >= 0 && options.plane < kMostRoomOption)) refuse("--plane");
+  if (!(options.planeRim >= 0 && options.planeRim < kMostRoomOption)) refuse("--plane-rim");
   if (!(options.drop >= 0 && options.drop < kMostRoomOption)) refuse("--drop");
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
@@ -167,9 +134,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   Inside inside = findInside(source, options, tracer, mesh, room.warnings);
   room.leading = room.warnings.size();
   room.warnings.insert(room.warnings.end(), details.begin(), details.end());
-  auto [patch, charts] = options.patch > 0
-                             ? Cut{options.patch, makeCharts(mesh, inside.tree, options.patch, 0)}
-                             : fittingCut(source, mesh, inside.tree);
+  auto [patch, charts] = cutOf(source, mesh, inside.tree, options);
   room.patchSize = patch;
   checkGrids(charts, options, patch, kMostClusters);
 
@@ -184,7 +149,9 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   if (edge != options.cluster)
     room.warnings.push_back("clusters are " + std::to_string(edge) + " x " + std::to_string(edge) +
                             " patches, so that there are at most " + std::to_string(kMostClusters));
-  addMeasuringPlanes(source, roles, options, inside.names, room);
+  addMeasuringPlanes(source, roles.measures, options, inside.names, room);
+  if (options.plane > 0)
+    addMeasuringPlanes(workingPlane(mesh, inside, options), {0}, options, inside.names, room);
   room.patches.covered = coveredRows(room, tracer);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, tracer, *inside.space, options, room);

@@ -8,7 +8,30 @@
 #include <utility>
 
 namespace fiatlux {
+
+std::vector<BoundaryStep> boundaryOf(const FaceSet& set, const std::vector<std::uint32_t>& faces) {
+  std::vector<std::uint32_t> pieces;  // of the set's edges, which are in order
+  for (const std::uint32_t f : faces)
+    pieces.insert(pieces.end(), set.faceEdges.begin() + set.faceEdgeOffset[f],
+                  set.faceEdges.begin() + set.faceEdgeOffset[f + 1]);
+  std::sort(pieces.begin(), pieces.end());
+  std::vector<BoundaryStep> steps;
+  for (std::size_t i = 0, j; i < pieces.size(); i = j) {
+    const SubEdge& edge = set.edges[pieces[i]];
+    int balance = 0;
+    for (j = i; j < pieces.size() && set.edges[pieces[j]].a == edge.a && set.edges[pieces[j]].b == edge.b;
+         ++j)
+      balance += set.edges[pieces[j]].forward ? 1 : -1;
+    for (; balance > 0; --balance) steps.emplace_back(edge.a, edge.b);
+    for (; balance < 0; ++balance) steps.emplace_back(edge.b, edge.a);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
 namespace {
+
+using Step = BoundaryStep;
 
 /// A chain of boundary points -> its straight sides; calls side(from, to) for each.
 template <class Side>
@@ -38,29 +61,6 @@ void straightSides(const std::vector<Vec3>& loop, double tolerance, Side side) {
     last = p;
   }
   side(from, last);
-}
-
-using Step = std::pair<std::uint32_t, std::uint32_t>;  // of a boundary: from vertex, to vertex
-
-/// The sub-edges that the faces' turns do not cancel, sorted.
-std::vector<Step> boundaryOf(const FaceSet& set, const std::vector<std::uint32_t>& faces) {
-  std::vector<std::uint32_t> pieces;  // of the set's edges, which are in order
-  for (const std::uint32_t f : faces)
-    pieces.insert(pieces.end(), set.faceEdges.begin() + set.faceEdgeOffset[f],
-                  set.faceEdges.begin() + set.faceEdgeOffset[f + 1]);
-  std::sort(pieces.begin(), pieces.end());
-  std::vector<Step> steps;
-  for (std::size_t i = 0, j; i < pieces.size(); i = j) {
-    const SubEdge& edge = set.edges[pieces[i]];
-    int balance = 0;
-    for (j = i; j < pieces.size() && set.edges[pieces[j]].a == edge.a && set.edges[pieces[j]].b == edge.b;
-         ++j)
-      balance += set.edges[pieces[j]].forward ? 1 : -1;
-    for (; balance > 0; --balance) steps.emplace_back(edge.a, edge.b);
-    for (; balance < 0; ++balance) steps.emplace_back(edge.b, edge.a);
-  }
-  std::sort(steps.begin(), steps.end());
-  return steps;
 }
 
 /// Walks along boundaries, loop by loop, each step once.

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "precompute/geometry/face_set.h"
 
 namespace fiatlux {
+
+using BoundaryStep = std::pair<std::uint32_t, std::uint32_t>;  // from vertex, to vertex
+
+/// The sub-edges that the faces' turns do not cancel, sorted.
+std::vector<BoundaryStep> boundaryOf(const FaceSet& set, const std::vector<std::uint32_t>& faces);
 
 /// The straight sides of a region's boundary: neighbouring edges in one line are one side.
 struct Outline {

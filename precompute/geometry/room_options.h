@@ -13,6 +13,12 @@
 
 namespace fiatlux {
 
+/// What every material of a name reflects, whatever its file says.
+struct NamedReflectance {
+  std::string material;
+  double value = 0;  // 0..kMostReflectance
+};
+
 struct RoomOptions {
   double patch = 0;           // m, edge of a patch; 0: so that n is about 25 000
   std::uint32_t cluster = 4;  // patches on a cluster's edge
@@ -24,6 +30,10 @@ struct RoomOptions {
   double ceiling = 0;      // m, of a plane of sites over the largest floor; 0: where there is no ceiling
   std::vector<std::string> measures;  // names of measuring planes (besides extras.measure)
   double scale = 0;                   // metres per unit of the file; 0: 1, or a guess where that is absurd
+  double plane = 0;                   // m, of a measuring plane over the floor below the mounts; 0: none
+  double planeRim = 0.5;              // m, that it stays away from the floor's edges
+  bool isZUp = false;                 // z of the file is up, not y
+  std::vector<NamedReflectance> reflectances;
   bool doubleSided = false;           // every material is: fronts may look either way
   double memory = 4;                  // GB, refused above
   std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory

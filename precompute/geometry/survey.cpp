@@ -7,6 +7,8 @@
 
 #include "precompute/base/error.h"
 #include "precompute/geometry/inside.h"
+#include "precompute/geometry/patch_size.h"
+#include "precompute/geometry/working_plane.h"
 #include "precompute/room/bounds.h"
 
 namespace fiatlux {
@@ -99,6 +101,21 @@ void suggestPlanes(std::vector<SurveyedSurface>& surfaces) {
   }
 }
 
+/// Patches and sites of the room, but for its measuring planes.
+void foresee(const SourceScene& source, const WeldedMesh& mesh, const RayTracer& tracer, const Inside& inside,
+             const RoomOptions& options, Survey& result) {
+  const Cut cut = cutOf(source, mesh, inside.tree, options);
+  result.patch = cut.patch;
+  result.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+  result.rows = foreseenPatches(cut.charts);
+  RoomOptions even = options;
+  even.requireSites = false;  // note: none is an answer, too
+  Room room;
+  addSites(mesh, inside.mounts, tracer, *inside.space, even, room);
+  result.sites = static_cast<std::uint32_t>(room.sites.size());
+  result.warnings.insert(result.warnings.end(), room.warnings.begin(), room.warnings.end());
+}
+
 Survey survey(const SourceScene& source, const RoomOptions& options) {
   Survey result;
   std::vector<std::string> details = source.warnings;
@@ -118,15 +135,19 @@ Survey survey(const SourceScene& source, const RoomOptions& options) {
   if (result.lost > kMuchLost) result.warnings.insert(result.warnings.begin(), warningOfLoss(result.lost));
   suggestPlanes(result.surfaces);
 
-  if (!roles.measures.empty()) {
-    const WeldedMesh planes = weld(source, roles.measures);
-    const SurfaceTree tree = findSurfaces(source, planes, frontFaces(planes), 0, inside.names);
+  const auto addPlanes = [&](const SourceScene& from, const std::vector<std::uint32_t>& meshes) {
+    const WeldedMesh planes = weld(from, meshes);
+    const SurfaceTree tree = findSurfaces(from, planes, frontFaces(planes), 0, inside.names);
     const std::vector<Sum> own = sumsOf(planes, tree);
     for (std::size_t s = 0; s < own.size(); ++s) {
       result.surfaces.push_back(surveyed(tree.names[s], own[s], ground));
       result.surfaces.back().use = Use::kMeasuringPlane;
     }
-  }
+    result.rows += areaOf(tree) / (result.patch * result.patch);
+  };
+  foresee(source, mesh, tracer, inside, options, result);
+  if (!roles.measures.empty()) addPlanes(source, roles.measures);
+  if (options.plane > 0) addPlanes(workingPlane(mesh, inside, options), {0});
   std::stable_sort(result.surfaces.begin(), result.surfaces.end(),
                    [](const SurveyedSurface& a, const SurveyedSurface& b) { return a.area > b.area; });
   return result;

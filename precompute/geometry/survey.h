@@ -1,6 +1,7 @@
 // What surfaces a model has and what they would be good for, before anything is computed.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct Survey {
   std::vector<std::string> warnings;      // where luminaires would hang comes first
   Vec3 size;                              // m, of all that reflects
   double scale = 1;                       // metres per unit of the file
+  double patch = 0;                       // m, edge of a patch, as it would be cut
+  double rows = 0;                        // patches and receivers foreseen
+  std::uint32_t triangles = 0;            // that light may meet
+  std::uint32_t sites = 0;                // that would hang there
   double lost = 0;  // share of the mounts' light that leaves the model or meets backs before it is reflected
 };
 

@@ -19,8 +19,6 @@ std::uint32_t wrapped(double x, std::uint32_t size, int mode) {
   return std::min(static_cast<std::uint32_t>(std::max(x, 0.0) * size), size - 1);
 }
 
-double luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
-
 }  // namespace
 
 ReflectanceMap::ReflectanceMap(const SourceScene& source, const Assumed* assumed)
@@ -70,7 +68,7 @@ double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle,
       for (int i = 0; i < 3; ++i) tint += weights[i] * mesh.colors[v[i]][c];
       color[c] *= std::clamp(tint, 0.0, 1.0);
     }
-  return luminance(color[0], color[1], color[2]);
+  return luminanceOf(color[0], color[1], color[2]);
 }
 
 std::string ReflectanceMap::materialName(std::uint32_t m) const {

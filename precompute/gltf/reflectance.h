@@ -11,6 +11,9 @@ namespace fiatlux {
 
 inline constexpr double kMostReflectance = 0.95;  // a closed room of 1 has no finite light
 
+/// Of linear red, green and blue.
+inline double luminanceOf(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
+
 /// Reads colours of a scene, which must outlive it.
 class ReflectanceMap {
  public:

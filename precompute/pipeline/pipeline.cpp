@@ -8,6 +8,7 @@
 #include "precompute/base/error.h"
 #include "precompute/geometry/build_room.h"
 #include "precompute/geometry/scale_guess.h"
+#include "precompute/geometry/source_changes.h"
 #include "precompute/light/lost_rays.h"
 #include "precompute/picture/display_mesh.h"
 #include "precompute/pipeline/provenance.h"
@@ -36,6 +37,8 @@ struct Measured {
 Measured measured(const ModelFile& model, const RoomOptions& options, const Host& host) {
   const double asked = options.scale > 0 ? options.scale : 1;
   SourceScene source = orThrow(readSourceScene(model.bytes, model.name, asked, host.resolve));
+  if (options.isZUp) standUpright(source);
+  repaint(options.reflectances, source);
   const double guess = options.scale > 0 ? 1 : guessedScale(source);
   if (guess == 1) return {std::move(source), asked, ""};
   scaleBy(guess, source);

@@ -32,8 +32,19 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
   if (options.room.doubleSided) text << " double-sided";
+  if (options.room.isZUp) text << " up=z";
+  if (options.room.plane > 0)
+    text << " working-plane=" << options.room.plane << " rim=" << options.room.planeRim;
+  for (const auto& [material, value] : options.room.reflectances)
+    text << " reflectance=" << material.size() << ":" << material << "=" << value;
   text << room.assumptions;
   return text.str();
+}
+
+Json reflectancesJson(const std::vector<NamedReflectance>& reflectances) {
+  Json json = Json::object();
+  for (const auto& [material, value] : reflectances) json[material] = value;
+  return json;
 }
 
 Json optionsJson(const SceneOptions& options, const Room& room) {
@@ -48,6 +59,10 @@ Json optionsJson(const SceneOptions& options, const Room& room) {
           {"drop", options.room.drop},
           {"measure", options.room.measures},
           {"ceiling", options.room.ceiling},
+          {"plane", options.room.plane},
+          {"planeRim", options.room.planeRim},
+          {"up", options.room.isZUp ? "z" : "y"},
+          {"reflectance", reflectancesJson(options.room.reflectances)},
           {"doubleSided", options.room.doubleSided},
           {"scale", room.scale},
           {"seed", options.transport.seed}};

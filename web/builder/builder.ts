@@ -10,7 +10,12 @@ export interface BuildOptions {
   readonly mounts: readonly string[]; // nodes or surfaces where luminaires may hang
   readonly siteSpacing: number; // m
   readonly siteSize: number; // m
+  readonly drop: number; // m, that luminaires hang below their mounts
   readonly ceiling: number; // m, of a plane of luminaires over the largest floor
+  readonly plane: number; // m, of a measuring plane over the floor below the luminaires; 0: none
+  readonly planeRim: number; // m, that it stays away from the floor's edges
+  readonly up: 'y' | 'z'; // axis of the file
+  readonly reflectances: readonly (readonly [material: string, value: number])[]; // whatever the file says
   readonly doubleSided: boolean; // faces of every material have two sides
   readonly memory: number; // GB, refused above
   readonly seed: number;
@@ -25,7 +30,12 @@ export const usualOptions: BuildOptions = {
   mounts: [],
   siteSpacing: 0,
   siteSize: 0,
+  drop: 0,
   ceiling: 0,
+  plane: 0,
+  planeRim: 0.5,
+  up: 'y',
+  reflectances: [],
   doubleSided: false,
   memory: 1.5,
   seed: 1,
@@ -58,6 +68,10 @@ export const uses = { none: 0, mount: 1, floor: 2, plane: 3 } as const;
 export interface Survey {
   readonly size: readonly [number, number, number]; // m
   readonly scale: number; // metres per unit of the file
+  readonly patch: number; // m, edge of one
+  readonly rows: number; // patches and receivers foreseen
+  readonly sites: number; // where a luminaire may hang
+  readonly triangles: number; // that light may meet
   readonly lost: number; // share of the light of what hangs there, before it is reflected
   readonly surfaces: readonly SurveyedSurface[]; // largest first
   readonly warnings: readonly string[];

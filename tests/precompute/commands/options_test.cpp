@@ -59,6 +59,10 @@ const std::vector<Option> kOfARoom = {
     {"--threads", {"-1", "1e9"}},
     {"--site-spacing", {"0", "-0.5", "nan"}},
     {"--site-size", {"nan", "0", "inf"}},
+    {"--plane", {"0", "-1", "nan"}},
+    {"--plane-rim", {"-1", "inf"}},
+    {"--up", {"x"}},
+    {"--reflectance", {"grey", "grey=1", "=0.5", "grey=0.5x"}},
     {"--seed", {"-1", "1e3", "18446744073709551616"}},
     {"--spacing", {"0"}},  // there are no such options
     {"--size", {"nan"}},
@@ -101,7 +105,8 @@ TEST_F(Options, OfTheOthers) {
 TEST_F(Options, SensibleNumbersAreTaken) {
   const CommandRun run = runFiatlux(*folder_,
                                     "light box.gltf --layout layout.json --patch 5e-1 --rays 16 --scale 1.0 "
-                                    "--memory 0.5 --threads 1 --site-spacing 1 --seed 18446744073709551615");
+                                    "--up y --reflectance grey=0.3 --plane 0.75 --plane-rim 0.25 --memory "
+                                    "0.5 --threads 1 --site-spacing 1 --seed 18446744073709551615");
   EXPECT_EQ(run.status, 0) << run.err;
 }
 

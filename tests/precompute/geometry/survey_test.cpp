@@ -54,6 +54,26 @@ TEST(Survey, SaysWhatSurfacesAreGoodFor) {
   EXPECT_EQ(survey->lost, 0);
 }
 
+TEST(Survey, ForeseesTheWork) {
+  TestGltf gltf = testing::boxRoom({4, 3, 5}, 1);
+  const auto source = gltf.read();
+  RoomOptions options;
+  options.patch = 0.5, options.plane = 0.75, options.planeRim = 0.5;
+  const auto survey = surveyRoom(*source, options);
+  ASSERT_TRUE(survey) << survey.error().message;
+  EXPECT_EQ(survey->patch, 0.5);
+  EXPECT_NEAR(survey->rows, 94 / 0.25 + 12 / 0.25, 1);  // its sides, and the plane of 3 x 4 m
+  EXPECT_EQ(survey->sites, 20);
+  EXPECT_EQ(survey->triangles, 12);
+  EXPECT_EQ(survey->surfaces.back().name, "working plane");
+  EXPECT_EQ(survey->surfaces.back().use, Use::kMeasuringPlane);
+
+  options.siteSize = options.siteSpacing = 6;
+  const auto none = surveyRoom(*source, options);
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_EQ(none->sites, 0);
+}
+
 TEST(Survey, SaysWhatWouldBeLostBeforeItIs) {
   TestGltf gltf = testing::boxRoom({6, 2.8, 5}, 1);
   gltf.glb.json["scenes"][0]["nodes"] = {0, 1, 2};  // floor, ceiling and one wall

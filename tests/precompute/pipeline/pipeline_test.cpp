@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "precompute/pipeline/provenance.h"
 #include "tests/precompute/pipeline/box_model.h"
 
 namespace fiatlux {
@@ -106,6 +107,22 @@ TEST(Pipeline, ItsAccountTellsTheSourceTheOptionsAndTheSecondsOfTheHost) {
   const auto unclocked = makeScene(boxModel(), quickOptions(), plainHost());
   ASSERT_TRUE(unclocked);
   EXPECT_EQ(provenanceOf(unclocked->file)["seconds"], nlohmann::json::object());
+}
+
+TEST(Pipeline, WhatAPersonSaidOfTheModelIsRememberedAndMakesAnotherRoom) {
+  const auto plain = openRoom(boxModel(), quickOptions().room, plainHost());
+  SceneOptions options = quickOptions();
+  options.room.reflectances = {{"grey", 0.2}};
+  options.room.plane = 0.75;
+  const auto made = makeScene(boxModel(), options, plainHost());
+  ASSERT_TRUE(made) << made.error().message;
+  const nlohmann::json chosen = provenanceOf(made->file)["options"];
+  EXPECT_EQ(chosen["reflectance"], nlohmann::json({{"grey", 0.2}}));
+  EXPECT_EQ(chosen["plane"], 0.75);
+  EXPECT_EQ(chosen["planeRim"], 0.5);
+  EXPECT_EQ(chosen["up"], "y");
+  EXPECT_NE(made->report.identity, identityOf(quickOptions(), plain->room));
+  EXPECT_EQ(made->report.surfaces, plain->room.surfaces.size() + 1);
 }
 
 TEST(Pipeline, WarningsAreToldAsSoonAsTheRoomIsKnown) {

@@ -15,6 +15,10 @@ afterEach(() => jest.clearAllTimers());
 const survey: Survey = {
   size: [4, 3, 5],
   scale: 0.01,
+  patch: 0.1,
+  rows: 9400,
+  sites: 20,
+  triangles: 12,
   lost: 0,
   surfaces: [{ name: 'ceiling', area: 20, high: 3, facing: facings.down, use: uses.mount }],
   warnings: [],

@@ -1,14 +1,16 @@
 /** What is carried over from a draft to the full room, and how the time left is told. */
 import { describe, expect, test } from '@jest/globals';
 import { startHistory, edit } from '../../../web/document/history.ts';
-import type { FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
+import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
 import type { BuilderPool } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
 import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
-import type { Placing } from '../../../web/app/opening/placing.ts';
+import type { Placement, Placing } from '../../../web/app/opening/placing.ts';
 import type { Solving } from '../../../web/app/solving.ts';
 import { firstDisplay, Store } from '../../../web/app/state/store.ts';
-import { areSameSites, carriedOver } from '../../../web/app/lighting/carried-over.ts';
+import { areSameSites, carriedOver, fitting } from '../../../web/app/lighting/carried-over.ts';
+import { secondsForeseen } from '../../../web/app/lighting/foreseen.ts';
+import { usualChoices } from '../../../web/app/importing/model-choices.ts';
 import { TimeLeft } from '../../../web/app/lighting/time-left.ts';
 import { askedOfUnknown, documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import { timeLeft } from '../../../web/panel/preview-note.tsx';
@@ -45,6 +47,85 @@ describe('from the draft to the full room', () => {
     expect(carried.document.scene).toBe(full.identity);
     expect(carried.history.past).toEqual([]);
   });
+});
+
+describe('a model that is understood in another way', () => {
+  const card = (id: string, ...surfaces: string[]): Card => ({ id, surfaces, verb: 'illuminate', weight: 1 });
+  const named = (identity: string, xs: readonly number[], ...names: string[]): SceneInfo => ({
+    ...sceneWith(identity, xs),
+    surfaces: names.map((name) => ({ name, measuring: false })) as never,
+  });
+  const before = named('b'.repeat(16), [0, 1, 2], 'room/floor', 'room/ceiling', 'desk');
+  const after = named('a'.repeat(16), [0], 'room/floor', 'slab');
+
+  test('is still asked what it was asked, of surfaces that are left', () => {
+    const cards = [
+      card('c1', 'room/floor', 'desk'),
+      card('c2', 'desk'),
+      card('c3', 'room'),
+      card('c4', 'all'),
+    ];
+    const fitted = fitting({ ...document, cards }, after, [card('new', 'slab')]);
+    expect(fitted.cards).toEqual([card('c1', 'room/floor'), card('c3', 'room'), card('c4', 'all')]);
+    expect(fitting({ ...document, cards: [card('c2', 'desk')] }, after, [card('new', 'slab')]).cards).toEqual(
+      [card('new', 'slab')],
+    );
+    expect(fitting({ ...document, cards: [] }, after, [card('new', 'slab')]).cards).toEqual([]);
+  });
+
+  test('has no more luminaires than places', () => {
+    const asking = startHistory({ ...document, luminaires: { ...document.luminaires, count: 2 } });
+    const carried = carriedOver(asking, null, firstDisplay, before, after);
+    expect(carried.document.luminaires).toMatchObject({ count: 1, pinned: [] });
+  });
+
+  test('keeps what was asked of the room that is on the screen, and no other', async () => {
+    const store = new Store();
+    const placed: FiatLuxDocument[] = [];
+    let next = before;
+    const place = async (_: unknown, title: string, __: unknown, make: (scene: SceneInfo) => Placement) => {
+      const { document: made } = make(next);
+      placed.push(made);
+      store.scene.value = next;
+      store.reset(made);
+    };
+    const placing = {
+      turn: 0,
+      attempt: (_: string, action: (isCurrent: () => boolean) => Promise<void>) => action(() => true),
+      place,
+      replace: async () => false,
+    };
+    const shelf = { nameFor: async () => 'a.flux', keep: async () => undefined, titleOf: () => 'a' };
+    const pool = { build: async () => ({ file: new ArrayBuffer(0), room: { source: '', warnings: [] } }) };
+    const lighting = new Lighting(
+      store,
+      { layout: () => null } as unknown as Solving,
+      placing as unknown as Placing,
+      shelf,
+      async () => pool as unknown as BuilderPool,
+    );
+    const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+    await lighting.light(model);
+    const wish = [card('mine', 'room/floor')];
+    store.edit('Change', (each) => void (each.cards = structuredClone(wish) as never));
+    next = after;
+    await lighting.light(model, { ...usualChoices, ceiling: 2.5 });
+    expect(placed[1]!.cards).toEqual(wish);
+    expect(placed[1]!.scene).toBe(after.identity);
+    await lighting.light({ ...model });
+    expect(placed[2]!.cards).not.toEqual(wish);
+  });
+});
+
+test('the work is foreseen about as long as sample rooms took', () => {
+  const survey = { size: [1, 1, 1], scale: 1, patch: 0.2, lost: 0, surfaces: [], warnings: [] } as const;
+  const box = secondsForeseen({ ...survey, rows: 11_904, sites: 100, triangles: 36 }, 4);
+  const office = secondsForeseen({ ...survey, rows: 19_380, sites: 260, triangles: 24_000 }, 4);
+  expect(box).toBeGreaterThan(4);
+  expect(box).toBeLessThan(16);
+  expect(office).toBeGreaterThan(45);
+  expect(office).toBeLessThan(180);
+  expect(secondsForeseen({ ...survey, rows: 900, sites: 9, triangles: 12 }, 1)).toBeLessThan(3);
 });
 
 test('the time left is told once something is known, and comes down', () => {

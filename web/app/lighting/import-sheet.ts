@@ -1,13 +1,7 @@
 /** How a model was understood, open to be changed: the pipeline looks at it anew after each change, and lights it when asked. */
 import { effect } from '@preact/signals';
 import type { Model } from '../../builder/protocol.ts';
-import {
-  chosenModel,
-  chosenOptions,
-  materialsOf,
-  mountsIn,
-  type ModelChoices,
-} from '../importing/model-choices.ts';
+import { chosenOptions, materialsOf, mountsIn, type ModelChoices } from '../importing/model-choices.ts';
 import type { SheetState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import type { CreatePool, Lighting } from './lighting.ts';
@@ -86,7 +80,7 @@ export class ImportSheet {
   async #surveyed({ choices }: SheetState): Promise<Pick<SheetState, 'survey' | 'fault'>> {
     try {
       const pool = await this.#createPool();
-      const survey = await pool.survey(chosenModel(this.#model, choices), chosenOptions(choices));
+      const survey = await pool.survey(this.#model, chosenOptions(choices));
       return { survey, fault: null };
     } catch (error) {
       return { survey: null, fault: sentence(reasonOf(error)) };

@@ -5,7 +5,7 @@
 import { usualOptions } from '../../builder/builder.ts';
 import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
-import { chosenModel, chosenOptions, usualChoices, type ModelChoices } from '../importing/model-choices.ts';
+import { chosenOptions, usualChoices, type ModelChoices } from '../importing/model-choices.ts';
 import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
@@ -14,7 +14,7 @@ import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
-import { carriedOver } from './carried-over.ts';
+import { carriedOver, fitting } from './carried-over.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
@@ -37,6 +37,7 @@ export type Shelf = Pick<OwnRooms, 'nameFor' | 'keep' | 'titleOf'>;
 interface Running {
   readonly controller: AbortController;
   readonly turn: number; // of the openings, when it began
+  readonly isAgain: boolean; // the same model as the room that was on the screen: what was asked of it stays
 }
 
 export class Lighting {
@@ -65,14 +66,17 @@ export class Lighting {
   }
 
   /** Lights the model whose preview is on the screen. */
-  async light(original: Model, choices: ModelChoices = usualChoices): Promise<void> {
+  async light(model: Model, choices: ModelChoices = usualChoices): Promise<void> {
     this.cancel();
     this.closeSheet();
-    const running = (this.#running = { controller: new AbortController(), turn: this.#placing.turn });
-    this.#model = original;
+    const running = (this.#running = {
+      controller: new AbortController(),
+      turn: this.#placing.turn,
+      isAgain: this.#model === model && this.#isOnScreen(),
+    });
+    this.#model = model;
     this.#choices = choices;
     try {
-      const model = chosenModel(original, choices);
       const pool = await this.#createPool();
       const first = await this.#build(pool, model, 'draft', running);
       const room = await this.#shelf.nameFor(model.name, first.room.source);
@@ -165,7 +169,7 @@ export class Lighting {
     await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const make = (scene: SceneInfo): Placement => {
         identity = scene.identity;
-        return this.#placementOf(name, room, scene);
+        return running.isAgain ? this.#placedAgain(room, scene) : this.#placementOf(name, room, scene);
       };
       await this.#placing.place(built.file, title, () => isCurrent() && !signal.aborted, make);
       if (isCurrent()) this.#store.plan.value ??= plan;
@@ -204,6 +208,24 @@ export class Lighting {
     this.#store.plan.value ??= plan;
     if (isSearched) this.#solving.solve();
     this.#store.announcement.value = words.value.opening.litFully(title);
+  }
+
+  /** Whether the room of the model at hand is on the screen. */
+  #isOnScreen(): boolean {
+    const { litRoom, document, preview } = this.#store;
+    return preview.peek() === null && litRoom.peek() !== null && litRoom.peek() === document.peek().room;
+  }
+
+  /** What was asked of the room before it was understood in another way, as far as it can be asked of it now. */
+  #placedAgain(room: string, scene: SceneInfo): Placement {
+    const { scene: shown, history, display } = this.#store;
+    const from = shown.peek();
+    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
+    if (!from) return { document: documentFrom(asked, scene.identity, room) };
+    const layout = this.#solving.layout();
+    const carried = carriedOver(history.peek(), layout, display.peek(), from, scene);
+    const document = { ...fitting(carried.document, scene, asked.cards), room };
+    return { ...carried, document, view: { camera: null, display: display.peek() } };
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */

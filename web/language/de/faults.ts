@@ -49,4 +49,7 @@ export const faults: Words['faults'] = {
     'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; siehe fiatlux surfaces, dann --mount, --ceiling oder --double-sided',
   staysDark: (share) =>
     `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; siehe fiatlux surfaces, dann --mount oder --ceiling`,
+  noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene (--plane) liegen könnte',
+  narrowFloor: (rim) =>
+    `Keine Nutzebene: Der Boden ist schmaler als zwei Randzonen von ${rim} m; die Randzone kleiner machen (--plane-rim)`,
 };

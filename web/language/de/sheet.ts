@@ -29,6 +29,29 @@ export const sheet: Words['sheet'] = {
     planeHeight: 'Höhe der Ebene über dem Boden',
     proposed: 'Wie vorgeschlagen',
   },
+  luminaires: {
+    title: 'Plätze der Leuchten',
+    spacing: 'Von einer zur nächsten',
+    size: 'Größe einer Leuchte',
+    drop: 'Unter ihrem Träger',
+    proposed: 'Vorschlag',
+    asSpacing: 'ebenso',
+    asDrawn: 'wie gezeichnet',
+    places: (count) =>
+      count === 0
+        ? 'Keine passt: kleinere Leuchten oder ein engeres Raster.'
+        : count === 1
+          ? '1 Platz für eine Leuchte'
+          : `${count} Plätze für Leuchten`,
+  },
+  plane: {
+    title: 'Nutzebene',
+    wanted: 'Auf einer Ebene über dem Boden messen',
+    height: 'Höhe über dem Boden',
+    rim: 'Randzone, die wegbleibt',
+  },
+  foreseen: (patches, size, time) =>
+    `Etwa ${patches} Teilflächen von ${size} m: ungefähr ${time} auf diesem Rechner, ein erstes Bild früher.`,
   lost: {
     much: (percent) =>
       `Etwa ${percent} % des Lichts gingen verloren: es verlässt das Modell oder trifft Rückseiten.`,

@@ -49,4 +49,7 @@ export const faults = {
     'nearly all light is lost: the luminaires hang outdoors or look at backs; see fiatlux surfaces, then --mount, --ceiling or --double-sided',
   staysDark: (share: string) =>
     `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling`,
+  noFloor: 'there is no floor for a working plane (--plane) to lie over',
+  narrowFloor: (rim: string) =>
+    `no working plane: the floor is narrower than two rims of ${rim} m; make the rim smaller (--plane-rim)`,
 };

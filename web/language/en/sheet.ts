@@ -28,6 +28,29 @@ export const sheet = {
     planeHeight: 'Height of the plane over the floor',
     proposed: 'As proposed',
   },
+  luminaires: {
+    title: 'Places of luminaires',
+    spacing: 'From one to the next',
+    size: 'Size of a luminaire',
+    drop: 'Below where they hang',
+    proposed: 'proposed',
+    asSpacing: 'as far',
+    asDrawn: 'as drawn',
+    places: (count: number) =>
+      count === 0
+        ? 'None of them fits: smaller ones, or a closer grid.'
+        : count === 1
+          ? '1 place for a luminaire'
+          : `${count} places for luminaires`,
+  },
+  plane: {
+    title: 'Working plane',
+    wanted: 'Measure on a plane over the floor',
+    height: 'Height over the floor',
+    rim: 'Rim left out',
+  },
+  foreseen: (patches: string, size: string, time: string) =>
+    `About ${patches} patches of ${size} m: some ${time} on this computer, a first picture sooner.`,
   lost: {
     much: (percent: string) =>
       `About ${percent} % of the light would be lost: it leaves the model, or meets the backs of faces.`,

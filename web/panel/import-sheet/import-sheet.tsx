@@ -3,14 +3,21 @@ import { Lightbulb, TriangleAlert, X } from 'lucide-preact';
 import '../room-maker/room-maker.css';
 import './import-sheet.css';
 import { useApp } from '../../app/app.ts';
+import type { Survey } from '../../builder/builder.ts';
+import { usualWorkers } from '../../builder/pool.ts';
 import { titleOf } from '../../app/lighting/lighting.ts';
 import type { SheetState } from '../../app/state/store.ts';
+import { secondsForeseen } from '../../app/lighting/foreseen.ts';
 import { sentence } from '../../app/words/format.ts';
 import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 import { Check } from '../controls/check.tsx';
 import { Section } from '../room-maker/field.tsx';
+import { timeLeft } from '../preview-note.tsx';
+import { LuminairesSection } from './luminaires-section.tsx';
 import { MaterialsSection } from './materials-section.tsx';
 import { MountsSection } from './mounts-section.tsx';
+import { PlaneSection } from './plane-section.tsx';
 import { SizeSection } from './size-section.tsx';
 
 const mostRemarks = 4;
@@ -42,12 +49,15 @@ export function ImportSheet() {
           )}
           <SizeSection state={state} choose={(part) => sheet.choose(part)} />
           <MountsSection state={state} sheet={sheet} />
+          <LuminairesSection state={state} choose={(part) => sheet.choose(part)} />
           <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
           <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
+          <PlaneSection choices={state.choices} choose={(part) => sheet.choose(part)} />
           <Remarks lines={survey?.warnings ?? []} />
         </div>
       </div>
       <footer class="maker-footer">
+        {survey && <Foreseen survey={survey} />}
         <button class="button primary" disabled={fault !== null} onClick={() => sheet.light()}>
           <Lightbulb size={15} aria-hidden />
           <span>{words.value.sheet.light}</span>
@@ -57,9 +67,20 @@ export function ImportSheet() {
   );
 }
 
+/** How much work it is. */
+function Foreseen({ survey }: { readonly survey: Survey }) {
+  const seconds = timeLeft(secondsForeseen(survey, usualWorkers()));
+  const size = shortest(Number(survey.patch.toPrecision(2)));
+  return (
+    <p class="fine-print sheet-foreseen">
+      {words.value.sheet.foreseen(shortest(Number(survey.rows.toPrecision(2))), size, seconds)}
+    </p>
+  );
+}
+
 /** What the sections do not say already, by fields instead of options of the command. */
 function Remarks({ lines }: { readonly lines: readonly string[] }) {
-  const other = lines.filter((line) => !/--(scale|mount|ceiling|double-sided)/.test(line));
+  const other = lines.filter((line) => !/--(scale|mount|ceiling|double-sided|site-spacing)/.test(line));
   if (other.length === 0) return null;
   return (
     <Section title={words.value.sheet.remarks}>

@@ -20,10 +20,10 @@ export function MaterialsSection({ state: { materials, choices }, choose }: Prop
       <ul class="sheet-list">
         {materials.slice(0, most).map((material) => (
           <Material
-            key={material.index}
+            key={material.key}
             material={material}
-            chosen={choices.reflectances[material.index]}
-            choose={(value) => choose(withReflectance(choices.reflectances, material.index, value))}
+            chosen={choices.reflectances[material.key]}
+            choose={(value) => choose(withReflectance(choices.reflectances, material.key, value))}
           />
         ))}
       </ul>
@@ -60,9 +60,9 @@ function Material({ material, chosen, choose }: RowProps) {
 
 function withReflectance(
   reflectances: ModelChoices['reflectances'],
-  index: number,
+  key: string,
   value: number | undefined,
 ): ModelChoices['reflectances'] {
-  const { [index]: _, ...rest } = reflectances;
-  return value === undefined ? rest : { ...rest, [index]: value };
+  const { [key]: _, ...rest } = reflectances;
+  return value === undefined ? rest : { ...rest, [key]: value };
 }
