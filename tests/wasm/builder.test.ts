@@ -151,6 +151,19 @@ test('a model is surveyed before anything is computed, as its options say', asyn
   const small = await poolOf(1).survey(modelOf(box), { ...usualOptions, scale: 0.5 });
   expect(small.scale).toBe(0.5);
   expect(small.size[0]).toBeCloseTo(survey.size[0] / 2);
+  const planned = await poolOf(1).survey(modelOf(box), {
+    ...coarse,
+    plane: 0.75,
+    planeRim: 0.25,
+    reflectances: [['white plaster', 0.3]],
+  });
+  expect(planned).toMatchObject({ patch: 0.5, sites: 25 });
+  expect(planned.surfaces.find(({ name }) => name === 'working plane')).toMatchObject({
+    use: uses.plane,
+    area: expect.closeTo(3.5 * 3.5, 3),
+  });
+  const gilded: BuildOptions = { ...usualOptions, reflectances: [['gold', 0.3]] };
+  await expect(poolOf(1).survey(modelOf(box), gilded)).rejects.toThrow(/no material is called that/);
   await expect(poolOf(1).survey(modelOf(box.slice(0, 99)), usualOptions)).rejects.toThrow(/cut off/);
 });
 

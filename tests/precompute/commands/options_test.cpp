@@ -1,4 +1,5 @@
-// Numbers beyond all sense on the command line: one line, status 2, nothing written, nothing hangs.
+// Numbers beyond all sense on the command line: one line, status 2, nothing written, nothing hangs
+// (room_command_options).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

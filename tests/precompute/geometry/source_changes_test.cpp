@@ -1,4 +1,4 @@
-// What a person says of a model: which way is up, and what its materials reflect.
+// What a person says of a model: which way is up, and what its materials reflect (room_options).
 #include "precompute/geometry/source_changes.h"
 
 #include <gmock/gmock.h>

@@ -3,8 +3,6 @@ import { Lightbulb, TriangleAlert, X } from 'lucide-preact';
 import '../room-maker/room-maker.css';
 import './import-sheet.css';
 import { useApp } from '../../app/app.ts';
-import type { Survey } from '../../builder/builder.ts';
-import { usualWorkers } from '../../builder/pool.ts';
 import { titleOf } from '../../app/lighting/lighting.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { secondsForeseen } from '../../app/lighting/foreseen.ts';
@@ -68,8 +66,8 @@ export function ImportSheet() {
 }
 
 /** How much work it is. */
-function Foreseen({ survey }: { readonly survey: Survey }) {
-  const seconds = timeLeft(secondsForeseen(survey, usualWorkers()));
+function Foreseen({ survey }: { readonly survey: NonNullable<SheetState['survey']> }) {
+  const seconds = timeLeft(secondsForeseen(survey));
   const size = shortest(Number(survey.patch.toPrecision(2)));
   return (
     <p class="fine-print sheet-foreseen">
