@@ -104,10 +104,11 @@ TEST_F(Options, OfTheOthers) {
 }
 
 TEST_F(Options, SensibleNumbersAreTaken) {
-  const CommandRun run = runFiatlux(*folder_,
-                                    "light box.gltf --layout layout.json --patch 5e-1 --rays 16 --scale 1.0 "
-                                    "--up y --reflectance grey=0.3 --plane 0.75 --plane-rim 0.25 --memory "
-                                    "0.5 --threads 1 --site-spacing 1 --seed 18446744073709551615");
+  const CommandRun run =
+      runFiatlux(*folder_,
+                 "light box.gltf --layout layout.json --patch 5e-1 --rays 16 --scale 1.0 "
+                 "--up y --reflectance 'material 0=0.3' --plane 0.75 --plane-rim 0.25 --memory "
+                 "0.5 --threads 1 --site-spacing 1 --seed 18446744073709551615");
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
