@@ -46,6 +46,14 @@ test('six luminaires are placed by hand against the solver, and the link tells t
   await expect(score).toContainText(/^\d+your score; the solver’s is 100/, { timeout: 60_000 });
   const scattered = await score.innerText();
 
+  // What is to be placed is not behind it.
+  const { y, height } = (await card.boundingBox())!;
+  const tops = () =>
+    page
+      .locator('[data-luminaire]')
+      .evaluateAll((tags) => tags.map((tag) => tag.getBoundingClientRect().top));
+  await expect.poll(async () => Math.min(...(await tops()))).toBeGreaterThan(y + height);
+
   // One is taken elsewhere by the keyboard: it counts at once.
   await tab(page, 'Luminaires');
   await page.getByRole('button', { name: 'L1', exact: true }).focus();

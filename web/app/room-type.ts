@@ -17,6 +17,13 @@ async function fromSite(app: App, wished: readonly OpeningType[]): Promise<reado
   }
 }
 
+/** The next drag in the plan makes a task area. */
+function drawRoute({ store, viewer }: App): void {
+  store.tab.value = 'intentions';
+  store.drawing.value = 'task';
+  if (!viewer.camera().plan) viewer.view('plan');
+}
+
 /** As one step that can be undone; the verdict is shown. Says so where the room has no surface that the type is about. */
 export async function lightAs(app: App, type: RoomType): Promise<void> {
   const { store } = app;
@@ -24,7 +31,8 @@ export async function lightAs(app: App, type: RoomType): Promise<void> {
   const surfaces = store.sceneWithAreas.peek()?.surfaces ?? [];
   if (!scene || cardsOf(type, surfaces).length === 0) {
     const { noRoute, noSurface } = words.value.dialogs.presets;
-    store.say('warning', type.numbers.centreLine === undefined ? noSurface(type.title()) : noRoute);
+    if (type.numbers.centreLine === undefined) store.say('warning', noSurface(type.title()));
+    else store.say('warning', noRoute, { label: words.value.areas.draw, run: () => drawRoute(app) });
     return;
   }
   const luminaires = await fromSite(app, luminairesFor(type, store.document.peek(), scene));

@@ -79,7 +79,6 @@ class RoomViewer implements Viewer {
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
   #ready = false; // every part is there
-  #isCompared = false;
   #disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
@@ -202,9 +201,6 @@ class RoomViewer implements Viewer {
 
   compareWith(other: OtherLight | null): void {
     this.#wipe.set(other);
-    if (this.#isCompared === (other !== null)) return;
-    this.#isCompared = other !== null;
-    requestAnimationFrame(() => this.#stage.measure()); // the comparison has a bar of its own
   }
 
   divide(share: number): void {

@@ -16,7 +16,9 @@ import { createBackground } from './background.ts';
 import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
-const mostCovered = 0.2; // of the picture's height: a low picture is used to its edge
+/** Of the picture's height: a low picture is used to its edge, a plan as far as something is left of it. */
+const mostCovered = 0.25;
+const mostOfPlan = 0.3;
 
 /**
  * Strips that controls lie over, CSS px: the custom properties --view-top, --view-bottom, --plan-top and --plan-bottom of
@@ -28,6 +30,8 @@ export interface Covered {
   readonly bottom: number;
   readonly planBottom: number;
 }
+
+const strips = ['top', 'planTop', 'bottom', 'planBottom'] as const;
 
 export interface StageHost {
   resized(width: number, height: number, pixelRatio: number, covered: Covered): void;
@@ -47,6 +51,9 @@ export class Stage {
   #host: StageHost;
   #background = createBackground();
   #observer: ResizeObserver;
+  /** Controls that come or go over the picture are its neighbours. */
+  #neighbours = new MutationObserver(() => requestAnimationFrame(() => this.#measure()));
+  #covered: Covered | null = null;
   #scheme = matchMedia('(prefers-color-scheme: dark)');
 
   constructor(canvas: HTMLCanvasElement, host: StageHost) {
@@ -66,6 +73,7 @@ export class Stage {
     this.#background.setDark(this.#scheme.matches);
     this.#observer = new ResizeObserver(this.#resize);
     this.#observer.observe(canvas);
+    if (canvas.parentElement) this.#neighbours.observe(canvas.parentElement, { childList: true });
     this.#resize();
   }
 
@@ -98,6 +106,7 @@ export class Stage {
 
   dispose(): void {
     this.#observer.disconnect();
+    this.#neighbours.disconnect();
     this.#scheme.removeEventListener('change', this.#rescheme);
     this.#canvas.removeEventListener('webglcontextlost', this.#lost);
     this.#canvas.removeEventListener('webglcontextrestored', this.#restored);
@@ -113,20 +122,25 @@ export class Stage {
     [this.width, this.height] = [width, height];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    this.measure();
+    this.#covered = null;
+    this.#measure();
   };
 
-  /** Reads what lies over the picture: to be called where controls have come or gone. */
-  measure(): void {
+  /** Reads what lies over the picture. */
+  #measure(): void {
     const { width, height } = this;
     const style = getComputedStyle(this.#canvas);
-    const strip = (name: string) =>
-      Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, mostCovered * height);
+    const strip = (name: string, most = mostCovered) =>
+      Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, most * height);
     const top = strip('--view-top');
-    const planTop = Math.max(top, strip('--plan-top'));
+    const planTop = Math.max(top, strip('--plan-top', mostOfPlan));
     const bottom = strip('--view-bottom');
-    const planBottom = Math.max(bottom, strip('--plan-bottom'));
-    this.#host.resized(width, height, this.ratio, { top, planTop, bottom, planBottom });
+    const planBottom = Math.max(bottom, strip('--plan-bottom', mostOfPlan));
+    const covered: Covered = { top, planTop, bottom, planBottom };
+    const last = this.#covered;
+    if (last && strips.every((name) => last[name] === covered[name])) return;
+    this.#covered = covered;
+    this.#host.resized(width, height, this.ratio, covered);
   }
 
   #rescheme = (): void => {
