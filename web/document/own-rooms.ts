@@ -4,12 +4,19 @@
  */
 import { openDB, type IDBPDatabase } from 'idb';
 
+/** How the model of a room was understood when it was made. */
+export interface Understood {
+  readonly digest: string; // of the model's bytes
+  readonly choices: unknown; // as whoever made it says
+}
+
 export interface OwnRoom {
   readonly room: string; // what documents call it; one of each
   readonly title: string;
   readonly bytes: number; // of its file
   readonly at: number; // when it was made, ms since 1970
   readonly source?: string; // hash of the model that it was made of
+  readonly understood?: Understood;
   readonly picture?: ArrayBuffer; // JPEG, once there was light to see
 }
 

@@ -2,6 +2,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
+import type { BuildOptions } from '../../../web/builder/builder.ts';
 import type { BuilderPool } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
 import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
@@ -49,6 +50,18 @@ describe('from the draft to the full room', () => {
   });
 });
 
+/** Keeps how models were understood, and nothing else. */
+function rememberingShelf(): Shelf {
+  const kept = new Map<string, unknown>();
+  return {
+    nameFor: async () => 'a.flux',
+    keep: async (_, __, ___, understood) =>
+      void (understood && kept.set(understood.digest, structuredClone(understood.choices))),
+    understood: async (digest) => kept.get(digest) ?? null,
+    titleOf: () => 'a',
+  };
+}
+
 describe('a model that is understood in another way', () => {
   const card = (id: string, ...surfaces: string[]): Card => ({ id, surfaces, verb: 'illuminate', weight: 1 });
   const named = (identity: string, xs: readonly number[], ...names: string[]): SceneInfo => ({
@@ -95,13 +108,18 @@ describe('a model that is understood in another way', () => {
       place,
       replace: async () => false,
     };
-    const shelf = { nameFor: async () => 'a.flux', keep: async () => undefined, titleOf: () => 'a' };
-    const pool = { build: async () => ({ file: new ArrayBuffer(0), room: { source: '', warnings: [] } }) };
+    const built: BuildOptions[] = [];
+    const pool = {
+      build: async ({ options }: { options: BuildOptions }) => {
+        built.push(options);
+        return { file: new ArrayBuffer(0), room: { source: '', warnings: [] } };
+      },
+    };
     const lighting = new Lighting(
       store,
       { layout: () => null } as unknown as Solving,
       placing as unknown as Placing,
-      shelf,
+      rememberingShelf(),
       async () => pool as unknown as BuilderPool,
     );
     const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
@@ -114,6 +132,12 @@ describe('a model that is understood in another way', () => {
     expect(placed[1]!.scene).toBe(after.identity);
     await lighting.light({ ...model });
     expect(placed[2]!.cards).not.toEqual(wish);
+
+    // The same bytes are understood as last time, which is said; others are not.
+    expect(built.at(-1)).toMatchObject({ ceiling: 2.5, exchange: true });
+    expect(store.messages.value.map(({ text }) => text)).toEqual(['“a” is understood as it was last time.']);
+    await lighting.light({ ...model, bytes: new Uint8Array(5) });
+    expect(built.at(-1)?.ceiling).toBe(0);
   });
 });
 

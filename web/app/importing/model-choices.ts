@@ -3,6 +3,7 @@
  * where luminaires hang and how large they are, what is measured, what its materials reflect. All of it is options of
  * the command, too, so the scene file remembers it.
  */
+import * as v from 'valibot';
 import {
   facings,
   uses,
@@ -42,6 +43,38 @@ export const usualChoices: ModelChoices = {
   doubleSided: false,
   reflectances: {},
 };
+
+const metres = v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), 0);
+const choicesSchema = v.object({
+  unit: metres,
+  up: v.optional(v.picklist(['y', 'z']), 'y'),
+  mounts: v.optional(v.array(v.string()), []),
+  ceiling: metres,
+  siteSpacing: metres,
+  siteSize: metres,
+  drop: metres,
+  plane: metres,
+  planeRim: v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), usualOptions.planeRim),
+  doubleSided: v.optional(v.boolean(), false),
+  reflectances: v.optional(v.record(v.string(), v.pipe(v.number(), v.minValue(0), v.maxValue(0.95))), {}),
+});
+
+/** Choices as they were kept; null where they are none, or the usual ones. */
+export function keptChoices(kept: unknown): ModelChoices | null {
+  const read = v.safeParse(choicesSchema, kept);
+  if (!read.success) return null;
+  return JSON.stringify(chosenOptions(read.output)) === JSON.stringify(usualOptions) ? null : read.output;
+}
+
+/** By which a model is known again; '' where the page may not tell. */
+export async function digestOf({ bytes, siblings }: Model): Promise<string> {
+  if (!globalThis.crypto?.subtle) return '';
+  const parts = await Promise.all(
+    [bytes, ...siblings.values()].map((part) => crypto.subtle.digest('SHA-256', part)),
+  );
+  const all = parts.flatMap((part) => [...new Uint8Array(part)]);
+  return all.map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
 
 export interface ModelMaterial {
   readonly key: string; // what the pipeline calls it

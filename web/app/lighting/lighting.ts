@@ -5,7 +5,13 @@
 import { usualOptions } from '../../builder/builder.ts';
 import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
-import { chosenOptions, usualChoices, type ModelChoices } from '../importing/model-choices.ts';
+import {
+  chosenOptions,
+  digestOf,
+  keptChoices,
+  usualChoices,
+  type ModelChoices,
+} from '../importing/model-choices.ts';
 import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
@@ -31,7 +37,7 @@ export type CreatePool = () => Promise<BuilderPool>;
 const usualPool: CreatePool = async () => (await import('../../builder/start-pool.ts')).createPool();
 
 /** Where a finished room goes, and how it is called. */
-export type Shelf = Pick<OwnRooms, 'nameFor' | 'keep' | 'titleOf'>;
+export type Shelf = Pick<OwnRooms, 'nameFor' | 'keep' | 'titleOf' | 'understood'>;
 
 /** What is computed now, and how to end it. */
 interface Running {
@@ -65,8 +71,8 @@ export class Lighting {
     this.#createPool = createPool;
   }
 
-  /** Lights the model whose preview is on the screen. */
-  async light(model: Model, choices: ModelChoices = usualChoices): Promise<void> {
+  /** Lights the model whose preview is on the screen; without choices as it was understood for the last time. */
+  async light(model: Model, choices?: ModelChoices): Promise<void> {
     this.cancel();
     this.closeSheet();
     const running = (this.#running = {
@@ -75,15 +81,16 @@ export class Lighting {
       isAgain: this.#model === model && this.#isOnScreen(),
     });
     this.#model = model;
-    this.#choices = choices;
+    this.#choices = choices ?? usualChoices;
     try {
+      if (!choices) await this.#recall(model, running);
       const pool = await this.#createPool();
       const first = await this.#build(pool, model, 'draft', running);
       const room = await this.#shelf.nameFor(model.name, first.room.source);
       this.#store.litRoom.value = room;
       const shown = await this.#showDraft(model.name, room, first, running);
       const full = await this.#build(pool, model, 'full', running);
-      const isKept = await this.#kept(room, full);
+      const isKept = await this.#kept(room, full, model);
       await this.#showFull(room, full, shown, isKept, running);
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
@@ -210,6 +217,15 @@ export class Lighting {
     this.#store.announcement.value = words.value.opening.litFully(title);
   }
 
+  /** Takes the choices that were made for the same model before, and says so. */
+  async #recall(model: Model, running: Running): Promise<void> {
+    const digest = await digestOf(model);
+    const known = digest ? keptChoices(await this.#shelf.understood(digest)) : null;
+    if (!known || this.#running !== running) return;
+    this.#choices = known;
+    this.#store.say('info', words.value.opening.asLastTime(titleOf(model.name)));
+  }
+
   /** Whether the room of the model at hand is on the screen. */
   #isOnScreen(): boolean {
     const { litRoom, document, preview } = this.#store;
@@ -241,9 +257,10 @@ export class Lighting {
   }
 
   /** Whether the browser keeps the room; where not, that is told. */
-  async #kept(name: string, { file, room }: Built): Promise<boolean> {
+  async #kept(name: string, { file, room }: Built, model: Model): Promise<boolean> {
+    const choices = this.#choices;
     try {
-      await this.#shelf.keep(name, room.source, file);
+      await this.#shelf.keep(name, room.source, file, { digest: await digestOf(model), choices });
       return true;
     } catch (error) {
       this.#store.say('warning', reasonOf(error));

@@ -1,6 +1,6 @@
 /** "Your rooms": those whose light was computed in this browser, as its storage holds them. */
 import { signal } from '@preact/signals';
-import type { OwnRoom, Quota } from '../../document/own-rooms.ts';
+import type { OwnRoom, Quota, Understood } from '../../document/own-rooms.ts';
 import { words } from '../../language/language.ts';
 
 const storage = () => import('../../document/own-rooms.ts');
@@ -34,12 +34,19 @@ export class OwnRooms {
     return unusedName(stemOf(file), source, this.list.value);
   }
 
+  /** How a model was understood when it was lit here for the last time; null where it never was. */
+  async understood(digest: string): Promise<unknown> {
+    await this.load();
+    const known = this.list.value.filter(({ understood }) => understood?.digest === digest);
+    return known.sort((a, b) => b.at - a.at)[0]?.understood?.choices ?? null;
+  }
+
   /** `source`: hash of the model. Rejects with one readable line where the browser refuses. */
-  async keep(room: string, source: string, file: ArrayBuffer): Promise<void> {
+  async keep(room: string, source: string, file: ArrayBuffer, understood?: Understood): Promise<void> {
     const title = this.titleOf(room);
     try {
       const { keepRoom } = await storage();
-      await keepRoom({ room, title, source }, file);
+      await keepRoom({ room, title, source, ...(understood && { understood }) }, file);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === 'QuotaExceededError';
       const why = isFull ? words.value.opening.own.full : words.value.opening.own.refused;

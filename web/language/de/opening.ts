@@ -9,6 +9,7 @@ export const opening: Words['opening'] = {
     'Dieser Browser speichert die Arbeit nicht. Als Projektdatei oder Link sichern, damit sie bleibt.',
   opening: (name) => `${name} wird geöffnet`,
   lit: (title) => `„${title}“ hat Licht und steht unter den eigenen Räumen.`,
+  asLastTime: (title) => `„${title}“ wird so verstanden wie beim letzten Mal.`,
   litFully: (title) => `${title} hat Licht in voller Qualität.`,
   about: (title, warning) => `„${title}“: ${warning}`,
   roomOffline: (room) =>

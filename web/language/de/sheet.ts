@@ -35,7 +35,7 @@ export const sheet: Words['sheet'] = {
     size: 'Größe einer Leuchte',
     drop: 'Unter ihrem Träger',
     proposed: 'Vorschlag',
-    asSpacing: 'ebenso',
+    asSpacing: 'gleich',
     asDrawn: 'wie gezeichnet',
     places: (count) =>
       count === 0

@@ -6,6 +6,7 @@ export const opening = {
   notStored: 'This browser refuses to store the work. Save a project file or a link to keep it.',
   opening: (name: string) => `Opening ${name}`,
   lit: (title: string) => `“${title}” is lit: it is among your rooms.`,
+  asLastTime: (title: string) => `“${title}” is understood as it was last time.`,
   litFully: (title: string) => `${title} is lit in full quality.`,
   about: (title: string, warning: string) => `“${title}”: ${warning}`,
   roomOffline: (room: string) => `the room "${room}" could not be loaded: no connection; try again`,

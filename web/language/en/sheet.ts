@@ -34,7 +34,7 @@ export const sheet = {
     size: 'Size of a luminaire',
     drop: 'Below where they hang',
     proposed: 'proposed',
-    asSpacing: 'as far',
+    asSpacing: 'same',
     asDrawn: 'as drawn',
     places: (count: number) =>
       count === 0

@@ -48,9 +48,9 @@ export function ImportSheet() {
           <SizeSection state={state} choose={(part) => sheet.choose(part)} />
           <MountsSection state={state} sheet={sheet} />
           <LuminairesSection state={state} choose={(part) => sheet.choose(part)} />
+          <PlaneSection choices={state.choices} choose={(part) => sheet.choose(part)} />
           <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
           <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
-          <PlaneSection choices={state.choices} choose={(part) => sheet.choose(part)} />
           <Remarks lines={survey?.warnings ?? []} />
         </div>
       </div>

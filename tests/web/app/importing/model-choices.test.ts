@@ -11,6 +11,7 @@ import { writeGlb } from '../../../../web/document/gltf-container.ts';
 import {
   chosenOptions,
   hangable,
+  keptChoices,
   materialsOf,
   mountsIn,
   usualChoices,
@@ -65,6 +66,14 @@ test('what is chosen is said by options, and the file stays as it is', () => {
     ],
   });
   expect(chosenOptions(usualChoices)).toEqual(usualOptions);
+});
+
+test('choices are known again as they were kept, unless they are broken or the usual ones', () => {
+  const choices = { ...usualChoices, unit: 0.01, up: 'z', reflectances: { brick: 0.1 } } as const;
+  expect(keptChoices(structuredClone(choices))).toEqual(choices);
+  expect(keptChoices({ plane: 0.75 })).toEqual({ ...usualChoices, plane: 0.75 }); // of an older page
+  for (const none of [null, usualChoices, {}, { ...choices, unit: -1 }, { reflectances: { brick: 2 } }])
+    expect(keptChoices(none)).toBeNull();
 });
 
 test('luminaires hang where it is proposed, until somebody says where', () => {
