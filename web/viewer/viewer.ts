@@ -264,6 +264,7 @@ class RoomViewer implements Viewer {
     this.#display = display;
     this.#light.setDisplay(display);
     this.#luminaires.root.visible = display.luminaires !== false;
+    this.#luminaires.showLight(display.mode === 'realistic');
     this.#tags.setVisible(display.luminaires !== false);
     this.#applyDisplay();
     this.#loop.invalidate();

@@ -100,6 +100,12 @@ export class LuminaireObjects {
     this.#loop.invalidate();
   }
 
+  /** Whether a selected luminaire shows it. */
+  showLight(isWanted: boolean): void {
+    this.#solid.isWanted = isWanted;
+    this.select(this.#selected);
+  }
+
   /** A new room: no luminaires yet. */
   setSites(sites: SceneInfo['sites'] | null): void {
     this.#clear();

@@ -1,12 +1,5 @@
 /** Where a luminaire's light goes, as a body in the room: in each direction as far out as it is strong. */
-import {
-  AdditiveBlending,
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  Mesh,
-  MeshBasicMaterial,
-} from 'three';
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
 import { sampledGammas, sampledPlanes } from '../../document/photometry.ts';
 
 const reach = 1.4; // m, in the strongest direction
@@ -45,13 +38,14 @@ export class PhotometricSolid {
     new MeshBasicMaterial({
       color: '#ffcf7a',
       transparent: true,
-      opacity: 0.3,
-      blending: AdditiveBlending,
+      opacity: 0.13, // a tint: on a light floor more of it would be taken for light
       depthWrite: false,
       side: DoubleSide,
       toneMapped: false,
     }),
   );
+  /** Colours that stand for numbers are not to be tinted. */
+  isWanted = true;
   #candela: Float32Array | null = null;
 
   constructor() {
@@ -62,7 +56,7 @@ export class PhotometricSolid {
 
   /** null: none is shown. */
   show(candela: Float32Array | null): void {
-    this.mesh.visible = candela !== null;
+    this.mesh.visible = candela !== null && this.isWanted;
     if (candela === null || candela === this.#candela) return;
     this.#candela = candela;
     this.mesh.geometry.dispose();
