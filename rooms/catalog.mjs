@@ -20,18 +20,27 @@ const walls = ['wall north', 'wall south', 'wall west', 'wall east'];
 const rooms = [
   {
     id: 'office',
-    // note: it does not open as its type. Panels need what is last in the file, and the first slider would wait for it.
-    roomType: 'writing',
     title: 'Open office',
     description: 'Twelve desks under a tiled ceiling; a working plane at 0.75 m, lit evenly.',
     // note: after two steps the means of cabinets far from the only lamp are still 0.6 % off
     precompute: ['--patch', '0.2', '--cluster', '4', '--refine', '3'],
     opening: {
+      roomType: 'writing',
       cards: [
-        { verb: 'homogenize', surfaces: ['working plane'], aim: 500 },
-        { verb: 'illuminate', surfaces: ['whiteboard'], aim: 300, weight: 0.3 },
+        {
+          id: 'type-task',
+          verb: 'homogenize',
+          surfaces: ['working plane'],
+          mean: { min: 500 },
+          uniformity: 0.6,
+          onGrid: true,
+        },
+        { id: 'type-walls', verb: 'keep', surfaces: walls, mean: { min: 150 } },
+        { id: 'type-ceiling', verb: 'keep', surfaces: ['ceiling'], mean: { min: 100 } },
       ],
-      luminaires: { count: 15, flux: 4000, minDistance: 1.8 },
+      glare: { max: 19 },
+      luminaires: { count: 15, most: 30, minDistance: 1.8, maintenance: [0.9, 1, 0.95, 0.94] },
+      types: [{ photometry: 'panel.ldt' }],
     },
   },
   {

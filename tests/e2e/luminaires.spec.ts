@@ -19,6 +19,7 @@ import {
 
 const luminaires = path.join(import.meta.dirname, '../../public/luminaires');
 const generic = (name: string) => readFileSync(path.join(luminaires, name));
+const box = './?room=box';
 const messages = (page: Page) => page.getByRole('region', { name: 'Messages' });
 const card = (page: Page, name: string) => page.getByRole('article', { name });
 
@@ -30,7 +31,7 @@ const xml = (data: string) => `<?xml version="1.0"?><IESTM33-22><Version>1.1</Ve
 const even = Array.from({ length: 37 }, (_, i) => `<IntData h="0" v="${5 * i}">50</IntData>`).join('');
 
 test('files that are dropped become cards, several at once', async ({ page }) => {
-  await openApp(page);
+  await openApp(page, box);
   await drop(page, { 'panel.ldt': generic('panel.ldt'), 'wall-washer.ies': generic('wall-washer.ies') });
   const panel = card(page, 'Panel 600, batwing');
   await expect(panel).toContainText('3\u202f600 lm');
@@ -76,7 +77,7 @@ test('a luminaire that is dropped lights the room: picture, layout and link chan
 });
 
 test('a file that disagrees with itself is asked about with both numbers', async ({ page }) => {
-  await openApp(page);
+  await openApp(page, box);
   const lying = generic('wall-washer.ies').toString('latin1').replace('1 2200 ', '1 340 ');
   await drop(page, { 'lying.ies': Buffer.from(lying, 'latin1') });
   const question = page.getByRole('group', { name: /Which flux/ });
@@ -87,7 +88,7 @@ test('a file that disagrees with itself is asked about with both numbers', async
 });
 
 test('generic luminaires are found and chosen; the page stays accessible', async ({ page }) => {
-  await openApp(page);
+  await openApp(page, box);
   await tab(page, 'Luminaires');
   await page.getByRole('button', { name: 'Generic luminaires' }).click();
   const dialog = page.getByRole('dialog', { name: 'Generic luminaires' });
@@ -99,7 +100,7 @@ test('generic luminaires are found and chosen; the page stays accessible', async
 });
 
 test('a container of several files lets a person choose', async ({ page }) => {
-  await openApp(page);
+  await openApp(page, box);
   const gldf = zipSync({
     'product.xml': Buffer.from('<Root/>'),
     'ldc/panel.ldt': generic('panel.ldt'),
@@ -141,7 +142,7 @@ const bad: readonly (readonly [string, Buffer, RegExp])[] = [
 ];
 
 test('what cannot be read says why in one sentence, and nothing is lost', async ({ page, watched }) => {
-  await openApp(page);
+  await openApp(page, box);
   await drop(page, { 'panel.ldt': generic('panel.ldt') });
   await expect(card(page, 'Panel 600, batwing')).toBeVisible();
   for (const [name, bytes, message] of bad) {

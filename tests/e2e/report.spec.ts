@@ -89,10 +89,10 @@ test('the report of the office prints on three pages and says what the app says'
   holds(plane.split('\t').slice(0, 1).join(''));
   for (const figure of plane.split('\t').slice(1, 5)) holds(figure);
   at.forEach((place, i) => holds(`L${i + 1} ${place}`));
-  holds('mean about');
+  holds('at 1.2 m cylindrical');
   holds('500 lx');
-  holds('wish');
-  holds('Luminaires are Lambertian squares');
+  holds('maintenance factor 0.80');
+  holds('Panel 600, batwing');
 
   const address = await report(page).getByRole('link').getAttribute('href');
   const read = decodeLink(new URL(address!).hash);

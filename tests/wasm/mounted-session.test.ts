@@ -101,6 +101,27 @@ test('light of several types adds up, and is as strong as their lumens', () => {
   expect([...both.layout.flux]).toEqual([1200, 3600]);
 });
 
+test('a rule binds a search that has all candidates, not the places of one layout', () => {
+  const session = sessionOf([panel]);
+  const luminaires = {
+    count: 5,
+    flux: 1,
+    dimming: [1, 1],
+    pinned: [],
+    excluded: [],
+    minDistance: 0,
+    types: [panel],
+    arrangement: { rule: 'field' },
+  } as const;
+  const asked = { quantity: 'illuminance', luminaires, goals: [], constraints: [] } as const;
+  const refusal = (hasAll: boolean) => {
+    session.ask(luminaires, hasAll);
+    return session.setIntentions(coreIntentions(asked, scene.surfaces));
+  };
+  expect(refusal(true)).toMatch(/found no regular field of 5/);
+  expect(refusal(false)).toBe('');
+});
+
 test('a spot that is aimed is brightest where it is aimed', () => {
   const shown = shownOf(light(sessionOf([spot]), layoutOf([[8, spot]])), 0, scene.surfaces);
   const brightest = shown.illuminance.indexOf(Math.max(...shown.illuminance));

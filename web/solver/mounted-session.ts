@@ -7,6 +7,7 @@ import { usualEfficacy } from '../document/photometry.ts';
 import type { Layout, Luminaires, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import {
   anyType,
+  codes,
   type Candidates as CoreCandidates,
   type CoreIntentions,
   type CoreLayout,
@@ -60,6 +61,7 @@ export class MountedSession extends HungSession {
   readonly #byKey = new Map<string, number>();
   readonly #types: readonly LuminaireType[];
   #allowed: Pick<CoreIntentions['luminaires'], 'types' | 'ofType'> = { types: [], ofType: new Uint32Array() };
+  #hasAll = false; // everything that a search may try
   #held: readonly number[] = []; // candidates of the layout that a search starts from
 
   /** `session` has the scene of these candidates. */
@@ -89,6 +91,7 @@ export class MountedSession extends HungSession {
    * there may be of each, and which luminaire must be of which.
    */
   ask({ types = [], ofType = [], count, most = count }: Luminaires, hasAll: boolean): void {
+    this.#hasAll = hasAll;
     const latest = this.#types.map((type) => types.find(({ id }) => id === type.id) ?? type);
     this.session.setPowers(
       Float64Array.from(latest, ({ watts, flux }) => (watts > 0 ? watts : flux / usualEfficacy)),
@@ -102,7 +105,10 @@ export class MountedSession extends HungSession {
     };
   }
 
-  /** Pinned are the luminaires of the layout that was taken, at their sites. */
+  /**
+   * Pinned are the luminaires of the layout that was taken, at their sites. Rules of where others might hang are for those
+   * who have them all: on the places of one layout there may be no room for a field.
+   */
   protected beneath(asked: CoreIntentions): CoreIntentions {
     const { luminaires } = asked;
     const pinned = [...luminaires.pinned].flatMap((site) => this.#pinnedAt(site) ?? []);
@@ -112,6 +118,7 @@ export class MountedSession extends HungSession {
       luminaires: {
         ...luminaires,
         ...this.#allowed,
+        ...(!this.#hasAll && { rule: codes.rule.free, axis: codes.axis.found }),
         flux: Float64Array.of(1),
         pinned: Uint32Array.from(pinned),
         excluded: Uint32Array.from(excluded),

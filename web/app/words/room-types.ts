@@ -67,6 +67,7 @@ export const roomTypes: readonly RoomType[] = [
     onFloor: true,
     cylindrical: 50,
     ugr: 28,
+    luminaire: 'batten.ldt',
   },
   {
     id: 'museum',

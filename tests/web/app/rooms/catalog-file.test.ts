@@ -36,8 +36,13 @@ describe('the list that is shipped', () => {
   test('asks in the words of a project file, with shares where a bound depends on the room', () => {
     const { rooms, experiments } = sampleCatalog();
     expect(rooms[0]?.opening).toMatchObject({
-      cards: [{ id: 'c-1', verb: 'homogenize', weight: 1, aim: 500 }, { id: 'c-2' }],
-      luminaires: { count: 15, dimming: [1, 1], pinned: [], minDistance: 1.8 },
+      roomType: 'writing',
+      cards: [
+        { id: 'type-task', verb: 'homogenize', weight: 1, mean: { min: 500 } },
+        { id: 'type-walls' },
+        { id: 'type-ceiling' },
+      ],
+      luminaires: { count: 15, most: 30, dimming: [1, 1], pinned: [], minDistance: 1.8 },
       quantity: 'illuminance',
       saving: false,
       seed: 1,

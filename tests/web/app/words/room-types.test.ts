@@ -19,6 +19,7 @@ import { withTaskAreas } from '../../../../web/document/task-areas.ts';
 import * as v from 'valibot';
 import { luminaireType, photometricText } from '../../document/luminaire-type.ts';
 import { documentFrom, withoutShares } from '../../../../web/app/rooms/opening-wish.ts';
+import type { FiatLuxDocument } from '../../../../web/document/types.ts';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
 import { sampleCatalog, sampleDocument } from '../../sample-rooms.ts';
 
@@ -42,28 +43,41 @@ const surfaces = [
 const typeOf = (id: string) => roomTypes.find((type) => type.id === id)!;
 const layout = { sites: [0, 5], flux: [1200, 600], dimming: 1 };
 
+/** As if nobody had chosen a type of room. */
+function untyped(document: FiatLuxDocument): FiatLuxDocument {
+  const { roomType: _type, glare: _glare, ...rest } = document;
+  const { maintenance: _maintenance, most: _most, ...luminaires } = document.luminaires;
+  return { ...rest, luminaires };
+}
+
 function storeOf(id: string) {
   const store = new Store();
   const scene = fakeScene();
   store.scene.value = scene;
-  store.reset({ ...sampleDocument(scene.identity, 'office'), layout });
+  store.reset({ ...untyped(sampleDocument(scene.identity, 'office')), layout });
   store.edit('type', (draft) => askForType(draft, typeOf(id), scene));
   store.shown.value = fakeShown(scene, layout, intentionsOf(store.document.peek()).intentions);
   return { store, scene };
 }
 
 describe('the rooms of the site', () => {
-  test('name types that there are, and one opens with the cards that its type writes', () => {
+  test('name types that there are', () => {
     const { rooms } = sampleCatalog();
     const named = rooms.flatMap(({ roomType, opening }) => [roomType, opening?.roomType].filter(Boolean));
-    expect(named.length).toBeGreaterThan(1);
+    expect(named.length).toBeGreaterThan(2);
     for (const id of named) expect(typeOf(id!)).toBeDefined();
-    const { opening } = rooms.find(({ id }) => id === 'classroom')!;
-    const document = documentFrom(withoutShares(opening!), '', 'classroom');
-    expect(document).toMatchObject({ roomType: 'classroom', glare: { max: typeOf('classroom').ugr } });
+  });
+
+  test.each([
+    ['office', 'writing'],
+    ['classroom', 'classroom'],
+  ])('%s opens with the cards that its type writes', (room, type) => {
+    const { opening } = sampleCatalog().rooms.find(({ id }) => id === room)!;
+    const document = documentFrom(withoutShares(opening!), '', room);
+    expect(document).toMatchObject({ roomType: type, glare: { max: typeOf(type).ugr } });
     const walls = ['north', 'south', 'west', 'east'].map((side) => surface(`wall ${side}`));
-    const room = [surface('floor'), surface('ceiling'), ...walls, surface('working plane', true)];
-    expect(document.cards).toEqual(cardsOf(typeOf('classroom'), room));
+    const parts = [surface('floor'), surface('ceiling'), ...walls, surface('working plane', true)];
+    expect(document.cards).toEqual(cardsOf(typeOf(type), parts));
     expect(maintenanceOf(document.luminaires)).toBe(0.8);
   });
 });
@@ -110,7 +124,8 @@ describe('a room type', () => {
     const [wished] = luminairesFor(typeOf('writing'), document, room);
     expect(wished).toMatchObject({ photometry: 'panel.ldt' });
     expect(luminairesFor(typeOf('writing'), document, scene)).toEqual([]);
-    expect(luminairesFor(typeOf('corridor'), document, room)).toEqual([]);
+    expect(luminairesFor(typeOf('corridor'), document, room)).toMatchObject([{ photometry: 'batten.ldt' }]);
+    expect(luminairesFor(typeOf('museum'), document, room)).toEqual([]);
     const { count } = document.luminaires;
     store.edit('type', (draft) =>
       askForType(draft, typeOf('writing'), room, [luminaireType('t1', photometricText())]),
