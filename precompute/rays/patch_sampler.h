@@ -27,7 +27,8 @@ class PatchSampler {
     return onFragments(u, v);
   }
 
-  /// edge x edge points (edge 2 or 4) whose weights sum to 1: Gauss-Legendre on full cells, strata elsewhere.
+  /// edge x edge points whose weights sum to 1: of Gauss-Legendre on full cells where edge is 2 or 4, of equal
+  /// strata elsewhere.
   std::vector<PatchPoint> quadrature(std::uint32_t edge) const;
 
  private:
