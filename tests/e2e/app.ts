@@ -67,12 +67,23 @@ export async function openApp(page: Page, address = './'): Promise<void> {
   await expect(status(page)).toHaveText(/^(Settled|As given)$/, patience);
 }
 
-/** Another room or experiment, by the gallery. The first room need not be there yet. */
+// Rooms that the address can name, so that a test need not load the first room as well.
+const ids: Readonly<Record<string, string>> = {
+  'Open office': 'office',
+  'E corridor': 'e-corridor',
+  Box: 'box',
+};
+
+/** A room or an experiment: where the page is not open yet, a room by its address, else by the gallery. */
 export async function openRoom(page: Page, title: string, address = './'): Promise<void> {
-  if (page.url() === 'about:blank') await page.goto(address);
-  await page.getByRole('banner').getByRole('button').first().click();
-  const gallery = page.getByRole('dialog', { name: 'Rooms' });
-  await gallery.getByRole('button', { name: title }).first().click();
+  const isOpen = page.url() !== 'about:blank';
+  const id = ids[title];
+  if (!isOpen) await page.goto(id ? `${address}?room=${id}` : address);
+  if (isOpen || !id) {
+    await page.getByRole('banner').getByRole('button').first().click();
+    const gallery = page.getByRole('dialog', { name: 'Rooms' });
+    await gallery.getByRole('button', { name: title }).first().click();
+  }
   await expect(page.getByRole('heading', { level: 1 })).toHaveText(title, patience);
   await settled(page);
 }
