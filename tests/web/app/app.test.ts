@@ -383,11 +383,17 @@ describe('rooms of the site', () => {
 
   test('open with what the list asks of them', async () => {
     app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null, 'e-corridor'));
+    expect(host.asked).toEqual(['catalog.json', 'e-corridor.flux']);
+    expect(app.store.roomTitle.value).toBe('E corridor');
+    expect(app.store.document.value).toMatchObject({ room: 'e-corridor', luminaires: { count: 6 } });
+    expect(solver.last('solve')?.intentions.goals[0]).toMatchObject({ surfaces: ['yellow wall'] });
+  });
+
+  test('the first of them opens with the luminaires that it names, asked for on the site', async () => {
+    app.store.scene.value = null;
     await opened(app.opening.start('', async () => null));
-    expect(host.asked).toEqual(['catalog.json', 'office.flux']);
-    expect(app.store.roomTitle.value).toBe('Open office');
-    expect(app.store.document.value).toMatchObject({ room: 'office', luminaires: { count: 15 } });
-    expect(solver.last('solve')?.intentions.goals[0]).toMatchObject({ surfaces: ['working plane'] });
+    expect(host.asked).toEqual(['catalog.json', 'office.flux', '/sub/luminaires/panel.ldt']);
   });
 
   test('an experiment finds out first what its bounds are shares of', async () => {
