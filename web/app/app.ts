@@ -263,7 +263,11 @@ export class App {
     effect(() => viewer.setDisplay(store.display.value));
     holdDuringGestures(store, viewer);
     effect(() => viewer.setBodies(this.types.bodies.value, this.types.bodiesOf(this.variants.types)));
-    effect(() => viewer.setObservers(store.shown.value?.observers ?? []));
+    effect(() => {
+      // A realistic picture stays one: who looks where is seen beside the numbers.
+      const isMeasured = store.tab.value === 'results' || store.display.value.mode === 'falseColor';
+      viewer.setObservers(isMeasured ? (store.shown.value?.observers ?? []) : []);
+    });
     effect(() => {
       const { value: surface } = store.surface;
       const scene = store.sceneWithAreas.value;

@@ -14,8 +14,9 @@ import type {
   SceneInfo,
   TaskArea,
 } from '../../document/types.ts';
-import type { GridResult, Shown } from '../../solver/protocol.ts';
+import type { Shown } from '../../solver/protocol.ts';
 import type { OpeningType } from '../rooms/opening-wish.ts';
+import { gridLightOf } from '../state/grid-light.ts';
 import type { Store } from '../state/store.ts';
 import { unionOf } from '../state/statistics.ts';
 import { glareVerdict } from './glare.ts';
@@ -235,7 +236,7 @@ function emergencyVerdicts(
   const { least = 0, centreLine } = type.numbers;
   const { gridLeast, centreLine: onLine, diversity, atMostOf } = words.value.values;
   return placesOf(type, scene.surfaces).task.flatMap((name) => {
-    const reading = gridOf(shown, name);
+    const reading = gridLightOf(shown, name);
     const bound: Constraint = { statistic: 'minimum', surfaces: [name], on: 'grid', quantity: 'direct' };
     const rows = [atLeast(surfaceText(name), gridLeast, reading?.least ?? null, least, 'lx', bound)];
     const area = areas.find((each) => each.name === name);
@@ -274,7 +275,7 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Ve
   const { task, walls, ceiling } = placesOf(type, scene.surfaces);
   const rows: Verdict[] = [];
   for (const name of task) {
-    const reading = gridOf(shown, name);
+    const reading = gridLightOf(shown, name);
     if (numbers.required !== undefined)
       rows.push(
         atLeast(
@@ -327,20 +328,6 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Ve
     );
   if (ugr !== undefined) rows.push(glareVerdict(shown.observers, ugr));
   return rows;
-}
-
-/** Of all pieces of a surface together; null where it has no point of a grid. */
-function gridOf(
-  { grids }: Pick<Shown, 'grids'>,
-  surface: string,
-): { mean: number; uniformity: number; least: number; most: number } | null {
-  const pieces: GridResult[] = grids.filter(({ name }) => name === surface);
-  const points = pieces.reduce((sum, piece) => sum + piece.points, 0);
-  if (points === 0) return null;
-  const mean = pieces.reduce((sum, piece) => sum + piece.points * piece.mean, 0) / points;
-  const least = Math.min(...pieces.map(({ min }) => min));
-  const most = Math.max(...pieces.map(({ max }) => max));
-  return { mean, uniformity: mean > 0 ? least / mean : 0, least, most };
 }
 
 /** Of the observers; null where nobody looks, or the room's file cannot tell. */

@@ -142,6 +142,7 @@ export const intentions: Words['intentions'] = {
     darkestTip: 'Die dunkelste Teilfläche',
     brightest: 'Hellst',
     brightestTip: 'Die hellste Teilfläche',
+    atGrid: 'An den Punkten des EN-Rasters; das Histogramm gilt der ganzen Fläche.',
     spread: 'Streuung σ',
     ratio: 'Dunkelste / hellste',
     ratioTip: 'U_d: dunkelste / hellste Stelle',

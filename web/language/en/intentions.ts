@@ -143,6 +143,7 @@ export const intentions = {
     darkestTip: 'The least of its patches',
     brightest: 'Brightest',
     brightestTip: 'The most of its patches',
+    atGrid: 'At the points of the EN grid; the histogram is of the whole surface.',
     spread: 'Spread σ',
     ratio: 'Darkest / brightest',
     ratioTip: 'U_d: darkest spot / brightest spot',

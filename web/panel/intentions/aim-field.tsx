@@ -21,7 +21,7 @@ const withoutAim: Record<Exclude<Verb, 'keep'>, 'most' | 'least' | 'any'> = {
 
 export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   const app = useApp();
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const unit = unitOf(app.store.document.value.quantity);
   const { scale, hold, release } = axis;
   const step = niceStep(scale);

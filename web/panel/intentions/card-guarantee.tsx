@@ -16,7 +16,7 @@ type Guarantee = NonNullable<Card['guarantee']>;
 
 export function CardGuarantee({ card }: CardProps) {
   const app = useApp();
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const { guarantee } = card;
   const change = (next: Guarantee | undefined) =>
     app.changeCard(card.id, words.value.steps.guarantee, (each) => withOptional(each, 'guarantee', next));
@@ -53,7 +53,7 @@ interface FieldsProps extends CardProps {
 function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
   const app = useApp();
   const { set, end } = useBound(card);
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const unit = unitOf(app.store.document.value.quantity);
   const step = niceStep(Math.max(1, (reached?.mean ?? 100) * 2));
   const setAlpha = (alpha: number | undefined) =>

@@ -14,7 +14,7 @@ import { words } from '../../language/language.ts';
 
 export function CardMore({ card }: CardProps) {
   const app = useApp();
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const add = (change: Parameters<typeof app.changeCard>[2]) =>
     app.changeCard(card.id, words.value.steps.more, change);
   const other = app.store.sceneWithAreas.value?.surfaces.find(
@@ -160,9 +160,9 @@ function UniformityField({ card, reached }: FieldsProps) {
 function ContrastFields({ card }: CardProps) {
   const app = useApp();
   const { set, end } = useBound(card);
-  const here = useReached(card.surfaces, card.direct);
-  const there = useReached(card.contrast?.over ?? [], card.direct);
-  const { contrast } = card;
+  const { surfaces, direct, contrast } = card;
+  const here = useReached({ surfaces, direct });
+  const there = useReached({ surfaces: contrast?.over ?? [], direct });
   if (!contrast) return null;
   return (
     <fieldset class="field group">

@@ -29,7 +29,7 @@ export function IntentionCard({ card }: CardProps) {
   const { store } = app;
   const isOpen = store.card.value === card.id;
   const status = useStatus(card);
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const unit = unitOf(store.document.value.quantity);
   const toggle = () => {
     store.card.value = isOpen ? null : card.id;
@@ -136,7 +136,7 @@ function useAxis({ aim, mean, guarantee, surfaces, direct }: Card, reached: Reac
 function CardBody({ card }: CardProps) {
   const app = useApp();
   const { store } = app;
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const axis = useAxis(card, reached);
   const inPaperWords = usePaperWords();
   const setVerb = (verb: Verb) =>
@@ -193,6 +193,7 @@ function CardBody({ card }: CardProps) {
           />
         </dl>
       )}
+      {reached && card.onGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
       <More isUsed={inPaperWords || asksMore(card)}>
         {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
         <CardGuarantee card={card} />

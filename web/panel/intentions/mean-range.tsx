@@ -10,7 +10,7 @@ import { words } from '../../language/language.ts';
 export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
   const { store } = useApp();
   const { set, end } = useBound(card);
-  const reached = useReached(card.surfaces, card.direct);
+  const reached = useReached(card);
   const unit = unitOf(store.document.value.quantity);
   const { min, max } = card.mean ?? {};
   const { scale, hold, release } = axis;

@@ -1,9 +1,10 @@
 /**
- * What a set of surfaces reaches now: one row of the solver where it is one leaf (or all), else read off the patches, as is
- * the direct light of a card that speaks of it alone.
+ * What the surfaces of a card reach now: one row of the solver where it is one leaf (or all), else read off the patches, as
+ * is the direct light of a card that speaks of it alone; at the points of the EN grid where the card is about those.
  */
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { gridLightOf } from '../../app/state/grid-light.ts';
 import { patchesOf, sampleOf, type AreaSample } from '../../app/state/statistics.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { SurfaceNames } from '../../document/types.ts';
@@ -15,12 +16,20 @@ export interface Reached {
   readonly max: number;
 }
 
-export function useReached(names: SurfaceNames, direct = false): Reached | null {
+interface About {
+  readonly surfaces: SurfaceNames;
+  readonly direct?: boolean | undefined;
+  readonly onGrid?: boolean;
+}
+
+export function useReached({ surfaces: names, direct = false, onGrid }: About): Reached | null {
   const { store } = useApp();
   const shown = store.shown.value;
   const isRead = names.length === 1 && (!direct || store.document.value.quantity === 'direct');
   const row = isRead ? shown?.surfaces.find((each) => each.name === names[0]) : undefined;
   const sample = useSample(row ? [] : names, direct);
+  const grid = onGrid && !direct && row && shown ? gridLightOf(shown, row.name) : null;
+  if (row && grid) return { mean: grid.mean, sigma: row.sigma, min: grid.least, max: grid.most };
   if (row) return row;
   return sample && { mean: sample.mean, sigma: sample.sigma, min: sample.least, max: sample.most };
 }

@@ -42,7 +42,7 @@ describe('the list that is shipped', () => {
         { id: 'type-walls' },
         { id: 'type-ceiling' },
       ],
-      luminaires: { count: 15, most: 30, dimming: [1, 1], pinned: [], minDistance: 1.8 },
+      luminaires: { count: 15, most: 30, dimming: [1, 1], pinned: [], minDistance: 1.2 },
       quantity: 'illuminance',
       saving: false,
       seed: 1,

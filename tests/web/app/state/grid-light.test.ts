@@ -1,0 +1,21 @@
+// What the EN grid reads of a surface in several pieces: each counts by its points, the darkest is that of all.
+import { expect, test } from '@jest/globals';
+import { gridLightOf } from '../../../../web/app/state/grid-light.ts';
+
+const piece = (name: string, points: number, mean: number, min: number, max: number) =>
+  ({ name, points, mean, min, max }) as Parameters<typeof gridLightOf>[0]['grids'][number];
+
+test('pieces of a surface are one, by their points', () => {
+  const grids = [
+    piece('plane', 30, 500, 300, 600),
+    piece('desk', 4, 900, 800, 950),
+    piece('plane', 10, 300, 200, 400),
+  ];
+  expect(gridLightOf({ grids }, 'plane')).toEqual({
+    mean: 450,
+    uniformity: 200 / 450,
+    least: 200,
+    most: 600,
+  });
+  expect(gridLightOf({ grids }, 'floor')).toBeNull();
+});
