@@ -173,27 +173,7 @@ function CardBody({ card }: CardProps) {
       />
       {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
       <Histogram {...{ card, axis }} />
-      {reached && (
-        <dl class="readings">
-          <Reading name={words.value.intentions.card.mean} value={compact(reached.mean)} />
-          <Reading
-            name={words.value.intentions.card.evenness}
-            title={words.value.intentions.card.evennessTip}
-            value={ratio(reached.min / reached.mean)}
-          />
-          <Reading
-            name={words.value.intentions.card.darkest}
-            title={words.value.intentions.card.darkestTip}
-            value={compact(reached.min)}
-          />
-          <Reading
-            name={words.value.intentions.card.brightest}
-            title={words.value.intentions.card.brightestTip}
-            value={compact(reached.max)}
-          />
-        </dl>
-      )}
-      {reached && card.onGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
+      {reached && <Readings reached={reached} atGrid={card.onGrid === true} />}
       <More isUsed={inPaperWords || asksMore(card)}>
         {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
         <CardGuarantee card={card} />
@@ -231,6 +211,33 @@ function DirectOnly({ card }: CardProps) {
         )
       }
     />
+  );
+}
+
+/** What a designer reads first; `atGrid`: at the points of the EN grid. */
+function Readings({ reached, atGrid }: { reached: Reached; atGrid: boolean }) {
+  return (
+    <>
+      <dl class="readings">
+        <Reading name={words.value.intentions.card.mean} value={compact(reached.mean)} />
+        <Reading
+          name={words.value.intentions.card.evenness}
+          title={words.value.intentions.card.evennessTip}
+          value={ratio(reached.min / reached.mean)}
+        />
+        <Reading
+          name={words.value.intentions.card.darkest}
+          title={words.value.intentions.card.darkestTip}
+          value={compact(reached.min)}
+        />
+        <Reading
+          name={words.value.intentions.card.brightest}
+          title={words.value.intentions.card.brightestTip}
+          value={compact(reached.max)}
+        />
+      </dl>
+      {atGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
+    </>
   );
 }
 
