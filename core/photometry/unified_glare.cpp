@@ -135,7 +135,7 @@ std::optional<double> ugr4h8h(const Photometry& photometry) {
       background[turn] = wallIndirect(total * floor, total * std::max(0.0, 1 - up - floor), total * up) / kPi;
     }
     const double glare = glareSum(photometry, turn);
-    if (!(glare > 0)) continue;
+    if (!(glare > 0) || !std::isfinite(glare)) continue;  // nothing shines there, or from no area
     const double ugr = 8 * std::log10(0.25 / background[turn % 2] * glare);
     worst = std::max(worst.value_or(ugr), ugr);
   }

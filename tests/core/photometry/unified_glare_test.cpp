@@ -176,6 +176,7 @@ TEST(UnifiedGlare, TurningTheTableChangesNothing) {
 TEST(UnifiedGlare, NeedsALuminousArea) {
   const auto lambert = [](double, double gamma) { return gamma < 90 ? 1000 * cosine(gamma) : 0; };
   EXPECT_FALSE(ugr4h8h(panel(lambert, 0, 0)));
+  EXPECT_FALSE(ugr4h8h(panel(lambert, 0.3, 1e-308)));  // none to speak of: its luminance has no number
 }
 
 TEST(UnifiedGlare, PositionIndexOfCiesTable) {
