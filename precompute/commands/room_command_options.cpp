@@ -1,6 +1,6 @@
 #include "precompute/commands/room_command_options.h"
 
-#include <charconv>
+#include <cstdlib>
 
 #include "precompute/commands/option_checks.h"
 #include "precompute/gltf/reflectance.h"
@@ -11,24 +11,17 @@ namespace {
 
 constexpr double kMost = 1e6;  // m, GB: beyond any room, far from what a number can hold
 
-/// Whether a text is a number and nothing else.
-bool isAllOf(const std::string& text, double& value) {
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc() && end == text.data() + text.size();
-}
-
 /// NAME=VALUE, a name that may hold '=' itself.
 void addReflectanceOption(CLI::App& command, RoomOptions& room) {
   const auto add = [&room](const std::vector<std::string>& given) {
     room.reflectances.clear();
     for (const std::string& text : given) {
       const std::size_t end = text.rfind('=');
-      double value = -1;
-      const bool isNumber = end != std::string::npos && isAllOf(text.substr(end + 1), value);
-      if (!isNumber || end == 0 || !(value >= 0 && value <= kMostReflectance))
+      const std::string value = end == std::string::npos ? "" : text.substr(end + 1);
+      if (end == 0 || !numberFrom(0, kMostReflectance)(value).empty())
         throw CLI::ValidationError("--reflectance",
                                    "'" + text + "' is no MATERIAL=VALUE with a value from 0 to 0.95");
-      room.reflectances.push_back({text.substr(0, end), value});
+      room.reflectances.push_back({text.substr(0, end), std::strtod(value.c_str(), nullptr)});
     }
   };
   command

@@ -1,11 +1,5 @@
 /** Luminaires that no rule binds. */
+import { usualLuminaires } from '../../web/app/rooms/opening-wish.ts';
 import type { Luminaires } from '../../web/document/types.ts';
 
-export const sixLuminaires: Luminaires = {
-  count: 6,
-  flux: 1000,
-  dimming: [1, 1],
-  pinned: [],
-  excluded: [],
-  minDistance: 0,
-};
+export const sixLuminaires: Luminaires = { ...usualLuminaires, count: 6, flux: 1000 };

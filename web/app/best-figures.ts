@@ -7,7 +7,7 @@ import type { Constraint, Intentions } from '../document/types.ts';
 import type { Outcome } from '../solver/protocol.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
-import { everyVerdict } from './words/room-types.ts';
+import { everyVerdict } from './words/type-verdicts.ts';
 import { nameOf, type Alone, type Verdict } from './words/verdict.ts';
 
 const evaluations = 25_000; // of a row

@@ -6,7 +6,7 @@ import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
 import { maintenanceText } from '../app/words/room-types.ts';
 import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
-import { everyVerdict } from '../app/words/room-types.ts';
+import { everyVerdict } from '../app/words/type-verdicts.ts';
 import type { Verdict } from '../app/words/verdict.ts';
 import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';

@@ -4,7 +4,7 @@ import { paintByLeaf } from '../../document/paint.ts';
 import { leni, powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
-import { everyVerdict } from '../words/room-types.ts';
+import { everyVerdict } from '../words/type-verdicts.ts';
 import { inEnglish, words } from '../../language/language.ts';
 
 export function resultLines(store: Store): ResultLine[] {

@@ -4,8 +4,8 @@ import type { GridResult, Shown } from '../../solver/protocol.ts';
 export interface GridLight {
   readonly mean: number;
   readonly uniformity: number;
-  readonly least: number;
-  readonly most: number;
+  readonly min: number;
+  readonly max: number;
 }
 
 /** Of all pieces of a surface together; null where it has no point of a grid. */
@@ -14,7 +14,7 @@ export function gridLightOf({ grids }: Pick<Shown, 'grids'>, surface: string): G
   const points = pieces.reduce((sum, piece) => sum + piece.points, 0);
   if (points === 0) return null;
   const mean = pieces.reduce((sum, piece) => sum + piece.points * piece.mean, 0) / points;
-  const least = Math.min(...pieces.map(({ min }) => min));
-  const most = Math.max(...pieces.map(({ max }) => max));
-  return { mean, uniformity: mean > 0 ? least / mean : 0, least, most };
+  const min = Math.min(...pieces.map((piece) => piece.min));
+  const max = Math.max(...pieces.map((piece) => piece.max));
+  return { mean, uniformity: mean > 0 ? min / mean : 0, min, max };
 }

@@ -11,8 +11,8 @@ export interface AreaSample {
   readonly area: number;
   readonly mean: number;
   readonly sigma: number;
-  readonly least: number;
-  readonly most: number;
+  readonly min: number;
+  readonly max: number;
 }
 
 /** The patches of some leaves, without those that something covers. */
@@ -35,7 +35,7 @@ export function sampleOf(
   if (patches.length === 0) return null;
   const values = new Float32Array(patches.length);
   const areas = new Float32Array(patches.length);
-  let [area, sum, squares, least, most] = [0, 0, 0, Infinity, 0];
+  let [area, sum, squares, min, max] = [0, 0, 0, Infinity, 0];
   patches.forEach((patch, index) => {
     const value =
       (illuminance[patch] ?? 0) * (quantity === 'exitance' ? (scene.patchReflectance[patch] ?? 0) : 1);
@@ -45,8 +45,8 @@ export function sampleOf(
     area += patchArea;
     sum += value * patchArea;
     squares += value * value * patchArea;
-    if (value < least) least = value;
-    if (value > most) most = value;
+    if (value < min) min = value;
+    if (value > max) max = value;
   });
   const mean = sum / area;
   return {
@@ -55,8 +55,8 @@ export function sampleOf(
     area,
     mean,
     sigma: Math.sqrt(Math.max(0, squares / area - mean * mean)),
-    least,
-    most,
+    min,
+    max,
   };
 }
 
@@ -98,12 +98,12 @@ const fineBins = 400;
 
 /** What an axis has to hold: the most light there is, or what all but a two-hundredth of the area keeps well below it. */
 export function mostShown(sample: AreaSample): number {
-  const shares = histogram(sample, sample.most, fineBins);
+  const shares = histogram(sample, sample.max, fineBins);
   let above = 0;
   let bin = fineBins;
   while (bin > 0 && above + shares[bin - 1]! <= outliers) above += shares[--bin]!;
-  const usual = (bin / fineBins) * sample.most;
-  return sample.most < 1.5 * usual ? sample.most : usual;
+  const usual = (bin / fineBins) * sample.max;
+  return sample.max < 1.5 * usual ? sample.max : usual;
 }
 
 /** What the inequalities promise of the share below mu - alpha sigma: two-sided Chebyshev, one-sided Cantelli. */

@@ -7,7 +7,7 @@ import { unionOf } from '../state/statistics.ts';
 import type { Store } from '../state/store.ts';
 import type { Against } from '../variants.ts';
 import { compact, ratio, tabular } from './format.ts';
-import { everyVerdict } from './room-types.ts';
+import { everyVerdict } from './type-verdicts.ts';
 import { targetText, valueText } from './verdict.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';

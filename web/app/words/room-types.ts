@@ -1,29 +1,15 @@
 /**
- * What a standard asks of a whole room: one choice writes the cards that a layout can be searched for, and the verdict
- * judges everything else that is asked, on the standard's own grid. Numbers are those of standards.ts.
+ * What a standard asks of a whole room: one choice writes the cards that a layout can be searched for (what else is asked
+ * is judged by type-verdicts.ts). Numbers are those of standards.ts.
  */
 import type { Draft } from 'immer';
 import { usualMaintenance } from '../../document/maintenance.ts';
 import { mostLuminaires } from '../../document/schema.ts';
-import { backgroundOf, surroundOf, withTaskAreas } from '../../document/task-areas.ts';
-import type {
-  Card,
-  Constraint,
-  FiatLuxDocument,
-  LuminaireType,
-  SceneInfo,
-  TaskArea,
-} from '../../document/types.ts';
-import type { Shown } from '../../solver/protocol.ts';
+import { backgroundOf, surroundOf } from '../../document/task-areas.ts';
+import type { Card, FiatLuxDocument, LuminaireType, SceneInfo } from '../../document/types.ts';
 import type { OpeningType } from '../rooms/opening-wish.ts';
-import { gridLightOf } from '../state/grid-light.ts';
-import type { Store } from '../state/store.ts';
-import { unionOf } from '../state/statistics.ts';
-import { glareVerdict } from './glare.ts';
-import { emergency, largestDiversity, presets, type Preset } from './standards.ts';
-import { verdicts, type Verdict } from './verdict.ts';
+import { emergency, presets, type Preset } from './standards.ts';
 import { words } from '../../language/language.ts';
-import { surfaceText } from '../../language/surface-names.ts';
 import { fixed } from '../../language/numbers.ts';
 
 export interface RoomType {
@@ -86,7 +72,6 @@ export const roomTypes: readonly RoomType[] = [
 ];
 
 const mostEmergency = 24;
-const rounding = 1e-6; // what is met exactly may be less by that
 
 type Surfaces = SceneInfo['surfaces'];
 
@@ -104,7 +89,7 @@ function routesOf(surfaces: Surfaces): string[] {
 }
 
 /** Where the parts of a type are in a room; lists are empty where the room has no such surface. */
-function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
+export function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
   const planes = surfaces.filter(({ measuring, part }) => measuring && !part).map(({ name }) => name);
   const floor = named(surfaces, /(^|\/)floor\b/i);
   const exhibits = named(surfaces, /picture (?!frames)|exhibit|sculpture/i);
@@ -196,166 +181,6 @@ export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
     ...least('walls', walls, numbers.walls),
     ...least('ceiling', ceiling, numbers.ceiling),
   ];
-}
-
-/** A card as a text, whatever the order of its fields. */
-const textOf = (card: Card): string => JSON.stringify(Object.entries(card).sort());
-
-/** The rows of the type first, then those of the cards. */
-export function everyVerdict(store: Store, shown: Shown | null = store.shown.value): Verdict[] {
-  const document = store.document.value;
-  const scene = store.painted.value;
-  if (!shown || !scene) return [];
-  const type = roomTypes.find(({ id }) => id === document.roomType);
-  const most = document.glare?.max;
-  const isOfType = type?.ugr === most;
-  const rows = (cards: readonly Card[]) => [
-    ...verdicts({ ...document, cards }, store.traced.value, shown, scene),
-    ...(most === undefined || isOfType ? [] : [glareVerdict(shown.observers, most)]),
-  ];
-  const quantity = type?.numbers.least === undefined ? 'illuminance' : 'direct';
-  if (!type || document.quantity !== quantity || type.numbers.most !== undefined) return rows(document.cards);
-  // Cards that are as the type wrote them would only say again what its own rows say.
-  const whole = withTaskAreas(scene, document.taskAreas);
-  const written = cardsOf(type, whole.surfaces).map(textOf);
-  const others = document.cards.filter((card) => !written.includes(textOf(card)));
-  const ofType =
-    type.numbers.least === undefined
-      ? typeVerdicts(type, scene, shown)
-      : emergencyVerdicts(type, whole, shown, document.taskAreas ?? []);
-  return [...ofType, ...rows(others)];
-}
-
-/** EN 1838, of direct light: everywhere, along the middle of routes, and how much brighter the brightest point is. */
-function emergencyVerdicts(
-  type: RoomType,
-  scene: SceneInfo,
-  shown: Shown,
-  areas: readonly TaskArea[],
-): Verdict[] {
-  const { least = 0, centreLine } = type.numbers;
-  const { gridLeast, centreLine: onLine, diversity, atMostOf } = words.value.values;
-  return placesOf(type, scene.surfaces).task.flatMap((name) => {
-    const reading = gridLightOf(shown, name);
-    const bound: Constraint = { statistic: 'minimum', surfaces: [name], on: 'grid', quantity: 'direct' };
-    const rows = [atLeast(surfaceText(name), gridLeast, reading?.least ?? null, least, 'lx', bound)];
-    const area = areas.find((each) => each.name === name);
-    const darkest = area && darkestAlong(scene, area, shown.illuminance);
-    if (centreLine !== undefined)
-      rows.push(atLeast(surfaceText(name), onLine, darkest ?? null, centreLine, 'lx'));
-    const ratio = reading && (reading.least > 0 ? reading.most / reading.least : Infinity);
-    const margin = ratio === null ? null : 1 - ratio / largestDiversity;
-    const met = margin === null ? null : margin >= -rounding;
-    const what = atMostOf(diversity);
-    return [
-      ...rows,
-      { where: surfaceText(name), what, target: largestDiversity, actual: ratio, unit: '', margin, met },
-    ];
-  });
-}
-
-/** The least light on the line through the middle of an area, along its longer side; null where no point lies on it. */
-function darkestAlong(scene: SceneInfo, { outline, name }: TaskArea, light: Float32Array): number | null {
-  const rows = scene.surfaces.find((each) => each.name === name)?.part?.rows ?? [];
-  const extent = [0, 1].map((axis) => {
-    const ends = outline.map((corner) => corner[axis]!);
-    return [Math.min(...ends), Math.max(...ends)] as const;
-  });
-  const across = extent[0]![1] - extent[0]![0] >= extent[1]![1] - extent[1]![0] ? 1 : 0;
-  const middle = (extent[across]![0] + extent[across]![1]) / 2;
-  const onLine = [...rows].filter((row) => {
-    const away = Math.abs(scene.patchCenter[3 * row + 2 * across]! - middle);
-    return away <= Math.sqrt(scene.patchArea[row]!) / 2 + 1e-6;
-  });
-  return onLine.length > 0 ? Math.min(...onLine.map((row) => light[row]!)) : null;
-}
-
-export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Verdict[] {
-  const { numbers, cylindrical, ugr } = type;
-  const { task, walls, ceiling } = placesOf(type, scene.surfaces);
-  const rows: Verdict[] = [];
-  for (const name of task) {
-    const reading = gridLightOf(shown, name);
-    if (numbers.required !== undefined)
-      rows.push(
-        atLeast(
-          surfaceText(name),
-          words.value.values.gridMean,
-          reading?.mean ?? null,
-          numbers.required,
-          'lx',
-          {
-            statistic: 'mean',
-            surfaces: [name],
-            on: 'grid',
-          },
-        ),
-      );
-    if (numbers.uniformity !== undefined)
-      rows.push(
-        atLeast(
-          surfaceText(name),
-          words.value.values.gridUniformity,
-          reading?.uniformity ?? null,
-          numbers.uniformity,
-          '',
-          {
-            statistic: 'uniformity',
-            surfaces: [name],
-            on: 'grid',
-          },
-        ),
-      );
-  }
-  for (const [where, names, target] of [
-    [words.value.results.places.walls, walls, numbers.walls],
-    [words.value.results.places.ceiling, ceiling, numbers.ceiling],
-  ] as const) {
-    const readings = shown.surfaces.filter(({ name }) => names.includes(name));
-    const mean = readings.length > 0 ? unionOf(readings).mean : null;
-    if (target !== undefined)
-      rows.push(atLeast(where, 'Ēₘ', mean, target, 'lx', { statistic: 'mean', surfaces: names }));
-  }
-  if (cylindrical !== undefined)
-    rows.push(
-      atLeast(
-        words.value.values.atHeight,
-        words.value.values.cylindrical,
-        meanCylindrical(shown),
-        cylindrical,
-        'lx',
-      ),
-    );
-  if (ugr !== undefined) rows.push(glareVerdict(shown.observers, ugr));
-  return rows;
-}
-
-/** Of the observers; null where nobody looks, or the room's file cannot tell. */
-function meanCylindrical({ observers }: Shown): number | null {
-  if (observers.length === 0) return null;
-  return observers.reduce((sum, each) => sum + each.cylindrical, 0) / observers.length;
-}
-
-/** `alone`: what the row could be asked for by, without its bound. */
-function atLeast(
-  where: string,
-  what: string,
-  actual: number | null,
-  target: number,
-  unit: string,
-  alone?: Constraint,
-): Verdict {
-  const margin = actual === null ? null : actual / target - 1;
-  return {
-    where,
-    what: words.value.values.atLeastOf(what),
-    target,
-    actual,
-    unit,
-    margin,
-    met: margin === null ? null : margin >= -rounding,
-    ...(alone && { alone: { ...alone, min: target } }),
-  };
 }
 
 /** "Maintained light, factor 0.80." */

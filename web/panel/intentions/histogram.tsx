@@ -73,7 +73,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
           {inPaperWords ? 'μ' : words.value.intentions.histogram.mean} {compact(sample.mean)}
         </text>
         <text x={width - inset} y={height - 4} text-anchor="end">
-          {x(sample.mean) < width * 0.66 && endText(scale, sample.most)}
+          {x(sample.mean) < width * 0.66 && endText(scale, sample.max)}
         </text>
         {handles.map(({ field, title, mark }) => {
           const value = boundOf(card, field);

@@ -173,22 +173,14 @@ function CardBody({ card }: CardProps) {
       />
       {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
       <Histogram {...{ card, axis }} />
-      {reached && <Readings reached={reached} atGrid={card.onGrid === true} />}
+      {reached && <Readings of={firstReadings} reached={reached} />}
+      {reached && card.onGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
       <More isUsed={inPaperWords || asksMore(card)}>
         {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
         <CardGuarantee card={card} />
         <CardMore card={card} />
         <DirectOnly card={card} />
-        {reached && (
-          <dl class="readings">
-            <Reading name={words.value.intentions.card.spread} value={compact(reached.sigma)} />
-            <Reading
-              name={words.value.intentions.card.ratio}
-              title={words.value.intentions.card.ratioTip}
-              value={ratio(reached.min / reached.max)}
-            />
-          </dl>
-        )}
+        {reached && <Readings of={moreReadings} reached={reached} />}
         {store.document.value.cards.length > 1 && !isKeep && <Weight card={card} />}
       </More>
     </div>
@@ -214,39 +206,35 @@ function DirectOnly({ card }: CardProps) {
   );
 }
 
-/** What a designer reads first; `atGrid`: at the points of the EN grid. */
-function Readings({ reached, atGrid }: { reached: Reached; atGrid: boolean }) {
-  return (
-    <>
-      <dl class="readings">
-        <Reading name={words.value.intentions.card.mean} value={compact(reached.mean)} />
-        <Reading
-          name={words.value.intentions.card.evenness}
-          title={words.value.intentions.card.evennessTip}
-          value={ratio(reached.min / reached.mean)}
-        />
-        <Reading
-          name={words.value.intentions.card.darkest}
-          title={words.value.intentions.card.darkestTip}
-          value={compact(reached.min)}
-        />
-        <Reading
-          name={words.value.intentions.card.brightest}
-          title={words.value.intentions.card.brightestTip}
-          value={compact(reached.max)}
-        />
-      </dl>
-      {atGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
-    </>
-  );
-}
+type CardWords = (typeof words.value)['intentions']['card'];
+type ReadingOf = (reached: Reached, text: CardWords) => readonly [name: string, value: string, tip?: string];
 
-function Reading({ name, title, value }: { name: string; title?: string; value: string }) {
+/** What a designer reads first. */
+const firstReadings: readonly ReadingOf[] = [
+  ({ mean }, text) => [text.mean, compact(mean)],
+  ({ min, mean }, text) => [text.evenness, ratio(min / mean), text.evennessTip],
+  ({ min }, text) => [text.darkest, compact(min), text.darkestTip],
+  ({ max }, text) => [text.brightest, compact(max), text.brightestTip],
+];
+
+const moreReadings: readonly ReadingOf[] = [
+  ({ sigma }, text) => [text.spread, compact(sigma)],
+  ({ min, max }, text) => [text.ratio, ratio(min / max), text.ratioTip],
+];
+
+function Readings({ of, reached }: { of: readonly ReadingOf[]; reached: Reached }) {
   return (
-    <div title={title}>
-      <dt>{name}</dt>
-      <dd>{value}</dd>
-    </div>
+    <dl class="readings">
+      {of.map((reading) => {
+        const [name, value, tip] = reading(reached, words.value.intentions.card);
+        return (
+          <div key={name} title={tip}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        );
+      })}
+    </dl>
   );
 }
 

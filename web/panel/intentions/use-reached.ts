@@ -29,9 +29,8 @@ export function useReached({ surfaces: names, direct = false, onGrid }: About): 
   const row = isRead ? shown?.surfaces.find((each) => each.name === names[0]) : undefined;
   const sample = useSample(row ? [] : names, direct);
   const grid = onGrid && !direct && row && shown ? gridLightOf(shown, row.name) : null;
-  if (row && grid) return { mean: grid.mean, sigma: row.sigma, min: grid.least, max: grid.most };
-  if (row) return row;
-  return sample && { mean: sample.mean, sigma: sample.sigma, min: sample.least, max: sample.most };
+  if (row) return grid ? { ...grid, sigma: row.sigma } : row;
+  return sample;
 }
 
 /** The light of the patches of some surfaces. */

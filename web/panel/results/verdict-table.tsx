@@ -2,7 +2,8 @@
 import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { marginText } from '../../app/words/layout-check.ts';
-import { everyVerdict, maintenanceText, roomTypes } from '../../app/words/room-types.ts';
+import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
+import { everyVerdict } from '../../app/words/type-verdicts.ts';
 import { nameOf, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';

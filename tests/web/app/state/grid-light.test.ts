@@ -14,8 +14,8 @@ test('pieces of a surface are one, by their points', () => {
   expect(gridLightOf({ grids }, 'plane')).toEqual({
     mean: 450,
     uniformity: 200 / 450,
-    least: 200,
-    most: 600,
+    min: 200,
+    max: 600,
   });
   expect(gridLightOf({ grids }, 'floor')).toBeNull();
 });

@@ -26,7 +26,7 @@ describe('statistics of an area', () => {
   test('are population statistics weighted by area', () => {
     expect(sample.mean).toBeCloseTo(5);
     expect(sample.sigma).toBeCloseTo(1.7320508);
-    expect([sample.least, sample.most]).toEqual([2, 6]);
+    expect([sample.min, sample.max]).toEqual([2, 6]);
   });
 
   test('leave out what something covers', () => {
@@ -37,7 +37,7 @@ describe('statistics of an area', () => {
   test('exitance is what each patch reflects, not the mean of its surface', () => {
     const floor = sampleOf(scene, light, patchesOf(scene, [0]), 'exitance')!;
     expect(floor.mean).toBeCloseTo((1 * 2 * 0.8 + 3 * 6 * 0.4) / 4);
-    expect([floor.least, floor.most].map((value) => value.toFixed(3))).toEqual(['1.600', '2.400']);
+    expect([floor.min, floor.max].map((value) => value.toFixed(3))).toEqual(['1.600', '2.400']);
     expect(sampleOf(scene, light, patchesOf(scene, [1]), 'exitance')?.mean).toBeCloseTo(2);
     expect(sampleOf(scene, light, new Uint32Array(), 'exitance')).toBeNull();
   });
@@ -57,7 +57,7 @@ describe('statistics of an area', () => {
         values: light,
         areas: values.map(() => 1),
         area: 1000,
-        most: Math.max(...light),
+        max: Math.max(...light),
       });
     expect(of(values)).toBeGreaterThan(198);
     expect(of(values)).toBeLessThan(220);

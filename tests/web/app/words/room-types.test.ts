@@ -1,13 +1,7 @@
-/** Room types: the cards they write and the rows they are judged by. Covers verdict. */
+/** Room types: the cards they write and the rows they are judged by. Covers verdict, type-verdicts. */
 import { describe, expect, test } from '@jest/globals';
-import {
-  askForType,
-  cardsOf,
-  everyVerdict,
-  luminairesFor,
-  roomTypes,
-  typeVerdicts,
-} from '../../../../web/app/words/room-types.ts';
+import { askForType, cardsOf, luminairesFor, roomTypes } from '../../../../web/app/words/room-types.ts';
+import { everyVerdict, typeVerdicts } from '../../../../web/app/words/type-verdicts.ts';
 import { targetText, valueText } from '../../../../web/app/words/verdict.ts';
 import { Store } from '../../../../web/app/state/store.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
