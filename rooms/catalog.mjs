@@ -67,7 +67,12 @@ const rooms = [
     title: 'Classroom',
     description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
     precompute: ['--patch', '0.16', '--cluster', '4'],
-    opening: asStandardAsks('classroom', { count: 12, most: 20 }),
+    opening: asStandardAsks('classroom', {
+      count: 12,
+      most: 20,
+      arrangement: { rule: 'field' },
+      areas: { keepOut: [], keepIn: [], fromWalls: 0.6 },
+    }),
   },
   {
     id: 'gallery',

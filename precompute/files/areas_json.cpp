@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/floor_plan.h"
 #include "core/scene/zones.h"
 #include "precompute/files/json_fields.h"
 #include "precompute/files/terminal.h"
@@ -12,12 +13,11 @@
 namespace fiatlux {
 namespace {
 
-using PlanPoint = std::array<double, 2>;
-
 constexpr std::size_t kMostAreas = 50, kMostCorners = 40;
-constexpr double kFurthestInPlan = 1e5;  // m
-constexpr double kSurround = 0.5;        // m, EN 12464-1
-constexpr double kOnEdge = 1e-6;         // m: on the line is inside
+constexpr double kFurthestInPlan = 1e5;     // m
+constexpr double kSurround = 0.5;           // m, EN 12464-1
+constexpr double kFurthestFromWalls = 100;  // m
+constexpr double kOnEdge = 1e-6;            // m: on the line is inside
 
 /// Does a point lie within an outline?
 bool isInside(const std::vector<PlanPoint>& outline, const PlanPoint& p) {
@@ -33,13 +33,8 @@ bool isInside(const std::vector<PlanPoint>& outline, const PlanPoint& p) {
 /// m from a point to the nearest edge.
 double distanceTo(const std::vector<PlanPoint>& outline, const PlanPoint& p) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const PlanPoint &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    const double x = b[0] - a[0], z = b[1] - a[1], squared = x * x + z * z;
-    const double along = squared > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * z) / squared : 0;
-    const double share = std::clamp(along, 0.0, 1.0);
-    least = std::min(least, std::hypot(a[0] + share * x - p[0], a[1] + share * z - p[1]));
-  }
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    least = std::min(least, distance(p, {outline[i], outline[(i + 1) % outline.size()]}));
   return least;
 }
 
@@ -72,23 +67,35 @@ void addZones(const Scene& room, std::uint32_t leaf, const std::vector<const Ask
                [](const Zone& zone) { return !zone.rows.empty(); });
 }
 
-struct Rectangle {
-  double x, z, farX, farZ;
-  bool holds(const Vec3& p) const {
-    return p.x >= x - kOnEdge && p.x <= farX + kOnEdge && p.z >= z - kOnEdge && p.z <= farZ + kOnEdge;
-  }
-};
+using Outline = std::vector<PlanPoint>;
 
-std::vector<Rectangle> rectanglesOf(const JsonField& json, const char* key) {
-  std::vector<Rectangle> rectangles;
-  const auto list = json.find(key);
-  if (!list) return rectangles;
-  for (const JsonField& entry : list->list(kMostAreas)) {
-    const std::vector<double> at = entry.numbers(4, "[x, z, farX, farZ]", -kFurthestInPlan, kFurthestInPlan);
-    if (at[0] >= at[2] || at[1] >= at[3]) entry.fail("it has no extent; the smaller x and z come first");
-    rectangles.push_back({at[0], at[1], at[2], at[3]});
+/// [[x, z], [x, z], [x, z]], the corners in their order.
+Outline outlineOf(const JsonField& json) {
+  Outline outline;
+  for (const JsonField& corner : json.list(kMostCorners)) {
+    const std::vector<double> at = corner.numbers(2, "[x, z]", -kFurthestInPlan, kFurthestInPlan);
+    outline.push_back({at[0], at[1]});
   }
-  return rectangles;
+  if (outline.size() < 3) json.fail("an outline has three corners at least");
+  return outline;
+}
+
+/// [x, z, farX, farZ].
+Outline rectangleOf(const JsonField& json) {
+  const std::vector<double> at = json.numbers(4, "[x, z, farX, farZ]", -kFurthestInPlan, kFurthestInPlan);
+  if (at[0] >= at[2] || at[1] >= at[3]) json.fail("it has no extent; the smaller x and z come first");
+  return {{at[0], at[1]}, {at[2], at[1]}, {at[2], at[3]}, {at[0], at[3]}};
+}
+
+std::vector<Outline> outlinesOf(const JsonField& json, const char* key) {
+  std::vector<Outline> outlines;
+  const auto list = json.find(key);
+  if (!list) return outlines;
+  for (const JsonField& entry : list->list(kMostAreas)) {
+    const std::vector<JsonField> parts = entry.list(kMostCorners);
+    outlines.push_back(!parts.empty() && parts[0].isList() ? outlineOf(entry) : rectangleOf(entry));
+  }
+  return outlines;
 }
 
 }  // namespace
@@ -100,12 +107,7 @@ std::vector<AskedArea> taskAreasOf(const JsonField& json) {
     AskedArea area{entry.at("name", "call it something").text(),
                    entry.at("surface", "name the plane or floor that it is part of").text(),
                    {}};
-    const JsonField outline = entry.at("outline", "give its corners: [[x, z], [x, z], [x, z]]");
-    for (const JsonField& corner : outline.list(kMostCorners)) {
-      const std::vector<double> at = corner.numbers(2, "[x, z]", -kFurthestInPlan, kFurthestInPlan);
-      area.outline.push_back({at[0], at[1]});
-    }
-    if (area.outline.size() < 3) outline.fail("an outline has three corners at least");
+    area.outline = outlineOf(entry.at("outline", "give its corners: [[x, z], [x, z], [x, z]]"));
     areas.push_back(std::move(area));
   }
   return areas;
@@ -129,13 +131,21 @@ Result<std::vector<Zone>> zonesOf(const Scene& room, const std::vector<AskedArea
 
 std::vector<std::uint32_t> sitesLeftOut(const Scene& room, const JsonField& json,
                                         const std::vector<std::uint32_t>& kept) {
-  json.requireKeys({"keepOut", "keepIn"});
-  const std::vector<Rectangle> out = rectanglesOf(json, "keepOut"), in = rectanglesOf(json, "keepIn");
+  json.requireKeys({"keepOut", "keepIn", "fromWalls"});
+  const std::vector<Outline> out = outlinesOf(json, "keepOut"), in = outlinesOf(json, "keepIn");
+  const auto fromWalls = json.find("fromWalls");
+  const double apart = fromWalls ? fromWalls->number(0, kFurthestFromWalls) : 0;
+  const std::vector<PlanSegment> walls = apart > 0 ? floorEdges(room) : std::vector<PlanSegment>();
   std::vector<std::uint32_t> sites;
   for (std::uint32_t s = 0; s < room.sites.size(); ++s) {
-    const auto holds = [&](const Rectangle& each) { return each.holds(room.sites[s].position); };
+    const PlanPoint at = {room.sites[s].position.x, room.sites[s].position.z};
+    const auto holds = [&](const Outline& each) {
+      return isInside(each, at) || distanceTo(each, at) < kOnEdge;
+    };
+    const auto isNear = [&](const PlanSegment& wall) { return distance(at, wall) < apart - kOnEdge; };
     const bool isIn = in.empty() || std::any_of(in.begin(), in.end(), holds);
-    const bool isOut = !isIn || std::any_of(out.begin(), out.end(), holds);
+    const bool isOut = !isIn || std::any_of(out.begin(), out.end(), holds) ||
+                       std::any_of(walls.begin(), walls.end(), isNear);
     if (isOut && std::find(kept.begin(), kept.end(), s) == kept.end()) sites.push_back(s);
   }
   return sites;

@@ -28,8 +28,9 @@ std::vector<AskedArea> taskAreasOf(const JsonField& json);
 /// where a surface is not there, or an area holds nothing of it.
 Result<std::vector<Zone>> zonesOf(const Scene& room, const std::vector<AskedArea>& areas);
 
-/// {"keepOut": [[x, z, farX, farZ]], "keepIn": [...]}: the sites, but for `kept` ones, that these rectangles
-/// leave out.
+/// {"keepOut": [[x, z, farX, farZ], [[x, z], [x, z], [x, z]]], "keepIn": [...], "fromWalls": 0.6}: the sites,
+/// but for `kept` ones, that these rectangles and outlines leave out, or that are nearer to an edge of the
+/// floor.
 std::vector<std::uint32_t> sitesLeftOut(const Scene& room, const JsonField& json,
                                         const std::vector<std::uint32_t>& kept);
 

@@ -75,6 +75,42 @@ TEST(AreasJson, SitesOutsideAreExcludedButForPinnedOnes) {
   EXPECT_EQ(std::count(out.begin(), out.end(), 0u) + std::count(in.begin(), in.end(), 0u), 0);
 }
 
+TEST(AreasJson, AnOutlineLeavesOutWhatItsRectangleDoes) {
+  const Scene scene = syntheticScene(16, 8);
+  const auto excludedBy = [&](const std::string& areas) {
+    return parseIntentions(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": )" + areas + "}}")
+        ->luminaires.excluded;
+  };
+  EXPECT_EQ(excludedBy(R"({"keepOut": [[[-9, -9], [1, -9], [1, 9], [-9, 9]]]})"),
+            excludedBy(R"({"keepOut": [[-9, -9, 1, 9]]})"));
+  const std::vector<std::uint32_t> corner = excludedBy(R"({"keepIn": [[[-9, -9], [12, -9], [-9, 12]]]})");
+  for (std::uint32_t s = 0; s < scene.sites.size(); ++s) {
+    const Vec3 at = scene.sites[s].position;
+    EXPECT_EQ(std::count(corner.begin(), corner.end(), s), at.x + at.z > 3);
+  }
+}
+
+TEST(AreasJson, LuminairesKeepTheirDistanceFromWalls) {
+  const Scene scene = syntheticScene(16, 8);
+  const Result<Intentions> asked =
+      parseIntentions(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": {"fromWalls": 0.8}}})");
+  ASSERT_TRUE(asked) << asked.error().message;
+  double farX = 0, farZ = 0;  // the floor begins at the origin
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
+    if (scene.surfaces[scene.patches.surface[p]].name != "floor") continue;
+    farX = std::max(farX, scene.patches.center[p].x + 0.125),
+    farZ = std::max(farZ, scene.patches.center[p].z + 0.125);
+  }
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t s = 0; s < scene.sites.size(); ++s) {
+    const Vec3 at = scene.sites[s].position;
+    if (std::min({at.x, at.z, farX - at.x, farZ - at.z}) < 0.8) near.push_back(s);
+  }
+  EXPECT_GT(near.size(), 0u);
+  EXPECT_LT(near.size(), scene.sites.size());
+  EXPECT_EQ(asked->luminaires.excluded, near);
+}
+
 TEST(AreasJson, SayWhatIsWrong) {
   const Scene scene = syntheticScene(16, 8);
   const auto refused = [&](const std::string& text) { return parseIntentions(scene, text).error().message; };
@@ -87,6 +123,9 @@ TEST(AreasJson, SayWhatIsWrong) {
   EXPECT_THAT(refused(R"({"taskAreas": [{"name": "a", "surface": "desk plane", "outline": [[0,0],[1,0]]}]})"),
               HasSubstr("three corners"));
   EXPECT_THAT(refused(R"({"luminaires": {"areas": {"keepOut": [[1, 0, 0, 1]]}}})"), HasSubstr("no extent"));
+  EXPECT_THAT(refused(R"({"luminaires": {"areas": {"keepIn": [[[1, 0], [0, 1]]]}}})"),
+              HasSubstr("three corners"));
+  EXPECT_THAT(refused(R"({"luminaires": {"areas": {"fromWalls": -1}}})"), HasSubstr("fromWalls"));
 }
 
 }  // namespace

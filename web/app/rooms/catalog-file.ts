@@ -65,7 +65,7 @@ const openingCard = v.object({
   weight: v.optional(card.entries.weight, 1),
 });
 
-const { count, most, arrangement, flux, dimming, pinned, excluded, minDistance, maintenance } =
+const { count, most, arrangement, areas, flux, dimming, pinned, excluded, minDistance, maintenance } =
   luminairesSchema.entries;
 const openingType = v.object({
   photometry: v.pipe(v.string(), v.regex(genericName, 'it is not the name of a file of luminaires/')),
@@ -88,6 +88,7 @@ const opening = v.object({
       count: v.optional(count, usualLuminaires.count),
       most,
       arrangement,
+      areas,
       flux: v.optional(flux, usualLuminaires.flux),
       dimming: v.optional(dimming, [1, 1]),
       pinned: v.optional(pinned, []),
