@@ -114,12 +114,16 @@ test('a rule binds a search that has all candidates, not the places of one layou
     arrangement: { rule: 'field' },
   } as const;
   const asked = { quantity: 'illuminance', luminaires, goals: [], constraints: [] } as const;
-  const refusal = (hasAll: boolean) => {
+  const refusal = (hasAll: boolean, more: Partial<Intentions['luminaires']> = {}) => {
     session.ask(luminaires, hasAll);
-    return session.setIntentions(coreIntentions(asked, scene.surfaces));
+    const wished = { ...asked, luminaires: { ...luminaires, ...more } };
+    return session.setIntentions(coreIntentions(wished, scene.surfaces));
   };
   expect(refusal(true)).toMatch(/found no regular field of 5/);
   expect(refusal(false)).toBe('');
+  const excluded = sites.slice(4);
+  expect(refusal(true, { excluded })).toMatch(/5 luminaires on 4 free sites/);
+  expect(refusal(false, { excluded })).toBe('');
 });
 
 test('a spot that is aimed is brightest where it is aimed', () => {

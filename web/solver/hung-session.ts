@@ -1,6 +1,13 @@
 /** A session of another scene beneath: its layouts are taken and told in sites of the room. */
 import type { Layout, Luminaires } from '../document/types.ts';
-import type { CoreIntentions, CoreLayout, CoreShown, OrError, Session } from './core.ts';
+import {
+  codes,
+  type CoreIntentions,
+  type CoreLayout,
+  type CoreShown,
+  type OrError,
+  type Session,
+} from './core.ts';
 
 /** What asks and answers of a session, for those whom it does not concern what is beneath. */
 export type Searching = Pick<
@@ -23,6 +30,16 @@ export type Searching = Pick<
 
 /** The arguments by which a session takes a layout. */
 export type LayoutArguments = [sites: Uint32Array, flux: Float64Array, dimming: number];
+
+type CoreLuminaires = CoreIntentions['luminaires'];
+
+/** Of a scene that has the `places` of one layout alone: rules of where others might hang, and how many, say nothing of it. */
+export function ruledByNothing(luminaires: CoreLuminaires, places: number): CoreLuminaires {
+  const none = new Uint32Array();
+  const free = { rule: codes.rule.free, axis: codes.axis.found };
+  const anyhow = { count: places, countHigh: 0, pinned: none, excluded: none, minDistance: 0 };
+  return { ...luminaires, ...free, ...anyhow };
+}
 
 /** Hands on what is asked, translated by those who know what the sites beneath are. */
 export abstract class HungSession implements Searching {

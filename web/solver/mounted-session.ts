@@ -7,13 +7,12 @@ import { usualEfficacy } from '../document/photometry.ts';
 import type { Layout, Luminaires, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import {
   anyType,
-  codes,
   type Candidates as CoreCandidates,
   type CoreIntentions,
   type CoreLayout,
   type Session,
 } from './core.ts';
-import { HungSession, type LayoutArguments } from './hung-session.ts';
+import { HungSession, ruledByNothing, type LayoutArguments } from './hung-session.ts';
 
 const apart = 1e-3; // m: two luminaires do not hang on one site
 
@@ -106,20 +105,18 @@ export class MountedSession extends HungSession {
   }
 
   /**
-   * Pinned are the luminaires of the layout that was taken, at their sites. Rules of where others might hang are for those
-   * who have them all: on the places of one layout there may be no room for a field.
+   * Pinned are the luminaires of the layout that was taken, at their sites. Rules are for those who have all candidates: on
+   * the places of one layout there may be no room for a field, and some of them may be excluded now.
    */
   protected beneath(asked: CoreIntentions): CoreIntentions {
-    const { luminaires } = asked;
+    const luminaires = { ...asked.luminaires, ...this.#allowed, flux: Float64Array.of(1) };
+    if (!this.#hasAll) return { ...asked, luminaires: ruledByNothing(luminaires, this.#candidates.length) };
     const pinned = [...luminaires.pinned].flatMap((site) => this.#pinnedAt(site) ?? []);
     const excluded = [...luminaires.excluded].flatMap((site) => this.#bySite.get(site) ?? []);
     return {
       ...asked,
       luminaires: {
         ...luminaires,
-        ...this.#allowed,
-        ...(!this.#hasAll && { rule: codes.rule.free, axis: codes.axis.found }),
-        flux: Float64Array.of(1),
         pinned: Uint32Array.from(pinned),
         excluded: Uint32Array.from(excluded),
         minDistance: Math.max(apart, luminaires.minDistance),

@@ -3,8 +3,8 @@
  * of some sites in the painted room; above, layouts are of the sites of the room.
  */
 import type { Layout } from '../document/types.ts';
-import { codes, type CoreIntentions, type CoreLayout, type Session } from './core.ts';
-import { HungSession, type LayoutArguments } from './hung-session.ts';
+import type { CoreIntentions, CoreLayout, Session } from './core.ts';
+import { HungSession, ruledByNothing, type LayoutArguments } from './hung-session.ts';
 
 export class PaintedSession extends HungSession {
   readonly #sites: readonly number[]; // of the room, in the order of the scene beneath
@@ -36,17 +36,12 @@ export class PaintedSession extends HungSession {
 
   protected beneath(asked: CoreIntentions): CoreIntentions {
     const { luminaires } = asked;
-    const none = new Uint32Array();
-    const anyhow = { count: this.#sites.length, countHigh: 0, pinned: none, excluded: none, minDistance: 0 };
+    if (this.#isShownOnly) return { ...asked, luminaires: ruledByNothing(luminaires, this.#sites.length) };
     const searched = {
       pinned: this.#indices(luminaires.pinned),
       excluded: this.#indices(luminaires.excluded),
     };
-    const free = { rule: codes.rule.free, axis: codes.axis.found };
-    return {
-      ...asked,
-      luminaires: { ...luminaires, ...(this.#isShownOnly ? { ...anyhow, ...free } : searched) },
-    };
+    return { ...asked, luminaires: { ...luminaires, ...searched } };
   }
 
   #indices(sites: Uint32Array): Uint32Array {
