@@ -67,7 +67,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       setAreas: () => {},
       setGhosts: (sites) => void (viewer.ghosts = sites),
       planPoint: () => null,
-      setExcluded: () => {},
+      setBarred: () => {},
       setObservers: () => {},
       lookOnly: () => {},
       setDisplay: () => {},

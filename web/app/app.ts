@@ -276,7 +276,12 @@ export class App {
     });
     effect(() => viewer.setGhosts(store.ghosts.value));
     effect(() => viewer.setAreas(this.markedAreas()));
-    effect(() => viewer.setExcluded(store.barred.value));
+    effect(() => {
+      // What areas leave out is marked where areas are edited; what was excluded by hand always.
+      const isPlacing = store.tab.value === 'luminaires';
+      const crossed = isPlacing ? store.barred.value : store.document.value.luminaires.excluded;
+      viewer.setBarred(store.barred.value, crossed);
+    });
   }
 }
 

@@ -110,7 +110,8 @@ export interface Viewer {
   setAreas(areas: readonly MarkedArea[]): void;
   /** The room's x and z, m, under a point of the page in a plan view; null elsewhere. */
   planPoint(clientX: number, clientY: number): readonly [x: number, z: number] | null;
-  setExcluded(sites: readonly number[]): void;
+  /** Sites where no luminaire may hang, and which of them are marked. */
+  setBarred(sites: readonly number[], crossed: readonly number[]): void;
   /** Those whose glare is asked for. */
   setObservers(observers: readonly SeenGlare[]): void;
   /** From now on nothing in the picture can be picked or taken: pointers and keys only move the eye, and hover. */

@@ -246,8 +246,8 @@ class RoomViewer implements Viewer {
     return [origin.x, origin.z];
   }
 
-  setExcluded(sites: readonly number[]): void {
-    this.#hand.setExcluded(sites);
+  setBarred(sites: readonly number[], crossed: readonly number[]): void {
+    this.#hand.setBarred(sites, crossed);
     this.#loop.invalidate();
   }
 

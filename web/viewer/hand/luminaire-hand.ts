@@ -36,7 +36,7 @@ export class LuminaireHand {
   #dragging: Dragging;
   #sites: SceneInfo['sites'] | null = null;
   #layout = emptyLayout;
-  #excluded: readonly number[] = [];
+  #barred: readonly number[] = [];
   #selected: readonly number[] = [];
 
   constructor(parts: HandParts) {
@@ -66,7 +66,7 @@ export class LuminaireHand {
     this.#sites = sites;
     this.#layout = emptyLayout;
     this.#parts.luminaires.setSites(sites);
-    this.setExcluded([]);
+    this.setBarred([], []);
   }
 
   setLayout(layout: Layout): void {
@@ -77,9 +77,10 @@ export class LuminaireHand {
     this.#parts.luminaires.setLayout(this.#layout);
   }
 
-  setExcluded(excluded: readonly number[]): void {
-    this.#excluded = excluded;
-    this.#parts.marks.setExcluded(this.#sites, excluded);
+  /** Where nothing may be hung, and which of these sites bear a cross. */
+  setBarred(barred: readonly number[], crossed: readonly number[]): void {
+    this.#barred = barred;
+    this.#parts.marks.setCrossed(this.#sites, crossed);
   }
 
   /** Those that move with any of them. */
@@ -115,7 +116,7 @@ export class LuminaireHand {
   }
 
   #taken(luminaire: number): Set<number> {
-    return takenSites(this.#layout, inHand(luminaire, this.#selected), this.#excluded);
+    return takenSites(this.#layout, inHand(luminaire, this.#selected), this.#barred);
   }
 
   #move(luminaire: number, site: number): void {

@@ -99,8 +99,8 @@ export class SiteMarks {
     else this.#ghosts.hide();
   }
 
-  setExcluded(sites: SceneInfo['sites'] | null, excluded: readonly number[]): void {
-    if (sites) this.#crosses.show(sites, excluded);
+  setCrossed(sites: SceneInfo['sites'] | null, crossed: readonly number[]): void {
+    if (sites) this.#crosses.show(sites, crossed);
     else this.#crosses.hide();
   }
 
