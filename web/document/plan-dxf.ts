@@ -9,7 +9,8 @@ export interface DxfLuminaire {
   readonly tag: string;
   readonly place: Point3; // of its middle
   readonly axis: Point2; // unit, in plan
-  readonly size: number; // m
+  readonly size: Point3; // along the axis, across it, and its height, m
+  readonly round: boolean;
 }
 
 /** A task area. */
@@ -22,6 +23,8 @@ export interface DxfArea {
 export interface DxfDrawing {
   readonly plan: RoomPlan;
   readonly areas: readonly DxfArea[];
+  readonly keepOut: readonly (readonly Point2[])[]; // where luminaires may not hang
+  readonly keepIn: readonly (readonly Point2[])[]; // where alone they may
   readonly luminaires: readonly DxfLuminaire[];
   readonly isolux: readonly IsoluxLine[];
   readonly isoluxHeight: number; // m above the floor
@@ -32,6 +35,8 @@ const layers = {
   ROOM: 7,
   FURNITURE: 8,
   AREAS: 4,
+  KEEP_OUT: 1,
+  KEEP_IN: 3,
   LUMINAIRES: 2,
   TAGS: 2,
   ISOLUX: 3,
@@ -44,8 +49,9 @@ const letter = 0.15; // m, height of texts
 /** A group: its code and its value. */
 type Group = readonly [code: number, value: string | number];
 
-export function planDxf({ plan, areas, luminaires, isolux, isoluxHeight }: DxfDrawing): string {
-  const [east, north] = plan.frame.size;
+export function planDxf(drawing: DxfDrawing): string {
+  const { plan, areas, keepOut, keepIn, luminaires, isolux, isoluxHeight } = drawing;
+  const [east, north, height] = plan.frame.size;
   const groups: Group[] = [
     ...section('HEADER', [
       [9, '$ACADVER'],
@@ -60,6 +66,8 @@ export function planDxf({ plan, areas, luminaires, isolux, isoluxHeight }: DxfDr
       ...plan.outlines.flatMap((loop) => polyline('ROOM', loop, 0, true)),
       ...plan.furniture.flatMap(([a, b]) => line('FURNITURE', a, b)),
       ...areas.flatMap((area) => areaGroups(area)),
+      ...keepOut.flatMap((outline) => polyline('KEEP_OUT', outline, height, true)),
+      ...keepIn.flatMap((outline) => polyline('KEEP_IN', outline, height, true)),
       ...luminaires.flatMap((luminaire) => luminaireGroups(luminaire)),
       ...isolux.flatMap((each) => isoluxGroups(each, isoluxHeight)),
       ...text('DIMENSIONS', [east / 2, -0.5, 0], `${east.toFixed(2)} m`),
@@ -113,16 +121,21 @@ function tables(): Group[] {
   ];
 }
 
-function luminaireGroups({ tag, place, axis: [ax, ay], size }: DxfLuminaire): Group[] {
-  const half = size / 2;
+function luminaireGroups({
+  tag,
+  place,
+  axis: [ax, ay],
+  size: [along, across],
+  round,
+}: DxfLuminaire): Group[] {
   const corner = (u: number, v: number): Point2 => [
-    place[0] + half * (u * ax - v * ay),
-    place[1] + half * (u * ay + v * ax),
+    place[0] + (u * along * ax - v * across * ay) / 2,
+    place[1] + (u * along * ay + v * across * ax) / 2,
   ];
-  const square = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-  const above: Point3 = [place[0], place[1] + half + 0.05, place[2]];
+  const rectangle = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
+  const above: Point3 = [place[0], place[1] + Math.max(along, across) / 2 + 0.05, place[2]];
   return [
-    ...polyline('LUMINAIRES', square, place[2], true),
+    ...(round ? circle('LUMINAIRES', place, along / 2) : polyline('LUMINAIRES', rectangle, place[2], true)),
     [0, 'POINT'],
     [8, 'LUMINAIRES'],
     ...at(place),
@@ -160,6 +173,10 @@ function polyline(layer: Layer, points: readonly Point2[], height: number, isClo
     [0, 'SEQEND'],
     [8, layer],
   ];
+}
+
+function circle(layer: Layer, middle: Point3, radius: number): Group[] {
+  return [[0, 'CIRCLE'], [8, layer], ...at(middle), [40, metres(radius)]];
 }
 
 function text(layer: Layer, place: Point3, content: string): Group[] {

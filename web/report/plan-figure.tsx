@@ -1,10 +1,12 @@
 /** The room in plan as a drawing: to scale, with dimensions, corner, north and a scale bar. Text stays text. */
 import type { ComponentChildren } from 'preact';
+import type { HungInPlan } from '../app/exports/plan-drawings.ts';
 import type { Point2, RoomPlan } from '../document/plan-frame.ts';
 import { words } from '../language/language.ts';
 import { fixed, listed } from '../language/numbers.ts';
 
 const paper = { width: 176, height: 117 }; // mm that a drawing may take
+const leastSide = 0.8; // mm that a luminaire is drawn wide
 const margin = 11; // mm for dimensions, north and scale bar
 
 export interface Figure {
@@ -83,6 +85,45 @@ export function Note({
     >
       {children}
     </text>
+  );
+}
+
+/** The outline of a luminaire and its tag. */
+export function LuminaireInPlan({
+  luminaire,
+  at,
+  mm,
+}: {
+  luminaire: HungInPlan;
+  at: Figure['at'];
+  mm: number;
+}) {
+  const { tag, round } = luminaire;
+  const [x, y] = luminaire.place;
+  const [ax, ay] = luminaire.axis;
+  const [along, across] = luminaire.size.map((side) => Math.max(side, leastSide * mm) / 2) as [
+    number,
+    number,
+  ];
+  const corner = (u: number, v: number) =>
+    at([x + u * along * ax - v * across * ay, y + u * along * ay + v * across * ax]);
+  const [left, top] = at([x, y]);
+  const above = round ? along : Math.abs(along * ay) + Math.abs(across * ax);
+  const width = 0.25 * mm;
+  return (
+    <g class="luminaire">
+      {round ? (
+        <circle cx={left} cy={top} r={along} stroke-width={width} />
+      ) : (
+        <path
+          d={pathOf([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true)}
+          stroke-width={width}
+        />
+      )}
+      <Note at={[left, top - above - 0.8 * mm]} mm={mm}>
+        {tag}
+      </Note>
+    </g>
   );
 }
 

@@ -9,7 +9,7 @@ import { targetText, valueText } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
-import { figureOf, Note, pathOf, PlanFigure } from './plan-figure.tsx';
+import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { reportOf, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
@@ -223,7 +223,7 @@ function Schedule({ report: { schedule } }: Props) {
   );
 }
 
-function Plan({ report: { plan, luminaires, areas } }: Props) {
+function Plan({ report: { plan, luminaires, areas, kept } }: Props) {
   const { at, millimetre: mm } = figureOf(plan);
   return (
     <figure class="break-before">
@@ -241,23 +241,19 @@ function Plan({ report: { plan, luminaires, areas } }: Props) {
             </Note>
           </g>
         ))}
-        {luminaires.map(({ tag, place: [x, y], axis: [ax, ay], size }) => {
-          const half = Math.max(size, 2 * mm) / 2;
-          const corner = (u: number, v: number) =>
-            at([x + half * (u * ax - v * ay), y + half * (u * ay + v * ax)]);
-          const [left, top] = at([x, y]);
-          return (
-            <g key={tag} class="luminaire">
-              <path
-                d={pathOf([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true)}
-                stroke-width={0.25 * mm}
-              />
-              <Note at={[left, top - half - 0.8 * mm]} mm={mm}>
-                {tag}
-              </Note>
-            </g>
-          );
-        })}
+        {(['keepOut', 'keepIn'] as const).flatMap((kind) =>
+          kept[kind].map((outline, i) => (
+            <path
+              key={`${kind} ${i}`}
+              class={kind === 'keepOut' ? 'keep-out' : 'keep-in'}
+              d={pathOf(outline.map(at), true)}
+              stroke-width={0.25 * mm}
+            />
+          )),
+        )}
+        {luminaires.map((luminaire) => (
+          <LuminaireInPlan key={luminaire.tag} {...{ luminaire, at, mm }} />
+        ))}
       </PlanFigure>
     </figure>
   );

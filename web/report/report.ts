@@ -1,6 +1,6 @@
 /** What stands in the report: every figure is the app's own, in the app's own words. */
 import { readSurface } from '../app/exports/plan-drawings.ts';
-import { drawn, hungInPlan, tasksInPlan } from '../app/exports/plan-drawings.ts';
+import { areasInPlan, drawn, hungInPlan, tasksInPlan } from '../app/exports/plan-drawings.ts';
 import type { App } from '../app/app.ts';
 import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
@@ -29,6 +29,7 @@ export interface Report {
   readonly schedule: readonly ScheduleRow[];
   readonly luminaires: ReturnType<typeof hungInPlan>;
   readonly areas: ReturnType<typeof tasksInPlan>;
+  readonly kept: ReturnType<typeof areasInPlan>;
   readonly surfaces: readonly Fold<SurfaceResult>[]; // measuring planes first
   readonly plan: RoomPlan;
   /** The light in plan: of which surface, and how it is coloured. */
@@ -63,6 +64,7 @@ export function reportOf(app: App): Report {
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),
     areas: tasksInPlan(what, document.taskAreas),
+    kept: areasInPlan(what, document.luminaires.areas),
     surfaces: folded(rows, ({ name }) => name),
     plan,
     light: lightInPlan(scene, shown.illuminance, plan, store.display.peek()),

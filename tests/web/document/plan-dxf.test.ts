@@ -34,9 +34,24 @@ const drawing = {
       height: 0.75,
     },
   ],
+  keepOut: [
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+    ],
+  ],
+  keepIn: [],
   luminaires: [
-    { tag: 'L1', place: [1.2345, 2.5, 2.8], axis: [1, 0], size: 0.6 },
-    { tag: 'L2', place: [3.3333, 0.6667, 2.8], axis: [Math.SQRT1_2, Math.SQRT1_2], size: 0.4 },
+    { tag: 'L1', place: [1.2345, 2.5, 2.8], axis: [1, 0], size: [1.2, 0.3, 0.1], round: false },
+    {
+      tag: 'L2',
+      place: [3.3333, 0.6667, 2.8],
+      axis: [Math.SQRT1_2, Math.SQRT1_2],
+      size: [0.4, 0.4, 0],
+      round: false,
+    },
+    { tag: 'L3', place: [4, 1, 2.8], axis: [1, 0], size: [0.15, 0.15, 0], round: true },
   ],
   isolux: [
     {
@@ -83,14 +98,20 @@ describe('the plan as DXF', () => {
 
   test('places luminaires to a millimetre, with their tags', () => {
     const points = of('LUMINAIRES', 'POINT');
-    expect(points).toHaveLength(2);
+    expect(points).toHaveLength(3);
     points.forEach(({ position }, i) => {
       const { place } = drawing.luminaires[i]!;
       const off = Math.hypot(position!.x - place[0], position!.y - place[1], position!.z - place[2]);
       expect(off).toBeLessThan(1e-3);
     });
-    expect(of('TAGS', 'TEXT').map((entity) => entity.text)).toEqual(['L1', 'L2']);
-    const [, turned] = of('LUMINAIRES', 'POLYLINE');
+    expect(of('TAGS', 'TEXT').map((entity) => entity.text)).toEqual(['L1', 'L2', 'L3']);
+    const [long, turned] = of('LUMINAIRES', 'POLYLINE');
+    const sides = [0, 1].map((axis) => {
+      const ends = long!.vertices!.map(({ x, y }) => [x, y][axis]!);
+      return Math.max(...ends) - Math.min(...ends);
+    });
+    expect(sides.map((side) => side.toFixed(3))).toEqual(['1.200', '0.300']);
+    expect(of('LUMINAIRES', 'CIRCLE')).toMatchObject([{ center: { x: 4, y: 1 }, radius: 0.075 }]);
     for (const { x, y } of turned?.vertices ?? [])
       expect(Math.hypot(x - 3.3333, y - 0.6667)).toBeCloseTo(0.4 * Math.SQRT1_2, 3);
   });
@@ -102,6 +123,13 @@ describe('the plan as DXF', () => {
       drawing.areas[0].outline.map((corner) => [...corner, 0.75]),
     );
     expect(of('AREAS', 'TEXT').map((entity) => entity.text)).toEqual(['task 1']);
+  });
+
+  test('draws where luminaires may not hang on a layer of its own', () => {
+    const [area, ...more] = of('KEEP_OUT', 'POLYLINE');
+    expect(more).toEqual([]);
+    expect(area?.vertices?.map(({ x, y }) => [x, y])).toEqual(drawing.keepOut[0]);
+    expect(of('KEEP_IN', 'POLYLINE')).toEqual([]);
   });
 
   test('draws isolux lines at their height and names them', () => {

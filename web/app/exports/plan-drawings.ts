@@ -2,13 +2,22 @@
 import { isoluxLines } from '../../document/isolux-lines.ts';
 import { lightField, type LightField } from '../../document/light-field.ts';
 import type { DxfArea, DxfDrawing } from '../../document/plan-dxf.ts';
-import { inPlan, type PlanFrame, type Point2, type RoomPlan } from '../../document/plan-frame.ts';
+import { cornersOf } from '../../document/areas.ts';
+import { frameOn } from '../../document/mounting.ts';
+import {
+  inPlan,
+  type PlanFrame,
+  type Point2,
+  type Point3,
+  type RoomPlan,
+} from '../../document/plan-frame.ts';
 import { drawnBy } from '../../document/schedule.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { StfProject, StfType } from '../../document/stf.ts';
 import { markedTasks } from '../../document/task-areas.ts';
-import type { Layout, SceneInfo, TaskArea } from '../../document/types.ts';
+import type { Areas, Layout, Mounting, PlanOutline, SceneInfo, TaskArea } from '../../document/types.ts';
 import { isoluxLevels } from '../../viewer/light/isolux.ts';
+import type { LuminaireBody } from '../../viewer/types.ts';
 import type { App } from '../app.ts';
 import { words } from '../../language/language.ts';
 
@@ -16,15 +25,27 @@ interface Drawn {
   readonly scene: SceneInfo;
   readonly plan: RoomPlan;
   readonly layout: Layout;
+  readonly bodies: readonly LuminaireBody[]; // of the types whose files are known
 }
 
+/** A luminaire as it is drawn in plan. */
+export interface HungInPlan {
+  readonly tag: string;
+  readonly place: Point3; // where it is mounted
+  readonly axis: Point2; // unit, of its first side
+  readonly size: Point3; // along that side, across it, and its height, m
+  readonly round: boolean;
+}
+
+type Apps = Pick<App, 'store' | 'keeping' | 'viewer' | 'types'>;
+
 /** What is on the screen as a plan. Throws one readable line where there is none yet. */
-export function drawn({ store, keeping, viewer }: Pick<App, 'store' | 'keeping' | 'viewer'>): Drawn {
+export function drawn({ store, keeping, viewer, types }: Apps): Drawn {
   const scene = store.painted.peek();
   const layout = keeping.layout();
   const plan = viewer.plan();
   if (!scene || !layout || !plan) throw new Error(words.value.actions.exports.noLayout);
-  return { scene, plan, layout };
+  return { scene, plan, layout, bodies: types.bodies.peek() };
 }
 
 /** The leaf that is read in plan: the first measuring plane that is level, or else the floor; null where neither is. */
@@ -37,31 +58,51 @@ export function readSurface(scene: SceneInfo, light: ArrayLike<number>, frame: P
   );
 }
 
-/** The luminaires in plan. `axis`: unit, of the first side of the square. */
-export function hungInPlan({ scene: { sites }, plan: { frame }, layout }: Drawn) {
-  return layout.sites.map((site, i) => {
-    const [ax, , az] = [0, 1, 2].map((axis) => sites.axis[3 * site + axis] ?? 0) as [number, number, number];
-    const length = Math.hypot(ax, az);
-    const axis: Point2 = length > 1e-6 ? [ax / length, -az / length] : [1, 0];
-    return {
-      tag: `L${i + 1}`,
-      place: inPlan(frame, positionOf(sites, site)),
-      axis,
-      size: sites.size[site] ?? 0,
-    };
-  });
+/** The luminaires in plan, as large as their files say; a Lambertian square as its site. */
+export function hungInPlan({ scene: { sites }, plan: { frame }, layout, bodies }: Drawn): HungInPlan[] {
+  const outlineOf = (site: number, mounting: Mounting | undefined) => {
+    const body = bodies.find(({ id }) => id === mounting?.type);
+    const { along } = frameOn(sites, site, mounting ?? { turn: 0, aim: null }, body?.tilt);
+    const size: Point3 = body
+      ? [body.along, body.across, body.height]
+      : [sites.size[site]!, sites.size[site]!, 0];
+    return { axis: planAxis(along), size, round: body?.round ?? false };
+  };
+  return layout.sites.map((site, i) => ({
+    tag: `L${i + 1}`,
+    place: inPlan(frame, positionOf(sites, site)),
+    ...outlineOf(site, layout.mountings?.[i]),
+  }));
 }
+
+/** A direction in plan; east where it points up or down. */
+function planAxis([x, , z]: Point3): Point2 {
+  const length = Math.hypot(x, z);
+  return length > 1e-6 ? [x / length, -z / length] : [1, 0];
+}
+
+const outlineInPlan = (outline: PlanOutline, frame: PlanFrame): Point2[] =>
+  outline.map(([x, z]): Point2 => {
+    const [east, north] = inPlan(frame, [x, frame.floor, z]);
+    return [east, north];
+  });
 
 /** The task areas in plan. */
 export function tasksInPlan({ scene, plan: { frame } }: Drawn, areas: readonly TaskArea[] = []): DxfArea[] {
   return markedTasks(scene, areas, null).map(({ outline, height }, i) => ({
     name: areas[i]!.name,
-    outline: outline.map(([x, z]): Point2 => {
-      const [east, north] = inPlan(frame, [x, frame.floor, z]);
-      return [east, north];
-    }),
+    outline: outlineInPlan(outline, frame),
     height: (height ?? frame.floor) - frame.floor,
   }));
+}
+
+/** Where luminaires may not hang, and where alone they may, in plan. */
+export function areasInPlan({ plan: { frame } }: Drawn, areas: Areas | undefined) {
+  const { keepOut = [], keepIn = [] } = areas ?? {};
+  const [out, within] = [keepOut, keepIn].map((each) =>
+    each.map((area) => outlineInPlan(cornersOf(area), frame)),
+  );
+  return { keepOut: out!, keepIn: within! };
 }
 
 export function dxfDrawing(app: App): DxfDrawing {
@@ -70,9 +111,11 @@ export function dxfDrawing(app: App): DxfDrawing {
   const leaf = light && readSurface(what.scene, light, what.plan.frame);
   const field: LightField | null =
     light && typeof leaf === 'number' ? lightField(what.scene, leaf, light, what.plan.frame) : null;
+  const { taskAreas, luminaires } = app.store.document.peek();
   return {
     plan: what.plan,
-    areas: tasksInPlan(what, app.store.document.peek().taskAreas),
+    areas: tasksInPlan(what, taskAreas),
+    ...areasInPlan(what, luminaires.areas),
     luminaires: hungInPlan(what),
     isolux: field ? isoluxLines(field, isoluxLevels) : [],
     isoluxHeight: field?.height ?? 0,
@@ -89,10 +132,11 @@ export function stfProject(app: App, today: Date): StfProject {
   const types: StfType[] = [];
   const known = app.store.document.peek().luminaires.types;
   const luminaires = hungInPlan(what).map(({ place, axis, size }, i) => {
+    const isAlike = (each: StfType) => each.size.every((side, k) => side === size[k]);
     const { flux, watts, type: made } = drawnBy(what.layout, i, efficacy, known);
-    const name = made?.name ?? `Lambertian square ${size.toFixed(2)} m, ${Math.round(flux)} lm`;
-    let type = types.findIndex((each) => each.name === name && each.size[0] === size && each.flux === flux);
-    if (type < 0) type = types.push({ name, size: [size, size, 0], flux, watts }) - 1;
+    const name = made?.name ?? `Lambertian square ${size[0].toFixed(2)} m, ${Math.round(flux)} lm`;
+    let type = types.findIndex((each) => each.name === name && isAlike(each) && each.flux === flux);
+    if (type < 0) type = types.push({ name, size, flux, watts }) - 1;
     const turned = (Math.atan2(axis[1], axis[0]) * 180) / Math.PI;
     return { type, place, rotation: [0, 0, turned] as const };
   });

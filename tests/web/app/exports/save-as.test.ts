@@ -40,7 +40,7 @@ beforeEach(() => {
     frame: () => fakePlan.frame,
     plan: () => fakePlan,
   };
-  const types = { all: [], descriptions: signal({}), files: signal({}) };
+  const types = { all: [], bodies: signal([]), descriptions: signal({}), files: signal({}) };
   app = { store, keeping, viewer, types } as unknown as App;
 });
 
