@@ -128,6 +128,7 @@ val sectionsOf(const Session& session) {
     line.set("needed", session.needed(i));
     line.set("early", session.early(i));
     line.set("ofOperator", session.ofOperator(i));
+    line.set("ofStatistics", session.ofStatistics(i));
     sections.set(i, line);
   }
   return sections;
@@ -156,6 +157,10 @@ std::string provide(Session& session, std::uint32_t section, val bytes) {
 std::string finish(Session& session) { return errorOf(session.finish()); }
 
 std::string finishOperator(Session& session) { return errorOf(session.finishOperator()); }
+
+std::string finishLight(Session& session) { return errorOf(session.finishLight()); }
+
+std::string finishStatistics(Session& session) { return errorOf(session.finishStatistics()); }
 
 val surfacesOf(const Scene& scene) {
   val surfaces = val::array();
@@ -688,6 +693,8 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("provide", &provide)
       .function("finish", &finish)
       .function("finishOperator", &finishOperator)
+      .function("finishLight", &finishLight)
+      .function("finishStatistics", &finishStatistics)
       .function("info", &info)
       .function("setPowers", &setPowers)
       .function("setIntentions", &setIntentions)

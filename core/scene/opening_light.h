@@ -13,6 +13,8 @@ namespace fiatlux {
 struct OpeningLight {
   Layout layout;
   std::vector<float> illuminance;  // lx, a value a row
+  bool ofTypes = false;  // luminaires of photometric files give it; not in the file, but the order of its
+                         // sections follows from it
 };
 
 /// Its sections; the light is rounded as responses are (response_codec.h). Needs finite values >= 0.

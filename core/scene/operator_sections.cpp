@@ -13,6 +13,8 @@ namespace fiatlux {
 namespace {
 
 constexpr double kLongestCell = 1e6;  // m
+constexpr std::string_view kNames[] = {"siteVisibility", "charts",   "chartFrames",
+                                       "groups",         "exchange", "exchangeRest"};
 
 /// How many sites' shares fit one section, even if no two rows were alike.
 std::uint32_t visibilityBlockSites(std::uint32_t rows) {
@@ -103,6 +105,10 @@ void readExchange(CheckedSections& in, const Patches& patches, LightOperator& op
 
 }  // namespace
 
+bool isOperatorSection(std::string_view name) {
+  return std::find(std::begin(kNames), std::end(kNames), name.substr(0, name.find('.'))) != std::end(kNames);
+}
+
 Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& sections) {
   const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
   if (std::uint64_t{groups.total} * groups.count > kMaxExchangeValues)
@@ -133,9 +139,8 @@ Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& secti
 }
 
 void readOperator(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
-  constexpr const char* kNames[] = {"siteVisibility", "charts",   "chartFrames",
-                                    "groups",         "exchange", "exchangeRest"};
-  if (std::none_of(std::begin(kNames), std::end(kNames), [&](const char* name) { return in.isThere(name); }))
+  if (std::none_of(std::begin(kNames), std::end(kNames),
+                   [&](std::string_view name) { return in.isThere(name); }))
     return;
   LightOperator op;
   readVisibility(in, counts, scene.patches, op.visibility);

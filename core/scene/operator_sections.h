@@ -8,6 +8,7 @@
 //   exchangeRest            bytes     what their interpolation leaves over
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -19,6 +20,9 @@ namespace fiatlux {
 
 inline constexpr std::uint32_t kChartColumns = 8, kGroupColumns = 2;
 inline constexpr std::uint64_t kMaxExchangeValues = 1ull << 24;  // groups x groups
+
+/// Whether a section is one of these.
+bool isOperatorSection(std::string_view name);
 
 /// Appends the sections of scene.lightOperator, which is there. An error where it is beyond what a file
 /// holds.

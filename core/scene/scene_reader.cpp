@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "core/scene/checked_sections.h"
 #include "core/scene/covariance_codec.h"
@@ -240,6 +241,11 @@ void readStatistics(CheckedSections& in, const SceneCounts& counts, Scene& scene
     readCovariances(in, counts, scene);
 }
 
+/// Of a section that may be one of several: their names differ by a number.
+bool isAmong(std::span<const std::string_view> names, std::string_view section) {
+  return std::find(names.begin(), names.end(), section.substr(0, section.find('.'))) != names.end();
+}
+
 }  // namespace
 
 Result<SceneReader> SceneReader::open(std::span<const std::uint8_t> file) {
@@ -264,22 +270,31 @@ bool SceneReader::early(std::uint32_t section) const {
 }
 
 bool SceneReader::needed(std::uint32_t section) const {
-  constexpr std::string_view kLight[] = {
-      "responses",          "responseScales",        "responseReferences",
-      "responseOffsets",    "responseColumns",       "responseWeights",
-      "illuminanceMeans",   "exitanceMeans",         "illuminanceCovariance",
-      "exitanceCovariance", "illuminanceStatistics", "exitanceStatistics"};
-  const std::string_view name = table_.sections[section].name;
-  return early(section) ||
-         std::find(std::begin(kLight), std::end(kLight), name.substr(0, name.find('.'))) != std::end(kLight);
+  constexpr std::string_view kLight[] = {"responses",       "responseScales",  "responseReferences",
+                                         "responseOffsets", "responseColumns", "responseWeights"};
+  return early(section) || isAmong(kLight, table_.sections[section].name) || ofStatistics(section);
+}
+
+bool SceneReader::ofStatistics(std::uint32_t section) const {
+  constexpr std::string_view kStatistics[] = {"illuminanceMeans",      "exitanceMeans",
+                                              "illuminanceCovariance", "exitanceCovariance",
+                                              "illuminanceStatistics", "exitanceStatistics"};
+  return isAmong(kStatistics, table_.sections[section].name);
 }
 
 bool SceneReader::ofOperator(std::uint32_t section) const {
-  constexpr std::string_view kOperator[] = {"siteVisibility", "charts",   "chartFrames",
-                                            "groups",         "exchange", "exchangeRest"};
-  const std::string_view name = table_.sections[section].name;
-  return std::find(std::begin(kOperator), std::end(kOperator), name.substr(0, name.find('.'))) !=
-         std::end(kOperator);
+  return isOperatorSection(table_.sections[section].name);
+}
+
+/// Not while only a part of it is, and not once it has been decoded.
+bool SceneReader::isOperatorThere() const {
+  bool isThere = false;
+  for (std::uint32_t i = 0; i < bytes_.size(); ++i) {
+    if (!ofOperator(i)) continue;
+    if (bytes_[i].empty()) return false;
+    isThere = true;
+  }
+  return isThere;
 }
 
 Result<Done> SceneReader::verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const {
@@ -297,6 +312,7 @@ Result<Done> SceneReader::provide(std::uint32_t section, std::vector<std::uint8_
   if (!outline_) return Done{};
   CheckedSections in(table_, bytes_);
   responses_->advance(in, table_.counts, outline_->patches);
+  if (in.ok() && isOperatorThere()) readOperator(in, table_.counts, *outline_);
   if (!in.ok()) return in.fault();
   return Done{};
 }
@@ -318,6 +334,14 @@ Result<Done> SceneReader::readOutline() {
 }
 
 Result<Scene> SceneReader::finish() {
+  Result<Scene> scene = finishLight();
+  if (!scene) return scene;
+  const Result<Done> read = finishStatistics(*scene);
+  if (!read) return read.error();
+  return scene;
+}
+
+Result<Scene> SceneReader::finishLight() {
   if (!outline_) {
     const Result<Done> read = readOutline();
     if (!read) return read.error();
@@ -326,10 +350,16 @@ Result<Scene> SceneReader::finish() {
   readResponses(in, table_.counts, *responses_, *outline_);
   responses_.reset();
   const std::unique_ptr<Scene> scene = std::move(outline_);
-  if (in.ok()) readStatistics(in, table_.counts, *scene);
   if (in.ok()) readOperator(in, table_.counts, *scene);
   if (!in.ok()) return in.fault();
   return std::move(*scene);
+}
+
+Result<Done> SceneReader::finishStatistics(Scene& scene) {
+  CheckedSections in(table_, bytes_);
+  readStatistics(in, table_.counts, scene);
+  if (!in.ok()) return in.fault();
+  return Done{};
 }
 
 Result<Done> SceneReader::finishOperator(Scene& scene) {

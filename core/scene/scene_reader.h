@@ -34,11 +34,15 @@ class SceneReader {
   /// Whether finish() makes the scene's light operator of this section and others: of all of them or, where
   /// nobody wants it, of none.
   bool ofOperator(std::uint32_t section) const;
+  /// Whether it tells of statistics, which searches among squares of light need, but none among luminaire
+  /// types.
+  bool ofStatistics(std::uint32_t section) const;
   /// Whether readOutline() wants it.
   bool early(std::uint32_t section) const;
   /// Size and checksum of a section's inflated bytes against the table.
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
-  /// verify(), then keeps the bytes for finish(); after readOutline() responses are decoded as they come.
+  /// verify(), then keeps the bytes for finish(); after readOutline() responses are decoded as they come, the
+  /// light operator when all of it has.
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
   /// Decodes and checks what is known of the room before its light: surfaces, patches and sites; and the
   /// opening light, where the file has one. Once only, when all early sections have been provided.
@@ -49,12 +53,17 @@ class SceneReader {
   /// Decodes and checks everything: shapes against the counts, ranges of all indices, no NaN or infinity,
   /// areas > 0. Once only: it frees the sections as it goes.
   Result<Scene> finish();
-  /// The light operator of a scene that finish() made before the sections of ofOperator() were there; all of them must
-  /// be now. Without any the scene stays as it is.
+  /// The light operator of a scene that finish() made before the sections of ofOperator() were there; all of
+  /// them must be now. Without any the scene stays as it is.
   Result<Done> finishOperator(Scene& scene);
+  /// finish() in two steps, of which the first wants no section of ofStatistics(): the scene has its
+  /// operator, and no statistics until all of those sections are there, too, and the second is taken.
+  Result<Scene> finishLight();
+  Result<Done> finishStatistics(Scene& scene);
 
  private:
   explicit SceneReader(SceneTable table) : table_(std::move(table)), bytes_(table_.sections.size()) {}
+  bool isOperatorThere() const;
   SceneTable table_;
   std::vector<std::vector<std::uint8_t>> bytes_;  // of each section, empty until provided
   std::unique_ptr<Scene> outline_;                // on the heap, for what decodes the responses refers to it

@@ -264,4 +264,11 @@ Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport
   return sections;
 }
 
+void putOperatorFirst(std::vector<PlainSection>& sections) {
+  const auto isOfOperator = [](const PlainSection& part) { return isOperatorSection(part.section.name); };
+  const auto isSites = [](const PlainSection& part) { return part.section.name == "sites"; };
+  const auto behindSites = std::find_if(sections.begin(), sections.end(), isSites) + 1;
+  std::stable_partition(behindSites, sections.end(), isOfOperator);
+}
+
 }  // namespace fiatlux

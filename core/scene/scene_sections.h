@@ -35,6 +35,11 @@
 //   openingLight            bytes     its light, quantised
 // and, where other photometries are to be lit with, the light operator (operator_sections.h);
 // and, not needed to light the scene: `room` (a .glb), `provenance` (JSON), and the paper's matrices.
+//
+// A reader takes them in any order. A writer puts first what is seen first, for a file is opened as it
+// arrives: surfaces to sites, opening, room and provenance; then responses, statistics and the operator or,
+// where the room opens with luminaires of photometric files, the operator, the responses and the statistics,
+// which these luminaires do without.
 #pragma once
 
 #include <algorithm>
@@ -73,6 +78,10 @@ bool derivable(const SceneCounts& counts);
 /// The sections that SceneReader needs, from a scene with unquantised responses and statistics (errorBound is
 /// computed here). An error where the scene is beyond what a file holds.
 Result<std::vector<PlainSection>> encodeScene(const Scene& scene, EncodingReport* report = nullptr);
+
+/// Puts the light operator, if there is one, behind the sites and so before the responses: for rooms that
+/// open with luminaires of photometric files, which need both, and no statistics.
+void putOperatorFirst(std::vector<PlainSection>& sections);
 
 /// Puts sections that are wanted early (the opening light, the picture, the provenance) behind the sites and
 /// so before the responses. `Section` is a PlainSection or a StoredSection.

@@ -72,6 +72,27 @@ Result<Done> Session::finishOperator() {
   return read;
 }
 
+Result<Done> Session::finishLight() {
+  if (!reader_) return Error{"no scene file is being opened"};
+  Result<Scene> scene = reader_->finishLight();
+  if (!scene) {
+    reader_.reset();
+    return scene.error();
+  }
+  adopt(std::move(*scene));
+  prepared_.reset();
+  return Done{};
+}
+
+Result<Done> Session::finishStatistics() {
+  if (!reader_ || !scene_ || prepared_) return Error{"no scene file is being opened"};
+  const Result<Done> read = reader_->finishStatistics(*scene_);
+  reader_.reset();
+  if (!read) return read;
+  prepared_ = std::make_unique<PreparedScene>(*scene_);
+  return Done{};
+}
+
 void Session::adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids) {
   search_.reset();
   eased_.reset();
@@ -124,7 +145,7 @@ void Session::setPowers(const std::vector<double>& watts) {
 }
 
 Result<Done> Session::setIntentions(const Intentions& intentions) {
-  if (!scene_) return Error{"no scene is open"};
+  if (Result<Done> complete = isComplete(); !complete) return complete;
   std::vector<Zone> before = scene_->zones;
   const bool areZonesNew = !(intentions.zones == before);
   if (Result<Done> sound = areZonesNew ? takeZones(*scene_, intentions.zones) : Done{}; !sound) return sound;
@@ -153,8 +174,14 @@ Result<Done> Session::lightFor(const Intentions& intentions) {
   return addPlanes(*scene_, planesAskedOf(intentions));
 }
 
-Result<Done> Session::ready() const {
+Result<Done> Session::isComplete() const {
   if (!scene_) return Error{"no scene is open"};
+  if (!prepared_) return Error{"the statistics of the room are not there yet"};
+  return Done{};
+}
+
+Result<Done> Session::ready() const {
+  if (Result<Done> complete = isComplete(); !complete) return complete;
   if (!asked_) return Error{"nothing is asked of the light yet"};
   return Done{};
 }
@@ -215,7 +242,7 @@ SearchProgress Session::settle(std::uint32_t evaluations) {
 
 Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                                 std::uint32_t evaluations) {
-  if (!scene_) return Error{"no scene is open"};
+  if (Result<Done> complete = isComplete(); !complete) return complete.error();
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked.error();
   if (!(intentions.observers == intentions_.observers))

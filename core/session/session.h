@@ -45,12 +45,15 @@ class Session {
   Result<Done> openTable(std::span<const std::uint8_t> file);
   /// The same for a file of which only the head is there (sceneHeadBytes).
   Result<Done> openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes);
-  /// Precondition of the next eight: one of the two succeeded (an Error says so otherwise).
+  /// Precondition of the next nine: one of the two succeeded (an Error says so otherwise).
   const SceneTable* table() const { return reader_ ? &reader_->table() : nullptr; }
   bool needed(std::uint32_t section) const { return reader_ && reader_->needed(section); }
   /// A section that the light of other photometries needs: provide() all of them before finish(), or between
   /// finish() and finishOperator(), or none.
   bool ofOperator(std::uint32_t section) const { return reader_ && reader_->ofOperator(section); }
+  /// A section that squares of light need, and luminaires of other photometries do not: provide() all of them
+  /// before finish(), or between finishLight() and finishStatistics().
+  bool ofStatistics(std::uint32_t section) const { return reader_ && reader_->ofStatistics(section); }
   bool early(std::uint32_t section) const { return reader_ && reader_->early(section); }
   Result<Done> verify(std::uint32_t section, std::span<const std::uint8_t> bytes) const;
   Result<Done> provide(std::uint32_t section, std::vector<std::uint8_t> bytes);
@@ -62,6 +65,10 @@ class Session {
   /// Completes the scene of finish() by what the light of other photometries needs; the file is then done
   /// with.
   Result<Done> finishOperator();
+  /// Decodes all but the statistics: the light of other photometries can be asked for, but no intentions may
+  /// be set before finishStatistics() has completed the scene; the file is then done with.
+  Result<Done> finishLight();
+  Result<Done> finishStatistics();
   /// Takes a scene that did not come from a file. `grids`: of the room that its candidates hang in; nullptr:
   /// the scene has its own.
   void adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids = nullptr);
@@ -126,6 +133,7 @@ class Session {
   std::optional<double> boundGap() const;
 
  private:
+  Result<Done> isComplete() const;
   Result<Done> ready() const;
   Result<Done> lightFor(const Intentions& intentions);
   void pinAsIn(const Layout& layout);
@@ -141,7 +149,7 @@ class Session {
   std::vector<KnownType> types_;     // the latest one last
   std::vector<SurfacePaint> paint_;  // of repaint_
   std::shared_ptr<const Repaint> repaint_;
-  std::unique_ptr<PreparedScene> prepared_;
+  std::unique_ptr<PreparedScene> prepared_;        // nullptr while the scene has no statistics
   std::shared_ptr<const CalculationGrids> grids_;  // once somebody wants them
   bool asked_ = false;
   Intentions intentions_;

@@ -69,7 +69,7 @@ Result<OpeningLight> openingLight(const std::string& option, const Scene& scene)
   LayoutSearch found(prepared, search->intentions(), 1);
   found.advance(kEvaluations);
   const Layout layout = found.incumbent();
-  return OpeningLight{search->onSites(layout), illuminanceOf(search->scene(), layout)};
+  return OpeningLight{search->onSites(layout), illuminanceOf(search->scene(), layout), search->isOfTypes()};
 }
 
 void precompute(PrecomputeOptions options) {

@@ -172,6 +172,7 @@ Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_
   Result<std::vector<PlainSection>> sections = encodeScene(scene, &report);
   if (!sections) return sections.error();
   if (paper) addPaper(scene, *paper, sections.value());
+  if (opening && opening->ofTypes) putOperatorFirst(*sections);
   std::vector<PlainSection> early;
   if (opening)
     early = encodeOpening(scene.patches, static_cast<std::uint32_t>(scene.surfaces.size()), *opening);

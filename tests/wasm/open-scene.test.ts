@@ -1,11 +1,28 @@
 /** Opening .flux files in the built module as the worker does; damaged ones fail with one line that says where. */
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { describe, expect, test } from '@jest/globals';
+import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import type { Section, Session } from '../../web/solver/core.ts';
-import { openScene, type OpeningSteps } from '../../web/solver/open-scene.ts';
+import type { Intentions } from '../../web/document/types.ts';
+import { openScene, type Kind, type OpeningSteps } from '../../web/solver/open-scene.ts';
 import { ArrivingFile, wholeFile } from '../../web/solver/scene-stream.ts';
-import { bytesOf, loadBuiltCore, operatorFile, syntheticFile } from './solver-module.ts';
+import {
+  bytesOf,
+  loadBuiltCore,
+  operatorFile,
+  operatorFirstFile,
+  root,
+  syntheticFile,
+} from './solver-module.ts';
 
+const asked: Intentions = {
+  luminaires: { count: 2, flux: 100, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+  goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }],
+  constraints: [],
+  quantity: 'illuminance',
+};
 const core = await loadBuiltCore();
 const file = bytesOf(syntheticFile());
 const always = () => true;
@@ -15,10 +32,10 @@ const whole = (bytes: Uint8Array<ArrayBuffer>) => wholeFile(bytes.slice().buffer
 class Told implements OpeningSteps {
   readonly rooms: string[] = [];
   scenes: Parameters<OpeningSteps['scene']>[] = [];
-  isReady = false;
+  missing: Kind | null = null; // once the rest can be asked
   room = (glb: ArrayBuffer) => void this.rooms.push(new TextDecoder().decode(glb));
   scene = (...told: Parameters<OpeningSteps['scene']>) => void this.scenes.push(told);
-  ready = () => void (this.isReady = true);
+  ready = (missing: Kind) => void (this.missing = missing);
 }
 
 /** A file that arrives in pieces, the next one whenever `send` is called. */
@@ -54,6 +71,25 @@ function changed(change: (copy: Uint8Array<ArrayBuffer>) => void): Uint8Array<Ar
   const copy = file.slice();
   change(copy);
   return copy;
+}
+
+/** On site 3, as its session shows it. */
+function lightOfPanels(room: Session): Float32Array {
+  const panel = new Uint8Array(readFileSync(path.join(root, 'public/luminaires/panel.ldt')));
+  const candidates = new core.Candidates();
+  const onSite3 = Float64Array.of(3, 0, 0, 0, Number.NaN, 0, 0);
+  expect(candidates.begin(room, [panel], Float64Array.of(3600), onSite3, new Float64Array())).toBe('');
+  while (!candidates.advance(1)) continue;
+  const session = new core.Session();
+  const one = coreIntentions(
+    { ...asked, luminaires: { ...asked.luminaires, count: 1 } },
+    room.info()!.surfaces,
+  );
+  expect(session.adopt(candidates, one)).toBe('');
+  expect(session.setIntentions(one)).toBe('');
+  const shown = session.show(Uint32Array.of(0), Float64Array.of(1), 1);
+  if (typeof shown === 'string') throw new Error(shown);
+  return shown.illuminance;
 }
 
 const sections = withSession((session) => session.openTable(file)) as readonly Section[];
@@ -96,30 +132,6 @@ describe('a file that is arriving', () => {
     expect(new Uint8Array(await arrivingFile.whole())).toEqual(file);
   });
 
-  test('can be asked before what luminaire types need is there', async () => {
-    const bytes = bytesOf(operatorFile());
-    const table = withSession((session) => session.openTable(bytes)) as readonly Section[];
-    const behind = Math.min(...table.filter(({ ofOperator }) => ofOperator).map(({ offset }) => offset));
-    const told = new Told();
-    const session = new core.Session();
-    const { file: arrivingFile, send, close } = arriving(bytes);
-    const opening = openScene(session, arrivingFile, always, told);
-    send(100);
-    send(behind);
-    while (!told.isReady) await new Promise((resolve) => setTimeout(resolve, 1));
-    expect(told.scenes[0]![0].hasOperator).toBe(true);
-    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
-    const candidates = new core.Candidates();
-    expect(candidates.begin(session, [], new Float64Array(), new Float64Array(), new Float64Array())).toMatch(
-      /^[^\n]{10,200}$/,
-    );
-    candidates.delete();
-    send(bytes.length);
-    close();
-    expect(await opening).toBe(true);
-    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
-  });
-
   test('and ends too early, or is lost, says so', async () => {
     const cut = arriving(file);
     const opening = openScene(new core.Session(), cut.file, always, new Told());
@@ -143,6 +155,60 @@ describe('a file that is arriving', () => {
     await expect(openScene(new core.Session(), arrivingFile, always, new Told())).rejects.toThrow(
       section.name,
     );
+  });
+});
+
+describe('a file with a light operator that is arriving', () => {
+  test('can be asked before what luminaire types need is there', async () => {
+    const bytes = bytesOf(operatorFile());
+    const table = withSession((session) => session.openTable(bytes)) as readonly Section[];
+    const behind = Math.min(...table.filter(({ ofOperator }) => ofOperator).map(({ offset }) => offset));
+    const told = new Told();
+    const session = new core.Session();
+    const { file: arrivingFile, send, close } = arriving(bytes);
+    const opening = openScene(session, arrivingFile, always, told);
+    send(100);
+    send(behind);
+    while (!told.missing) await new Promise((resolve) => setTimeout(resolve, 1));
+    expect(told.missing).toBe('types');
+    expect(told.scenes[0]![0].hasOperator).toBe(true);
+    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
+    const candidates = new core.Candidates();
+    expect(candidates.begin(session, [], new Float64Array(), new Float64Array(), new Float64Array())).toMatch(
+      /^[^\n]{10,200}$/,
+    );
+    candidates.delete();
+    send(bytes.length);
+    close();
+    expect(await opening).toBe(true);
+    expect(session.info()?.identity).toBe(told.scenes[0]![0].identity);
+  });
+
+  test('can be asked about types before its statistics are there, where the operator lies first', async () => {
+    const bytes = bytesOf(operatorFirstFile());
+    const table = withSession((session) => session.openTable(bytes)) as readonly Section[];
+    const behind = Math.min(...table.filter(({ ofStatistics }) => ofStatistics).map(({ offset }) => offset));
+    expect(table.filter(({ offset }) => offset > behind).every(({ ofStatistics }) => ofStatistics)).toBe(
+      true,
+    );
+    const told = new Told();
+    const session = new core.Session();
+    const { file: arrivingFile, send, close } = arriving(bytes);
+    const opening = openScene(session, arrivingFile, always, told);
+    send(100);
+    send(behind);
+    while (!told.missing) await new Promise((resolve) => setTimeout(resolve, 1));
+    expect(told.missing).toBe('squares');
+    const early = lightOfPanels(session);
+    expect(Math.max(...early)).toBeGreaterThan(0);
+    expect(session.setIntentions(coreIntentions(asked, told.scenes[0]![0].surfaces))).toMatch(/statistics/);
+    send(bytes.length);
+    close();
+    expect(await opening).toBe(true);
+    expect(session.setIntentions(coreIntentions(asked, told.scenes[0]![0].surfaces))).toBe('');
+    const older = new core.Session();
+    await openScene(older, whole(bytesOf(operatorFile())), always, new Told());
+    expect(lightOfPanels(older)).toEqual(early);
   });
 });
 
@@ -213,6 +279,7 @@ test('a deflate bomb is stopped at the announced size', async () => {
     needed: false,
     early: false,
     ofOperator: false,
+    ofStatistics: false,
   };
   const fake: Partial<Session> = {
     verify: () => '',
@@ -228,6 +295,7 @@ test('a deflate bomb is stopped at the announced size', async () => {
         needed: true,
         early: false,
         ofOperator: false,
+        ofStatistics: false,
       },
     ],
   };

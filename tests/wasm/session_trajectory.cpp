@@ -1,6 +1,7 @@
 // The native half of the test that a search takes the same path natively and as Wasm, bit by bit:
 //   session_trajectory write FILE           a small made-up scene as a .flux file, its sections deflated
 //   session_trajectory write-operator FILE  the same with a light operator
+//   session_trajectory write-operator-first FILE  that before the responses
 //   session_trajectory run FILE SEED LUX    searches of the wishes below; one JSON line an incumbent
 // tests/wasm/trajectory.test.ts asks the same of the Wasm module.
 #include <cinttypes>
@@ -35,10 +36,11 @@ PlainSection textSection(const char* name, const char* text) {
   return plainSection(name, ElementType::kUint8, Encoding::kPlain, 1, size, Bytes(text, text + size));
 }
 
-void write(const char* path, bool withOperator) {
+void write(const char* path, bool withOperator, bool operatorFirst) {
   const Scene scene = withOperator ? operatorScene(64, 40) : syntheticScene(64, 40);
   auto sections = encodeScene(scene);
   if (!sections) fail(sections.error().message);
+  if (operatorFirst) putOperatorFirst(*sections);
   const Layout layout{{3, 17}, {1000, 2000}, 0.5};
   std::vector<PlainSection> early = encodeOpening(scene.patches, 3, {layout, illuminanceOf(scene, layout)});
   early.push_back(textSection("room", "glTF stands here"));
@@ -96,11 +98,11 @@ void run(const char* path, std::uint32_t seed, double lux) {
 
 int main(int count, char** arguments) {
   const auto is = [&](const char* command) { return count > 1 && std::strcmp(arguments[1], command) == 0; };
-  if (count == 3 && (is("write") || is("write-operator")))
-    fiatlux::write(arguments[2], is("write-operator"));
+  if (count == 3 && (is("write") || is("write-operator") || is("write-operator-first")))
+    fiatlux::write(arguments[2], !is("write"), is("write-operator-first"));
   else if (count == 5 && std::strcmp(arguments[1], "run") == 0)
     fiatlux::run(arguments[2], std::strtoul(arguments[3], nullptr, 10), std::strtod(arguments[4], nullptr));
   else
-    fiatlux::fail("usage: write FILE | write-operator FILE | run FILE SEED LUX");
+    fiatlux::fail("usage: write FILE | write-operator FILE | write-operator-first FILE | run FILE SEED LUX");
   return 0;
 }

@@ -36,6 +36,9 @@ export const syntheticFile = (): string => writtenBy('write');
 /** The same with a light operator. */
 export const operatorFile = (): string => writtenBy('write-operator');
 
+/** That before the responses. */
+export const operatorFirstFile = (): string => writtenBy('write-operator-first');
+
 export function bytesOf(file: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(file));
 }

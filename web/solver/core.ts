@@ -18,6 +18,7 @@ export interface Section {
   readonly needed: boolean; // by finish(); the others may be verified
   readonly early: boolean; // by outline()
   readonly ofOperator: boolean; // for the light of candidates: all of these or none
+  readonly ofStatistics: boolean; // needed by finish(), but not by finishLight()
 }
 
 /** What is in the scene that is open; m = sites. */
@@ -215,6 +216,10 @@ export interface Session {
   finish(): string;
   /** After finish(): completes the scene by the sections of the operator; '' or one readable line. */
   finishOperator(): string;
+  /** finish() without the statistics, and with the operator: candidates can be begun, intentions not be set yet. */
+  finishLight(): string;
+  /** After finishLight(): completes the scene by its statistics; '' or one readable line. */
+  finishStatistics(): string;
   /** null while no scene is open. */
   info(): CoreInfo | null;
   /** W of a luminaire of each type of the candidates, before setIntentions. */
@@ -325,6 +330,8 @@ export const sessionMethods = {
   provide: 2,
   finish: 0,
   finishOperator: 0,
+  finishLight: 0,
+  finishStatistics: 0,
   info: 0,
   setPowers: 1,
   setIntentions: 1,

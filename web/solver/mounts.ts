@@ -98,7 +98,12 @@ export class Mounts {
 
   /** Whether `session` has nothing to make. */
   isReady(wanted: Wanted): boolean {
-    return this.#isPlain(wanted) || this.#made(wanted) !== null;
+    return this.isPlain(wanted.asked) || this.#made(wanted) !== null;
+  }
+
+  /** Whether the room's own session answers, of squares in a room as its file has it. */
+  isPlain(asked: Intentions): boolean {
+    return this.#types({ asked }).length === 0 && this.#paint({ asked }).length === 0;
   }
 
   /** Whether a session is still there: the room's own, or of candidates that no others have replaced. */
@@ -130,7 +135,7 @@ export class Mounts {
 
   /** null where luminaires are squares in a room as its file has it. Makes what is missing. Throws one readable line. */
   session(wanted: Wanted): HungSession | null {
-    if (this.#isPlain(wanted)) return null;
+    if (this.isPlain(wanted.asked)) return null;
     const made = this.#made(wanted);
     if (made) return made.session;
     if (wanted.extent !== 'all') return this.#makeFew(wanted);
@@ -205,19 +210,15 @@ export class Mounts {
   }
 
   /** The types that can light this room; none where luminaires are squares. */
-  #types({ asked }: Wanted): LuminaireType[] {
+  #types({ asked }: Pick<Wanted, 'asked'>): LuminaireType[] {
     if (!this.#scene?.hasOperator) return [];
     return (asked.luminaires.types ?? []).filter(({ hash, isAllowed }) => isAllowed && this.#files.has(hash));
   }
 
   /** As the core takes it; empty where the room is as its file has it. */
-  #paint({ asked }: Wanted): Float64Array {
+  #paint({ asked }: Pick<Wanted, 'asked'>): Float64Array {
     const isKnown = this.#scene?.hasOperator && asked.paint;
     return isKnown ? corePaint(asked.paint, this.#scene!.surfaces) : new Float64Array();
-  }
-
-  #isPlain(wanted: Wanted): boolean {
-    return this.#types(wanted).length === 0 && this.#paint(wanted).length === 0;
   }
 
   #made(wanted: Wanted): Made | null {

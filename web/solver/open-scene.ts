@@ -14,9 +14,12 @@ export interface OpeningSteps {
   room(glb: ArrayBuffer): void;
   /** The room without its light but for the one layout that the file may begin with; once, after `room`. */
   scene(scene: SceneInfo, light: OpeningLight | null): void;
-  /** The session can be asked; what the light of luminaire types needs is still on its way. */
-  ready(): void;
+  /** The session can be asked; what luminaires of this kind, or statistics of squares, need is still on its way. */
+  ready(missing: Kind): void;
 }
+
+/** Luminaires as squares of light, or of photometric types. */
+export type Kind = 'squares' | 'types';
 
 /**
  * Rejects with one readable line; the session then keeps the scene that it had. `current` is asked after each wait:
@@ -29,13 +32,16 @@ export async function openScene(
   current: () => boolean,
   steps: OpeningSteps,
 ): Promise<boolean> {
-  const wanted = (await tableOf(session, file)).filter(isWanted).sort(byEarliness);
+  const table = (await tableOf(session, file)).filter(isWanted);
+  const last = lastOf(table);
+  const isLast = last === 'types' ? isOfTypesOnly : isOfSquaresOnly;
+  const wanted = table.sort(byEarliness(isLast));
   if (!wanted.some(isRoom))
     throw new Error('the scene file has no room to display; make it again with fiatlux precompute');
   let provenance: unknown = null;
   const hasOperator = wanted.some((section) => section.ofOperator);
   const early = wanted.filter(isEarly).length;
-  const lit = wanted.filter((section) => !isLate(section)).length;
+  const lit = wanted.filter((section) => !isLast(section)).length;
   const inflating: Promise<Uint8Array<ArrayBuffer>>[] = [];
   for (const [turn, section] of wanted.entries()) {
     for (const next of wanted.slice(inflating.length, turn + ahead)) inflating.push(begun(file, next));
@@ -50,12 +56,12 @@ export async function openScene(
     if (turn + 1 === early)
       steps.scene(sceneInfo(valid(session.outline()), provenance, hasOperator), lightOf(session));
     if (turn + 1 === lit) {
-      check(session.finish());
-      steps.ready();
+      check(last === 'types' ? session.finish() : session.finishLight());
+      steps.ready(last);
     }
   }
   if (file.isWhole) check(session.finish());
-  check(session.finishOperator());
+  check(file.isWhole || last === 'types' ? session.finishOperator() : session.finishStatistics());
   if (file.isWhole) steps.scene(sceneInfo(session.info(), provenance, hasOperator), null);
   return true;
 }
@@ -66,16 +72,20 @@ async function tableOf(session: Session, file: SceneFile): Promise<readonly Sect
   return valid(session.openHead(bytes, fileBytes));
 }
 
-/**
- * What is to be seen first comes first, the room's mesh before all, for it takes longest to be read; what only luminaire
- * types need comes last.
- */
-function byEarliness(a: Section, b: Section): number {
-  return (
+/** Whose sections a file has behind all others: of types, unless what these need lies before the statistics of squares. */
+function lastOf(table: readonly Section[]): Kind {
+  const ofTypes = table.filter(isOfTypesOnly);
+  const ofSquares = table.filter(isOfSquaresOnly);
+  const isBehind = (a: Section) => ofTypes.every((b) => a.offset > b.offset);
+  return ofTypes.length > 0 && ofSquares.length > 0 && ofSquares.every(isBehind) ? 'squares' : 'types';
+}
+
+/** What is to be seen first comes first, the room's mesh before all, for it takes longest to be read. */
+function byEarliness(isLast: (section: Section) => boolean): (a: Section, b: Section) => number {
+  return (a, b) =>
     Number(isEarly(b)) - Number(isEarly(a)) ||
     Number(isRoom(b)) - Number(isRoom(a)) ||
-    Number(isLate(a)) - Number(isLate(b))
-  );
+    Number(isLast(a)) - Number(isLast(b));
 }
 
 /** A failure is told when its turn comes, and by nobody where an earlier one has ended it all. */
@@ -91,7 +101,9 @@ const isRoom = ({ name }: Section): boolean => name === 'room';
 
 const isProvenance = ({ name }: Section): boolean => name === 'provenance';
 const isEarly = (section: Section): boolean => section.early || isRoom(section) || isProvenance(section);
-const isLate = (section: Section): boolean => section.ofOperator && !section.needed && !isEarly(section);
+const isOfTypesOnly = (section: Section): boolean =>
+  section.ofOperator && !section.needed && !isEarly(section);
+const isOfSquaresOnly = (section: Section): boolean => section.ofStatistics;
 const isWanted = (section: Section): boolean => section.needed || section.ofOperator || isEarly(section);
 
 function check(error: string): void {

@@ -14,7 +14,7 @@ import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
 import type { HungSession, LayoutArguments, Searching } from './hung-session.ts';
 import { Mounts, type Core, type Wanted } from './mounts.ts';
-import { openScene } from './open-scene.ts';
+import { openScene, type Kind } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
 import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
@@ -38,7 +38,7 @@ export class SessionDriver {
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
-  #awaitsOperator = false; // the room stands, and the light of luminaire types is on its way
+  #awaited: Kind | null = null; // the room stands, and what luminaires of this kind need is on its way
   #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #preparing: Request<'solve'> | null = null; // what it may try is being made
@@ -85,10 +85,17 @@ export class SessionDriver {
     else this.#take(message);
   }
 
-  /** Until the room stands everything waits, until its operator is there what asks for types and what came after it. */
+  /** Until the room stands everything waits, until all of it is there what asks for the rest and what came after it. */
   #mustWait(message: Turned): boolean {
     if (this.#isOpening) return true;
-    return this.#awaitsOperator && (this.#waiting.length > 0 || needsOperator(message));
+    if (this.#awaited === null) return false;
+    return this.#waiting.length > 0 || this.#asksFor(this.#awaited, message);
+  }
+
+  #asksFor(kind: Kind, message: Turned): boolean {
+    if (kind === 'types') return needsOperator(message);
+    if (message.type === 'compare') return true; // of any kind
+    return 'intentions' in message && this.#mounts.isPlain(message.intentions);
   }
 
   #takeWaiting(): void {
@@ -146,7 +153,7 @@ export class SessionDriver {
     const turn = ++this.#openings;
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
-    this.#awaitsOperator = false;
+    this.#awaited = null;
     this.#drop();
     this.#compare = null;
     this.#waiting = [];
@@ -164,9 +171,9 @@ export class SessionDriver {
           isTold = true;
           this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
         },
-        ready: () => {
+        ready: (missing) => {
           this.#isOpening = false;
-          this.#awaitsOperator = this.#scene?.hasOperator === true;
+          this.#awaited = this.#scene?.hasOperator ? missing : null;
           this.#takeWaiting();
           this.#wake();
         },
@@ -181,7 +188,8 @@ export class SessionDriver {
       if (isTold) this.#waiting = [];
     }
     if (!isCurrent()) return;
-    this.#isOpening = this.#awaitsOperator = false;
+    this.#isOpening = false;
+    this.#awaited = null;
     this.#takeWaiting();
   }
 
@@ -194,7 +202,7 @@ export class SessionDriver {
   #tellGains({ revision, intentions, illuminance }: Request<'gains'>): void {
     const tell = (gains: OrError<readonly PaintGain[]>) =>
       this.#post({ type: 'gained', revision, gains }, []);
-    if (!this.#scene?.hasOperator || this.#isOpening || this.#awaitsOperator)
+    if (!this.#scene?.hasOperator || this.#isOpening || this.#awaited)
       return tell('the room is not there yet');
     try {
       const leaves = this.#leaves(intentions);

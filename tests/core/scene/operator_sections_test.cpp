@@ -96,6 +96,53 @@ TEST(OperatorSections, EncodingWhatWasDecodedChangesNothing) {
   EXPECT_EQ(again.exchange.rest, op.exchange.rest);
 }
 
+TEST(OperatorSections, MayComeBeforeTheResponsesAndStatisticsBehindAll) {
+  const Scene scene = operatorScene(8, 3);
+  const std::vector<PlainSection> usual = encodeScene(scene).value();
+  std::vector<PlainSection> plain = usual;
+  putOperatorFirst(plain);
+  EXPECT_EQ(plain.size(), usual.size());
+  std::vector<StoredSection> sections;
+  for (const PlainSection& part : plain) sections.push_back({part.section, part.bytes});
+  const std::vector<std::uint8_t> file = assembleSceneFile(scene.identity, countsOf(scene), sections);
+  Result<SceneReader> opened =
+      SceneReader::openHead(std::span(file).first(sceneHeadBytes(file)), file.size());
+  ASSERT_TRUE(opened) << opened.error().message;
+  SceneReader& reader = *opened;
+  const auto give = [&](auto wanted) {
+    for (std::uint32_t i = 0; i < plain.size(); ++i) {
+      if (!wanted(i)) continue;
+      EXPECT_TRUE(reader.provide(i, plain[i].bytes)) << plain[i].section.name;
+    }
+  };
+  const auto before = [&](std::uint32_t i) { return !reader.early(i) && !reader.ofStatistics(i); };
+  give([&](std::uint32_t i) { return reader.early(i); });
+  ASSERT_TRUE(reader.readOutline());
+  // As they come: the operator, then the responses.
+  std::uint32_t lastOfOperator = 0, firstOfOthers = static_cast<std::uint32_t>(plain.size());
+  for (std::uint32_t i = 0; i < plain.size(); ++i) {
+    if (reader.ofOperator(i)) lastOfOperator = i;
+    if (before(i) && !reader.ofOperator(i)) firstOfOthers = std::min(firstOfOthers, i);
+  }
+  EXPECT_LT(lastOfOperator, firstOfOthers);
+  give(before);
+  Result<Scene> light = reader.finishLight();
+  ASSERT_TRUE(light) << light.error().message;
+  EXPECT_TRUE(light->illuminance.empty());
+  const Scene all = readBack(scene, usual).value();
+  EXPECT_EQ(light->responses.illuminance, all.responses.illuminance);
+  EXPECT_EQ(light->lightOperator->visibility.steps, all.lightOperator->visibility.steps);
+  EXPECT_EQ(light->lightOperator->exchange.means, all.lightOperator->exchange.means);
+  give([&](std::uint32_t i) { return reader.ofStatistics(i); });
+  ASSERT_TRUE(reader.finishStatistics(*light));
+  ASSERT_EQ(light->illuminance.size(), all.illuminance.size());
+  for (std::size_t s = 0; s < all.illuminance.size(); ++s) {
+    EXPECT_EQ(light->illuminance[s].mean, all.illuminance[s].mean);
+    EXPECT_EQ(light->illuminance[s].covariance, all.illuminance[s].covariance);
+    EXPECT_EQ(light->exitance[s].covariance, all.exitance[s].covariance);
+  }
+}
+
 TEST(OperatorSections, OlderFilesHaveNone) {
   const Scene scene = syntheticScene(4, 2);
   const Result<Scene> back = readBack(scene, encodeScene(scene).value());

@@ -72,6 +72,8 @@ export class FakeSession implements Session {
   hasOperator = false;
   /** Where in the file the operator lies; null = nowhere. */
   operatorAt: number | null = null;
+  /** Where in the file the statistics lie; null = nowhere. */
+  statisticsAt: number | null = null;
 
   constructor(
     readonly clock: FakeClock,
@@ -85,14 +87,17 @@ export class FakeSession implements Session {
     return this.openHead(file);
   }
   openHead(_head: Uint8Array) {
-    const at = { offset: 1, storedBytes: 1, inflatedBytes: 1, deflated: false, ofOperator: this.hasOperator };
+    const size = { storedBytes: 1, inflatedBytes: 1, deflated: false };
+    const at = { offset: 1, ...size, ofOperator: this.hasOperator, ofStatistics: false };
     const late = { index: 2, name: 'responses', needed: true, early: false, ...at };
     const operator = { ...late, index: 3, name: 'exchange', needed: false, ofOperator: true };
+    const statistics = { ...late, index: 4, name: 'illuminanceStatistics', ofStatistics: true };
     return [
       { index: 0, name: 'sites', needed: true, early: true, ...at },
       { index: 1, name: 'room', needed: false, early: false, ...at },
       ...(this.lateAt === null ? [] : [{ ...late, offset: this.lateAt }]),
       ...(this.operatorAt === null ? [] : [{ ...operator, offset: this.operatorAt }]),
+      ...(this.statisticsAt === null ? [] : [{ ...statistics, offset: this.statisticsAt }]),
     ];
   }
   outline = () => this.info();
@@ -109,6 +114,14 @@ export class FakeSession implements Session {
   }
   finishOperator() {
     this.calls.push('finishOperator');
+    return '';
+  }
+  finishLight() {
+    this.calls.push('finishLight');
+    return '';
+  }
+  finishStatistics() {
+    this.calls.push('finishStatistics');
     return '';
   }
   info() {

@@ -270,6 +270,36 @@ async function openedForTypes(): Promise<void> {
   await driver.receive({ type: 'bring', hash: type.hash, file: Uint8Array.of(7).buffer });
 }
 
+test('types are asked about before the statistics are there, squares are not', async () => {
+  let end!: () => void;
+  const body = new ReadableStream<Uint8Array>({
+    start: (controller) => {
+      controller.enqueue(new Uint8Array(64));
+      end = () => {
+        controller.enqueue(new Uint8Array(64));
+        controller.close();
+      };
+    },
+  });
+  session.operatorAt = 10;
+  session.statisticsAt = 100;
+  const opening = driver.open(4, new ArrivingFile(body));
+  await driver.receive({ type: 'bring', hash: type.hash, file: Uint8Array.of(7).buffer });
+  await driver.receive(solve(5, { intentions: ofTypes(), start }));
+  while (woken === 0) await new Promise((resolve) => setTimeout(resolve, 1));
+  driver.step();
+  expect(kinds()).toEqual(['room 4', 'opened 4', 'improved 5']);
+  expect(session.calls).toEqual(['finishLight']);
+  settle();
+  await driver.receive(solve(6));
+  expect(driver.busy).toBe(false);
+  end();
+  await opening;
+  expect(session.calls).toEqual(['finishLight', 'finishStatistics']);
+  driver.step();
+  expect(kinds().at(-1)).toBe('improved 6');
+});
+
 describe('luminaires of types', () => {
   beforeEach(openedForTypes);
 
