@@ -48,6 +48,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       compareWith: (other) => void (viewer.other = other),
       divide: () => {},
       prepare: () => {},
+      building: () => null,
       open: async () => void viewer.opened++,
       preview: async () => {},
       arrive: () => {},

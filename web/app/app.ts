@@ -7,7 +7,7 @@ import { eachText } from './words/places.ts';
 import { keepRange } from '../document/intentions.ts';
 import { leafBehind, markedTasks } from '../document/task-areas.ts';
 import { leavesOf } from '../document/surface-names.ts';
-import type { Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
+import type { Camera, Card, Display, NamedView, Quantity, Verb } from '../document/types.ts';
 import type { WorkerLike } from '../solver/solver-client.ts';
 import type { CreateViewer, Viewer, ViewerEvents } from '../viewer/types.ts';
 import { BestFinding } from './best-figures.ts';
@@ -143,6 +143,18 @@ export class App {
 
   setDisplay(change: Partial<Display>): void {
     this.store.display.value = { ...this.store.display.peek(), ...change };
+  }
+
+  /** Cuts the picture at a height (m), or shows the whole room. */
+  setSection(section: number | null): void {
+    const { section: _, ...display } = this.store.display.peek();
+    this.store.display.value = section === null ? display : { ...display, section };
+  }
+
+  /** Stands in a room of a building: no cut goes through it. */
+  standAt(camera: Camera): void {
+    this.setSection(null);
+    this.viewer.flyTo(camera);
   }
 
   /** Another kind of scale: its ends follow, unless they are locked. */

@@ -226,6 +226,7 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   isolux: v.boolean(),
   quantity: quantitySchema,
   cutAway: v.boolean(),
+  section: v.exactOptional(number(-1e4, 1e4)),
   measuringPlanes: v.boolean(),
   values: v.exactOptional(v.boolean()),
   luminaires: v.exactOptional(v.boolean()),

@@ -282,6 +282,7 @@ export interface Display {
   readonly isolux: boolean;
   readonly quantity: Quantity;
   readonly cutAway: boolean; // do not draw walls between the eye and the room
+  readonly section?: number; // m: what is higher in the room is not drawn; absent = the whole room is
   readonly measuringPlanes: boolean; // draw them
   readonly values?: boolean; // false colour: readings on measuring planes; absent = none
   readonly luminaires?: boolean; // draw them and their tags; absent = yes

@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { mostViews } from '../document/schema.ts';
 import type { ViewName } from '../viewer/types.ts';
+import { Storeys } from './storeys.tsx';
 import { words } from '../language/language.ts';
 
 const views: readonly [ViewName, () => string][] = [
@@ -27,6 +28,7 @@ export function Views() {
         ))}
       </div>
       <p class="fine-print">{words.value.bars.views.hint}</p>
+      <Storeys />
       {app.store.scene.value && <KeptViews />}
     </>
   );

@@ -62,6 +62,20 @@ export interface SeenGlare {
   readonly ugr: number | null; // null: nothing glares
 }
 
+/** A storey of the room that is shown, and where one stands in its rooms. */
+export interface StoreyView {
+  readonly floor: number; // m, its height in the room
+  readonly clear: number; // m over it
+  readonly rooms: readonly { readonly surface: number; readonly area: number; readonly camera: Camera }[]; // surface: leaf of the floor that is its own, or -1
+}
+
+/** What there is to look at where there are several rooms; lengths: m, heights in the room. */
+export interface BuildingView {
+  readonly storeys: readonly StoreyView[]; // from below
+  readonly low: number;
+  readonly high: number;
+}
+
 export interface Viewer {
   /** Begins to read a room's display mesh, for an `open` of the same buffer. */
   prepare(glb: ArrayBuffer): void;
@@ -130,6 +144,8 @@ export interface Viewer {
   frame(): PlanFrame | null;
   /** The room in plan, made out of its mesh; null before a room is open. */
   plan(): RoomPlan | null;
+  /** Null where there is but one room, or none. */
+  building(): BuildingView | null;
   view(name: ViewName): void;
   fit(): void;
   home(): void;

@@ -25,10 +25,14 @@ import { planOf, roomFrame } from './room/floor-plan.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
+import { Section } from './room/section.ts';
+import { isBuilding } from './room/storeys.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
+import { standingCamera } from './eye/room-poses.ts';
 import { SurfaceOutlines } from './room/surface-outline.ts';
 import type {
+  BuildingView,
   CreateViewer,
   LuminaireBody,
   OtherLight,
@@ -42,6 +46,7 @@ import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
 
+const twoStoreys = 4.2; // m: a lower room has one
 const calm = 300; // ms after a room was opened: its first picture goes before
 
 class RoomViewer implements Viewer {
@@ -53,6 +58,7 @@ class RoomViewer implements Viewer {
   #light = new RoomLight(this.#loop);
   #contacts = new ContactLight(this.#loop, this.#light.uniforms);
   #cutAway = new CutAway();
+  #section = new Section(this.#light.uniforms);
   #outlines = new SurfaceOutlines();
   #luminaires = new LuminaireObjects(this.#loop);
   #wipe = new Wipe(this.#loop);
@@ -99,6 +105,7 @@ class RoomViewer implements Viewer {
     });
     this.#stage.scene.add(
       this.#outlines.root,
+      this.#section.lines,
       this.#luminaires.root,
       this.#marks.root,
       this.#areaMarks.root,
@@ -113,7 +120,7 @@ class RoomViewer implements Viewer {
       (event) => this.#input.forwardWheel(event),
     );
     this.#emphasis = new Emphasis(this.#loop, this.#outlines, this.#luminaires, this.#tags);
-    this.#picking = new Picking(canvas);
+    this.#picking = new Picking(canvas, (...place) => this.#section.hides(...place));
     const shared = {
       canvas,
       rig: this.#rig,
@@ -148,6 +155,7 @@ class RoomViewer implements Viewer {
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#show(room, scene);
     this.#awaitLight(turn);
+    this.#look(turn);
   }
 
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
@@ -302,6 +310,21 @@ class RoomViewer implements Viewer {
     return frame && this.#room && planOf(this.#room, frame);
   }
 
+  building(): BuildingView | null {
+    const storeys = this.#section.storeys;
+    const box = this.#room?.box;
+    if (!box || !isBuilding(storeys)) return null;
+    return {
+      storeys: storeys.map(({ floor, clear, rooms }) => ({
+        floor,
+        clear,
+        rooms: rooms.map(({ eye, ahead, ...room }) => ({ ...room, camera: standingCamera(eye, ahead) })),
+      })),
+      low: box.min[1],
+      high: box.max[1],
+    };
+  }
+
   view(name: ViewName): void {
     this.#rig.view(name);
   }
@@ -337,6 +360,7 @@ class RoomViewer implements Viewer {
     this.#otherPlaneLabels.dispose();
     for (const part of [
       this.#outlines,
+      this.#section,
       this.#luminaires,
       this.#wipe,
       this.#marks,
@@ -364,6 +388,7 @@ class RoomViewer implements Viewer {
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
+    this.#section.setRoom(room);
     this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims), keepView);
     this.#applyDisplay();
     this.#loop.invalidate();
@@ -379,12 +404,24 @@ class RoomViewer implements Viewer {
     }, 500);
   }
 
+  /** Finds out whether the room is a building, whose outsides are drawn. */
+  #look(turn: number): void {
+    const { min, max } = this.#room!.box;
+    if (max[1] - min[1] < twoStoreys) return;
+    setTimeout(() => {
+      if (turn !== this.#opening || this.#disposed || this.#section.storeys.length < 2) return;
+      this.#applyDisplay();
+      this.#loop.invalidate();
+    }, calm);
+  }
+
   #clearRoom(): void {
     this.#hand.setSites(null);
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
     this.#contacts.setRoom([], null);
     this.#cutAway.setRoom(null, new Map());
+    this.#section.setRoom(null);
     this.#observers.show([]);
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
@@ -400,10 +437,13 @@ class RoomViewer implements Viewer {
   #applyDisplay(): void {
     const display = this.#display;
     if (!display || !this.#room) return;
+    this.#section.set(display.section ?? null, display.cutAway);
     const side = display.cutAway ? FrontSide : DoubleSide;
-    for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = side;
+    const litSide = this.#section.isBuilding ? DoubleSide : side;
+    for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = litSide;
     if (!this.#info) this.#setPreviewSide(side);
-    this.#outlines.showRim(display.cutAway && display.mode === 'realistic');
+    this.#outlines.showRim(display.cutAway && display.mode === 'realistic' && display.section === undefined);
+    this.#outlines.clip(this.#section.planes);
     this.#showPlanes();
   }
 
@@ -443,6 +483,9 @@ class RoomViewer implements Viewer {
     if (this.#disposed || this.#unlit) return;
     this.#rig.update();
     this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
+    this.#section.look(this.#rig.active.position);
+    const { ceiling } = this.#section;
+    for (const luminaires of [this.#luminaires, this.#wipe.luminaires]) luminaires.showBelow(ceiling);
     this.#wipe.draw(this.#stage, this.#rig.active, this.#light.uniforms, this.#luminaires.root);
     const { width, height } = this.#stage;
     const from = this.#wipe.at * width;

@@ -47,6 +47,18 @@ export const bars: Words['bars'] = {
     nameOf: 'Name dieser Ansicht',
     keep: 'Ansicht behalten',
   },
+  storeys: {
+    name: 'Geschosse und Räume',
+    section: 'Schnitt',
+    whole: 'Ganz',
+    storey: (number: number) => `Geschoss ${number}`,
+    storeyTip: (height: string) => `Boden auf ${height} m`,
+    at: (height: string) => `Schnitt bei ${height} m`,
+    uncut: 'ohne Schnitt',
+    stand: 'Stehen in',
+    room: (number: number) => `Raum ${number}`,
+    roomTip: (area: string) => `${area} m², auf Augenhöhe`,
+  },
   legend: {
     name: 'Legende',
     low: 'Unteres Ende der Legende',

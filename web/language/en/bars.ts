@@ -46,6 +46,18 @@ export const bars = {
     nameOf: 'Name of this view',
     keep: 'Keep this view',
   },
+  storeys: {
+    name: 'Storeys and rooms',
+    section: 'Section',
+    whole: 'Whole',
+    storey: (number: number) => `Storey ${number}`,
+    storeyTip: (height: string) => `Floor at ${height} m`,
+    at: (height: string) => `cut at ${height} m`,
+    uncut: 'not cut',
+    stand: 'Stand in',
+    room: (number: number) => `Room ${number}`,
+    roomTip: (area: string) => `${area} m², at eye height`,
+  },
   legend: {
     name: 'Legend',
     low: 'Low end of the legend',

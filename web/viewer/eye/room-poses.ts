@@ -1,5 +1,6 @@
 /** The poses from which a room is looked at: home (its best corner), plan, any direction framed; and those of links. */
 import { Spherical, Vector3 } from 'three';
+import type { Camera } from '../../document/types.ts';
 import type { CameraPose } from './camera-flight.ts';
 import * as framing from './framing.ts';
 
@@ -10,6 +11,13 @@ const fromWall = 1.2; // m, of an eye within the room
 const arm = 0.4; // m from the eye to the centre of its turns
 const floorDepth = 0.15; // m: carpets and steps are floor, too
 const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
+
+/** Of a person who looks ahead (unit, level): the centre of turns is just before the eyes. */
+export const standingCamera = (eye: framing.Vec, ahead: framing.Vec): Camera => ({
+  position: eye,
+  target: [eye[0] + arm * ahead[0], eye[1] + arm * ahead[1], eye[2] + arm * ahead[2]],
+  plan: false,
+});
 
 export class RoomPoses {
   aspect: number;

@@ -1,9 +1,18 @@
 /** What lies under a point of the canvas: a luminaire, a surface, and the light there. */
-import { DoubleSide, Raycaster, Vector2, Vector3, type Camera, type Mesh, type Object3D } from 'three';
+import {
+  DoubleSide,
+  Raycaster,
+  Vector2,
+  Vector3,
+  type BufferGeometry,
+  type Camera,
+  type Mesh,
+  type Object3D,
+} from 'three';
 import type { LuminaireObject } from '../luminaires/luminaire-objects.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import { barycentric, lightAtVertex } from '../light/probe.ts';
-import { TriangleTree } from '../room/triangle-tree.ts';
+import { TriangleTree, type TreeHit } from '../room/triangle-tree.ts';
 
 export interface Hit {
   readonly luminaire: number | null;
@@ -20,14 +29,21 @@ interface Indexed {
   readonly tree: TriangleTree;
 }
 
+/** Whether a place (its height) on a mesh, near one of its vertices, is not drawn; `isBack`: as seen from behind. */
+export type Hidden = (geometry: BufferGeometry, vertex: number, y: number, isBack: boolean) => boolean;
+
+const past = 1e-4; // m: so far behind a hit that does not count the next is looked for
+
 export class Picking {
   #caster = new Raycaster();
   #canvas: HTMLCanvasElement;
+  #hidden: Hidden;
   #indexed = new WeakMap<Mesh, Indexed>();
   #center = new Vector3();
 
-  constructor(canvas: HTMLCanvasElement) {
+  constructor(canvas: HTMLCanvasElement, hidden: Hidden) {
     this.#canvas = canvas;
+    this.#hidden = hidden;
   }
 
   /** The ray through a point of the page (client coordinates). */
@@ -50,7 +66,8 @@ export class Picking {
   ): Hit | null {
     this.ray(clientX, clientY, camera);
     const panels: Object3D[] = luminaires.map((luminaire) => luminaire.panel);
-    const [panel] = this.#caster.intersectObjects(panels, false);
+    const shown = luminaires.filter(({ group }) => group.visible).map(({ panel }) => panel);
+    const [panel] = this.#caster.intersectObjects(shown, false);
     const wall = this.#nearest(room, panel?.distance ?? Infinity);
     if (wall) return this.#hitOf(wall.lit, wall.distance, wall.first, light, reflectance);
     if (!panel) return null;
@@ -59,16 +76,29 @@ export class Picking {
   }
 
   #nearest(room: readonly LitMesh[], limit: number) {
-    const { origin, direction } = this.#caster.ray;
     let best: { lit: LitMesh; distance: number; first: number } | null = null;
     for (const lit of room) {
       if (!lit.mesh.visible || this.#misses(lit.mesh)) continue;
-      const both = lit.mesh.material.side === DoubleSide;
-      const { tree } = this.#indexOf(lit.mesh);
-      const hit = tree.cast(origin.toArray(), direction.toArray(), both, best?.distance ?? limit);
+      const hit = this.#nearestOn(lit, best?.distance ?? limit);
       if (hit) best = { lit, ...hit };
     }
     return best;
+  }
+
+  /** The nearest place of a mesh that is drawn. */
+  #nearestOn({ mesh }: LitMesh, limit: number): TreeHit | null {
+    const { origin, direction } = this.#caster.ray;
+    const both = mesh.material.side === DoubleSide;
+    const { tree, index } = this.#indexOf(mesh);
+    for (let from = 0; ;) {
+      const start = origin.clone().addScaledVector(direction, from);
+      const hit = tree.cast(start.toArray(), direction.toArray(), both, limit - from);
+      if (!hit) return null;
+      const distance = from + hit.distance;
+      const y = origin.y + distance * direction.y;
+      if (!this.#hidden(mesh.geometry, index[hit.first]!, y, tree.isBack)) return { ...hit, distance };
+      from = distance + past;
+    }
   }
 
   #misses(mesh: Mesh): boolean {

@@ -24,6 +24,7 @@ import { isoluxShader } from './isolux.ts';
 const vertexShader = /* glsl */ `
 attribute vec4 _patches;
 attribute vec4 _weights;
+attribute float _storey; // 0: the section cuts it; else it stands whole on this one, counted from 1
 attribute vec4 _lattice; // openness of a triangle: its first value, cells along an edge, and where this corner is
 uniform highp sampler2D lightTexture;
 uniform highp sampler2D reflectanceTexture;
@@ -41,6 +42,7 @@ flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
 varying vec3 vPlace; // in the room, m
+flat varying float vStorey;
 #ifdef USE_COLOR
 varying vec3 vTint;
 #endif
@@ -72,6 +74,7 @@ void main() {
   vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
   vLightColor = colored > 0.0 && vLight > 0.0 ? mix(vec3(1.0), lightColor(weights * light), colored) : vec3(1.0);
   vMeanOpenness = contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0;
+  vStorey = _storey;
   vLattice = _lattice.xy;
   vCorner = _lattice.zw;
 #ifdef MAP_UV
@@ -105,6 +108,10 @@ uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
 uniform bool standing;    // furniture
 uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
+uniform float section;    // m: what is higher is not drawn
+uniform float storeys;    // whose floors are below it
+uniform bool building;    // seen from outside
+uniform float openFrom;   // m: backs that are higher are cut away
 uniform float colored;
 uniform float usualLight; // lx, what an eye is adapted to
 uniform highp sampler2D opennessTexture;
@@ -118,6 +125,7 @@ flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
 varying vec3 vPlace;
+flat varying float vStorey;
 #ifdef USE_COLOR
 varying vec3 vTint;
 #endif
@@ -152,6 +160,12 @@ float litHere() {
   return vLight * mix(1.0, min(most, openness() / max(vMeanOpenness, 1e-3)), contact);
 }
 
+// Grey in daylight, a little darker to the sides, so that edges are seen.
+vec3 outsideColor() {
+  vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+  return vec3(0.30, 0.31, 0.33) * (0.85 + 0.3 * abs(normal.y) - 0.25 * abs(normal.x));
+}
+
 // The back of furniture is dark where it stands at a wall, and would look hollow where that wall is not drawn.
 float drawnLight(float light) {
   if (!standing) return light;
@@ -160,6 +174,15 @@ float drawnLight(float light) {
   vec4 facing = vec4(-normal.xz, normal.xz), distance = vec4(vPlace.xz - sides.xy, sides.zw - vPlace.xz);
   vec4 isBack = step(upright, facing) * step(distance, vec4(gap));
   return max(light, 0.3 * usualLight * min(1.0, dot(isBack, vec4(1.0))));
+}
+
+// Of a building: dark and at its edge, and looking away from its rooms.
+bool isOutside(float light) {
+  const float edge = 0.295, dark = 0.002, inward = 0.5;
+  if (!building || light > dark * usualLight) return false;
+  vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+  vec4 facing = vec4(-normal.xz, normal.xz), distance = vec4(vPlace.xz - sides.xy, sides.zw - vPlace.xz);
+  return dot(step(distance, vec4(edge)) * step(vec4(-inward), facing), vec4(1.0)) > 0.5;
 }
 
 vec3 colorOnLegend(float quantity) {
@@ -184,6 +207,7 @@ vec3 toneCurve(vec3 color) {
 }
 
 void main() {
+  if (vStorey > 0.5 ? vStorey > storeys + 0.5 : vPlace.y > section) discard;
   vec4 surface = albedo;
 #ifdef MAP_UV
   surface *= texture2D(albedoMap, vMapUv);
@@ -194,8 +218,9 @@ void main() {
   surface.rgb = paint.w > 0.5 ? paint.rgb : min(surface.rgb * paint.rgb, vec3(1.0));
   if (surface.a < alphaCut) discard;
   if (!gl_FrontFacing && !measuring) {
-    // The outside of a wall, drawn only where nothing is cut away.
-    gl_FragColor = linearToOutputTexel(vec4(vec3(0.035, 0.037, 0.042), 1.0));
+    if (vPlace.y > openFrom) discard;
+    // The outside of a wall, where it is not cut away.
+    gl_FragColor = linearToOutputTexel(vec4(building ? outsideColor() : vec3(0.035, 0.037, 0.042), 1.0));
     return;
   }
   // What is lit for the eye alone has no colour of light: that of the little which is there can be any.
@@ -204,6 +229,7 @@ void main() {
   if (colored > 0.0) surface.rgb *= mix(vec3(1.0), vLightColor, min(1.0, light / max(drawn, 1e-6)));
   vec3 color = falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
+             : isOutside(light) ? outsideColor()
                           : toneCurve(surface.rgb * drawn * exposure);
   float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
   if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
@@ -217,6 +243,9 @@ void main() {
   gl_FragColor = linearToOutputTexel(vec4(color, alpha));
 }
 `;
+
+/** m: as high as no room is. */
+export const noSection = 1e9;
 
 /** Uniforms that every mesh of the room shares; change a value and draw. */
 export function sharedUniforms() {
@@ -240,6 +269,10 @@ export function sharedUniforms() {
     pixelRatio: { value: 1 },
     accent: { value: new Color('#4f9dff') },
     sides: { value: new Vector4() },
+    section: { value: noSection },
+    storeys: { value: 0 },
+    building: { value: false },
+    openFrom: { value: noSection },
     usualLight: { value: 0 },
   };
 }

@@ -148,6 +148,11 @@ export class LuminaireObjects {
     this.#loop.invalidate();
   }
 
+  /** Hides those that hang higher, m. */
+  showBelow(height: number): void {
+    for (const { group } of this.objects) group.visible = group.position.y < height;
+  }
+
   /** Gives a luminaire a rim of this colour, or none. */
   mark(luminaire: number, color: Color | null, isHovered: boolean): void {
     const object = this.objects[luminaire];

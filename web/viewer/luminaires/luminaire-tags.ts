@@ -56,7 +56,7 @@ export class LuminaireTags {
   }
 
   /**
-   * Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden, and those
+   * Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden, those of hidden ones, and those
    * left of `from` (px).
    */
   follow(
@@ -70,7 +70,8 @@ export class LuminaireTags {
       const object = objects[i];
       if (object) this.#point.copy(object.group.position).project(camera);
       const isRight = (0.5 + 0.5 * this.#point.x) * width >= from;
-      const visible = object !== undefined && Math.abs(this.#point.z) <= 1 && isRight;
+      const isShown = object?.group.visible === true;
+      const visible = isShown && Math.abs(this.#point.z) <= 1 && isRight;
       if (tag.hidden === visible) tag.hidden = !visible;
       if (!visible) return { x: -1e4 * (i + 1), y: 0 };
       return this.#placeOf(object, camera, width, height);

@@ -7,7 +7,7 @@ import { hangingSides, isRoomItself, type Side } from './standing.ts';
 const splittable = 60_000; // triangles; finer meshes are left whole
 
 /** A connected part of a mesh: first indices of its triangles, and its box in world space. */
-interface Part {
+export interface Part {
   readonly mesh: Mesh;
   readonly triangles: readonly number[];
   readonly box: Box;
@@ -27,7 +27,7 @@ function boxOf(triangles: readonly number[], index: ArrayLike<number>, positions
   return { min, max };
 }
 
-function partsOf(mesh: Mesh): Part[] {
+export function partsOf(mesh: Mesh): Part[] {
   const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
   const index = mesh.geometry.index?.array ?? [...Array(world.count).keys()];
   const whole = !mesh.geometry.index || index.length > 3 * splittable;

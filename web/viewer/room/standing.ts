@@ -53,10 +53,22 @@ export function hangingSides(room: Box, parts: readonly Box[]): (Side | null)[] 
   const onFloor = parts.map((part) => part.min[1] - room.min[1] < raised);
   const isBoard = parts.map((part, i) => onFloor[i]! && sides[i] && extent(part, sides[i]!.axis) < board);
   const stands = parts.map((_, i) => onFloor[i]! && !isRoom[i] && !isBoard[i]);
-  // From what stands on the floor to what it touches, and so on. Sorted by x, so that few pairs are compared.
-  const order = [...parts.keys()]
-    .filter((i) => !isRoom[i])
-    .sort((i, k) => parts[i]!.min[0] - parts[k]!.min[0]);
+  carry(parts, stands, (i) => !isRoom[i], (i) => !isBoard[i]); // prettier-ignore
+  return sides.map((side, i) => (stands[i] ? null : side));
+}
+
+/**
+ * Adds to what `stands` what it touches, what that touches, and so on, of all that `mayStand`; what does not carry others
+ * ends it.
+ */
+export function carry(
+  parts: readonly Box[],
+  stands: boolean[],
+  mayStand: (part: number) => boolean,
+  carries: (part: number) => boolean,
+): void {
+  // Sorted by x, so that few pairs are compared.
+  const order = [...parts.keys()].filter(mayStand).sort((i, k) => parts[i]!.min[0] - parts[k]!.min[0]);
   const longest = order.reduce((most, i) => Math.max(most, extent(parts[i]!, 0)), 0);
   const front = order.filter((i) => stands[i]);
   while (front.length > 0) {
@@ -66,10 +78,9 @@ export function hangingSides(room: Box, parts: readonly Box[]): (Side | null)[] 
       const i = order[at]!;
       if (stands[i] || !touches(carrier, parts[i]!)) continue;
       stands[i] = true;
-      if (!isBoard[i]) front.push(i);
+      if (carries(i)) front.push(i);
     }
   }
-  return sides.map((side, i) => (stands[i] ? null : side));
 }
 
 /** The first place in `order` whose part begins at `x` or beyond. */

@@ -9,7 +9,9 @@ import {
   Group,
   LineBasicMaterial,
   LineSegments,
+  type Material,
   type Object3D,
+  type Plane,
   Vector3,
 } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
@@ -149,10 +151,18 @@ export class SurfaceOutlines {
     if (this.#ceiling) this.#ceiling.visible = visible;
   }
 
+  /** Lines beyond the planes are not drawn. */
+  clip(planes: Plane[] | null): void {
+    for (const material of this.#materials) material.clippingPlanes = planes;
+  }
+
   dispose(): void {
     this.setRoom([]);
-    for (const material of [this.#selected, this.#through, this.#hovered, this.#thin, this.#over, this.#rim])
-      material.dispose();
+    for (const material of this.#materials) material.dispose();
+  }
+
+  get #materials(): readonly Material[] {
+    return [this.#selected, this.#through, this.#hovered, this.#thin, this.#over, this.#rim];
   }
 
   #edgesOfSurface(surface: number): Float32Array {

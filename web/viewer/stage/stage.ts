@@ -62,6 +62,7 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(new Color(0x000000), 1);
     this.renderer.toneMapping = AgXToneMapping;
+    this.renderer.localClippingEnabled = true;
     // note: asks the graphics process and waits for it; later it would wait for all that is being compiled there.
     this.anisotropy = Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
     this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
