@@ -107,14 +107,9 @@ void flush(Points& points, const Luminaire& luminaire, std::uint32_t width, std:
 }  // namespace
 
 DirectQuadrature::DirectQuadrature(const Scene& scene)
-    : scene_(scene), tiles_(patchTiles(scene.patches, scene.lightOperator->charts)) {}
-
-double DirectQuadrature::farFrom(std::uint32_t row, const Luminaire& luminaire) const {
-  const PatchTile& tile = tiles_[row];
-  const double wanted = std::max(std::max(tile.lengthU, tile.lengthV) / stepOf(luminaire),
-                                 kNearField * std::max(luminaire.width, luminaire.height));
-  constexpr double kSlack = 1 + 1e-9;  // note: of rounding, so that both say the same
-  return kSlack * (wanted + reachOf(tile, luminaire));
+    : scene_(scene), tiles_(patchTiles(scene.patches, scene.lightOperator->charts)) {
+  for (const PatchTile& tile : tiles_)
+    sizes_.push_back({std::max(tile.lengthU, tile.lengthV), 0.5 * (tile.lengthU + tile.lengthV)});
 }
 
 DirectQuadrature::Parts DirectQuadrature::partsOf(std::uint32_t row, const Vec3& apart,
@@ -177,14 +172,23 @@ template <class Look>
 void DirectQuadrature::inFloat(const Luminaire& luminaire, const Look& look, const std::uint8_t* visible,
                                float* column) const {
   const Patches& patches = scene_.patches;
-  std::fill(column, column + patches.rows(), 0.0f);
+  // Beyond `far` partsOf() a row is one of everything, which most of them are.
+  constexpr double kSlack = 1 + 1e-9;  // note: of rounding, so that both say the same
+  const double size = std::max(luminaire.width, luminaire.height), steps = 1 / stepOf(luminaire);
   std::vector<Points> sets((kMostParts + 1) * (kMostParts + 1));
+  Points& whole = sets[kMostParts + 2];
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     if (visible[p] == 0) continue;
-    const PatchTile& tile = tiles_[p];
     const Vec3 apart = patches.center[p] - luminaire.position;
-    const double far = farFrom(p, luminaire);
-    Parts parts = dot(apart, apart) > far * far ? Parts{} : partsOf(p, apart, luminaire);
+    const double far =
+        kSlack * (std::max(sizes_[p].longer * steps, kNearField * size) + sizes_[p].reach + 0.5 * size);
+    if (dot(apart, apart) > far * far) {
+      whole.add(p, apart, patches.normal[p], static_cast<float>(SiteVisibility::shareOf(visible[p])));
+      if (whole.count == kPoints) flush(whole, luminaire, 1, 1, look, column);
+      continue;
+    }
+    const PatchTile& tile = tiles_[p];
+    Parts parts = partsOf(p, apart, luminaire);
     std::uint32_t count = parts.u * parts.v;
     const bool areMany = count * parts.width * parts.height > kMostPairs;
     if (areMany) count = kMostPairs, parts.width = parts.height = 1;

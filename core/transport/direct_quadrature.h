@@ -22,7 +22,7 @@ class DirectQuadrature {
   /// which each row gets its share; `column` has rows() entries.
   void exact(const Luminaire& luminaire, const std::uint8_t* visible, float* column) const;
   /// The same in float and, for what is very near, with fewer samples: for many luminaires. The intensities
-  /// are `scale` times those of the map.
+  /// are `scale` times those of the map. `column` must be zeros.
   void looked(const Luminaire& luminaire, const IntensityMap& map, float scale, const std::uint8_t* visible,
               float* column) const;
   /// The same of a Lambertian square of 1 lm.
@@ -34,8 +34,6 @@ class DirectQuadrature {
     std::uint32_t u = 1, v = 1, width = 1, height = 1;
   };
   Parts partsOf(std::uint32_t row, const Vec3& apart, const Luminaire& luminaire) const;
-  /// Beyond that distance from a luminaire's centre partsOf() a row is one of everything.
-  double farFrom(std::uint32_t row, const Luminaire& luminaire) const;
   double exactOn(std::uint32_t row, const Luminaire& luminaire) const;
   template <class Add>
   void pairUp(const PatchTile& tile, const Luminaire& luminaire, const Add& add) const;
@@ -45,6 +43,11 @@ class DirectQuadrature {
 
   const Scene& scene_;
   std::vector<PatchTile> tiles_;  // rows
+  /// Of a tile, m: its longer edge, and from its centre to its farthest corner at most.
+  struct Size {
+    double longer, reach;
+  };
+  std::vector<Size> sizes_;  // rows
 };
 
 }  // namespace fiatlux
