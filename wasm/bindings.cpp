@@ -473,6 +473,12 @@ std::string begin(Candidates& candidates, Session& room, val files, val flux, va
                             room.scene()->lightOperator ? room.photometricLight() : nullptr, *painted));
 }
 
+/// `there`: of each candidate its index in the scene of `known`, or `none`.
+void takeCandidates(Candidates& candidates, const Session& known, val there) {
+  if (candidates.scene && known.scene())
+    candidates.scene->take(*known.scene(), vectorOf<std::uint32_t>(there));
+}
+
 std::string beginPainted(Candidates& candidates, const Candidates& base, Session& room, val paint) {
   const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
   if (!painted) return painted.error().message;
@@ -677,6 +683,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("begin", &begin)
       .function("beginPainted", &beginPainted)
       .function("beginSquares", &beginSquares)
+      .function("take", &takeCandidates)
       .function("advance", &advanceCandidates);
   emscripten::class_<RoomColor>("ColoredLight")
       .constructor<>()

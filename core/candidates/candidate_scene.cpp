@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -46,7 +47,8 @@ CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> typ
       responses_(std::make_shared<Responses>()) {
   responses_->rows = room.responses.rows;
   responses_->sites = static_cast<std::uint32_t>(candidates_.size());
-  responses_->illuminance.reserve(std::size_t{responses_->rows} * responses_->sites);
+  responses_->illuminance.resize(std::size_t{responses_->rows} * responses_->sites);
+  for (std::uint32_t j = responses_->sites; j-- > 0;) left_.push_back(j);
 }
 
 Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
@@ -79,46 +81,65 @@ Luminaire CandidateScene::luminaireOf(const Candidate& candidate) const {
 }
 
 /// In the room as its file has it.
-std::vector<float> CandidateScene::columnsOf(std::size_t first, std::size_t count) const {
-  if (unpainted_) return {unpainted_->column(first), unpainted_->column(first) + count * unpainted_->rows};
-  if (types_.empty()) {
-    std::vector<float> columns;
-    for (std::size_t i = first; i < first + count; ++i) {
-      const float* column = room_->responses.column(candidates_[i].site);
-      columns.insert(columns.end(), column, column + room_->responses.rows);
-    }
-    return columns;
+std::vector<float> CandidateScene::columnsOf(std::span<const std::uint32_t> some) const {
+  if (!unpainted_ && !types_.empty()) {
+    const std::vector<PhotometricCandidate> candidates = photometric(some);
+    return light_->total(candidates, light_->direct(candidates));
   }
-  const std::vector<PhotometricCandidate> some = photometric(first, count);
-  return light_->total(some, light_->direct(some));
+  std::vector<float> columns;
+  for (const std::uint32_t j : some) {
+    const float* column = unpainted_ ? unpainted_->column(j) : room_->responses.column(candidates_[j].site);
+    columns.insert(columns.end(), column, column + room_->responses.rows);
+  }
+  return columns;
 }
 
 /// Precondition: they are of types.
-std::vector<PhotometricCandidate> CandidateScene::photometric(std::size_t first, std::size_t count) const {
-  std::vector<PhotometricCandidate> some;
-  for (std::size_t i = first; i < first + count; ++i) {
-    const Candidate& candidate = candidates_[i];
+std::vector<PhotometricCandidate> CandidateScene::photometric(std::span<const std::uint32_t> some) const {
+  std::vector<PhotometricCandidate> candidates;
+  for (const std::uint32_t j : some) {
+    const Candidate& candidate = candidates_[j];
     const PhotometricType& photometric = types_[candidate.type].photometric;
     const double flux = types_[candidate.type].flux;
     const double scale = photometric.flux > 0 && flux > 0 ? flux / photometric.flux : 1;
-    some.push_back({candidate.site, luminaireOf(candidate), photometric.map, static_cast<float>(scale)});
+    candidates.push_back(
+        {candidate.site, luminaireOf(candidate), photometric.map, static_cast<float>(scale)});
   }
-  return some;
+  return candidates;
+}
+
+void CandidateScene::take(const Scene& known, const std::vector<std::uint32_t>& there) {
+  assert(there.size() == candidates_.size() && known.responses.rows == responses_->rows);
+  const auto isThere = [&](std::uint32_t j) {
+    if (there[j] == kNone) return false;
+    const float* column = known.responses.column(there[j]);
+    std::copy(
+        column, column + responses_->rows,
+        responses_->illuminance.begin() + static_cast<std::ptrdiff_t>(std::size_t{j} * responses_->rows));
+    return true;
+  };
+  left_.erase(std::remove_if(left_.begin(), left_.end(), isThere), left_.end());
+  if (!known.observers.empty()) seen_.push_back({known.observers, there});
 }
 
 bool CandidateScene::advance(std::uint32_t count) {
-  const std::size_t some = std::min<std::size_t>(count, candidates_.size() - done_);
-  if (some > 0) {
-    std::vector<float> columns = columnsOf(done_, some);
-    if (paint_) columns = paint_->light(columns, static_cast<std::uint32_t>(some));
-    responses_->illuminance.insert(responses_->illuminance.end(), columns.begin(), columns.end());
-    done_ += some;
+  const std::size_t rows = responses_->rows;
+  std::vector<std::uint32_t> some;
+  while (!left_.empty() && some.size() < count) {
+    some.push_back(left_.back());
+    left_.pop_back();
   }
-  return done_ == candidates_.size();
+  if (!some.empty()) {
+    std::vector<float> columns = columnsOf(some);
+    if (paint_) columns = paint_->light(columns, static_cast<std::uint32_t>(some.size()));
+    for (std::size_t i = 0; i < some.size(); ++i)
+      std::copy(&columns[i * rows], &columns[i * rows] + rows, &responses_->illuminance[some[i] * rows]);
+  }
+  return left_.empty();
 }
 
 CandidateScene CandidateScene::repainted(std::shared_ptr<const Repaint> paint) const {
-  assert(done_ == candidates_.size() && !paint_);
+  assert(left_.empty() && !paint_);
   CandidateScene scene(*room_, types_, candidates_, light_, std::move(paint));
   scene.unpainted_ = responses_;
   return scene;
@@ -130,18 +151,46 @@ std::vector<Luminaire> CandidateScene::luminaires() const {
   return luminaires;
 }
 
+RoomView CandidateScene::view() const {
+  return {*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance,
+          light_ ? light_->sightLines() : nullptr};
+}
+
 std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
   if (observers.empty()) return {};
-  return RoomView(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance)
-      .rows(observers, luminaires(), *responses_);
+  const auto isOf = [](const ObserverRows& rows, const Observer& observer) {
+    return rows.observer == observer;
+  };
+  // Of each candidate whose rows know it, and of which of these; the others are looked at.
+  std::vector<const Seen*> known(candidates_.size(), nullptr);
+  for (const Seen& seen : seen_)
+    if (std::equal(seen.rows.begin(), seen.rows.end(), observers.begin(), observers.end(), isOf))
+      for (std::size_t j = 0; j < known.size(); ++j)
+        if (seen.there[j] != kNone) known[j] = &seen;
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t j = 0; j < known.size(); ++j)
+    if (!known[j]) others.push_back(j);
+  const std::vector<ObserverRows> looked = view().rows(observers, luminaires(), *responses_, others);
+
+  std::vector<ObserverRows> all;
+  for (std::size_t o = 0; o < observers.size(); ++o) {
+    all.push_back({observers[o], {}, {}, {}, {}});
+    for (const auto row : {&ObserverRows::glare, &ObserverRows::background, &ObserverRows::vertical,
+                           &ObserverRows::cylindrical}) {
+      std::size_t next = 0;
+      for (std::size_t j = 0; j < known.size(); ++j)
+        (all[o].*row)
+            .push_back(known[j] ? (known[j]->rows[o].*row)[known[j]->there[j]] : (looked[o].*row)[next++]);
+    }
+  }
+  return all;
 }
 
 Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<PlaneWish>& wishes) const {
   if (wishes.empty()) return std::vector<PlaneLight>();
   for (const PlaneWish& wish : wishes)
     if (Result<Done> ok = checkPlane(*room_, wish.surface); !ok) return ok.error();
-  const RoomView view(*room_, paint_ ? paint_->reflectance() : room_->patches.reflectance);
-  std::vector<PlaneLight> planes = planeLight(*room_, view, wishes, luminaires(), *responses_);
+  std::vector<PlaneLight> planes = planeLight(*room_, view(), wishes, luminaires(), *responses_);
   if (Result<Done> lit = checkLit(*room_, planes); !lit) return lit.error();
   return planes;
 }
@@ -158,9 +207,11 @@ DirectLight CandidateScene::directLight() const {
       quadrature.lambertian(luminaireOf(candidates_[i]),
                             room_->lightOperator->visibility.column(candidates_[i].site), &columns[i * rows]);
   }
+  std::vector<std::uint32_t> all(candidates_.size());
+  std::iota(all.begin(), all.end(), 0u);
   for (std::size_t first = 0; first < candidates_.size() && !types_.empty(); first += kTogether) {
     const std::size_t count = std::min(kTogether, candidates_.size() - first);
-    const std::vector<float> some = light_->direct(photometric(first, count));
+    const std::vector<float> some = light_->direct(photometric({&all[first], count}));
     columns.insert(columns.end(), some.begin(), some.end());
   }
   direct.statistics = meanRows(room_->patches, firstZone(*room_), direct.responses, Quantity::kDirect);
@@ -168,7 +219,7 @@ DirectLight CandidateScene::directLight() const {
 }
 
 Scene CandidateScene::finish(Quantity quantity) {
-  assert(done_ == candidates_.size());
+  assert(left_.empty());
   Scene scene;
   scene.identity = room_->identity;
   scene.patches = room_->patches;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -51,6 +52,11 @@ class CandidateScene {
   static Result<CandidateScene> ofSquares(const Scene& room, const std::vector<std::uint32_t>& sites,
                                           std::shared_ptr<const Repaint> paint);
 
+  /// Takes what another scene of candidates knows of some of these, in the same room under the same paint:
+  /// `there` has the index of each candidate's equal in `known`, kNone where there is none. Before the first
+  /// advance(), from several where they are.
+  void take(const Scene& known, const std::vector<std::uint32_t>& there);
+
   /// Computes the columns of `count` more; true when all are there. What lies on one site costs less
   /// together.
   bool advance(std::uint32_t count);
@@ -79,8 +85,9 @@ class CandidateScene {
  private:
   CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates,
                  std::shared_ptr<const PhotometricLight> light, std::shared_ptr<const Repaint> paint);
-  std::vector<float> columnsOf(std::size_t first, std::size_t count) const;
-  std::vector<PhotometricCandidate> photometric(std::size_t first, std::size_t count) const;
+  RoomView view() const;
+  std::vector<float> columnsOf(std::span<const std::uint32_t> some) const;
+  std::vector<PhotometricCandidate> photometric(std::span<const std::uint32_t> some) const;
   Luminaire luminaireOf(const Candidate& candidate) const;
   std::vector<Luminaire> luminaires() const;
 
@@ -89,8 +96,15 @@ class CandidateScene {
   std::shared_ptr<const Repaint> paint_;           // nullptr: as in the file
   std::vector<CandidateType> types_;               // none of squares
   std::vector<Candidate> candidates_;
-  std::size_t done_ = 0;  // candidates
+  std::vector<std::uint32_t> left_;  // candidates whose columns are not there, the next one last
   std::shared_ptr<Responses> responses_;
+  /// What observers see of candidates, taken from other scenes: of each its rows there, kNone where none has
+  /// them.
+  struct Seen {
+    std::vector<ObserverRows> rows;
+    std::vector<std::uint32_t> there;
+  };
+  std::vector<Seen> seen_;
   std::shared_ptr<const Responses> unpainted_;  // of all candidates, where that is known
 };
 

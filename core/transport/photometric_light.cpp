@@ -37,6 +37,11 @@ PhotometricLight::PhotometricLight(const Scene& scene)
     weight_.push_back(static_cast<float>(patches.area[p] * patches.reflectance[p] * patches.reflectance[p]));
 }
 
+std::shared_ptr<const SightLines> PhotometricLight::sightLines() const {
+  if (!sightLines_) sightLines_ = std::make_shared<const SightLines>(scene_);
+  return sightLines_;
+}
+
 std::vector<float> PhotometricLight::direct(const std::vector<PhotometricCandidate>& candidates) const {
   const std::size_t rows = scene_.patches.rows();
   std::vector<float> light(rows * candidates.size());

@@ -13,6 +13,7 @@
 #include "core/scene/scene.h"
 #include "core/transport/direct_quadrature.h"
 #include "core/transport/exchange.h"
+#include "core/transport/room_view.h"
 
 namespace fiatlux {
 
@@ -39,6 +40,8 @@ class PhotometricLight {
  public:
   explicit PhotometricLight(const Scene& scene);
   const ExchangeOperator& exchange() const { return exchange_; }
+  /// Made when it is asked for first.
+  std::shared_ptr<const SightLines> sightLines() const;
 
   std::vector<float> direct(const std::vector<PhotometricCandidate>& candidates) const;
   /// Direct light and all interreflections, given what direct() said.
@@ -60,6 +63,7 @@ class PhotometricLight {
   DirectQuadrature quadrature_;
   std::vector<float> weight_;              // patches: of <phi, phi>
   mutable std::vector<Control> controls_;  // of each site, made when its light is asked for
+  mutable std::shared_ptr<const SightLines> sightLines_;
 };
 
 }  // namespace fiatlux

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "core/photometry/unified_glare.h"
 
@@ -47,6 +48,29 @@ double guthWeight(const Vec3& way, const Vec3& sight) {
 
 }  // namespace
 
+std::vector<SightLines::Sight> SightLines::met(const Vec3& position) const {
+  std::vector<Sight> sights;
+  for (std::uint32_t i = 0; i < kSights; ++i) {
+    const Vec3 direction = sightDirection(i);
+    const std::uint32_t patch = tree_.firstMet(position, direction, std::numeric_limits<double>::infinity());
+    // note: a back is seen where the file has no patch for it; what it reflects is not known.
+    if (patch != kNone && dot(direction, room_.patches.normal[patch]) < 0)
+      sights.push_back({direction, patch});
+  }
+  std::stable_sort(sights.begin(), sights.end(),
+                   [](const Sight& a, const Sight& b) { return a.patch < b.patch; });
+  return sights;
+}
+
+std::shared_ptr<const std::vector<SightLines::Sight>> SightLines::from(const Vec3& position) const {
+  constexpr std::size_t kKept = 64;
+  for (const Known& known : known_)
+    if (length(known.position - position) == 0) return known.sights;
+  if (known_.size() == kKept) known_.erase(known_.begin());
+  known_.push_back({position, std::make_shared<const std::vector<Sight>>(met(position))});
+  return known_.back().sights;
+}
+
 bool hasLuminousArea(const Luminaire& luminaire) {
   if (!luminaire.luminousArea) return luminaire.width > 0 && luminaire.height > 0;
   // note: a disc or a side may be seen from some directions only.
@@ -82,7 +106,7 @@ void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, const Add
     const double u = (i % kSeenParts + 0.5) / kSeenParts - 0.5, v = (i / kSeenParts + 0.5) / kSeenParts - 0.5;
     const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
                       (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
-    if (!tree_.isBlocked(eye, part)) add(part - eye);
+    if (!lines_->tree().isBlocked(eye, part)) add(part - eye);
   }
 }
 
@@ -98,12 +122,12 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
   UprightRows rows;
   rows.cylindrical.resize(sites);
   rows.vertical.assign(count, std::vector<float>(sites));
-  const Place place = placeOf(point, 0);
+  const auto sights = lines_->from(point);
   // What each patch adds per lx on it: E = integral of L cos, L = rho E_patch / pi, one sight after the
   // other.
   std::vector<std::uint32_t> patches;
   std::vector<double> weights;  // of the cylinder and the vertical planes, patch by patch
-  for (const Sight& sight : place.sights) {
+  for (const Sight& sight : *sights) {
     if (patches.empty() || patches.back() != sight.patch) {
       patches.push_back(sight.patch);
       weights.resize(patches.size() * (1 + count));
@@ -136,24 +160,14 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
 }
 
 RoomView::Place RoomView::placeOf(const Vec3& position, std::size_t luminaires) const {
-  Place place{position, {}, std::vector<double>(luminaires, -1)};
-  for (std::uint32_t i = 0; i < kSights; ++i) {
-    const Vec3 direction = sightDirection(i);
-    const std::uint32_t patch = tree_.firstMet(position, direction, std::numeric_limits<double>::infinity());
-    // note: a back is seen where the file has no patch for it; what it reflects is not known.
-    if (patch != kNone && dot(direction, room_.patches.normal[patch]) < 0)
-      place.sights.push_back({direction, patch});
-  }
-  std::stable_sort(place.sights.begin(), place.sights.end(),
-                   [](const Sight& a, const Sight& b) { return a.patch < b.patch; });
-  return place;
+  return {position, lines_->from(position), std::vector<double>(luminaires, -1)};
 }
 
 /// E = integral of L cos over the half space before the eye, L = rho E_patch / pi; L_b = E / pi. E_z =
 /// integral of L sin(angle from the vertical) / pi over all directions.
 std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3& direction) const {
   std::vector<Part> parts;
-  for (const Sight& sight : place.sights) {
+  for (const Sight& sight : *place.sights) {
     if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
     const double share = 4.0 / kSights * reflectance_[sight.patch] / std::numbers::pi;
     parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
@@ -162,16 +176,48 @@ std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3
   return parts;
 }
 
-void RoomView::reflect(const std::vector<Part>& parts, const float* illuminance, ObserverReading& reading) {
-  double background = 0, cylindrical = 0;
-  for (const Part& part : parts) {
-    background += part.background * illuminance[part.patch];
-    cylindrical += part.cylindrical * illuminance[part.patch];
+/// What patches add to the readings of observers at one place, who meet the same of them: a light is looked
+/// up once for all, and their sums lie side by side.
+class RoomView::Reflected {
+ public:
+  explicit Reflected(const std::vector<std::vector<Part>>& ofObservers)
+      : observers_(ofObservers.size()), blocks_((observers_ + kBlock - 1) / kBlock) {
+    for (std::size_t k = 0; k < ofObservers[0].size(); ++k) {
+      patches_.push_back(ofObservers[0][k].patch);
+      cylindrical_.push_back(ofObservers[0][k].cylindrical);
+    }
+    background_.resize(blocks_ * patches_.size() * kBlock);
+    for (std::size_t o = 0; o < observers_; ++o)
+      for (std::size_t k = 0; k < patches_.size(); ++k)
+        background_[(o / kBlock * patches_.size() + k) * kBlock + o % kBlock] = ofObservers[o][k].background;
   }
-  reading.background = background;
-  reading.vertical += std::numbers::pi * background;
-  reading.cylindrical += cylindrical;
-}
+
+  /// To a reading of each observer that has the direct light.
+  void addTo(const float* illuminance, std::vector<ObserverReading>& readings) const {
+    double cylindrical = 0;
+    for (std::size_t k = 0; k < patches_.size(); ++k)
+      cylindrical += cylindrical_[k] * illuminance[patches_[k]];
+    for (std::size_t block = 0; block < blocks_; ++block) {
+      const double* weights = background_.data() + block * patches_.size() * kBlock;
+      double sums[kBlock] = {};
+      for (std::size_t k = 0; k < patches_.size(); ++k)
+        for (std::size_t i = 0; i < kBlock; ++i)
+          sums[i] += weights[k * kBlock + i] * illuminance[patches_[k]];
+      for (std::size_t o = block * kBlock; o < std::min(observers_, (block + 1) * kBlock); ++o) {
+        ObserverReading& reading = readings[o];
+        reading.background = sums[o % kBlock];
+        reading.vertical += std::numbers::pi * reading.background;
+        reading.cylindrical += cylindrical;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 4;  // observers: so many look from each place of a grid
+  std::size_t observers_, blocks_;
+  std::vector<std::uint32_t> patches_;
+  std::vector<double> background_, cylindrical_;  // per lx; the former by blocks, rows of kBlock
+};
 
 /// Of luminaire j, by what of it is seen.
 ObserverReading RoomView::directAt(Place& place, const Observer& observer,
@@ -189,54 +235,65 @@ ObserverReading RoomView::directAt(Place& place, const Observer& observer,
           light * std::hypot(way.x, way.z) / std::numbers::pi};
 }
 
-/// Observers at one place, one after the other, share what is met from there.
-template <class Visit>
-void RoomView::visit(const std::vector<Observer>& observers, std::size_t luminaires,
-                     const Visit& visit) const {
-  Place place;
-  for (std::size_t o = 0; o < observers.size(); ++o) {
-    if (o == 0 || length(observers[o].position - place.position) > 0)
-      place = placeOf(observers[o].position, luminaires);
-    visit(observers[o], place, reflectedOf(place, observers[o].direction));
-  }
-}
-
 std::vector<ObserverReading> RoomView::readings(const std::vector<Observer>& observers,
                                                 const std::vector<Luminaire>& luminaires, double dimming,
                                                 const std::vector<float>& illuminance) const {
   std::vector<ObserverReading> readings;
-  visit(observers, luminaires.size(),
-        [&](const Observer& observer, Place& place, const std::vector<Part>& parts) {
-          ObserverReading reading;
-          for (std::size_t j = 0; j < luminaires.size(); ++j) {
-            const ObserverReading direct = directAt(place, observer, luminaires, j);
-            reading.glare += dimming * dimming * direct.glare;
-            reading.vertical += dimming * direct.vertical;
-            reading.cylindrical += dimming * direct.cylindrical;
-          }
-          reflect(parts, illuminance.data(), reading);
-          readings.push_back(reading);
-        });
+  Place place;  // shared by those who look from there one after the other
+  for (const Observer& observer : observers) {
+    if (readings.empty() || length(observer.position - place.position) > 0)
+      place = placeOf(observer.position, luminaires.size());
+    std::vector<ObserverReading> reading(1);
+    for (std::size_t j = 0; j < luminaires.size(); ++j) {
+      const ObserverReading direct = directAt(place, observer, luminaires, j);
+      reading[0].glare += dimming * dimming * direct.glare;
+      reading[0].vertical += dimming * direct.vertical;
+      reading[0].cylindrical += dimming * direct.cylindrical;
+    }
+    Reflected({reflectedOf(place, observer.direction)}).addTo(illuminance.data(), reading);
+    readings.push_back(reading[0]);
+  }
   return readings;
 }
 
 std::vector<ObserverRows> RoomView::rows(const std::vector<Observer>& observers,
                                          const std::vector<Luminaire>& luminaires,
                                          const Responses& responses) const {
+  std::vector<std::uint32_t> all(luminaires.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return rows(observers, luminaires, responses, all);
+}
+
+std::vector<ObserverRows> RoomView::rows(const std::vector<Observer>& observers,
+                                         const std::vector<Luminaire>& luminaires, const Responses& responses,
+                                         const std::vector<std::uint32_t>& some) const {
   std::vector<ObserverRows> all;
-  visit(observers, luminaires.size(),
-        [&](const Observer& observer, Place& place, const std::vector<Part>& parts) {
-          ObserverRows rows{observer, {}, {}, {}, {}};
-          for (std::uint32_t j = 0; j < luminaires.size(); ++j) {
-            ObserverReading reading = directAt(place, observer, luminaires, j);
-            reflect(parts, responses.column(j), reading);
-            rows.glare.push_back(reading.glare);
-            rows.background.push_back(reading.background);
-            rows.vertical.push_back(reading.vertical);
-            rows.cylindrical.push_back(reading.cylindrical);
-          }
-          all.push_back(std::move(rows));
-        });
+  for (const Observer& observer : observers) all.push_back({observer, {}, {}, {}, {}});
+  std::vector<ObserverReading> readings;
+  for (std::size_t first = 0, last = 0; first < observers.size(); first = last) {
+    const auto isElsewhere = [&](const Observer& other) {
+      return length(other.position - observers[first].position) > 0;
+    };
+    const auto end =
+        std::find_if(observers.begin() + static_cast<std::ptrdiff_t>(first), observers.end(), isElsewhere);
+    last = static_cast<std::size_t>(end - observers.begin());
+    Place place = placeOf(observers[first].position, luminaires.size());
+    std::vector<std::vector<Part>> parts;
+    for (std::size_t o = first; o < last; ++o) parts.push_back(reflectedOf(place, observers[o].direction));
+    const Reflected reflected(parts);
+    for (const std::uint32_t j : some) {
+      readings.clear();
+      for (std::size_t o = first; o < last; ++o)
+        readings.push_back(directAt(place, observers[o], luminaires, j));
+      reflected.addTo(responses.column(j), readings);
+      for (std::size_t o = first; o < last; ++o) {
+        all[o].glare.push_back(readings[o - first].glare);
+        all[o].background.push_back(readings[o - first].background);
+        all[o].vertical.push_back(readings[o - first].vertical);
+        all[o].cylindrical.push_back(readings[o - first].cylindrical);
+      }
+    }
+  }
   return all;
 }
 

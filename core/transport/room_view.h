@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/result.h"
@@ -28,13 +29,42 @@ struct UprightRows {
   std::vector<std::vector<float>> vertical;  // on planes that face each of the directions asked for
 };
 
+/// Lines of sight in a room: what is met from where. They are the same whatever hangs in it and however it is
+/// painted, so what has been met from the latest places is kept. Refers to the scene, which must have a light
+/// operator and outlive it. Not for several threads.
+class SightLines {
+ public:
+  struct Sight {
+    Vec3 direction;
+    std::uint32_t patch;
+  };
+
+  explicit SightLines(const Scene& room) : room_(room), tree_(room) {}
+  const TileTree& tree() const { return tree_; }
+  /// Evenly over all directions, patch by patch.
+  std::shared_ptr<const std::vector<Sight>> from(const Vec3& position) const;
+
+ private:
+  struct Known {
+    Vec3 position;
+    std::shared_ptr<const std::vector<Sight>> sights;
+  };
+  std::vector<Sight> met(const Vec3& position) const;
+
+  const Scene& room_;
+  TileTree tree_;
+  mutable std::vector<Known> known_;  // the latest last
+};
+
 /// Refers to the scene, which must have a light operator and outlive it.
 class RoomView {
  public:
   explicit RoomView(const Scene& room) : RoomView(room, room.patches.reflectance) {}
-  /// Under other paint: `reflectance` of the patches, referred to as well.
-  RoomView(const Scene& room, const std::vector<float>& reflectance)
-      : room_(room), reflectance_(reflectance), tree_(room) {}
+  /// Under other paint: `reflectance` of the patches, referred to as well. `lines`: of that room, where they
+  /// are there already.
+  RoomView(const Scene& room, const std::vector<float>& reflectance,
+           std::shared_ptr<const SightLines> lines = nullptr)
+      : reflectance_(reflectance), lines_(lines ? std::move(lines) : std::make_shared<SightLines>(room)) {}
 
   /// Of luminaires at their fluxes under a common dimming, which have made that illuminance (lx, rows).
   std::vector<ObserverReading> readings(const std::vector<Observer>& observers,
@@ -43,20 +73,21 @@ class RoomView {
   /// Of each luminaire; column j of the responses is its light.
   std::vector<ObserverRows> rows(const std::vector<Observer>& observers,
                                  const std::vector<Luminaire>& luminaires, const Responses& responses) const;
+  /// Of some of them: `some` are their numbers, ascending.
+  std::vector<ObserverRows> rows(const std::vector<Observer>& observers,
+                                 const std::vector<Luminaire>& luminaires, const Responses& responses,
+                                 const std::vector<std::uint32_t>& some) const;
 
   /// Of each luminaire at its flux, which is lit by parts; column j of the responses is its light.
   UprightRows upright(const Vec3& point, const std::vector<Vec3>& directions,
                       const std::vector<Luminaire>& luminaires, const Responses& responses) const;
 
  private:
-  struct Sight {
-    Vec3 direction;
-    std::uint32_t patch;
-  };
+  using Sight = SightLines::Sight;
   /// What is met from a place, and which share of each luminaire is seen.
   struct Place {
     Vec3 position;
-    std::vector<Sight> sights;
+    std::shared_ptr<const std::vector<Sight>> sights;
     std::vector<double> visible;  // below 0: not looked for yet
   };
   /// What a patch adds to a reading per lx on it.
@@ -65,20 +96,18 @@ class RoomView {
     double background, cylindrical;  // cd/m2, lx
   };
 
+  class Reflected;
+
   Place placeOf(const Vec3& position, std::size_t luminaires) const;
   std::vector<Part> reflectedOf(const Place& place, const Vec3& direction) const;
   ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
                            std::size_t j) const;
   template <class Add>
   void visitParts(const Vec3& point, const Luminaire& luminaire, const Add& add) const;
-  static void reflect(const std::vector<Part>& parts, const float* illuminance, ObserverReading& reading);
   double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
-  template <class Visit>
-  void visit(const std::vector<Observer>& observers, std::size_t luminaires, const Visit& visit) const;
 
-  const Scene& room_;
   const std::vector<float>& reflectance_;  // of the patches
-  TileTree tree_;
+  std::shared_ptr<const SightLines> lines_;
 };
 
 /// Fills scene.observers for these, unless they are there already. An Error in a scene whose file does not

@@ -160,6 +160,9 @@ export interface CoreTypeRange {
 
 export const anyType = 0xffffffff;
 
+/** A candidate that is not there. */
+export const unknown = 0xffffffff;
+
 export interface CoreIntentions {
   readonly quantity: number;
   readonly luminaires: {
@@ -301,6 +304,11 @@ export interface Candidates {
   beginPainted(base: Candidates, room: Session, paint: Float64Array): string;
   /** Squares on some sites of a painted room: candidate i on sites[i]; in layouts fluxes are in lm. */
   beginSquares(room: Session, sites: Uint32Array, paint: Float64Array): string;
+  /**
+   * After begin(), takes what the scene of another session knows of the same luminaires in the same room and paint: `there`
+   * has the index of each candidate in it, or `unknown`.
+   */
+  take(known: Session, there: Uint32Array): void;
   /** Computes the light of so many more of them; true when all are there. */
   advance(count: number): boolean;
   delete(): void;

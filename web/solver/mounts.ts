@@ -9,7 +9,7 @@ import type { PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
-import type { Candidates, CoreModule, OrError, Session } from './core.ts';
+import { unknown, type Candidates, type CoreModule, type OrError, type Session } from './core.ts';
 import type { HungSession } from './hung-session.ts';
 import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
 import { PaintedSession } from './painted-session.ts';
@@ -33,11 +33,19 @@ interface Photometric {
 interface Made {
   readonly key: string; // what it was made for
   readonly session: HungSession;
+  readonly light: Light | null; // in the room as its file has it
+}
+
+/** A scene of candidates, for others that have some of them, too. */
+interface Light {
+  readonly session: Session;
+  readonly indices: ReadonlyMap<string, number>; // of candidates, by lightKey
 }
 
 /** A scene that may be made: how it begins, and what has it at last. */
 interface Plan {
   readonly size: number; // columns of light
+  readonly candidates: readonly Candidate[]; // none of squares
   readonly begin: (scene: Candidates) => void;
   readonly sessionOf: (session: Session) => HungSession;
 }
@@ -128,7 +136,7 @@ export class Mounts {
     if (!scene.advance(isPainted && !hasBase ? paintedSlice : slice)) return false;
     if (!isPainted) this.#forgetBase();
     this.#all?.session.delete();
-    this.#all = { key, session: this.#adopted(scene, plan, wanted) };
+    this.#all = { key, ...this.#adopted(scene, plan, wanted) };
     this.#making = null;
     return true;
   }
@@ -149,12 +157,12 @@ export class Mounts {
     try {
       const paint = this.#paint(wanted);
       if (paint.length > 0 && this.#types(wanted).length > 0) this.#repaint(scene, wanted, paint);
-      else plan.begin(scene);
+      else this.#begin(scene, plan, wanted);
       while (!scene.advance(plan.size)) continue;
-      const session = this.#adopted(scene, plan, wanted);
+      const made = this.#adopted(scene, plan, wanted);
       this.#few?.session.delete();
-      this.#few = { key: this.#keyOf(wanted), session };
-      return session;
+      this.#few = { key: this.#keyOf(wanted), ...made };
+      return made.session;
     } finally {
       scene.delete();
     }
@@ -168,7 +176,7 @@ export class Mounts {
       const base = new this.#core.Candidates();
       const plan = this.#plan(wanted);
       try {
-        plan.begin(base);
+        this.#begin(base, plan, wanted);
         while (!base.advance(plan.size)) continue;
       } catch (error) {
         base.delete();
@@ -192,7 +200,7 @@ export class Mounts {
       this.#forgetBase();
       const plan = this.#plan(wanted);
       this.#base = { key, scene: new this.#core.Candidates(), isWhole: false };
-      plan.begin(this.#base.scene);
+      this.#begin(this.#base.scene, plan, wanted);
     }
     const base = this.#base;
     base.isWhole ||= base.scene.advance(slice);
@@ -237,9 +245,22 @@ export class Mounts {
     const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
     if (hasBase) check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
-    else plan.begin(scene);
+    else this.#begin(scene, plan, wanted);
     this.#making = { key, plan, scene };
     return this.#making;
+  }
+
+  /** Begins a scene, with the light that others have already. */
+  #begin(scene: Candidates, plan: Plan, wanted: Wanted): void {
+    plan.begin(scene);
+    if (plan.candidates.length === 0 || this.#paint(wanted).length > 0) return;
+    const keys = plan.candidates.map(lightKey);
+    for (const light of [this.#all?.light, this.#few?.light])
+      if (light && keys.some((key) => light.indices.has(key)))
+        scene.take(
+          light.session,
+          Uint32Array.from(keys, (key) => light.indices.get(key) ?? unknown),
+        );
   }
 
   #plan(wanted: Wanted): Plan {
@@ -250,6 +271,7 @@ export class Mounts {
     if (candidates.length === 0) throw new Error(fitsNowhere(types));
     return {
       size: candidates.length,
+      candidates,
       begin: (scene) =>
         beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file, paint),
       sessionOf: (session) => new MountedSession(session, candidates),
@@ -262,6 +284,7 @@ export class Mounts {
     const sites = few.length > 0 ? few : Array.from({ length: count }, (_, site) => site);
     return {
       size: sites.length,
+      candidates: [],
       begin: (scene) => {
         check(scene.beginSquares(this.#room, Uint32Array.from(sites), paint));
       },
@@ -269,14 +292,17 @@ export class Mounts {
     };
   }
 
-  #adopted(scene: Candidates, plan: Plan, { asked }: Wanted): HungSession {
+  #adopted(scene: Candidates, plan: Plan, wanted: Wanted): Omit<Made, 'key'> {
+    const { asked } = wanted;
     const session = new this.#core.Session();
     const error = session.adopt(scene, coreIntentions(asked, this.#scene?.surfaces ?? []));
     if (error) {
       session.delete();
       throw new Error(error);
     }
-    return plan.sessionOf(session);
+    const isLight = plan.candidates.length > 0 && this.#paint(wanted).length === 0;
+    const indices = new Map(plan.candidates.map((candidate, index) => [lightKey(candidate), index]));
+    return { session: plan.sessionOf(session), light: isLight ? { session, indices } : null };
   }
 
   #forget(): void {
@@ -332,6 +358,10 @@ export class Mounts {
     return JSON.stringify([extent, readings, this.#usedOf(wanted), [...this.#paint(wanted)], place]);
   }
 }
+
+/** What the light of a candidate depends on. */
+const lightKey = ({ site, type: { hash, flux }, mounting: { turn }, aim }: Candidate): string =>
+  [site, hash, flux, turn, ...(aim ?? [])].join(' ');
 
 const areSame = (a: Uint8Array, b: Uint8Array) =>
   a.length === b.length && a.every((byte, i) => byte === b[i]);

@@ -60,6 +60,40 @@ TEST(CandidateScene, HasTheLightOfEachCandidate) {
   }
 }
 
+/// What was taken is what it would have been, and nothing else is looked at.
+TEST(CandidateScene, TakesWhatAnotherSceneKnows) {
+  const Scene room = operatorScene(12, 6);
+  const std::vector<Observer> observers = {{"west", {1, 1.2, 1}, {1, 0, 0}},
+                                           {"east", {1, 1.2, 1}, {-1, 0, 0}}};
+  const auto sceneOf = [&](const std::vector<Candidate>& candidates, const Scene* known,
+                           const std::vector<std::uint32_t>& there) {
+    Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), candidates);
+    if (known) making->take(*known, there);
+    while (!making->advance(1)) continue;
+    std::vector<ObserverRows> rows = making->seenBy(observers);
+    Scene scene = making->finish(Quantity::kIlluminance);
+    scene.observers = std::move(rows);
+    return scene;
+  };
+  const Scene plain = sceneOf(kCandidates, nullptr, {});
+  const Scene some = sceneOf({kCandidates[3], kCandidates[1]}, nullptr, {});
+  const std::vector<std::uint32_t> there = {kNone, 1, kNone, 0};
+  const Scene taken = sceneOf(kCandidates, &some, there);
+  EXPECT_EQ(taken.responses.illuminance, plain.responses.illuminance);
+  for (std::size_t o = 0; o < observers.size(); ++o) {
+    EXPECT_EQ(taken.observers[o].glare, plain.observers[o].glare);
+    EXPECT_EQ(taken.observers[o].background, plain.observers[o].background);
+    EXPECT_EQ(taken.observers[o].vertical, plain.observers[o].vertical);
+    EXPECT_EQ(taken.observers[o].cylindrical, plain.observers[o].cylindrical);
+  }
+  Scene told = some;
+  told.responses.illuminance[room.patches.rows()] = 7;
+  told.observers[1].background[0] = 8;
+  const Scene changed = sceneOf(kCandidates, &told, there);
+  EXPECT_EQ(changed.responses.column(1)[0], 7);
+  EXPECT_EQ(changed.observers[1].background[3], 8);
+}
+
 class OfQuantity : public testing::TestWithParam<Quantity> {};
 
 TEST_P(OfQuantity, StatisticsAreMadeWhenTheyAreAskedFor) {

@@ -1,11 +1,12 @@
 /** A session of four patches whose search becomes better at given counts of evaluations, and a clock set by hand. */
-import type {
-  AlphaProgress,
-  Candidates,
-  ColoredLight,
-  CoreIntentions,
-  CoreShown,
-  Session,
+import {
+  unknown,
+  type AlphaProgress,
+  type Candidates,
+  type ColoredLight,
+  type CoreIntentions,
+  type CoreShown,
+  type Session,
 } from '../../../web/solver/core.ts';
 import type { Intentions } from '../../../web/document/types.ts';
 
@@ -18,6 +19,7 @@ export class FakeClock {
 export class FakeCandidates implements Candidates {
   static begun = 0; // whose light was made from nothing
   asked: number[] = []; // site and file of each
+  taken: number[][] = []; // of each its index in other scenes
   #left = 0;
 
   begin(_room: Session, _files: readonly Uint8Array[], _flux: Float64Array, candidates: Float64Array) {
@@ -25,6 +27,10 @@ export class FakeCandidates implements Candidates {
     this.#left = this.asked.length / 2;
     FakeCandidates.begun += 1;
     return '';
+  }
+  take(_known: Session, there: Uint32Array) {
+    this.taken.push([...there]);
+    this.#left -= there.filter((index) => index !== unknown).length;
   }
   beginPainted(base: FakeCandidates, _room: Session, paint: Float64Array) {
     this.asked = [...base.asked, ...paint];
@@ -256,7 +262,10 @@ export class FakeSession implements Session {
     return { done: gap === 0.1, goal: -1 - gap, gap: this.evaluations > 100 ? gap : null };
   }
   adopt(candidates: Candidates) {
-    this.calls.push(`adopt ${(candidates as FakeCandidates).asked.join(' ')}`);
+    const { asked, taken } = candidates as FakeCandidates;
+    this.calls.push(`adopt ${asked.join(' ')}`);
+    for (const there of taken)
+      this.calls.push(`took ${there.map((at) => (at === unknown ? '-' : at)).join(' ')}`);
     return '';
   }
   delete() {

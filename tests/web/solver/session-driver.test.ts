@@ -332,6 +332,19 @@ describe('luminaires of types', () => {
     expect(searched()).toEqual(['start 3 from 1 0', 'start 4 from 1 0']);
   });
 
+  test('what is known of one type is not made again beside another', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes(), start }));
+    settle();
+    const other = luminaireType('t2', 'flood');
+    await driver.receive({ type: 'bring', hash: other.hash, file: Uint8Array.of(8).buffer });
+    const intentions = { ...asked, luminaires: { ...asked.luminaires, types: [type, other] } };
+    await driver.receive(solve(3, { intentions, start }));
+    settle();
+    expect(mounted.calls).toContain('adopt 0 0 0 1 1 0 1 1');
+    expect(mounted.calls).toContain('took 0 - 1 -'); // of the search before
+    expect(mounted.calls).toContain('took - 1 - 0'); // of the start, which hung as the new one does
+  });
+
   test('the latest wish wins while candidates are being made', async () => {
     await driver.receive(solve(2, { intentions: ofTypes(), start }));
     driver.step();
