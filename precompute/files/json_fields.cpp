@@ -15,8 +15,6 @@
 namespace fiatlux {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t kLongestFault = 800, kLongestQuote = 60, kLongestValue = 40;  // characters
 constexpr int kDigits = 10;                                                         // of the ends of a range
 
@@ -25,7 +23,7 @@ struct JsonFault {
   std::vector<std::string> path;
 };
 
-const char* typeOf(const Json& value) {
+const char* typeOf(const nlohmann::json& value) {
   return value.is_number()   ? "a number"
          : value.is_string() ? "a text"
          : value.is_array()  ? "a list"
@@ -53,7 +51,7 @@ void JsonField::failAsType(const std::string& expected) const {
   fail("expected " + expected + ", found " + typeOf(*json_));
 }
 
-JsonField JsonField::member(const Json& json, std::string name, std::string step) const {
+JsonField JsonField::member(const nlohmann::json& json, std::string name, std::string step) const {
   std::vector<std::string> path = path_;
   path.push_back(std::move(step));
   return {json, std::move(name), std::move(path)};
@@ -145,7 +143,7 @@ Vec3 directionOf(const JsonField& field) {
 
 Result<Done> readJson(const std::string& text, const std::function<void(const JsonField&)>& read) {
   if (text.size() > kLongestJson) return Error{"longer than " + std::to_string(kLongestJson >> 20) + " MB"};
-  const Result<Json> json = parseJson(text);
+  const Result<nlohmann::json> json = parseJson(text);
   if (!json) return json.error();
   if (const auto twice = repeatedKey(text))
     return Error{"key \"" + printable(twice->key, kLongestQuote) +

@@ -26,13 +26,13 @@ constexpr double kSameLine = 1e-3;     // m
 constexpr double kRimSlack = 1e-6;     // m
 
 /// A plane of the surface tree.
-struct Piece {
+struct FloorPiece {
   const SurfaceGroup* group;
   const Region* region;
   double met = 0;  // rays down from a mount
 };
 
-std::vector<Face> facesOf(const Piece& piece) {
+std::vector<Face> facesOf(const FloorPiece& piece) {
   std::vector<Face> faces;
   for (const std::uint32_t f : piece.region->faces) faces.push_back(piece.group->set.faces[f]);
   return faces;
@@ -42,7 +42,7 @@ std::vector<Face> facesOf(const Piece& piece) {
 std::vector<Face> floorBelow(const Inside& inside, const Mount& mount) {
   if (mount.lift > 0) return mount.faces;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> pieceOfSide;
-  std::vector<Piece> pieces;
+  std::vector<FloorPiece> pieces;
   for (const SurfaceGroup& group : inside.tree.groups)
     for (const Region& region : group.regions) {
       if (region.normal.y < kFloorUp) continue;
@@ -53,10 +53,10 @@ std::vector<Face> floorBelow(const Inside& inside, const Mount& mount) {
   for (const auto& side : inside.space->from(mount.faces, 0).floorSides)
     if (const auto piece = pieceOfSide.find(side); piece != pieceOfSide.end()) ++pieces[piece->second].met;
   const auto most = std::max_element(pieces.begin(), pieces.end(),
-                                     [](const Piece& a, const Piece& b) { return a.met < b.met; });
+                                     [](const FloorPiece& a, const FloorPiece& b) { return a.met < b.met; });
   std::vector<Face> floor;
   if (most == pieces.end() || most->met == 0) return floor;
-  for (const Piece& piece : pieces) {
+  for (const FloorPiece& piece : pieces) {
     const double higher = piece.region->centroid.y - most->region->centroid.y;
     if (std::abs(higher) > kAsLow || piece.met < kOften * most->met) continue;
     const std::vector<Face> faces = facesOf(piece);

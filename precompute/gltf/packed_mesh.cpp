@@ -39,7 +39,7 @@ MeshElements DracoMesh::indices() const { return {}; }
 
 namespace {
 
-constexpr std::size_t kMostStride = 256;  // bytes, that meshopt knows
+constexpr std::size_t kMostPackedStride = 256;  // bytes, that meshopt knows
 
 std::string textIn(const json& object, const char* key, const std::string& place, const char* fallback) {
   checkString(object, key, place);
@@ -77,7 +77,7 @@ std::size_t widthOf(const std::string& type) {
 
 void unpackMeshopt(const json& packed, std::span<const std::uint8_t> data, std::span<std::uint8_t> bytes,
                    const std::string& place) {
-  const std::size_t stride = whole(packed, "byteStride", place, kMostStride, true);
+  const std::size_t stride = whole(packed, "byteStride", place, kMostPackedStride, true);
   const std::size_t count = whole(packed, "count", place, GltfBudget::kBytes, true);
   const std::string mode = textIn(packed, "mode", place, ""),
                     filter = textIn(packed, "filter", place, "NONE");

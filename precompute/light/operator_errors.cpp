@@ -11,7 +11,7 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kSites = 6;          // evenly spread over the numbering
-constexpr std::uint32_t kRefine = 3;         // steps of the solution that counts as true
+constexpr std::uint32_t kTrueRefine = 3;     // steps of the solution that counts as true
 constexpr double kLit = 0.05;                // of the room's mean: surfaces dimmer than that are left out
 constexpr std::uint32_t kManyPatches = 100;  // and smaller ones
 
@@ -56,7 +56,7 @@ std::vector<float> wholeSolution(const Scene& scene, const FormFactors& factors,
   block.direct.resize(direct.size());
   for (std::size_t j = 0; j < columns; ++j)
     for (std::size_t p = 0; p < rows; ++p) block.direct[p * columns + j] = direct[j * rows + p];
-  solveResponses(factors, scene.patches, lowRank, kRefine, 0, block);
+  solveResponses(factors, scene.patches, lowRank, kTrueRefine, 0, block);
   std::vector<float> light(direct.size());
   for (std::size_t j = 0; j < columns; ++j)
     for (std::size_t p = 0; p < rows; ++p) light[j * rows + p] = block.irradiance[p * columns + j];

@@ -12,7 +12,7 @@ namespace fiatlux {
 namespace {
 
 constexpr double kRays = 0.01, kPolygon = 0.002;  // well within the 2 % promised for means
-const std::string kTopic = "form factors";
+const std::string kFormFactors = "form factors";
 
 /// Mean over surface `from` of F b, b = 1 on `onto`: the form factor from one surface to the other.
 double castFactor(const ValidationScene& scene, const ValidationOptions& options, const std::string& from,
@@ -40,12 +40,12 @@ Luminaire luminaireOn(const RectangleSurface& r) {
 void rectangles(Validation& validation, const std::string& name, const RectangleSurface& from,
                 const RectangleSurface& onto, double expected) {
   const double patch = std::sqrt(length(from.u) * length(from.v)) / 12;
-  const ValidationScene scene(validation, kTopic, sceneOfRectangles({from, onto}), patch);
+  const ValidationScene scene(validation, kFormFactors, sceneOfRectangles({from, onto}), patch);
   if (!scene) return;
-  validation.relative(kTopic, name + ", rays", expected,
+  validation.relative(kFormFactors, name + ", rays", expected,
                       castFactor(scene, validation.options, "from", "onto"), kRays);
   const ForwardLight light = scene.light({luminaireOn(onto)});
-  validation.relative(kTopic, name + ", polygon", expected, scene.mean(light.direct, "from"), kPolygon);
+  validation.relative(kFormFactors, name + ", polygon", expected, scene.mean(light.direct, "from"), kPolygon);
 }
 
 double opposedFactor(double a, double b, double c) {
@@ -65,16 +65,16 @@ void discs(Validation& validation) {
   source.meshes = {discMesh("from", {0, 0, 0}, {0, 1, 0}, 1, 256),
                    discMesh("onto", {0, 2, 0}, {0, -1, 0}, 1.5, 256)};
   source.meshes[1].nodeIndex = 1;
-  const ValidationScene scene(validation, kTopic, source, 0.1);
+  const ValidationScene scene(validation, kFormFactors, source, 0.1);
   if (!scene) return;
-  validation.relative(kTopic, "coaxial discs r 1, 1.5 at 2, rays", 0.324905,
+  validation.relative(kFormFactors, "coaxial discs r 1, 1.5 at 2, rays", 0.324905,
                       castFactor(scene, validation.options, "from", "onto"), kRays);
 }
 
 void sphere(Validation& validation) {
   SourceScene source;
   source.meshes = {sphereMesh("sphere", {0, 1, 0}, 1, 48)};
-  const ValidationScene scene(validation, kTopic, source, 0.15);
+  const ValidationScene scene(validation, kFormFactors, source, 0.15);
   if (!scene) return;
   const Patches& patches = scene.room().patches;
   const FormFactors factors = castFormFactors(
@@ -95,8 +95,8 @@ void sphere(Validation& validation) {
     lowArea += patches.area[p];
     squares += patches.area[p] * std::pow(received[p] / (cap / all) - 1, 2);
   }
-  validation.relative(kTopic, "sphere: rest to cap = A_cap / S, rays", cap / all, low / lowArea, kRays);
-  validation.absolute(kTopic, "sphere: rms deviation over the patches", 0, std::sqrt(squares / lowArea),
+  validation.relative(kFormFactors, "sphere: rest to cap = A_cap / S, rays", cap / all, low / lowArea, kRays);
+  validation.absolute(kFormFactors, "sphere: rms deviation over the patches", 0, std::sqrt(squares / lowArea),
                       0.05);
 }
 
@@ -114,7 +114,7 @@ void validateFormFactors(Validation& validation) {
   rectangles(validation, "offset perpendicular", zUpRectangle("from", {0.5, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0),
              zUpRectangle("onto", {0, 0.5, 0.25}, {0, 1.5, 0}, {0, 0, 1}, 0), 0.076841062);
   const Vec3 corners[4] = {{0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}};
-  validation.relative(kTopic, "point to rectangle, Lambert's polygon", 0.059156784,
+  validation.relative(kFormFactors, "point to rectangle, Lambert's polygon", 0.059156784,
                       polygonFormFactor({0.3, 0.7, 0}, {0, 0, 1}, corners, 4), 1e-6);
   discs(validation);
   sphere(validation);

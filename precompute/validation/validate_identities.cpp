@@ -11,7 +11,7 @@ namespace fiatlux {
 
 namespace {
 
-const std::string kTopic = "identities";
+const std::string kIdentities = "identities";
 
 /// A closed room with a block in it that stands 0.4 m off the floor, 4 x 2.8 x 5 m.
 std::vector<RectangleSurface> furnishedRoom(double floor, double walls, double ceiling) {
@@ -64,7 +64,7 @@ Luminaire ceilingLamp(const Vec3& position, double size) {
 }
 
 void formFactorIdentities(Validation& validation) {
-  const ValidationScene scene(validation, kTopic, sceneOfRectangles(furnishedRoom(0.3, 0.5, 0.7)), 0.25);
+  const ValidationScene scene(validation, kIdentities, sceneOfRectangles(furnishedRoom(0.3, 0.5, 0.7)), 0.25);
   if (!scene) return;
   const ValidationOptions& o = validation.options;
   const FormFactors factors =
@@ -76,39 +76,40 @@ void formFactorIdentities(Validation& validation) {
       sum += factors.u[std::size_t{p} * factors.clusters + c];
     worst = std::max(worst, std::abs(sum - 1));
   }
-  validation.absolute(kTopic, "largest distance of a row sum from 1, closed room", 0, worst, 1e-4);
+  validation.absolute(kIdentities, "largest distance of a row sum from 1, closed room", 0, worst, 1e-4);
   const auto factor = [&](const std::string& from, const std::string& onto) {
     std::vector<float> shining(factors.count), received(factors.rows);
     for (std::uint32_t p = 0; p < factors.count; ++p) shining[p] = scene.belongs(p, onto) ? 1.0f : 0.0f;
     irradiance(factors, shining.data(), 1, received.data());
     return scene.mean(received, from) * scene.area(from);
   };
-  validation.relative(kTopic, "A F floor to ceiling = back", factor("ceiling", "floor"),
+  validation.relative(kIdentities, "A F floor to ceiling = back", factor("ceiling", "floor"),
                       factor("floor", "ceiling"), 0.01);
-  validation.relative(kTopic, "A F block to wall = back", factor("wall -x", "block"),
+  validation.relative(kIdentities, "A F block to wall = back", factor("wall -x", "block"),
                       factor("block", "wall -x"), 0.01);
 }
 
 void energy(Validation& validation) {
   for (const double rho : {0.2, 0.5, 0.8}) {
-    const ValidationScene scene(validation, kTopic, sceneOfRectangles(furnishedRoom(rho, rho, rho)), 0.25);
+    const ValidationScene scene(validation, kIdentities, sceneOfRectangles(furnishedRoom(rho, rho, rho)),
+                                0.25);
     if (!scene) return;
     const ForwardLight light = scene.light({ceilingLamp({1, 2.8, 1}, 0.5), ceilingLamp({3, 2.8, 3.5}, 0.5)});
     const std::string of = ", reflectance " + std::to_string(rho).substr(0, 3);
-    validation.relative(kTopic, "sum A (1 - rho) E = flux" + of, 2000, light.energy.absorbed, 0.005);
-    validation.relative(kTopic, "mean reflected lm/m2 in a closed room" + of,
+    validation.relative(kIdentities, "sum A (1 - rho) E = flux" + of, 2000, light.energy.absorbed, 0.005);
+    validation.relative(kIdentities, "mean reflected lm/m2 in a closed room" + of,
                         rho * 2000 / ((1 - rho) * scene.area("")), rho * scene.mean(light.illuminance, ""),
                         0.005);
   }
-  const ValidationScene mixed(validation, kTopic, sceneOfRectangles(furnishedRoom(0.3, 0.5, 0.7)), 0.25);
+  const ValidationScene mixed(validation, kIdentities, sceneOfRectangles(furnishedRoom(0.3, 0.5, 0.7)), 0.25);
   if (!mixed) return;
   const ForwardLight light = mixed.light({ceilingLamp({1, 2.8, 1}, 0.5)});
-  validation.relative(kTopic, "sum A (1 - rho) E = flux, mixed reflectances", 1000, light.energy.absorbed,
-                      0.005);
-  const ValidationScene sealed(validation, kTopic, sceneOfRectangles(twoRooms(true)), 0.25);
+  validation.relative(kIdentities, "sum A (1 - rho) E = flux, mixed reflectances", 1000,
+                      light.energy.absorbed, 0.005);
+  const ValidationScene sealed(validation, kIdentities, sceneOfRectangles(twoRooms(true)), 0.25);
   if (!sealed) return;
   const ForwardLight one = sealed.light({ceilingLamp({1.5, 2.5, 1.5}, 0.5)});
-  validation.absolute(kTopic, "sealed second room, share of the lit one's mean", 0,
+  validation.absolute(kIdentities, "sealed second room, share of the lit one's mean", 0,
                       sealed.mean(one.illuminance, "second") / sealed.mean(one.illuminance, "floor"), 1e-6);
 }
 
@@ -116,7 +117,7 @@ void energy(Validation& validation) {
 void statistics(Validation& validation) {
   const auto surfaces = furnishedRoom(0.3, 0.5, 0.7);
   Result<TracedRoom> traced = roomOf(sceneOfRectangles(surfaces), 0.25);
-  if (!traced) return validation.failure(kTopic, traced.error().message);
+  if (!traced) return validation.failure(kIdentities, traced.error().message);
   Room& room = traced->room;
   room.sites = siteGrid(surfaces[1], 3, 4, 0.6);
   TransportOptions options;
@@ -124,7 +125,7 @@ void statistics(Validation& validation) {
   options.seed = validation.options.seed;
   options.threads = validation.options.threads;
   const Result<Transport> transport = computeTransport(room, traced->tracer, options);
-  if (!transport) return validation.failure(kTopic, transport.error().message);
+  if (!transport) return validation.failure(kIdentities, transport.error().message);
   const std::uint32_t m = transport->responses.sites;
   double triangle = 0, least = 0;
   for (const SurfaceStatistics& s : transport->illuminance) {
@@ -139,11 +140,11 @@ void statistics(Validation& validation) {
       }
     }
   }
-  validation.absolute(kTopic, "|s1 - s2| <= s12 <= s1 + s2, largest excess", 0, triangle, 1e-9);
-  validation.absolute(kTopic, "covariances positive semidefinite, least 2 x 2 minor", 0, least, 1e-12);
+  validation.absolute(kIdentities, "|s1 - s2| <= s12 <= s1 + s2, largest excess", 0, triangle, 1e-9);
+  validation.absolute(kIdentities, "covariances positive semidefinite, least 2 x 2 minor", 0, least, 1e-12);
 
   // Two lamps on sites: the forward light of both is the sum of their responses.
-  const ValidationScene scene(validation, kTopic, sceneOfRectangles(surfaces), 0.25);
+  const ValidationScene scene(validation, kIdentities, sceneOfRectangles(surfaces), 0.25);
   if (!scene) return;
   std::vector<Luminaire> lamps;
   for (const std::uint32_t site : {1u, 7u}) lamps.push_back(ceilingLamp(room.sites[site].position, 0.6));
@@ -151,7 +152,7 @@ void statistics(Validation& validation) {
   for (const std::uint32_t s : {0u, 1u, 4u}) {
     const double sum = 1000 * (transport->illuminance[s].mean[1] + transport->illuminance[s].mean[7]);
     const std::string& name = room.surfaces[s].name;
-    validation.relative(kTopic, "two lamps = sum of their sites, mean of " + name,
+    validation.relative(kIdentities, "two lamps = sum of their sites, mean of " + name,
                         scene.mean(light.illuminance, name), sum, 0.005);
   }
 }
