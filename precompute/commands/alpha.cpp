@@ -11,12 +11,12 @@
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
-#include "precompute/commands/option_checks.h"
 #include "precompute/files/asked_search.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/solve_report.h"
 #include "precompute/files/terminal.h"
+#include "precompute/program/option_checks.h"
 
 namespace fiatlux {
 namespace {

@@ -8,8 +8,7 @@ class App;
 
 namespace fiatlux {
 
-// Each registers a callback that throws CommandError on failure; main prints it and exits with status 2.
-void addPrecomputeCommand(CLI::App& app);
+// Each registers a callback that throws CommandError on failure; runProgram() prints it and returns 2.
 void addSurfacesCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);

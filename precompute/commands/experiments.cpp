@@ -10,11 +10,11 @@
 
 #include "precompute/base/error.h"
 #include "precompute/commands/commands.h"
-#include "precompute/commands/option_checks.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/scene_io.h"
 #include "precompute/files/surface_names.h"
 #include "precompute/files/terminal.h"
+#include "precompute/program/option_checks.h"
 
 namespace fiatlux {
 namespace {

@@ -10,11 +10,11 @@
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
 #include "precompute/commands/light_report.h"
-#include "precompute/commands/room_command_options.h"
 #include "precompute/files/command_host.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/layout_json.h"
 #include "precompute/light/measuring_grid.h"
+#include "precompute/program/room_command_options.h"
 
 namespace fiatlux {
 namespace {

@@ -7,8 +7,8 @@
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
-#include "precompute/commands/room_command_options.h"
 #include "precompute/files/command_host.h"
+#include "precompute/program/room_command_options.h"
 
 namespace fiatlux {
 namespace {

@@ -9,7 +9,7 @@
 #include "precompute/base/error.h"
 #include "precompute/base/json_text.h"
 #include "precompute/commands/commands.h"
-#include "precompute/commands/room_command_options.h"
+#include "precompute/program/room_command_options.h"
 #include "precompute/validation/validation.h"
 
 namespace fiatlux {

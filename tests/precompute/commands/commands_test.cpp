@@ -1,4 +1,4 @@
-// The command (precompute, info, evaluate with its photometric_layout and planes_json, solve with its
+// The command (precompute_command, info, evaluate with its photometric_layout and planes_json, solve with its
 // asked_search, light with its light_report, experiments) as a person meets it: results that are right,
 // failures of one clear line with status 2, and what an interrupt leaves.
 #include <gmock/gmock.h>

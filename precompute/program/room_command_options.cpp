@@ -1,9 +1,9 @@
-#include "precompute/commands/room_command_options.h"
+#include "precompute/program/room_command_options.h"
 
 #include <cstdlib>
 
-#include "precompute/commands/option_checks.h"
 #include "precompute/gltf/reflectance.h"
+#include "precompute/program/option_checks.h"
 
 namespace fiatlux {
 

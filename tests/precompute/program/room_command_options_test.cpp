@@ -1,5 +1,4 @@
-// Numbers beyond all sense on the command line: one line, status 2, nothing written, nothing hangs
-// (room_command_options).
+// Numbers beyond all sense on the command line: one line, status 2, nothing written, nothing hangs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

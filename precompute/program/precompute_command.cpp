@@ -1,4 +1,6 @@
 // fiatlux precompute: glTF in, scene file out.
+#include "precompute/program/precompute_command.h"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -8,14 +10,13 @@
 #include "core/search/layout_search.h"
 #include "core/search/prepared_scene.h"
 #include "precompute/base/error.h"
-#include "precompute/commands/commands.h"
-#include "precompute/commands/option_checks.h"
-#include "precompute/commands/room_command_options.h"
 #include "precompute/files/asked_search.h"
 #include "precompute/files/command_host.h"
 #include "precompute/files/files_on_disk.h"
 #include "precompute/files/intentions_json.h"
 #include "precompute/files/named_files.h"
+#include "precompute/program/option_checks.h"
+#include "precompute/program/room_command_options.h"
 
 namespace fiatlux {
 namespace {

@@ -1,4 +1,4 @@
-#include "precompute/commands/option_checks.h"
+#include "precompute/program/option_checks.h"
 
 #include <charconv>
 
