@@ -41,15 +41,22 @@ export async function builder() {
   await cmake('wasm', ['builder_wasm']);
 }
 
-/** The command and the Wasm solver; then `afterWasm`, which need not wait for the command. */
-export async function programs(afterWasm = () => {}) {
+/** What makes rooms. */
+export const roomMaker = 'fiatlux_precompute';
+
+/**
+ * Native targets and the Wasm solver; then `afterWasm`, which need not wait for the former. Emscripten, four fifths of
+ * what is to be installed, is so while the native compiler works.
+ */
+export async function programs(targets, afterWasm = () => {}) {
   recentNode();
   const npm = npmPackages();
-  await systemPackages(packages.build);
+  await systemPackages(packages.native);
   const wasm = async () => {
+    await systemPackages(packages.wasm);
     await cmake('wasm', ['core_wasm']);
     await npm;
     await afterWasm();
   };
-  await Promise.all([cmake('native', ['fiatlux']), wasm()]);
+  await Promise.all([cmake('native', targets), wasm()]);
 }

@@ -35,9 +35,13 @@ export class RoomsBehind {
     await this.#write();
   }
 
-  /** Makes rooms in their order. One that fails is told once, and the next one has its turn. */
+  /**
+   * Makes rooms in their order. One that fails is told once, and the next one has its turn. False where it was stopped
+   * meanwhile.
+   */
   async makeAll(rooms) {
     for (const room of rooms) if (!this.#stopping.signal.aborted) await this.#makeOne(room);
+    return !this.#stopping.signal.aborted;
   }
 
   /** Ends what is being made; makeAll() resolves when nothing is left of it. */

@@ -1,7 +1,7 @@
 // The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run bench:search`,
 // `npm run pictures`, `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
 import { parseArgs } from 'node:util';
-import { builder, cmake, programs, site } from './build.mjs';
+import { builder, cmake, programs, roomMaker, site } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
 import { isFor, makeAll, sampleRooms } from './sample-rooms.mjs';
 import { siteAddress } from './room-pages.mjs';
@@ -16,7 +16,7 @@ const others = process.argv.slice(3);
  * have, where that is known.
  */
 async function build(origin = null, isWanted = () => true) {
-  await programs(builder);
+  await programs(['fiatlux', roomMaker], builder);
   await makeAll(sampleRooms(), isWanted);
   await site(origin);
 }
@@ -34,7 +34,7 @@ function originAsked() {
 /** All that the tests, or the benchmarks, run. */
 async function buildAll(use) {
   recentNode();
-  await systemPackages([...packages.build, ...packages.browser, ...packages.sizes]);
+  await systemPackages([...packages.native, ...packages.wasm, ...packages.browser, ...packages.sizes]);
   await build(null, isFor(use));
   await Promise.all([cmake('native'), cmake('wasm')]);
 }
@@ -70,8 +70,8 @@ const commands = {
 
   async 'bench:search'() {
     recentNode();
-    await systemPackages(packages.build);
-    await cmake('native', ['fiatlux', 'search_bench']);
+    await systemPackages(packages.native);
+    await cmake('native', [roomMaker, 'search_bench']);
     await makeAll(sampleRooms());
     run('node', ['tests/bench/search-bench.mjs', ...others]);
   },
@@ -85,7 +85,7 @@ const commands = {
   },
 
   async sanitize() {
-    await systemPackages(packages.build);
+    await systemPackages(packages.native);
     await cmake('sanitize');
     say('Every GoogleTest under AddressSanitizer and UndefinedBehaviorSanitizer, which takes some minutes');
     const begin = Date.now();
@@ -95,7 +95,7 @@ const commands = {
   },
 
   async fuzz() {
-    await systemPackages([...packages.build, ...packages.fuzz]);
+    await systemPackages([...packages.native, ...packages.fuzz]);
     await cmake('fuzz', ['fuzzers']);
     say('Hostile input to every door, under AddressSanitizer and UndefinedBehaviorSanitizer');
     run('node', ['scripts/fuzz.mjs', ...others]);

@@ -71,6 +71,7 @@ async function stamp(kind, { id, keys }) {
   await writeFile(stampOf(kind, id), keys[kind]);
 }
 
+const program = 'build/fiatlux-precompute';
 const makeModel = ({ id }) => ['rooms/make.mjs', id];
 const precompute = ({ id, precompute: options }) => [
   'precompute',
@@ -90,7 +91,7 @@ export async function makeAll(rooms, isWanted = () => true) {
     }
     if (room.isReady) continue;
     say(`Precomputing the light of ${room.id}`);
-    run('build/fiatlux', precompute(room));
+    run(program, precompute(room));
     await stamp('scene', room);
   }
 }
@@ -124,7 +125,7 @@ export async function makeWatched(room, watch) {
     await runWatched('node', makeModel(room), watch);
     await stamp('model', room);
   }
-  await runWatched('build/fiatlux', precompute(room), watch);
+  await runWatched(program, precompute(room), watch);
   await stamp('scene', room);
 }
 

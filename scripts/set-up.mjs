@@ -7,14 +7,17 @@ import { output, root, run, runBeside, say } from './processes.mjs';
 import { hashOf } from './staleness.mjs';
 
 export const packages = {
-  build:
-    'g++ cmake ninja-build emscripten libeigen3-dev libembree-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libcli11-dev zlib1g-dev libstb-dev libgtest-dev libgmock-dev'.split(
+  native:
+    'g++ cmake ninja-build libeigen3-dev libembree-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libcli11-dev zlib1g-dev libstb-dev libgtest-dev libgmock-dev'.split(
       ' ',
     ),
+  wasm: ['emscripten'],
   browser: ['chromium', 'fonts-dejavu-core'],
   sizes: ['clang-tidy'],
   fuzz: ['clang-14', 'libclang-rt-14-dev'],
 };
+
+let isListFetched = false; // of what Debian has
 
 export async function systemPackages(names) {
   const installed = new Set(
@@ -31,7 +34,8 @@ export async function systemPackages(names) {
     isRoot
       ? runBeside('apt', 'apt-get', args, { env: { ...process.env, DEBIAN_FRONTEND: 'noninteractive' } })
       : runBeside('apt', 'sudo', ['DEBIAN_FRONTEND=noninteractive', 'apt-get', ...args]);
-  await apt(['update', '-qq']);
+  if (!isListFetched) await apt(['update', '-qq']);
+  isListFetched = true;
   await apt(['install', '-y', '-qq', '--no-install-recommends', ...missing]);
 }
 

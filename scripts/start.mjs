@@ -2,7 +2,7 @@
 import { cp } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { builder, programs, site } from './build.mjs';
+import { builder, cmake, programs, roomMaker, site } from './build.mjs';
 import { root, say } from './processes.mjs';
 import { RoomsBehind } from './rooms-behind.mjs';
 import { filesOf, makeWatched, sampleRooms, tidyScenes } from './sample-rooms.mjs';
@@ -25,7 +25,7 @@ export async function start() {
   recentNode();
   const rooms = sampleRooms();
   await tidyScenes(rooms);
-  await programs(site);
+  await programs([roomMaker], site);
 
   let niceness = 0; // until there is a room to show
   const behind = new RoomsBehind({
@@ -46,7 +46,7 @@ export async function start() {
   await serve();
   if (queue.length > 0) say(`Being computed behind it: ${queue.map(({ id }) => id).join(', ')}`);
   const made = behind.makeAll(queue);
-  void builderBehind();
+  void programsBehind(made);
   for (const signal of signals) {
     process.off(signal, leave);
     process.on(signal, () => {
@@ -56,11 +56,12 @@ export async function start() {
   }
 }
 
-/** What computes dropped models in the page: nobody waits for it. */
-async function builderBehind() {
+/** What computes dropped models in the page and, after all rooms, the command: nobody waits for them. */
+async function programsBehind(made) {
   await builder();
   await cp(path.join(root, 'public', 'builder'), path.join(root, 'dist', 'builder'), { recursive: true });
   say('Dropped models are lit in the page from now on');
+  if (await made) await cmake('native', ['fiatlux']);
 }
 
 async function serve() {

@@ -104,7 +104,7 @@ test('a room that fails is told once and marked, and the next one is made', asyn
   await until(() => steps.length === 2);
   expect(listed()).toEqual({ office: ['failed', undefined], box: ['computing', 0] });
   steps[1].resolve();
-  await made;
+  expect(await made).toBe(true);
   expect(listed()).toEqual({ office: ['failed', undefined] });
   expect(told).toEqual(['office could not be computed: not enough memory', 'box is ready, after 0 s']);
 });
@@ -121,7 +121,7 @@ test('stopping ends the program that runs, leaves no file and starts no other ro
   const made = behind.makeAll([office, box]);
   await until(() => listed().office[1] > 0);
   behind.stop();
-  await made;
+  expect(await made).toBe(false);
   expect(make).toHaveBeenCalledTimes(1);
   expect(told).toEqual([]);
   expect(readdirSync(folder)).toEqual(['catalog.json']);
