@@ -26,6 +26,7 @@ export interface Visited {
 export interface SharedLink {
   readonly address: string;
   readonly holdsKept: boolean; // the variant that the layout is compared with, too
+  readonly score: number | null; // of a layout placed by hand against the solver's
   readonly left: readonly string[];
 }
 
@@ -94,11 +95,10 @@ export class Keeping {
     const view = { camera: this.#viewer.camera(), display: display.peek() };
     const files = this.#types.files.peek();
     const link = linkOf(document.peek(), this.layout(), sites, view, files, plan.peek());
-    const score = this.#store.score.peek();
-    const { hash, holdsKept, left } = fitLink(
-      score === null ? link : { ...link, score: Math.min(200, score) },
-    );
-    return { address: pageOf(document.peek().room) + hash, holdsKept, left };
+    const reached = this.#store.score.peek();
+    const score = reached === null ? null : Math.min(200, reached);
+    const { hash, holdsKept, left } = fitLink(score === null ? link : { ...link, score });
+    return { address: pageOf(document.peek().room) + hash, holdsKept, score, left };
   }
 
   /**

@@ -1,5 +1,5 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
-import { DoubleSide, FrontSide, Mesh } from 'three';
+import { DoubleSide, FrontSide, Mesh, Ray, Vector3 } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -12,7 +12,7 @@ import { Emphasis } from './hand/emphasis.ts';
 import { FrameLoop } from './stage/frame-loop.ts';
 import { withLegend } from './light/legend-picture.ts';
 import { LuminaireHand } from './hand/luminaire-hand.ts';
-import { LuminaireObjects } from './luminaires/luminaire-objects.ts';
+import { LuminaireObjects, sitePosition } from './luminaires/luminaire-objects.ts';
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { ObserverArrows } from './luminaires/observer-arrows.ts';
 import { Picking } from './hand/picking.ts';
@@ -379,9 +379,10 @@ class RoomViewer implements Viewer {
     this.#info = info;
     this.#light.setScene(info);
     this.#light.setBox(room.box);
-    this.#wipe.setScene(info);
+    const above = info ? this.#mountsAbove(info.sites, room.lit) : undefined;
+    this.#wipe.setScene(info, above);
     for (const labels of [this.#planeLabels, this.#otherPlaneLabels]) labels.setScene(info);
-    this.#hand.setSites(info?.sites ?? null);
+    this.#hand.setSites(info?.sites ?? null, above);
     this.setAreas(this.#areas);
     this.#emphasis.setRoom(room.lit);
     this.#contacts.setRoom(room.lit, info);
@@ -392,6 +393,20 @@ class RoomViewer implements Viewer {
     this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims), keepView);
     this.#applyDisplay();
     this.#loop.invalidate();
+  }
+
+  /** How far over a site there is something that a luminaire can hang from, m. */
+  #mountsAbove(sites: SceneInfo['sites'], room: readonly LitMesh[]): (site: number) => number {
+    const known = new Map<number, number>();
+    return (site) => {
+      let above = known.get(site);
+      if (above === undefined) {
+        const up = new Vector3().fromArray(sites.normal, 3 * site).negate();
+        above = this.#picking.reach(new Ray(sitePosition(sites, site), up), room);
+        known.set(site, above);
+      }
+      return above;
+    };
   }
 
   /** A dark picture first would only delay the lit one; where no light comes it is drawn after all. */
@@ -489,9 +504,9 @@ class RoomViewer implements Viewer {
     this.#wipe.draw(this.#stage, this.#rig.active, this.#light.uniforms, this.#luminaires.root);
     const { width, height } = this.#stage;
     const from = this.#wipe.at * width;
+    this.#tags.follow(this.#luminaires.objects, this.#rig.active, width, height, from);
     this.#drawLabels(this.#planeLabels, this.#light.light, from, width);
     this.#drawLabels(this.#otherPlaneLabels, this.#wipe.light, 0, from);
-    this.#tags.follow(this.#luminaires.objects, this.#rig.active, width, height, from);
   }
 
   /** Numbers on the planes between two places of the picture, px. */
@@ -505,6 +520,7 @@ class RoomViewer implements Viewer {
       to > from ? light : null,
       falseColor ? this.#planes : [],
       { values: display?.values ?? false, levels: display?.isolux ?? false },
+      this.#tags.places,
     );
     labels.canvas.style.clipPath = to - from < width ? `inset(0 ${width - to}px 0 ${from}px)` : '';
   }

@@ -73,6 +73,8 @@ export const dialogs: Words['dialogs'] = {
     how: 'Wer den Link öffnet, sieht genau diese Anordnung, ihre Ziele und diese Ansicht. Nichts wird hochgeladen: Alles steht im Link.',
     link: 'Link',
     copied: 'Der Link ist in der Zwischenablage.',
+    score: (points) => `Das Ergebnis geht mit: ${points} Punkte, der Solver hat 100.`,
+    dare: (points) => `Mein Ergebnis: ${points} Punkte, der Solver hat 100. Geht es besser?`,
     holdsKept: 'A geht mit, zum Vergleichen. ',
     holdsRoom: 'Auch der Raum steht darin: Wer den Link öffnet, lässt ihn dort erstellen und berechnen.',
     namesRoom: (room) => `Er nennt den Raum „${room}“, enthält ihn aber nicht: die .flux-Datei mitsenden.`,

@@ -45,6 +45,7 @@ export const luminaires: Words['luminaires'] = {
     tip: (count, cost) => `${count}: ${cost}`,
     none: 'Keine dieser Zahlen erfüllt alle Vorgaben.',
     noBounds: 'Es gibt keine Forderung, die eine Anzahl verfehlen könnte: etwa ein Mindestmittelwert.',
+    pinned: 'So, wie die Leuchten fixiert sind, hat keine andere Anzahl Platz.',
     allMet: (cost) => `${cost}, alles erfüllt`,
     fewest: (count) => `Wenigste, die alles erfüllen: ${count}`,
     cheapest: (count, watts) => `Geringste Leistung: ${count} (${watts} W)`,

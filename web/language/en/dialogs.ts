@@ -71,6 +71,8 @@ export const dialogs = {
     how: 'Whoever opens the link sees this very layout, its intentions and this view. Nothing is uploaded: it is all in the link.',
     link: 'Link',
     copied: 'The link is on the clipboard.',
+    score: (points: number) => `It takes your score along: ${points}, where the solver has 100.`,
+    dare: (points: number) => `My score is ${points}, the solver’s is 100. Can you do better?`,
     holdsKept: 'It takes A along, to be compared with. ',
     holdsRoom: 'It holds the room, too: whoever opens it has it made and computed there.',
     namesRoom: (room: string) =>

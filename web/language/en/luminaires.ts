@@ -44,6 +44,7 @@ export const luminaires = {
     tip: (count: number, cost: string) => `${count}: ${cost}`,
     none: 'None of these numbers meets every bound.',
     noBounds: 'No bound is asked for that a number could miss: a least mean, say.',
+    pinned: 'As the luminaires are pinned, no other number has room.',
     allMet: (cost: string) => `${cost}, all met`,
     fewest: (count: number) => `Fewest that meet everything: ${count}`,
     cheapest: (count: number, watts: string) => `Least power: ${count} (${watts} W)`,

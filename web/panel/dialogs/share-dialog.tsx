@@ -32,13 +32,18 @@ export function ShareDialog({ close }: { close: () => void }) {
       {shared ? (
         <>
           <p>{words.value.dialogs.share.how}</p>
+          {shared.score !== null && (
+            <p>
+              <strong>{words.value.dialogs.share.score(shared.score)}</strong>
+            </p>
+          )}
           <CopyRow
             label={words.value.dialogs.share.link}
             text={shared.address}
             copied={words.value.dialogs.share.copied}
             close={close}
           >
-            {canSend() && <SendButton address={shared.address} title={store.roomTitle.value} />}
+            {canSend() && <SendButton {...shared} title={store.roomTitle.value} />}
           </CopyRow>
           <p class="fine-print">
             {words.value.dialogs.share.characters(shortest(shared.address.length))}{' '}
@@ -68,10 +73,17 @@ function leftText(left: readonly string[]): string {
   return (left.length === 1 ? one : many)(left.map((name) => words.value.values.quoted(name)).join(', '));
 }
 
-function SendButton({ address, title }: { address: string; title: string }) {
+interface Sent {
+  readonly address: string;
+  readonly title: string;
+  readonly score: number | null;
+}
+
+function SendButton({ address, title, score }: Sent) {
+  const text = score === null ? {} : { text: words.value.dialogs.share.dare(score) };
   const send = async () => {
     try {
-      await navigator.share({ title: `${title} · Fiat Lux`, url: address });
+      await navigator.share({ title: `${title} · Fiat Lux`, ...text, url: address });
     } catch {
       return; // nobody was chosen; the link is still there to be copied
     }

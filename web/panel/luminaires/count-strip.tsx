@@ -15,7 +15,11 @@ export function CountStrip() {
   const isThere = (store.comparison.value?.counts.length ?? 0) > 1;
   useLayoutEffect(() => centre(strip.current), [shown, isThere]);
   const comparison = store.comparison.value;
-  if (!comparison || comparison.counts.length < 2) return null;
+  if (!comparison) return null;
+  const { pinned } = store.document.value.luminaires;
+  if (pinned.length > 0 && !comparison.counts.some(({ count, outcome }) => outcome && count !== shown))
+    return <p class="field-note">{words.value.luminaires.counts.pinned}</p>;
+  if (comparison.counts.length < 2) return null;
   const isCurrent = comparison.of === store.traced.value.intentions;
   const isBounded = hasBounds(store.traced.value.intentions);
   const take = (count: number) =>

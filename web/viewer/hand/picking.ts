@@ -1,5 +1,6 @@
 /** What lies under a point of the canvas: a luminaire, a surface, and the light there. */
 import {
+  Box3,
   DoubleSide,
   Raycaster,
   Vector2,
@@ -8,6 +9,7 @@ import {
   type Camera,
   type Mesh,
   type Object3D,
+  type Ray,
 } from 'three';
 import type { LuminaireObject } from '../luminaires/luminaire-objects.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
@@ -33,6 +35,12 @@ interface Indexed {
 export type Hidden = (geometry: BufferGeometry, vertex: number, y: number, isBack: boolean) => boolean;
 
 const past = 1e-4; // m: so far behind a hit that does not count the next is looked for
+
+/** In world space. */
+function boxOf({ geometry, matrixWorld }: Mesh): Box3 {
+  if (!geometry.boundingBox) geometry.computeBoundingBox();
+  return new Box3().copy(geometry.boundingBox!).applyMatrix4(matrixWorld);
+}
 
 export class Picking {
   #caster = new Raycaster();
@@ -65,14 +73,27 @@ export class Picking {
     reflectance: Float32Array | null,
   ): Hit | null {
     this.ray(clientX, clientY, camera);
-    const panels: Object3D[] = luminaires.map((luminaire) => luminaire.panel);
-    const shown = luminaires.filter(({ group }) => group.visible).map(({ panel }) => panel);
-    const [panel] = this.#caster.intersectObjects(shown, false);
-    const wall = this.#nearest(room, panel?.distance ?? Infinity);
+    // From behind, through a ceiling that is cut away, it is the housing that is seen.
+    const shown = luminaires.filter(({ group }) => group.visible);
+    const bodies: Object3D[] = shown.flatMap(({ panel, housing }) => [panel, housing]);
+    const [body] = this.#caster.intersectObjects(bodies, false);
+    const wall = this.#nearest(room, body?.distance ?? Infinity);
     if (wall) return this.#hitOf(wall.lit, wall.distance, wall.first, light, reflectance);
-    if (!panel) return null;
-    const luminaire = panels.indexOf(panel.object);
-    return { luminaire, surface: null, point: panel.point, lux: 0, exitance: 0 };
+    if (!body) return null;
+    const luminaire = luminaires.findIndex(({ group }) => group === body.object.parent);
+    return { luminaire, surface: null, point: body.point, lux: 0, exitance: 0 };
+  }
+
+  /** How far a ray goes until it meets the front of something, drawn or not, m; Infinity where it leaves the room. */
+  reach(ray: Ray, room: readonly LitMesh[]): number {
+    let least = Infinity;
+    for (const { mesh, measuring } of room) {
+      if (measuring || !ray.intersectsBox(boxOf(mesh))) continue;
+      const { tree } = this.#indexOf(mesh);
+      const hit = tree.cast(ray.origin.toArray(), ray.direction.toArray(), false, least);
+      if (hit) least = hit.distance;
+    }
+    return least;
   }
 
   #nearest(room: readonly LitMesh[], limit: number) {

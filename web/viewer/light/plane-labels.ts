@@ -6,10 +6,12 @@ import { Vector3, type Camera } from 'three';
 import type { SceneInfo } from '../../document/types.ts';
 import { formatLight } from './false-color.ts';
 import { isoluxLevels } from './isolux.ts';
+import type { TagPlace } from '../luminaires/luminaire-tags.ts';
 import { crossings, gridPatches, neighbours, type Plane, type Reading } from './plane-readings.ts';
 
 const steps = [0.25, 0.5, 1, 2, 4, 8]; // m
 const apart = { wide: 46, high: 24 }; // px between readings
+const text = { wide: 26, high: 14 }; // px, about
 const sameLevel = 170; // px between two names of one level
 
 /** What is known of a plane, made when it is first shown. */
@@ -31,6 +33,7 @@ export class PlaneLabels {
   #scene: SceneInfo | null = null;
   #planes = new Map<number, Known>(); // by leaf surface
   #drawn = false;
+  #tags: readonly TagPlace[] = [];
   #point = new Vector3();
 
   constructor(labels: HTMLElement) {
@@ -43,14 +46,18 @@ export class PlaneLabels {
     this.#planes.clear();
   }
 
-  /** Numbers for the planes in `surfaces` (leaves), seen by `camera`; what is not wanted is not drawn. */
+  /**
+   * Numbers for the planes in `surfaces` (leaves), seen by `camera`, beside the `tags`; what is not wanted is not drawn.
+   */
   draw(
     camera: Camera,
     size: { readonly width: number; readonly height: number; readonly ratio: number },
     light: Float32Array | null,
     surfaces: readonly number[],
     wanted: { readonly values: boolean; readonly levels: boolean },
+    tags: readonly TagPlace[],
   ): void {
+    this.#tags = tags;
     const isWanted = light !== null && surfaces.length > 0 && (wanted.values || wanted.levels);
     if (!isWanted && !this.#drawn) return;
     const context = this.#clear(size);
@@ -104,7 +111,7 @@ export class PlaneLabels {
     if (!grid) grids.set(step, (grid = gridPatches(plane, step)));
     for (const patch of grid) {
       const at = this.#project(plane.center.subarray(3 * patch, 3 * patch + 3), camera, size);
-      if (!at || isNear(placed, at, apart.wide, apart.high)) continue;
+      if (!at || this.#isUnderTag(at) || isNear(placed, at, apart.wide, apart.high)) continue;
       placed.push({ ...at, text: formatLight(rounded(light[patch]!)), isLevel: false });
     }
   }
@@ -114,11 +121,18 @@ export class PlaneLabels {
     for (const { point, value } of crossings(known.plane, known.pairs, light, isoluxLevels) as Reading[]) {
       const at = this.#project(point, camera, size);
       const others = levels.get(value) ?? [];
-      if (!at || isNear(others, at, sameLevel, sameLevel) || isNear(placed, at, apart.wide, apart.high))
-        continue;
+      if (!at || this.#isUnderTag(at)) continue;
+      if (isNear(others, at, sameLevel, sameLevel) || isNear(placed, at, apart.wide, apart.high)) continue;
       levels.set(value, [...others, at]);
       placed.push({ ...at, text: formatLight(value), isLevel: true });
     }
+  }
+
+  #isUnderTag({ x, y }: { x: number; y: number }): boolean {
+    return this.#tags.some(
+      (tag) =>
+        Math.abs(tag.x - x) < (tag.wide + text.wide) / 2 && Math.abs(tag.y - y) < (tag.high + text.high) / 2,
+    );
   }
 
   #pixelsPerMetre({ patches, center }: Plane, camera: Camera, size: Size): number {

@@ -1,8 +1,8 @@
 /**
  * Luminaires as things in the room: a shining square the size of its site, or the luminous area of its type, with a soft
  * halo, and seen from behind
- * (through a cut-away ceiling) its housing, which fades under the pointer so that what lies below can be seen. A
- * luminaire that gets another site walks there.
+ * (through a cut-away ceiling) its housing, which fades under the pointer so that what lies below can be seen. What hangs
+ * lower than its mount hangs on cords, which are drawn only. A luminaire that gets another site walks there.
  */
 import {
   BoxGeometry,
@@ -13,6 +13,7 @@ import {
   Group,
   Matrix4,
   Mesh,
+  MeshBasicMaterial,
   PlaneGeometry,
   Quaternion,
   type ShaderMaterial,
@@ -31,6 +32,9 @@ const depth = 0.07; // m, of the housing, which is let into the mount
 const slim = 0.04; // m, height of a body whose file gives none
 const least = 0.06; // m: what is smaller could not be seen
 const faded = 0.25; // opacity of the housing under the pointer
+const fading = 160; // ms
+const shortest = 0.1; // m, of a cord
+const wideOnTwo = 0.6; // m: what is longer hangs on two cords
 
 /** One luminaire in the room. */
 export interface LuminaireObject {
@@ -38,6 +42,8 @@ export interface LuminaireObject {
   readonly panel: Mesh<BufferGeometry, ShaderMaterial>;
   readonly housing: Mesh<BufferGeometry, ShaderMaterial>;
   readonly halo: Mesh<PlaneGeometry, ShaderMaterial>;
+  readonly cords: readonly Mesh[];
+  opacity: number; // that its housing fades to
   site: number;
   mounting: Mounting | undefined;
 }
@@ -71,6 +77,8 @@ export class LuminaireObjects {
   #sites: SceneInfo['sites'] | null = null;
   #loop: FrameLoop;
   #walks: Walk[] = [];
+  #fadedAt = 0; // ms, of the latest step of a fade
+  #above: (site: number) => number = () => Infinity;
   #bodies = new Map<string, LuminaireBody>();
   #solid = new PhotometricSolid();
   #selected: number | null = null;
@@ -78,6 +86,8 @@ export class LuminaireObjects {
   #box = new BoxGeometry(1, 1, 1);
   #disc = new CircleGeometry(0.5, 32);
   #can = new CylinderGeometry(0.5, 0.5, 1, 32).rotateX(Math.PI / 2);
+  #cord = new CylinderGeometry(0.004, 0.004, 1, 6, 1, true).rotateX(-Math.PI / 2).translate(0, 0, -0.5);
+  #cordMaterial = new MeshBasicMaterial({ color: 0x54575c, toneMapped: false });
 
   constructor(loop: FrameLoop) {
     this.#loop = loop;
@@ -106,10 +116,11 @@ export class LuminaireObjects {
     this.select(this.#selected);
   }
 
-  /** A new room: no luminaires yet. */
-  setSites(sites: SceneInfo['sites'] | null): void {
+  /** A new room: no luminaires yet. `above`: how far over a site its mount is, m; Infinity where there is none. */
+  setSites(sites: SceneInfo['sites'] | null, above: (site: number) => number = () => Infinity): void {
     this.#clear();
     this.#sites = sites;
+    this.#above = above;
   }
 
   setLayout(layout: Layout): void {
@@ -161,13 +172,17 @@ export class LuminaireObjects {
       uniforms['marked']!.value = color ? 1 : 0;
       if (color) (uniforms['rim']!.value as Color).copy(color);
     }
-    object.housing.material.uniforms['opacity']!.value = isHovered ? faded : 1;
+    object.opacity = isHovered ? faded : 1;
+    const opacity = object.housing.material.uniforms['opacity']!;
+    if (reducedMotion()) opacity.value = object.opacity;
+    else if (opacity.value !== object.opacity) this.#loop.animate(this.#fade);
   }
 
   dispose(): void {
     this.#clear();
     this.#plane.dispose();
-    for (const geometry of [this.#box, this.#disc, this.#can]) geometry.dispose();
+    for (const geometry of [this.#box, this.#disc, this.#can, this.#cord]) geometry.dispose();
+    this.#cordMaterial.dispose();
     this.#solid.dispose();
   }
 
@@ -177,13 +192,15 @@ export class LuminaireObjects {
       panel: new Mesh(this.#plane, createPanelMaterial()),
       housing: new Mesh(this.#box, createHousingMaterial()),
       halo: new Mesh(this.#plane, createHaloMaterial()),
+      cords: [0, 1].map(() => new Mesh(this.#cord, this.#cordMaterial)),
+      opacity: 1,
       site: -1,
       mounting: undefined,
     };
     object.halo.renderOrder = 4;
     object.panel.renderOrder = object.housing.renderOrder = 3;
     object.halo.frustumCulled = false;
-    object.group.add(object.panel, object.housing, object.halo);
+    object.group.add(object.panel, object.housing, object.halo, ...object.cords);
     this.root.add(object.group);
     this.objects.push(object);
     return object;
@@ -200,6 +217,7 @@ export class LuminaireObjects {
     object.group.quaternion.copy(siteRotation(sites, site));
     this.#shape(object, 0.94 * size, 0.94 * size, depth, false);
     object.housing.position.z = -gap - depth / 2;
+    this.#suspend(object);
   }
 
   /** A body below its mount, so far that no corner of it is behind, turned and aimed as it hangs. */
@@ -216,6 +234,27 @@ export class LuminaireObjects {
     object.group.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(x, y, z));
     this.#shape(object, wide, long, high, body.round);
     object.housing.position.z = -gap / 2 - high / 2;
+    this.#suspend(object);
+  }
+
+  /** Cords straight up to the mount, from the middle or from near both ends. */
+  #suspend({ cords, group, panel, site }: LuminaireObject): void {
+    const sites = this.#sites!;
+    const over = this.#above(site);
+    const isHung = over >= shortest && over < Infinity;
+    const foot = sitePosition(sites, site, 0).distanceTo(group.position);
+    const upright = group.quaternion.clone().invert().multiply(siteRotation(sites, site));
+    const { x: wide, y: long } = panel.scale;
+    const off = 0.4 * Math.max(wide, long);
+    const isOnTwo = Math.max(wide, long) > wideOnTwo;
+    cords.forEach((cord, i) => {
+      cord.visible = isHung && (isOnTwo || i === 0);
+      if (!cord.visible) return;
+      const side = isOnTwo ? off * (2 * i - 1) : 0;
+      cord.position.set(wide >= long ? side : 0, wide >= long ? 0 : side, 0);
+      cord.quaternion.copy(upright);
+      cord.scale.z = over + foot;
+    });
   }
 
   #shape(object: LuminaireObject, wide: number, long: number, high: number, round: boolean): void {
@@ -245,6 +284,19 @@ export class LuminaireObjects {
       return t < 1;
     });
     return this.#walks.length > 0;
+  };
+
+  #fade = (now: number): boolean => {
+    const step = this.#fadedAt === 0 ? 0 : ((1 - faded) * (now - this.#fadedAt)) / fading;
+    let isOver = true;
+    for (const { housing, opacity } of this.objects) {
+      const present = housing.material.uniforms['opacity']!;
+      const way = opacity - present.value;
+      present.value = Math.abs(way) <= step ? opacity : present.value + Math.sign(way) * step;
+      isOver &&= present.value === opacity;
+    }
+    this.#fadedAt = isOver ? 0 : now;
+    return !isOver;
   };
 
   #remove(object: LuminaireObject): void {

@@ -19,12 +19,23 @@ function pinIcon(): SVGSVGElement {
 
 const corners = [0, 1, 2, 3].map((i) => new Vector3(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, 0));
 
+/** A tag that can be read, px: its middle and its size. */
+export interface TagPlace {
+  readonly x: number;
+  readonly y: number;
+  readonly wide: number;
+  readonly high: number;
+}
+
 export class LuminaireTags {
+  /** Where tags stood when they last followed their luminaires; nothing else is written there. */
+  places: readonly TagPlace[] = [];
   #labels: HTMLElement;
   #grab: (luminaire: number, event: PointerEvent) => void;
   #wheel: (event: WheelEvent) => void;
   #tags: HTMLElement[] = [];
   #point = new Vector3();
+  #isHidden = false;
 
   constructor(
     labels: HTMLElement,
@@ -44,6 +55,7 @@ export class LuminaireTags {
   }
 
   setVisible(visible: boolean): void {
+    this.#isHidden = !visible;
     this.#labels.classList.toggle('are-hidden', !visible);
   }
 
@@ -87,6 +99,8 @@ export class LuminaireTags {
       tag.classList.toggle('is-dot', dots[i]);
       tag.style.transform = `translate(${Math.round(at.x)}px, ${Math.round(at.y)}px) translate(-50%, -50%)`;
     });
+    const isRead = (i: number) => !this.#isHidden && !this.#tags[i]!.hidden && !dots[i];
+    this.places = spread.filter((_, i) => isRead(i)).map(({ x, y }) => ({ x, y, wide, high }));
   }
 
   dispose(): void {
