@@ -8,14 +8,14 @@ import { language, words } from './language.ts';
 type Name = keyof typeof en.faults;
 type Telling = string | ((...told: string[]) => string);
 
-const marks = ['\u0001', '\u0002', '\u0003'];
+const marks = ['\u0001', '\u0002', '\u0003', '\u0004'];
 const say = (telling: Telling, told: readonly string[]): string =>
   typeof telling === 'string' ? telling : telling(...told);
 
 /** "room.glb: " may stand before a sentence. */
 function patternOf(telling: Telling): RegExp {
   const escaped = say(telling, marks).replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&');
-  return new RegExp(`^(.*?: )?${marks.reduce((text, mark) => text.replace(mark, '(.+)'), escaped)}$`, 's');
+  return new RegExp(`^(.*?: )?${marks.reduce((text, mark) => text.replace(mark, '(.+?)'), escaped)}$`, 's');
 }
 
 const patterns = Object.entries(en.faults).map(

@@ -24,6 +24,18 @@ test('a fault is told in the language of the page, with what it tells of its own
   expect(
     inOurWords('the room is only 0.4 m wide: pass --scale with the metres of one unit of the file'),
   ).toMatch(/nur 0,4 m breit/);
+  expect(
+    inOurWords(
+      'spot.ies: line 12: the candela multiplier is 1.5e9, but must lie within 0 and 1000; correct it or export the file again',
+    ),
+  ).toBe(
+    'spot.ies: Zeile 12: der Faktor der Lichtstärken ist 1.5e9, erlaubt ist 0 bis 1000; berichtigen oder die Datei noch einmal exportieren',
+  );
+  expect(
+    inOurWords(
+      "a.pdf: this is a PDF document, not a photometric file; take the luminaire's .ies or .ldt file",
+    ),
+  ).toMatch(/^a\.pdf: Das ist ein PDF-Dokument, keine/);
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });
 
@@ -40,7 +52,10 @@ function sources(): string {
 test('each is what the sources say, word for word', () => {
   const text = sources();
   for (const [name, telling] of Object.entries(en.faults)) {
-    const whole = typeof telling === 'string' ? telling : telling('\u0001', '\u0001', '\u0001');
+    const whole =
+      typeof telling === 'string'
+        ? telling
+        : (telling as (...told: string[]) => string)(...Array<string>(4).fill('\u0001'));
     const missing = whole.split('\u0001').filter((piece) => piece.length > 3 && !text.includes(piece));
     // A sentence that is put together of several strings is there in its parts.
     const parts = missing.flatMap((piece) =>

@@ -1,7 +1,9 @@
 /** What the solver, the builder and the readers of files say. */
 import type { Words } from '../en.ts';
+import { photometricFaults } from './photometric-faults.ts';
 
 export const faults: Words['faults'] = {
+  ...photometricFaults,
   connectionLost:
     'Der Raum konnte nicht geladen werden, die Verbindung ist abgerissen; noch einmal versuchen',
   computationStopped: (why) => `Die Berechnung ist stehen geblieben (${why}); noch einmal versuchen`,
@@ -10,6 +12,11 @@ export const faults: Words['faults'] = {
   builderMissing:
     'Was im Browser Licht berechnet, ist noch nicht auf diesem Server; in ein paar Minuten noch einmal versuchen',
   sceneCut: (bytes) => `Die Raumdatei endet nach ${bytes} Byte; die Seite neu laden`,
+  noCore: (code) =>
+    `Das Rechenwerk (core.wasm) konnte nicht geladen werden (Status ${code}); die Seite neu laden`,
+  noRoom: 'Die Raumdatei enthält keinen Raum zum Ansehen; mit fiatlux precompute neu erzeugen',
+  notUnderstood: (why) => `Die Datei wird nicht verstanden (${why}); noch einmal exportieren`,
+  notFetched: (address) => `${address} konnte nicht geladen werden`,
   noScene: 'Das ist keine Raumdatei von Fiat Lux; sie entsteht mit fiatlux precompute',
   sceneNewer: (version, own) =>
     `Die Raumdatei hat Version ${version}, gelesen wird bis Version ${own}: ein neueres Fiat Lux nehmen oder die Datei neu erzeugen`,

@@ -2,14 +2,20 @@
  * What the solver, the builder and the readers of files say themselves, in English and word for word: another language finds
  * its own sentence by these. What is not here stays in English.
  */
+import { photometricFaults } from './photometric-faults.ts';
 
 export const faults = {
+  ...photometricFaults,
   connectionLost: 'the room could not be loaded: the connection was lost; try again',
   computationStopped: (why: string) => `the computation stopped (${why}); try again`,
   noScript: 'its script cannot be loaded',
   builderOffline: 'what computes light could not be loaded: no connection; try again',
   builderMissing: 'what computes light in the page is not on this server yet; try again in some minutes',
   sceneCut: (bytes: string) => `the scene file ends after ${bytes} bytes; load the page again`,
+  noCore: (code: string) => `core.wasm cannot be loaded: status ${code}`,
+  noRoom: 'the scene file has no room to display; make it again with fiatlux precompute',
+  notUnderstood: (why: string) => `not understood (${why}); export the file again`,
+  notFetched: (address: string) => `${address} could not be fetched ahead`,
   noScene: 'not a Fiat Lux scene file: make one with fiatlux precompute',
   sceneNewer: (version: string, own: string) =>
     `scene file of version ${version}, but this program reads up to version ${own}: use a newer Fiat Lux, or make the file again`,

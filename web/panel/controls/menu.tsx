@@ -1,6 +1,6 @@
 /** A button with a menu of actions (ARIA menu button pattern: arrows move, Escape closes). */
 import type { LucideIcon } from 'lucide-preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { isEnabled, type Action } from '../../app/actions.ts';
 import { useApp } from '../../app/app.ts';
 import { keyText } from '../../app/keyboard.ts';
@@ -18,7 +18,8 @@ export function Menu({
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
-  useEffect(() => {
+  // At once, not after the next picture is drawn: an arrow key may already be on its way.
+  useLayoutEffect(() => {
     if (open) root.current?.querySelector<HTMLElement>('[role="menuitem"]:not(:disabled)')?.focus();
   }, [open]);
 

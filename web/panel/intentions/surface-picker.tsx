@@ -1,6 +1,6 @@
 /** Which surfaces a card is about: one, several, a family ("desk 1" to "desk 12"), or the whole room. */
 import { ChevronDown, ChevronRight } from 'lucide-preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { folded } from '../../app/rooms/families.ts';
 import { eachText, namesText } from '../../app/words/places.ts';
@@ -29,8 +29,8 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   const [filter, setFilter] = useState('');
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
-  // What is typed next is the name of a surface, and no key of the page.
-  useEffect(() => {
+  // What is typed next is the name of a surface, and no key of the page: at once, not after the next picture is drawn.
+  useLayoutEffect(() => {
     if (open) root.current?.querySelector<HTMLElement>('input')?.focus();
   }, [open]);
   const leaves = store.sceneWithAreas.value?.surfaces.map((surface) => surface.name) ?? [];
