@@ -82,7 +82,9 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       view: () => {},
       fit: () => {},
       home: () => {},
-      video: () => null,
+      still: () => {
+        throw new Error('nothing is drawn');
+      },
       png: async () => new Blob(),
       dispose: () => {},
     };

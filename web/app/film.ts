@@ -5,6 +5,7 @@
 import { signal } from '@preact/signals';
 import { nearestSite, positionOf } from '../document/sites.ts';
 import type { Layout, SceneInfo } from '../document/types.ts';
+import { webmOf, type EncodedPicture, type Shape } from '../document/webm.ts';
 import type { Seen } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import type { Solving } from './solving.ts';
@@ -13,21 +14,15 @@ import { scatteredLayout, type Variants } from './variants.ts';
 import { sentence } from './words/format.ts';
 import { words } from '../language/language.ts';
 
-const length = 5000; // ms
-const [still, gliding] = [600, 3000]; // ms before the luminaires set out, and of their way
-const framesPerSecond = 30;
+const perSecond = 25;
+const length = 5 * perSecond; // pictures
+const [still, gliding] = [0.6, 3]; // s before the luminaires set out, and of their way
 const bitsPerSecond = 8e6;
-const slice = 250; // ms between two parts that the recorder hands over
-const leastBytes = 1000; // of a film that shows something
-const patience = 4000; // ms that a recorder may take to begin
+const mostWaiting = 3; // pictures that wait to be encoded
 const steps = 24; // of the way
-const formats = ['video/webm;codecs=vp8', 'video/webm'];
 
 /** Whether this browser can make a film. */
-export const canFilm =
-  typeof MediaRecorder === 'function' &&
-  'captureStream' in HTMLCanvasElement.prototype &&
-  formats.some((format) => MediaRecorder.isTypeSupported(format));
+export const canFilm = typeof VideoEncoder === 'function';
 
 export interface FilmProgress {
   readonly stage: 'lighting' | 'recording';
@@ -101,52 +96,49 @@ export class Film {
     return seen;
   }
 
-  /** Plays the film once and records what is drawn. */
+  /** Every picture of the film, drawn and encoded one by one, however long that takes. */
   async #shot(scene: SceneInfo, show: (share: number) => void): Promise<Blob> {
-    const video = this.#viewer.video(framesPerSecond);
-    if (!video) throw new Error(words.value.comparing.film.noVideo);
-    const mimeType = formats.find((format) => MediaRecorder.isTypeSupported(format)) ?? 'video/webm';
-    const recorder = new MediaRecorder(video, { mimeType, videoBitsPerSecond: bitsPerSecond });
-    const parts: Blob[] = [];
-    const ended = new Promise<Blob>((resolve, reject) => {
-      recorder.ondataavailable = ({ data }) => void parts.push(data);
-      recorder.onstop = () => resolve(new Blob(parts, { type: 'video/webm' }));
-      recorder.onerror = () => reject(new Error(words.value.comparing.film.notEncoded));
-    });
     this.#viewer.divide(1);
-    show(0);
+    const pictures: EncodedPicture[] = [];
+    let [fault, space]: [Error | null, VideoColorSpaceInit] = [null, {}];
+    const encoder = new VideoEncoder({
+      output: (chunk, about) => {
+        space = about?.decoderConfig?.colorSpace ?? space;
+        pictures.push(pictureOf(chunk));
+      },
+      error: (error) => (fault = error),
+    });
+    let size: Size | null = null;
+    let last: { readonly share: number; readonly picture: VideoFrame } | null = null;
     try {
-      recorder.start(slice);
-      await this.#play(scene, show, () => sizeOf(parts) >= leastBytes);
+      for (let i = 0; i < length && fault === null; i++) {
+        this.#tell('recording', i / length, scene);
+        const share = eased((i / perSecond - still) / gliding);
+        const timestamp = (1e6 * i) / perSecond;
+        const picture: VideoFrame =
+          last?.share === share
+            ? new VideoFrame(last.picture, { timestamp })
+            : this.#drawn(show, share, timestamp);
+        last?.picture.close();
+        last = { share, picture };
+        size ??= await begin(encoder, picture);
+        encoder.encode(picture, { keyFrame: i % perSecond === 0 });
+        while (encoder.encodeQueueSize > mostWaiting && fault === null) await pause();
+        await pause(); // the page goes on
+      }
+      if (fault === null) await encoder.flush();
     } finally {
-      if (recorder.state !== 'inactive') recorder.stop();
-      for (const track of video.getTracks()) track.stop();
+      last?.picture.close();
+      if (encoder.state !== 'closed') encoder.close();
     }
-    const film = await ended;
-    if (film.size < leastBytes) throw new Error(words.value.comparing.film.tooSlow);
-    return film;
+    if (fault !== null || !size || pictures.length < length)
+      throw new Error(words.value.comparing.film.notEncoded);
+    return new Blob([webmOf(pictures, { ...size, perSecond, space })], { type: 'video/webm' });
   }
 
-  /** By the clock, whatever the frame rate, from when the recorder has something; resolves at its end. */
-  #play(scene: SceneInfo, show: (share: number) => void, isRecording: () => boolean): Promise<void> {
-    const asked = performance.now();
-    let begun: number | null = null;
-    return new Promise((resolve, reject) => {
-      const frame = () => {
-        const now = performance.now();
-        if (begun === null && (isRecording() || now - asked > patience)) begun = now;
-        const passed = begun === null ? 0 : now - begun;
-        try {
-          this.#tell('recording', Math.min(1, passed / length), scene);
-          show(eased((passed - still) / gliding));
-        } catch (error) {
-          return reject(error);
-        }
-        if (passed >= length) resolve();
-        else requestAnimationFrame(frame);
-      };
-      requestAnimationFrame(frame);
-    });
+  #drawn(show: (share: number) => void, share: number, timestamp: number): VideoFrame {
+    show(share);
+    return this.#viewer.still(timestamp);
   }
 
   #tell(stage: FilmProgress['stage'], share: number, scene: SceneInfo): void {
@@ -156,7 +148,25 @@ export class Film {
   }
 }
 
-const sizeOf = (parts: readonly Blob[]): number => parts.reduce((sum, { size }) => sum + size, 0);
+type Size = Pick<Shape, 'width' | 'height'>;
+
+const pause = () => new Promise((resolve) => setTimeout(resolve));
+
+function pictureOf(chunk: EncodedVideoChunk): EncodedPicture {
+  const bytes = new Uint8Array(chunk.byteLength);
+  chunk.copyTo(bytes);
+  return { bytes, isWhole: chunk.type === 'key' };
+}
+
+/** Makes the encoder ready for pictures like this one. Throws where the browser has none for them. */
+async function begin(encoder: VideoEncoder, picture: VideoFrame): Promise<Size> {
+  const { displayWidth: width, displayHeight: height } = picture;
+  const config = { codec: 'vp8', width, height, bitrate: bitsPerSecond, framerate: perSecond };
+  const { supported } = await VideoEncoder.isConfigSupported(config);
+  if (!supported) throw new Error(words.value.comparing.film.notEncoded);
+  encoder.configure(config);
+  return { width, height };
+}
 
 /** 0..1, at rest at both ends. */
 function eased(share: number): number {

@@ -151,8 +151,8 @@ export interface Viewer {
   home(): void;
   /** The present picture, drawn at once; one in false colours has its legend in a corner. */
   png(): Promise<Blob>;
-  /** What is drawn from now on, as video; null where the browser has no such thing. */
-  video(framesPerSecond: number): MediaStream | null;
+  /** The present picture, drawn at once, as one of a video; µs from its beginning. Whoever asks closes it. */
+  still(timestamp: number): VideoFrame;
   dispose(): void;
 }
 

@@ -344,8 +344,9 @@ class RoomViewer implements Viewer {
     return display?.mode === 'falseColor' ? withLegend(picture, display, this.#stage.ratio) : picture;
   }
 
-  video(framesPerSecond: number): MediaStream | null {
-    return this.#stage.video(framesPerSecond);
+  still(timestamp: number): VideoFrame {
+    this.#loop.flush();
+    return this.#stage.still(timestamp);
   }
 
   dispose(): void {

@@ -30,4 +30,4 @@ test('light goes straight from step to step', () => {
   ]);
 });
 
-test('is not offered where there is no recorder', () => expect(canFilm).toBe(false));
+test('is not offered where nothing encodes it', () => expect(canFilm).toBe(false));

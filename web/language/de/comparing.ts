@@ -71,8 +71,6 @@ export const comparing: Words['comparing'] = {
     cancel: 'Abbrechen (Esc)',
     notRecorded: 'Die Schleife wurde nicht aufgenommen.',
     failed: (why) => `Die Schleife konnte nicht aufgenommen werden: ${why}`,
-    noVideo: 'dieser Browser gibt kein Video eines Bildes',
     notEncoded: 'der Browser konnte es nicht kodieren',
-    tooSlow: 'kein Bild davon war rechtzeitig fertig: das Fenster verkleinern und noch einmal versuchen',
   },
 };

@@ -69,8 +69,6 @@ export const comparing = {
     cancel: 'Cancel (Esc)',
     notRecorded: 'The loop is not recorded.',
     failed: (why: string) => `The loop could not be recorded: ${why}`,
-    noVideo: 'this browser gives no video of a picture',
     notEncoded: 'the browser could not encode it',
-    tooSlow: 'not one picture of it was ready in time: make the window smaller and try again',
   },
 };

@@ -101,8 +101,14 @@ export class Stage {
     });
   }
 
-  video(framesPerSecond: number): MediaStream | null {
-    return this.#canvas.captureStream?.(framesPerSecond) ?? null;
+  /** The picture of a frame drawn just now, in the same task; its sides are even, as encoders want them. */
+  still(timestamp: number): VideoFrame {
+    const even = (length: number) => length - (length % 2);
+    const { width, height } = this.#canvas;
+    return new VideoFrame(this.#canvas, {
+      timestamp,
+      visibleRect: { x: 0, y: 0, width: even(width), height: even(height) },
+    });
   }
 
   dispose(): void {
