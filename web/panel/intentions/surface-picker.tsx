@@ -70,7 +70,9 @@ export function SurfacePicker({ label, names, onChange }: Props) {
             value={filter}
             onInput={(event) => setFilter(event.currentTarget.value)}
             onKeyDown={(event) => {
-              if (event.key === 'Enter') only(firstFound());
+              if (event.key !== 'Enter') return;
+              event.preventDefault(); // or the button that gets the focus is pressed by the same key, and opens again
+              only(firstFound());
             }}
           />
           <div class="picker-scroll" tabIndex={-1}>
