@@ -143,3 +143,36 @@ export function hangable(state: Understood, most: number): readonly SurveyedSurf
   const shown = all.filter(isHung);
   return [...shown, ...others.slice(0, Math.max(0, most - shown.length))];
 }
+
+/** A storey of a model: its floor, and what luminaires would hang on there. */
+export interface ModelStorey {
+  readonly floor: number; // m, over the lowest point of the model
+  readonly ceilings: readonly string[];
+}
+
+const storeyHeight = 2; // m from floor to floor, at least
+const headroom = 1.8; // m
+const mostHeadroom = 7; // m: what faces down higher is a roof over something open
+const aPart = 0.08; // of the largest floor: a smaller one is a landing
+const aShare = 0.02; // of its storey's floor: what is smaller is no ceiling
+
+/** From below to above; one that has no ceiling is left out. What is proposed there comes before what only faces down. */
+export function storeysIn({ survey }: Understood): readonly ModelStorey[] {
+  const all = survey?.surfaces ?? [];
+  const level = all.filter(({ facing }) => facing === facings.up);
+  const floors: SurveyedSurface[] = [];
+  for (const surface of level) {
+    if (surface.area < aPart * level[0]!.area) break;
+    if (floors.every((other) => Math.abs(other.high - surface.high) >= storeyHeight)) floors.push(surface);
+  }
+  floors.sort((one, other) => one.high - other.high);
+  return floors.flatMap(({ high: floor, area }, i) => {
+    const top = Math.min(floors[i + 1]?.high ?? Infinity, floor + mostHeadroom);
+    const above = all.filter(
+      ({ high, facing }) => high > floor + headroom && high < top && facing === facings.down,
+    );
+    const proposed = above.filter(({ use }) => use === uses.mount);
+    const ceilings = proposed.length > 0 ? proposed : above.filter((each) => each.area > aShare * area);
+    return ceilings.length > 0 ? [{ floor, ceilings: ceilings.map(({ name }) => name) }] : [];
+  });
+}

@@ -28,6 +28,9 @@ export const sheet: Words['sheet'] = {
     plane: 'Stattdessen Ebene über dem Boden',
     planeHeight: 'Höhe der Ebene über dem Boden',
     proposed: 'Wie vorgeschlagen',
+    storeys: 'Nur in einem Geschoss',
+    storey: (number: number) => `Geschoss ${number}`,
+    floorAt: (height: string) => `Decken über dem Boden auf ${height} m`,
   },
   luminaires: {
     title: 'Plätze der Leuchten',

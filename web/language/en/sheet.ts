@@ -27,6 +27,9 @@ export const sheet = {
     plane: 'Plane over the floor instead',
     planeHeight: 'Height of the plane over the floor',
     proposed: 'As proposed',
+    storeys: 'In one storey alone',
+    storey: (number: number) => `Storey ${number}`,
+    floorAt: (height: string) => `Ceilings over the floor at ${height} m`,
   },
   luminaires: {
     title: 'Places of luminaires',

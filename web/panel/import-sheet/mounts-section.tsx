@@ -1,5 +1,5 @@
 /** Where luminaires hang: surfaces, which glow in the picture, or a plane where nothing is a ceiling. */
-import { hangable, mountsIn } from '../../app/importing/model-choices.ts';
+import { hangable, mountsIn, storeysIn } from '../../app/importing/model-choices.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
@@ -11,7 +11,12 @@ import { Section } from '../room-maker/field.tsx';
 const most = 10; // surfaces in the list
 const usualPlane = 2.7; // m
 
-export function MountsSection({ state, sheet }: { readonly state: SheetState; readonly sheet: ImportSheet }) {
+interface Props {
+  readonly state: SheetState;
+  readonly sheet: ImportSheet;
+}
+
+export function MountsSection({ state, sheet }: Props) {
   const text = words.value.sheet.mounts;
   const { survey, choices } = state;
   if (!survey) return null;
@@ -19,6 +24,7 @@ export function MountsSection({ state, sheet }: { readonly state: SheetState; re
   const isPlane = choices.ceiling > 0;
   return (
     <Section title={text.title}>
+      <StoreyChoice state={state} sheet={sheet} />
       {hung.length === 0 && !isPlane && <p class="fine-print">{text.none}</p>}
       {!isPlane && (
         <ul class="sheet-list">
@@ -54,5 +60,32 @@ export function MountsSection({ state, sheet }: { readonly state: SheetState; re
         />
       )}
     </Section>
+  );
+}
+
+/** Of a building: luminaires hang in one storey, and the working plane follows them. */
+function StoreyChoice({ state, sheet }: Props) {
+  const text = words.value.sheet.mounts;
+  const storeys = storeysIn(state);
+  if (storeys.length < 2) return null;
+  const hung = mountsIn(state);
+  const isChosen = (ceilings: readonly string[]) =>
+    state.choices.ceiling === 0 &&
+    hung.length === ceilings.length &&
+    ceilings.every((name) => hung.includes(name));
+  return (
+    <div class="sheet-storeys" role="group" aria-label={text.storeys}>
+      {storeys.map(({ floor, ceilings }, i) => (
+        <button
+          key={floor}
+          class="button small"
+          aria-pressed={isChosen(ceilings)}
+          title={text.floorAt(fixed(floor, 2))}
+          onClick={() => sheet.choose({ mounts: ceilings, ceiling: 0 })}
+        >
+          {text.storey(i + 1)}
+        </button>
+      ))}
+    </div>
   );
 }

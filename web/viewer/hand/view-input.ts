@@ -1,4 +1,5 @@
 /** What the person does on the picture: picking, hovering, dragging and keys, as events of the app and moves of the eye. */
+import type { Vector3 } from 'three';
 import type { CameraRig } from '../eye/camera-rig.ts';
 import type { Emphasis } from './emphasis.ts';
 import type { LuminaireHand } from './luminaire-hand.ts';
@@ -27,6 +28,8 @@ export interface InputParts {
   readonly events: ViewerEvents;
   /** What can be hit now; nothing while no room with light is open. */
   readonly solid: () => readonly LitMesh[];
+  /** Whether a point is of the floor of a storey above the lowest. */
+  readonly isFloor: (point: Vector3) => boolean;
 }
 
 export class ViewInput {
@@ -104,7 +107,7 @@ export class ViewInput {
       doubleClick: (x, y) => {
         const hit = this.#pick(x, y);
         if (hit?.surface == null) return;
-        if (rig.isFloor(hit.point)) rig.stand(hit.point);
+        if (rig.isFloor(hit.point) || this.#parts.isFloor(hit.point)) rig.stand(hit.point);
         else rig.pivot(hit.point);
       },
       press: (event) => {

@@ -18,6 +18,7 @@ const onFloor = 0.1; // m above a floor: what begins higher is carried by someth
 const belowCeiling = 0.2; // m: what reaches higher is part of the building
 const below = 0.05; // m that a floor is below the cut, at least
 const plates = 0.5; // m below a floor: what is there belongs to it
+const floorDepth = 0.15; // m: carpets and steps are floor, too
 const aHair = 1e-3; // m: what is level with the cut is drawn
 const attribute = '_storey';
 
@@ -95,6 +96,11 @@ export class Section {
   /** Several storeys: it has outsides. False until somebody has asked for them. */
   get isBuilding(): boolean {
     return this.#storeys !== null && this.#storeys.length > 1;
+  }
+
+  /** Whether a height is that of a storey's floor. */
+  isFloor(y: number): boolean {
+    return this.isBuilding && this.storeys.some(({ floor }) => Math.abs(y - floor) < floorDepth);
   }
 
   /** Before a picture: from within, a building has no outsides, and the storeys below the highest shown one are closed. */

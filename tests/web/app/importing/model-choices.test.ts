@@ -14,6 +14,7 @@ import {
   keptChoices,
   materialsOf,
   mountsIn,
+  storeysIn,
   usualChoices,
 } from '../../../../web/app/importing/model-choices.ts';
 
@@ -101,4 +102,30 @@ test('luminaires hang where it is proposed, until somebody says where', () => {
     hangable({ choices: { ...usualChoices, mounts }, survey }, most).map(({ name }) => name);
   expect(names([], 2)).toEqual(['ceiling', 'soffit']);
   expect(names(['floor', 'shelf'], 1)).toEqual(['floor', 'shelf']);
+});
+
+test('storeys are told by their floors, each with the ceilings that belong to it', () => {
+  const surface = (name: string, area: number, high: number, facing: number, use: number = uses.none) =>
+    ({ name, area, high, facing, use }) satisfies SurveyedSurface;
+  const { up, down, sideways } = facings;
+  const surfaces = [
+    surface('ground', 120, 0.3, up),
+    surface('roof below', 120, 6, down, uses.mount),
+    surface('slab', 108, 3.3, up, uses.floor),
+    surface('slab below', 108, 3, down),
+    surface('roof', 100, 6.3, up),
+    surface('wall', 60, 3, sideways),
+    surface('carpet', 54, 0.31, up),
+    surface('lowered ceiling', 12, 2.6, down),
+    surface('landing', 3, 1.8, up),
+    surface('lintel', 0.3, 2.4, down),
+    surface('desk below', 5, 1, down),
+  ];
+  const told = (of: readonly SurveyedSurface[]) =>
+    storeysIn({ choices: usualChoices, survey: { surfaces: of } as unknown as Survey });
+  expect(told(surfaces)).toEqual([
+    { floor: 0.3, ceilings: ['slab below', 'lowered ceiling'] },
+    { floor: 3.3, ceilings: ['roof below'] },
+  ]);
+  expect(told([])).toEqual([]);
 });

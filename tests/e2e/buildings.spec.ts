@@ -1,0 +1,42 @@
+// A building of several storeys: cut by them, stood in, and lit in one of them. Covers storeys and mounts-section.
+import { makeBuilding } from '../rooms/made-building.mjs';
+import { difference, drop, expect, picture, test } from './app.ts';
+
+test.setTimeout(180_000);
+test.use({ viewport: { width: 900, height: 600 } });
+
+test('a building is cut by its storeys, stood in room by room, and lit in one of them', async ({ page }) => {
+  await page.goto('./?room=box');
+  await expect(page.getByRole('tab', { name: 'Intentions' })).toBeVisible();
+  await drop(page, { 'building.glb': Buffer.from(await makeBuilding().bytes()) });
+  const understood = page.getByRole('button', { name: 'How it was understood' });
+  await expect(understood).toBeVisible({ timeout: 60_000 });
+
+  const views = page.getByRole('button', { name: 'Views', exact: true });
+  await views.click();
+  const storeys = page.getByRole('region', { name: 'Storeys and rooms' });
+  const section = storeys.getByRole('slider', { name: 'Section' });
+  await expect(section).toHaveAttribute('aria-valuetext', 'not cut');
+  const whole = await picture(page);
+  await storeys.getByRole('button', { name: 'Storey 1' }).click();
+  await expect(section).toHaveAttribute('aria-valuetext', 'cut at 1.5 m');
+  await section.press('ArrowRight');
+  await expect(section).toHaveAttribute('aria-valuetext', 'cut at 1.6 m');
+  await expect
+    .poll(async () => difference(await picture(page), whole), { timeout: 60_000 })
+    .toBeGreaterThan(0.05);
+  const upper = storeys.getByRole('group', { name: 'Stand in: Storey 2' });
+  await expect(upper.getByRole('button')).toHaveCount(3);
+  await upper.getByRole('button', { name: 'Room 1' }).click();
+  await expect(section).toHaveAttribute('aria-valuetext', 'not cut');
+  await views.click();
+
+  await understood.click();
+  const lower = page
+    .getByRole('group', { name: 'In one storey alone' })
+    .getByRole('button', { name: 'Storey 1' });
+  await lower.click();
+  await expect(lower).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('checkbox', { name: 'slab/underside' })).toBeChecked();
+  await expect(page.getByRole('checkbox', { name: 'roof/underside' })).not.toBeChecked();
+});
