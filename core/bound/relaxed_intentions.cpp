@@ -64,6 +64,11 @@ class Relaxer {
     return {quantityOf(intentions_, of), of.over};
   }
 
+  /// Of more candidates none are made; bounds then do without what they say.
+  bool hasCovariances() const {
+    return std::max<std::size_t>(sites_, prepared_.scene().sites.size()) <= kMostInCovariance;
+  }
+
   std::vector<double> covarianceOf(const LitSet& set) const {
     return prepared_.exactCovariance(set.quantity, set.surfaces);
   }
@@ -75,6 +80,7 @@ class Relaxer {
 
   /// + weight sigma, from below: sqrt(x^T (C + ridge I) x) is above sigma by at most sqrt(ridge x^T x).
   void addSigma(ConvexObjective& to, const LitSet& set, double weight) const {
+    if (!hasCovariances()) return;  // at least 0
     double ridge = 0;
     auto matrix = convexMatrix(covarianceOf(set), sites_, ridge);
     to.terms.push_back({std::move(matrix), weight, true});
@@ -128,7 +134,7 @@ class Relaxer {
   }
 
   void addSigmaGoal(const LitSet& set, double factor) {
-    if (factor < 0 && prepared_.isTied()) {
+    if (!hasCovariances() || (factor < 0 && prepared_.isTied())) {
       result_.supported = false;
       return;
     }

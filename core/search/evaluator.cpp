@@ -34,13 +34,13 @@ Layout referenceLayout(PreparedScene& prepared, const Intentions& intentions, co
 
 Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
     : prepared_(prepared),
-      siteCount_(prepared.stride()),
       flux_(fluxesOf(intentions.luminaires, slotsFor(prepared, intentions.luminaires))),
       objective_(prepared, intentions, referenceLayout(prepared, intentions, reference)) {
   for (const double flux : flux_) squares_.push_back(flux * flux);
   const std::size_t count = objective_.sets().size();
   moments_.resize(count);
-  rows_.resize(count);
+  sums_.resize(count);
+  inTurn_.resize(count);
   patches_.resize(count);
   points_.resize(count);
   trialMoments_.resize(count);
@@ -50,7 +50,10 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   variances_.resize(count * kBlock);
   for (std::size_t s = 0; s < count; ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    if (set.needsVariance) rows_[s].resize(siteCount_);
+    if (set.needsVariance) {
+      sums_[s].emplace(*set.statistics);
+      inTurn_[s].emplace(*set.statistics);
+    }
     if (set.ofPoints) points_[s].emplace(prepared.scene(), *set.ofPoints);
     hasPoints_ |= set.ofPoints.has_value();
     if (set.needsExtremes) patches_[s].emplace(prepared.scene(), set.quantity, set.surfaces);
@@ -94,7 +97,8 @@ void Evaluator::readMoments(const std::vector<std::uint32_t>& sites) {
   const auto count = static_cast<std::uint32_t>(sites.size());
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), countedFlux(set), count, set.needsVariance);
+    trialMoments_[s] = momentsOf(*set.statistics, sites.data(), countedFlux(set), count, false);
+    if (inTurn_[s]) trialMoments_[s].variance = inTurn_[s]->of(sites.data(), countedFlux(set), count);
   }
 }
 
@@ -140,10 +144,8 @@ void Evaluator::load(const std::vector<std::uint32_t>& sites) {
   assert(sites.size() <= flux_.size());
   sites_ = sites;
   const auto count = static_cast<std::uint32_t>(sites_.size());
-  for (std::size_t s = 0; s < rows_.size(); ++s)
-    if (objective_.sets()[s].needsVariance)
-      fillRow(objective_.sets()[s].statistics->covariance.data(), siteCount_, sites_.data(), flux_.data(),
-              count, rows_[s].data());
+  for (std::optional<VarianceSums>& sums : sums_)
+    if (sums) sums->load(sites_.data(), flux_.data(), count);
   refresh();
 }
 
@@ -153,8 +155,7 @@ void Evaluator::refresh() {
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
     moments_[s].mean = meanOf(set.statistics->mean.data(), sites_.data(), countedFlux(set), count);
-    if (set.needsVariance)
-      moments_[s].variance = varianceFromRow(rows_[s].data(), sites_.data(), flux_.data(), count);
+    if (sums_[s]) moments_[s].variance = sums_[s]->variance(sites_.data(), flux_.data(), count);
     if (points_[s]) {
       light(*points_[s], sites_);
       take(points_[s]->current(), moments_[s], extremes_[s]);
@@ -206,12 +207,10 @@ void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::
     const std::uint32_t* block = candidates + first;
     for (std::size_t s = 0; s < sets; ++s) {
       const ObjectiveSet& set = objective_.sets()[s];
-      const KernelStatistics& c = *set.statistics;
-      movedMeans(c.mean.data(), moments_[s].mean, from, set.counted(flux), block, n,
+      movedMeans(set.statistics->mean.data(), moments_[s].mean, from, set.counted(flux), block, n,
                  means_.data() + s * kBlock);
-      if (set.needsVariance)
-        movedVariances(c.covariance.data(), c.diagonal.data(), siteCount_, rows_[s].data(),
-                       moments_[s].variance, from, flux, block, n, variances_.data() + s * kBlock);
+      if (sums_[s])
+        sums_[s]->moved(moments_[s].variance, from, flux, block, n, variances_.data() + s * kBlock);
     }
     for (std::uint32_t k = 0; k < n; ++k) {
       for (std::size_t s = 0; s < sets; ++s)
@@ -243,13 +242,11 @@ std::uint32_t Evaluator::changesOf(const Trial& trial, FluxChange* changes) cons
 void Evaluator::momentsAfter(const FluxChange* changes, std::uint32_t count) {
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
-    const KernelStatistics& c = *set.statistics;
+    const std::vector<double>& means = set.statistics->mean;
     double mean = moments_[s].mean;
-    for (std::uint32_t k = 0; k < count; ++k) mean += set.counted(changes[k].flux) * c.mean[changes[k].site];
+    for (std::uint32_t k = 0; k < count; ++k) mean += set.counted(changes[k].flux) * means[changes[k].site];
     trialMoments_[s].mean = mean;
-    if (objective_.sets()[s].needsVariance)
-      trialMoments_[s].variance = changedVariance(c.covariance.data(), siteCount_, rows_[s].data(),
-                                                  moments_[s].variance, changes, count);
+    if (sums_[s]) trialMoments_[s].variance = sums_[s]->changed(moments_[s].variance, changes, count);
   }
 }
 
@@ -270,12 +267,8 @@ void Evaluator::tryPair(const Move& a, const Move& b, Trial& best) {
 void Evaluator::apply(const Trial& trial) {
   FluxChange changes[4];
   const std::uint32_t count = changesOf(trial, changes);
-  for (std::size_t s = 0; s < rows_.size(); ++s) {
-    if (!objective_.sets()[s].needsVariance) continue;
-    for (std::uint32_t k = 0; k < count; ++k)
-      addToRow(objective_.sets()[s].statistics->covariance.data(), siteCount_, changes[k].site,
-               changes[k].flux, rows_[s].data());
-  }
+  for (std::optional<VarianceSums>& sums : sums_)
+    for (std::uint32_t k = 0; sums && k < count; ++k) sums->add(changes[k]);
   for (std::uint32_t k = 0; k < trial.count; ++k) sites_[trial.moves[k].luminaire] = trial.moves[k].site;
   refresh();
 #ifdef FIATLUX_CHECK_DELTA

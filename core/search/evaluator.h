@@ -1,7 +1,7 @@
 // Trial layouts of candidates (sites, or ties of them: prepared_scene.h), cheaply: the evaluator stands at
-// one layout, keeps the sums C x of it, and tells what a change of it would be worth in O(1) loads per
-// surface set instead of N (N + 1) / 2 (paper (8), (10)): (x + d)^T C (x + d) = x^T C x + 2 d^T (C x) + d^T C
-// d, and d has two entries a move.
+// one layout, keeps the sums C x of it (variance_sums.h), and tells what a change of it would be worth in
+// O(1) loads per surface set instead of N (N + 1) / 2 (paper (8), (10)): (x + d)^T C (x + d) = x^T C x + 2
+// d^T (C x) + d^T C d, and d has two entries a move.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "core/search/intentions.h"
 #include "core/search/objective.h"
 #include "core/search/plane_values.h"
+#include "core/search/variance_sums.h"
 
 namespace fiatlux {
 
@@ -92,14 +93,14 @@ class Evaluator {
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
   const PreparedScene& prepared_;
-  std::uint32_t siteCount_ = 0;  // entries of a row of the statistics
   double penalty_ = 0;
   std::vector<double> flux_, squares_;  // squares: of the fluxes
   Objective objective_;
   std::vector<std::uint32_t> sites_;
   Evaluation current_;
   std::vector<Moments> moments_;
-  std::vector<std::vector<double>> rows_;              // C x of each set that needs variances
+  std::vector<std::optional<VarianceSums>> sums_;      // of each set that needs variances,
+  std::vector<std::optional<VarianceInTurn>> inTurn_;  // and of it for layouts that it does not stand at
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
   bool hasPoints_ = false;

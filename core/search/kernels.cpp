@@ -81,4 +81,36 @@ double changedVariance(const float* covariance, std::uint32_t m, const double* r
   return sum;
 }
 
+void addLight(const float* column, const double* factor, double flux, std::uint32_t rows, double* light) {
+  for (std::uint32_t i = 0; i < rows; ++i) light[i] += flux * factor[i] * column[i];
+}
+
+namespace {
+
+constexpr std::uint32_t kLanes = 8;  // sums side by side, in an order that no compiler may choose
+
+double sumOf(const double (&lanes)[kLanes]) {
+  return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+}
+
+}  // namespace
+
+double weightedSquares(const double* weight, const double* value, std::uint32_t rows) {
+  double lanes[kLanes] = {};
+  const std::uint32_t even = rows / kLanes * kLanes;
+  for (std::uint32_t i = 0; i < even; i += kLanes)
+    for (std::uint32_t x = 0; x < kLanes; ++x) lanes[x] += weight[i + x] * value[i + x] * value[i + x];
+  for (std::uint32_t i = even; i < rows; ++i) lanes[i - even] += weight[i] * value[i] * value[i];
+  return sumOf(lanes);
+}
+
+double productOf(const float* column, const double* value, std::uint32_t rows) {
+  double lanes[kLanes] = {};
+  const std::uint32_t even = rows / kLanes * kLanes;
+  for (std::uint32_t i = 0; i < even; i += kLanes)
+    for (std::uint32_t x = 0; x < kLanes; ++x) lanes[x] += value[i + x] * column[i + x];
+  for (std::uint32_t i = even; i < rows; ++i) lanes[i - even] += value[i] * column[i];
+  return sumOf(lanes);
+}
+
 }  // namespace fiatlux

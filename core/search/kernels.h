@@ -54,4 +54,14 @@ FIATLUX_KERNEL void movedVariances(const float* covariance, const float* diagona
 FIATLUX_KERNEL double changedVariance(const float* covariance, std::uint32_t m, const double* row,
                                       double current, const FluxChange* changes, std::uint32_t count);
 
+/// light += flux factor column, all of `rows` entries.
+FIATLUX_KERNEL void addLight(const float* column, const double* factor, double flux, std::uint32_t rows,
+                             double* light);
+
+/// Sum of weight_i value_i^2.
+FIATLUX_KERNEL double weightedSquares(const double* weight, const double* value, std::uint32_t rows);
+
+/// Sum of column_i value_i.
+FIATLUX_KERNEL double productOf(const float* column, const double* value, std::uint32_t rows);
+
 }  // namespace fiatlux

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/search/kernels.h"
+#include "core/search/variance_sums.h"
 
 namespace fiatlux {
 namespace {
@@ -27,18 +28,26 @@ std::shared_ptr<const KernelStatistics> kernelStatistics(const Scene& scene, Qua
   return result;
 }
 
+std::shared_ptr<const KernelStatistics> factoredStatistics(std::shared_ptr<const LightFactor> factor) {
+  return std::make_shared<KernelStatistics>(KernelStatistics{factor->mean(), {}, {}, factor});
+}
+
 }  // namespace
 
 Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites, const double* flux,
                   std::uint32_t count, bool withVariance) {
   const auto m = static_cast<std::uint32_t>(statistics.mean.size());
   Moments moments{meanOf(statistics.mean.data(), sites, flux, count), 0};
-  if (withVariance) moments.variance = varianceOf(statistics.covariance.data(), m, sites, flux, count);
+  if (!withVariance) return moments;
+  if (statistics.factor)
+    moments.variance = VarianceInTurn(statistics).of(sites, flux, count);
+  else
+    moments.variance = varianceOf(statistics.covariance.data(), m, sites, flux, count);
   return moments;
 }
 
-PreparedScene::PreparedScene(const Scene& scene)
-    : scene_(scene), candidateCount_(static_cast<std::uint32_t>(scene.sites.size())) {
+PreparedScene::PreparedScene(const Scene& scene, VarianceForm form)
+    : scene_(scene), form_(form), candidateCount_(static_cast<std::uint32_t>(scene.sites.size())) {
   std::vector<Vec3> centers;
   for (const Site& site : scene.sites) centers.push_back(site.position);
   findNear(centers);
@@ -106,6 +115,12 @@ void PreparedScene::appendSites(std::uint32_t candidate, std::vector<std::uint32
   sites.insert(sites.end(), ties_.members[candidate].begin(), ties_.members[candidate].end());
 }
 
+/// Covariances that the scene has are at hand, whatever they cost.
+bool PreparedScene::isFactored(Quantity quantity) const {
+  if (form_ != VarianceForm::kBySize) return form_ == VarianceForm::kFactor;
+  return candidateCount_ > kMostInCovariance && leafStatistics(scene_, quantity)[0].covariance.empty();
+}
+
 std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quantity,
                                                                   const SurfaceSet& surfaces) {
   for (const Entry& entry : entries_)
@@ -113,7 +128,9 @@ std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quant
   if (entries_.size() == kKeptSets) entries_.erase(entries_.begin());
   entries_.push_back({quantity, surfaces,
                       isTied() ? tiedStatistics(*sites_->statistics(quantity, surfaces))
-                               : kernelStatistics(scene_, quantity, surfaces)});
+                      : isFactored(quantity)
+                          ? factoredStatistics(std::make_shared<LightFactor>(scene_, quantity, surfaces))
+                          : kernelStatistics(scene_, quantity, surfaces)});
   return entries_.back().statistics;
 }
 
@@ -143,6 +160,7 @@ std::vector<Number> tiedCovariance(const Ties& ties, const std::vector<Number>& 
 }  // namespace
 
 std::shared_ptr<const KernelStatistics> PreparedScene::tiedStatistics(const KernelStatistics& ofSites) const {
+  if (ofSites.factor) return factoredStatistics(std::make_shared<LightFactor>(*ofSites.factor, ties_));
   auto result = std::make_shared<KernelStatistics>();
   result->mean.assign(stride(), 0.0);
   for (std::uint32_t c = 0; c < candidateCount_; ++c)

@@ -11,17 +11,30 @@
 
 #include "core/scene/scene.h"
 #include "core/search/arrangements.h"
+#include "core/search/light_factor.h"
 #include "core/search/statistics.h"
 
 namespace fiatlux {
 
 /// Statistics of one surface set for m = stride() candidates: `mean` m entries, `covariance` m x m row-major
-/// and symmetric, `diagonal` its m diagonal entries. Means stay in double, so that the N largest of a row are
-/// exactly that.
+/// and symmetric, `diagonal` its m diagonal entries; or instead of these two a factor of the covariance.
+/// Means stay in double, so that the N largest of a row are exactly that.
 struct KernelStatistics {
   std::vector<double> mean;
   std::vector<float> covariance, diagonal;
+  std::shared_ptr<const LightFactor> factor = nullptr;
 };
+
+/// How statistics know the variance.
+enum class VarianceForm : std::uint8_t {
+  kBySize,  // up to kMostInCovariance candidates as covariance, also where the scene has that
+  kCovariance,
+  kFactor,
+};
+
+/// Candidates of which covariances are made. One takes O(rows m^2) to make, a factor O(rows m); a trial then
+/// costs O(1) and O(rows). At 2048 making one costs as much as half a million trials by the factor.
+inline constexpr std::uint32_t kMostInCovariance = 2048;
 
 /// Mean and variance under a layout of `count` luminaires, by the kernels; the variance only where asked for,
 /// else 0.
@@ -34,7 +47,7 @@ Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites
 class PreparedScene {
  public:
   /// Each site is a candidate.
-  explicit PreparedScene(const Scene& scene);
+  explicit PreparedScene(const Scene& scene, VarianceForm form = VarianceForm::kBySize);
   /// Each tie is one; beside them stands nobody(), so that layouts may differ in their number of candidates.
   /// `sites`, of the first kind, must outlive it.
   PreparedScene(PreparedScene& sites, Ties ties);
@@ -120,7 +133,10 @@ class PreparedScene {
   void findNear(const std::vector<Vec3>& centers);
   std::shared_ptr<const KernelStatistics> tiedStatistics(const KernelStatistics& ofSites) const;
 
+  bool isFactored(Quantity quantity) const;
+
   const Scene& scene_;
+  VarianceForm form_ = VarianceForm::kBySize;
   PreparedScene* sites_ = nullptr;  // where this one is of ties
   Ties ties_;
   std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1, waysPerPlace_ = 1;
