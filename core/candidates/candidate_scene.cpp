@@ -26,6 +26,12 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
   if (candidates.size() > kMaxCandidates)
     return Error{"these types, turns and aims make " + std::to_string(candidates.size()) +
                  " candidates, more than " + std::to_string(kMaxCandidates) + "; allow fewer of them"};
+  const std::size_t bytes = candidates.size() * room.responses.rows * sizeof(float);
+  if (bytes > kMaxCandidateLight)
+    return Error{"the light of " + std::to_string(candidates.size()) + " candidates on " +
+                 std::to_string(room.responses.rows) + " patches takes " + std::to_string(bytes / 1'000'000) +
+                 " MB, more than " + std::to_string(kMaxCandidateLight / 1'000'000) +
+                 " MB; allow fewer types, turns and aims, or make the room with larger patches"};
   for (const Candidate& candidate : candidates)
     if (candidate.site >= room.sites.size() || candidate.type >= types.size())
       return Error{"a luminaire is asked for on site " + std::to_string(candidate.site) + " as type " +

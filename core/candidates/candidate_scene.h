@@ -33,7 +33,9 @@ struct Candidate {
   std::optional<Vec3> aim;  // m, a point that gamma 0 goes through
 };
 
-inline constexpr std::uint32_t kMaxCandidates = 2048;
+inline constexpr std::uint32_t kMaxCandidates = 5000;
+/// Bytes of the light of all candidates on all patches, so that a search fits into a browser's tab.
+inline constexpr std::size_t kMaxCandidateLight = 420'000'000;
 
 /// m: at this least distance no two luminaires hang on one site.
 inline constexpr double kCandidatesApart = 1e-3;

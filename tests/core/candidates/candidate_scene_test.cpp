@@ -199,6 +199,9 @@ TEST(CandidateScene, WhatCannotBeIsSaidInOneLine) {
   EXPECT_NE(refusal(room, {{6, 0, 0, 0, {}}}).find("site 6"), std::string::npos);
   EXPECT_NE(refusal(room, {{0, 2, 0, 0, {}}}).find("type 2"), std::string::npos);
   EXPECT_NE(refusal(room, std::vector<Candidate>(kMaxCandidates + 1)).find("allow fewer"), std::string::npos);
+  Scene fine = room;
+  fine.responses.rows = kMaxCandidateLight / sizeof(float) / 2000;
+  EXPECT_NE(refusal(fine, std::vector<Candidate>(2001)).find("larger patches"), std::string::npos);
 }
 
 }  // namespace
