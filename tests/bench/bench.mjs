@@ -151,6 +151,30 @@ async function countStrip() {
   session.delete();
 }
 
+/** A hall under many candidates: the form of its statistics that each number of them takes, and what that costs. */
+function halls() {
+  const native = need(inRoot('build/native/tests/hall_bench'));
+  const wasm = need(inRoot('build/wasm/tests/hall_bench.js'));
+  for (const candidates of [258, 1032, 5000]) {
+    const sides = { native: [], wasm: [] };
+    for (let batch = 0; batch < 3; ++batch) {
+      sides.native.push(JSON.parse(output(native, [String(candidates)])));
+      sides.wasm.push(JSON.parse(output('node', [wasm, String(candidates)])));
+    }
+    const { luminaires, patches, form } = sides.native[0];
+    const more = { batches: 3, candidates, luminaires, patches, form };
+    for (const [key, unit] of [
+      ['delta_floor_ns', 'ns'],
+      ['delta_all_ns', 'ns'],
+      ['first_layout_ms', 'ms'],
+      ['peak_mb', 'MB'],
+    ]) {
+      const of = (side) => sides[side].map((batch) => batch[key]);
+      compare(`hall_${candidates}_${key.replace(/_(ns|ms|mb)$/, '')}`, unit, of('native'), of('wasm'), more);
+    }
+  }
+}
+
 /** Runs the command to its end; seconds, and the peak of its memory. */
 function timed(command, args) {
   return new Promise((resolve, reject) => {
@@ -254,6 +278,7 @@ async function first10Mbit() {
 
 const figures = {
   kernels,
+  halls,
   solve_25000: solve25000,
   count_strip: countStrip,
   scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
