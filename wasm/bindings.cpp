@@ -158,6 +158,10 @@ std::string finish(Session& session) { return errorOf(session.finish()); }
 
 std::string finishOperator(Session& session) { return errorOf(session.finishOperator()); }
 
+bool prepareLight(Session& session, bool looks, std::uint32_t count) {
+  return session.prepareLight(looks, count);
+}
+
 std::string finishLight(Session& session) { return errorOf(session.finishLight()); }
 
 std::string finishStatistics(Session& session) { return errorOf(session.finishStatistics()); }
@@ -700,6 +704,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("provide", &provide)
       .function("finish", &finish)
       .function("finishOperator", &finishOperator)
+      .function("prepareLight", &prepareLight)
       .function("finishLight", &finishLight)
       .function("finishStatistics", &finishStatistics)
       .function("info", &info)

@@ -334,14 +334,14 @@ Result<Done> SceneReader::readOutline() {
 }
 
 Result<Scene> SceneReader::finish() {
-  Result<Scene> scene = finishLight();
-  if (!scene) return scene;
-  const Result<Done> read = finishStatistics(*scene);
+  const Result<std::unique_ptr<Scene>> scene = finishLight();
+  if (!scene) return scene.error();
+  const Result<Done> read = finishStatistics(**scene);
   if (!read) return read.error();
-  return scene;
+  return std::move(**scene);
 }
 
-Result<Scene> SceneReader::finishLight() {
+Result<std::unique_ptr<Scene>> SceneReader::finishLight() {
   if (!outline_) {
     const Result<Done> read = readOutline();
     if (!read) return read.error();
@@ -349,10 +349,10 @@ Result<Scene> SceneReader::finishLight() {
   CheckedSections in(table_, bytes_);
   readResponses(in, table_.counts, *responses_, *outline_);
   responses_.reset();
-  const std::unique_ptr<Scene> scene = std::move(outline_);
+  std::unique_ptr<Scene> scene = std::move(outline_);
   if (in.ok()) readOperator(in, table_.counts, *scene);
   if (!in.ok()) return in.fault();
-  return std::move(*scene);
+  return scene;
 }
 
 Result<Done> SceneReader::finishStatistics(Scene& scene) {

@@ -47,7 +47,7 @@ class SceneReader {
   /// Decodes and checks what is known of the room before its light: surfaces, patches and sites; and the
   /// opening light, where the file has one. Once only, when all early sections have been provided.
   Result<Done> readOutline();
-  /// After readOutline() and before finish().
+  /// After readOutline() and before finish(); with the light operator once that is decoded.
   const Scene* outline() const { return outline_.get(); }
   const OpeningLight* opening() const { return opening_ ? &*opening_ : nullptr; }
   /// Decodes and checks everything: shapes against the counts, ranges of all indices, no NaN or infinity,
@@ -58,7 +58,7 @@ class SceneReader {
   Result<Done> finishOperator(Scene& scene);
   /// finish() in two steps, of which the first wants no section of ofStatistics(): the scene has its
   /// operator, and no statistics until all of those sections are there, too, and the second is taken.
-  Result<Scene> finishLight();
+  Result<std::unique_ptr<Scene>> finishLight();
   Result<Done> finishStatistics(Scene& scene);
 
  private:

@@ -27,6 +27,7 @@ constexpr std::uint32_t kMostSitesOfPairs = 200;  // so that a step of their bou
 Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
   Result<SceneReader> reader = SceneReader::open(file);
   if (!reader) return reader.error();
+  arrivingLight_.reset();
   reader_.emplace(std::move(*reader));
   return Done{};
 }
@@ -34,6 +35,7 @@ Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
 Result<Done> Session::openHead(std::span<const std::uint8_t> head, std::uint64_t fileBytes) {
   Result<SceneReader> reader = SceneReader::openHead(head, fileBytes);
   if (!reader) return reader.error();
+  arrivingLight_.reset();
   reader_.emplace(std::move(*reader));
   return Done{};
 }
@@ -56,6 +58,7 @@ Result<Done> Session::provide(std::uint32_t section, std::vector<std::uint8_t> b
 Result<Done> Session::finish() {
   if (!reader_) return Error{"no scene file is being opened"};
   Result<Scene> scene = reader_->finish();
+  arrivingLight_.reset();
   if (!scene) {
     reader_.reset();
     return scene.error();
@@ -72,15 +75,30 @@ Result<Done> Session::finishOperator() {
   return read;
 }
 
+bool Session::prepareLight(bool looks, std::uint32_t count) {
+  const Scene* room = outline();
+  if (!room || !room->lightOperator) return true;
+  if (!arrivingLight_) arrivingLight_ = std::make_shared<const PhotometricLight>(*room), looked_ = 0;
+  const std::vector<Observer> observers = looks ? observersInRoom(room->patches) : std::vector<Observer>();
+  if (looked_ >= observers.size()) return arrivingLight_->prepare(count);
+  // Those at one place share what is seen from there.
+  const Vec3 place = observers[looked_].position;
+  (void)arrivingLight_->sightLines()->from(place);
+  while (looked_ < observers.size() && length(observers[looked_].position - place) == 0) ++looked_;
+  return false;
+}
+
 Result<Done> Session::finishLight() {
   if (!reader_) return Error{"no scene file is being opened"};
-  Result<Scene> scene = reader_->finishLight();
+  Result<std::unique_ptr<Scene>> scene = reader_->finishLight();
+  std::shared_ptr<const PhotometricLight> light = std::move(arrivingLight_);
   if (!scene) {
     reader_.reset();
     return scene.error();
   }
-  adopt(std::move(*scene));
+  adopt(std::move(*scene), nullptr);
   prepared_.reset();
+  light_ = std::move(light);
   return Done{};
 }
 
@@ -94,6 +112,10 @@ Result<Done> Session::finishStatistics() {
 }
 
 void Session::adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids) {
+  adopt(std::make_unique<Scene>(std::move(scene)), std::move(grids));
+}
+
+void Session::adopt(std::unique_ptr<Scene> scene, std::shared_ptr<const CalculationGrids> grids) {
   search_.reset();
   eased_.reset();
   alpha_.reset();
@@ -105,7 +127,7 @@ void Session::adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids) 
   grids_ = std::move(grids);
   asked_ = false;
   intentions_ = {};
-  scene_ = std::make_unique<Scene>(std::move(scene));
+  scene_ = std::move(scene);
   prepared_ = std::make_unique<PreparedScene>(*scene_);
 }
 

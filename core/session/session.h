@@ -65,6 +65,10 @@ class Session {
   /// Completes the scene of finish() by what the light of other photometries needs; the file is then done
   /// with.
   Result<Done> finishOperator();
+  /// Does some of what luminaires of other photometries will want to know of a room whose responses are still
+  /// on their way: what is seen from the places of its observers where `looks`, then of `count` sites. True
+  /// when nothing is left to do, or the operator is not there.
+  bool prepareLight(bool looks, std::uint32_t count);
   /// Decodes all but the statistics: the light of other photometries can be asked for, but no intentions may
   /// be set before finishStatistics() has completed the scene; the file is then done with.
   Result<Done> finishLight();
@@ -137,11 +141,14 @@ class Session {
   Result<Done> ready() const;
   Result<Done> lightFor(const Intentions& intentions);
   void pinAsIn(const Layout& layout);
+  void adopt(std::unique_ptr<Scene> scene, std::shared_ptr<const CalculationGrids> grids);
 
   std::optional<SceneReader> reader_;
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
   std::unique_ptr<Scene> scene_;
   std::shared_ptr<const PhotometricLight> light_;
+  std::shared_ptr<const PhotometricLight> arrivingLight_;  // of the outline of reader_
+  std::size_t looked_ = 0;  // observers from whose places it has been looked around there
   struct KnownType {
     std::vector<std::uint8_t> file;
     PhotometricType type;

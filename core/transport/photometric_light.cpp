@@ -69,11 +69,10 @@ double PhotometricLight::product(const float* a, const float* b) const {
   return sum;
 }
 
-void PhotometricLight::makeControls(const std::vector<PhotometricCandidate>& candidates) const {
+/// Of those sites that have none yet.
+void PhotometricLight::makeControls(std::vector<std::uint32_t> sites) const {
   const std::size_t rows = scene_.patches.rows();
-  std::vector<std::uint32_t> sites;
-  for (const PhotometricCandidate& candidate : candidates)
-    if (controls_[candidate.site].direct.empty()) sites.push_back(candidate.site);
+  std::erase_if(sites, [&](std::uint32_t site) { return !controls_[site].direct.empty(); });
   std::sort(sites.begin(), sites.end());
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   std::vector<float> direct(rows * sites.size());
@@ -87,6 +86,16 @@ void PhotometricLight::makeControls(const std::vector<PhotometricCandidate>& can
     control.exchanged.assign(&exchanged[i * rows], &exchanged[i * rows] + rows);
     control.squared = product(control.direct.data(), control.direct.data());
   }
+}
+
+bool PhotometricLight::prepare(std::uint32_t count) const {
+  std::vector<std::uint32_t> sites;
+  for (std::uint32_t site = 0; site < controls_.size() && sites.size() <= count; ++site)
+    if (controls_[site].direct.empty()) sites.push_back(site);
+  const bool isLast = sites.size() <= count;
+  if (!isLast) sites.pop_back();
+  makeControls(std::move(sites));
+  return isLast;
 }
 
 /// Indirect light by the exchange becomes the whole light of a luminaire.
@@ -108,7 +117,9 @@ void PhotometricLight::correct(const Control& control, const float* response, co
 std::vector<float> PhotometricLight::total(const std::vector<PhotometricCandidate>& candidates,
                                            const std::vector<float>& direct) const {
   const std::size_t rows = scene_.patches.rows();
-  makeControls(candidates);
+  std::vector<std::uint32_t> sites;
+  for (const PhotometricCandidate& candidate : candidates) sites.push_back(candidate.site);
+  makeControls(std::move(sites));
   std::vector<float> light = exchange_.indirect(direct, static_cast<std::uint32_t>(candidates.size()));
   for (std::size_t i = 0; i < candidates.size(); ++i)
     correct(controls_[candidates[i].site], scene_.responses.column(candidates[i].site), &direct[i * rows],

@@ -43,6 +43,10 @@ class PhotometricLight {
   /// Made when it is asked for first.
   std::shared_ptr<const SightLines> sightLines() const;
 
+  /// Finds out about `count` more sites what total() will want to know; true when nothing is left. The
+  /// scene's responses need not be there yet.
+  bool prepare(std::uint32_t count) const;
+
   std::vector<float> direct(const std::vector<PhotometricCandidate>& candidates) const;
   /// Direct light and all interreflections, given what direct() said.
   std::vector<float> total(const std::vector<PhotometricCandidate>& candidates,
@@ -54,7 +58,7 @@ class PhotometricLight {
     std::vector<float> direct, exchanged;  // rows: lx, and what it becomes by the exchange
     double squared = 0;                    // <phi_lambert, phi_lambert>
   };
-  void makeControls(const std::vector<PhotometricCandidate>& candidates) const;
+  void makeControls(std::vector<std::uint32_t> sites) const;
   double product(const float* a, const float* b) const;
   void correct(const Control& control, const float* response, const float* direct, float* light) const;
 
@@ -62,7 +66,7 @@ class PhotometricLight {
   ExchangeOperator exchange_;
   DirectQuadrature quadrature_;
   std::vector<float> weight_;              // patches: of <phi, phi>
-  mutable std::vector<Control> controls_;  // of each site, made when its light is asked for
+  mutable std::vector<Control> controls_;  // of each site, made when its light is asked for, or before
   mutable std::shared_ptr<const SightLines> sightLines_;
 };
 

@@ -74,6 +74,7 @@ async function lightOfSpot(file: Uint8Array<ArrayBuffer>): Promise<Float32Array>
   await openScene(room, wholeFile(file.slice().buffer), () => true, {
     room: () => undefined,
     scene: (opened) => void (scene = opened),
+    prepare: () => undefined,
     ready: () => undefined,
   });
   expect(scene.hasOperator).toBe(true);

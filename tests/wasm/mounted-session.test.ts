@@ -30,6 +30,7 @@ let scene!: SceneInfo;
 await openScene(room, wholeFile(bytesOf(operatorFile()).buffer), () => true, {
   room: () => undefined,
   scene: (opened) => void (scene = opened),
+  prepare: () => undefined,
   ready: () => undefined,
 });
 const sites = [3, 8, 14, 21, 29, 36];

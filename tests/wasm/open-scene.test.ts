@@ -22,6 +22,7 @@ const asked: Intentions = {
   goals: [{ statistic: 'sigma', sense: 'min', weight: 1, surfaces: ['all'] }],
   constraints: [],
   quantity: 'illuminance',
+  glare: { max: 19 },
 };
 const core = await loadBuiltCore();
 const file = bytesOf(syntheticFile());
@@ -35,7 +36,16 @@ class Told implements OpeningSteps {
   missing: Kind | null = null; // once the rest can be asked
   room = (glb: ArrayBuffer) => void this.rooms.push(new TextDecoder().decode(glb));
   scene = (...told: Parameters<OpeningSteps['scene']>) => void this.scenes.push(told);
+  prepared = 0; // slices
   ready = (missing: Kind) => void (this.missing = missing);
+
+  /** `session` is the one that a file with the operator first is opened in. */
+  constructor(readonly session?: Session) {}
+
+  prepare = () => {
+    do this.prepared += 1;
+    while (!this.session!.prepareLight(true, 7));
+  };
 }
 
 /** A file that arrives in pieces, the next one whenever `send` is called. */
@@ -191,14 +201,16 @@ describe('a file with a light operator that is arriving', () => {
     expect(table.filter(({ offset }) => offset > behind).every(({ ofStatistics }) => ofStatistics)).toBe(
       true,
     );
-    const told = new Told();
     const session = new core.Session();
+    const told = new Told(session);
     const { file: arrivingFile, send, close } = arriving(bytes);
     const opening = openScene(session, arrivingFile, always, told);
     send(100);
     send(behind);
     while (!told.missing) await new Promise((resolve) => setTimeout(resolve, 1));
     expect(told.missing).toBe('squares');
+    expect(told.prepared).toBeGreaterThan(40 / 7);
+    expect(session.prepareLight(true, 1)).toBe(true); // nothing is left of it
     const early = lightOfPanels(session);
     expect(Math.max(...early)).toBeGreaterThan(0);
     expect(session.setIntentions(coreIntentions(asked, told.scenes[0]![0].surfaces))).toMatch(/statistics/);

@@ -219,6 +219,11 @@ export interface Session {
   finish(): string;
   /** After finish(): completes the scene by the sections of the operator; '' or one readable line. */
   finishOperator(): string;
+  /**
+   * Does some of what candidates will need of a room whose responses are still on their way: what is seen from the places of
+   * its observers where `looks`, then of `count` sites. True when nothing is left to do.
+   */
+  prepareLight(looks: boolean, count: number): boolean;
   /** finish() without the statistics, and with the operator: candidates can be begun, intentions not be set yet. */
   finishLight(): string;
   /** After finishLight(): completes the scene by its statistics; '' or one readable line. */
@@ -338,6 +343,7 @@ export const sessionMethods = {
   provide: 2,
   finish: 0,
   finishOperator: 0,
+  prepareLight: 2,
   finishLight: 0,
   finishStatistics: 0,
   info: 0,

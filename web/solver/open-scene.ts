@@ -14,6 +14,8 @@ export interface OpeningSteps {
   room(glb: ArrayBuffer): void;
   /** The room without its light but for the one layout that the file may begin with; once, after `room`. */
   scene(scene: SceneInfo, light: OpeningLight | null): void;
+  /** The light operator is there, and the responses are on their way: what types will need of it can be prepared. */
+  prepare(): void;
   /** The session can be asked; what luminaires of this kind, or statistics of squares, need is still on its way. */
   ready(missing: Kind): void;
 }
@@ -42,6 +44,7 @@ export async function openScene(
   const hasOperator = wanted.some((section) => section.ofOperator);
   const early = wanted.filter(isEarly).length;
   const lit = wanted.filter((section) => !isLast(section)).length;
+  const operated = last === 'squares' ? 1 + wanted.map(isOfTypesOnly).lastIndexOf(true) : 0;
   const inflating: Promise<Uint8Array<ArrayBuffer>>[] = [];
   for (const [turn, section] of wanted.entries()) {
     for (const next of wanted.slice(inflating.length, turn + ahead)) inflating.push(begun(file, next));
@@ -55,6 +58,7 @@ export async function openScene(
     if (file.isWhole) continue;
     if (turn + 1 === early)
       steps.scene(sceneInfo(valid(session.outline()), provenance, hasOperator), lightOf(session));
+    if (turn + 1 === operated) steps.prepare();
     if (turn + 1 === lit) {
       check(last === 'types' ? session.finish() : session.finishLight());
       steps.ready(last);

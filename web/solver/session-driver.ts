@@ -27,6 +27,8 @@ type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type:
 /** What waits for its turn. */
 type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' | 'gains'>>;
 
+const preparedSites = 16; // of a room, between two looks at what has arrived of it: the core takes so many together
+
 export class SessionDriver {
   readonly #mounts: Mounts;
   readonly #session: Session;
@@ -39,6 +41,7 @@ export class SessionDriver {
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
   #awaited: Kind | null = null; // the room stands, and what luminaires of this kind need is on its way
+  #preparesRoom = false; // what types will need of the room is being made, while its responses are on their way
   #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #preparing: Request<'solve'> | null = null; // what it may try is being made
@@ -71,7 +74,12 @@ export class SessionDriver {
   /** Whether `step` has something to do. */
   get busy(): boolean {
     const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
-    return this.#color.waits || this.#reads.length > 0 || running.some((each) => each !== null);
+    return (
+      this.#preparesRoom ||
+      this.#color.waits ||
+      this.#reads.length > 0 ||
+      running.some((each) => each !== null)
+    );
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -108,7 +116,8 @@ export class SessionDriver {
   /** One slice of what runs. */
   step(): void {
     const isIdle = [this.#preparing, this.#task, this.#bound, this.#compare].every((each) => each === null);
-    if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
+    if (this.#preparesRoom) this.#prepareRoom();
+    else if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
     else if (this.#color.isDue || (isIdle && this.#color.waits)) return this.#tellColor();
     else if (this.#preparing) this.#attempt(this.#preparing.revision, this.#prepare, this.#preparing);
     else if (this.#reads.length > 0) return this.#read(this.#reads.shift()!);
@@ -153,6 +162,7 @@ export class SessionDriver {
     const turn = ++this.#openings;
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
+    this.#preparesRoom = false;
     this.#awaited = null;
     this.#drop();
     this.#compare = null;
@@ -171,7 +181,12 @@ export class SessionDriver {
           isTold = true;
           this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
         },
+        prepare: () => {
+          this.#preparesRoom = true;
+          this.#wake();
+        },
         ready: (missing) => {
+          this.#preparesRoom = false;
           this.#isOpening = false;
           this.#awaited = this.#scene?.hasOperator ? missing : null;
           this.#takeWaiting();
@@ -188,7 +203,7 @@ export class SessionDriver {
       if (isTold) this.#waiting = [];
     }
     if (!isCurrent()) return;
-    this.#isOpening = false;
+    this.#isOpening = this.#preparesRoom = false;
     this.#awaited = null;
     this.#takeWaiting();
   }
@@ -231,6 +246,12 @@ export class SessionDriver {
     const cost = { evaluations: 1, milliseconds: 0, askedAt, postedAt: this.#clock() };
     this.#post({ type: 'improved', revision, shown, ...cost }, [shown.illuminance.buffer]);
     return { ...request, start: shown.layout };
+  }
+
+  /** Something of what types will need of the room that is arriving. */
+  #prepareRoom(): void {
+    const looks = this.#waiting.some((asked) => 'intentions' in asked && isSeenInRoom(asked.intentions));
+    this.#preparesRoom = !this.#session.prepareLight(looks, preparedSites);
   }
 
   /** One slice of the light of all candidates; the search begins when it is there. */
@@ -397,6 +418,10 @@ export class SessionDriver {
     this.#post({ type: 'failed', revision, message, fatal: false }, []);
   }
 }
+
+/** Whether glare is asked for where the room says that somebody looks from. */
+const isSeenInRoom = ({ glare }: Intentions): boolean =>
+  glare !== undefined && (glare.observers ?? []).length === 0;
 
 function needsOperator(message: Turned): boolean {
   if (!('intentions' in message)) return false;

@@ -126,8 +126,9 @@ TEST(OperatorSections, MayComeBeforeTheResponsesAndStatisticsBehindAll) {
   }
   EXPECT_LT(lastOfOperator, firstOfOthers);
   give(before);
-  Result<Scene> light = reader.finishLight();
-  ASSERT_TRUE(light) << light.error().message;
+  Result<std::unique_ptr<Scene>> made = reader.finishLight();
+  ASSERT_TRUE(made) << made.error().message;
+  Scene* light = made->get();
   EXPECT_TRUE(light->illuminance.empty());
   const Scene all = readBack(scene, usual).value();
   EXPECT_EQ(light->responses.illuminance, all.responses.illuminance);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/transport/polygon_form_factor.h"
 #include "tests/core/operator_scene.h"
@@ -138,6 +139,23 @@ TEST(PhotometricLight, WhatIsKnownOfASiteChangesNothing) {
   (void)light.total(first, light.direct(first));
   const std::vector<float> a = light.total(both, light.direct(both)),
                            b = fresh.total(both, fresh.direct(both));
+  for (std::size_t p = 0; p < a.size(); ++p) EXPECT_NEAR(a[p], b[p], 1e-5 * b[p]) << p;
+}
+
+TEST(PhotometricLight, IsPreparedBeforeTheResponsesAreThere) {
+  Scene scene = clearScene();
+  const std::vector<PhotometricCandidate> all = {{0, on(scene.sites[0], oval, 0.2)},
+                                                 {1, on(scene.sites[1], oval, 0.2)},
+                                                 {2, on(scene.sites[2], oval, 0.2)}};
+  const PhotometricLight fresh(scene);
+  const std::vector<float> b = fresh.total(all, fresh.direct(all));
+  const Responses responses = std::exchange(scene.responses, {});
+  const PhotometricLight light(scene);
+  EXPECT_FALSE(light.prepare(2));
+  EXPECT_TRUE(light.prepare(2));
+  EXPECT_TRUE(light.prepare(2));
+  scene.responses = responses;
+  const std::vector<float> a = light.total(all, light.direct(all));
   for (std::size_t p = 0; p < a.size(); ++p) EXPECT_NEAR(a[p], b[p], 1e-5 * b[p]) << p;
 }
 

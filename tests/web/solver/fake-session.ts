@@ -98,13 +98,14 @@ export class FakeSession implements Session {
     const late = { index: 2, name: 'responses', needed: true, early: false, ...at };
     const operator = { ...late, index: 3, name: 'exchange', needed: false, ofOperator: true };
     const statistics = { ...late, index: 4, name: 'illuminanceStatistics', ofStatistics: true };
-    return [
+    const table = [
       { index: 0, name: 'sites', needed: true, early: true, ...at },
       { index: 1, name: 'room', needed: false, early: false, ...at },
       ...(this.lateAt === null ? [] : [{ ...late, offset: this.lateAt }]),
       ...(this.operatorAt === null ? [] : [{ ...operator, offset: this.operatorAt }]),
       ...(this.statisticsAt === null ? [] : [{ ...statistics, offset: this.statisticsAt }]),
     ];
+    return table.sort((a, b) => a.offset - b.offset);
   }
   outline = () => this.info();
   opening = () => ({
@@ -121,6 +122,10 @@ export class FakeSession implements Session {
   finishOperator() {
     this.calls.push('finishOperator');
     return '';
+  }
+  prepareLight(looks: boolean) {
+    this.calls.push(looks ? 'prepare and look' : 'prepare');
+    return !looks;
   }
   finishLight() {
     this.calls.push('finishLight');

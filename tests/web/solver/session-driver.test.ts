@@ -300,6 +300,23 @@ test('types are asked about before the statistics are there, squares are not', a
   expect(kinds().at(-1)).toBe('improved 6');
 });
 
+test('what types will need is prepared while the responses are on their way', async () => {
+  const body = new ReadableStream<Uint8Array>({
+    start: (controller) => controller.enqueue(new Uint8Array(64)), // and no end
+  });
+  session.operatorAt = 10;
+  session.lateAt = 100;
+  session.statisticsAt = 120;
+  void driver.open(4, new ArrivingFile(body));
+  await driver.receive(solve(5, { intentions: { ...ofTypes(), glare: { max: 19 } } }));
+  while (woken === 0) await new Promise((resolve) => setTimeout(resolve, 1));
+  driver.step();
+  expect(driver.busy).toBe(true); // there is more to see
+  await driver.receive(open(6, 0));
+  expect(driver.busy).toBe(false);
+  expect(session.calls).toEqual(['prepare and look']);
+});
+
 describe('luminaires of types', () => {
   beforeEach(openedForTypes);
 
