@@ -68,17 +68,20 @@ double placesWithin(int count, double shift) {
 /// from a luminaire to the floor, or, where that point lies outside the room, to a wall.
 double floorShare(const Photometry& photometry, int turn, double flux) {
   constexpr int kGammas = 180, kPlanes = 360;
+  std::array<double, kPlanes> angles, cosines, sines;
+  for (std::size_t c = 0; c < kPlanes; ++c) {
+    angles[c] = (static_cast<double>(c) + 0.5) * 2 * kPi / kPlanes;
+    cosines[c] = std::cos(angles[c]), sines[c] = std::sin(angles[c]);
+  }
   double onFloor = 0;
   for (int g = 0; g < kGammas; ++g) {
     const double gamma = (g + 0.5) * kPi / 2 / kGammas, half = kPi / 4 / kGammas;
     const double weight = (std::cos(gamma - half) - std::cos(gamma + half)) * 2 * kPi / kPlanes;
     const double reach = kHeight * std::tan(gamma);
-    for (int c = 0; c < kPlanes; ++c) {
-      const double angle = (c + 0.5) * 2 * kPi / kPlanes;
-      const double stay =
-          placesWithin(kColumns, reach * std::cos(angle)) * placesWithin(kRows, reach * std::sin(angle));
+    for (std::size_t c = 0; c < kPlanes; ++c) {
+      const double stay = placesWithin(kColumns, reach * cosines[c]) * placesWithin(kRows, reach * sines[c]);
       if (stay == 0) continue;
-      const double candela = intensityAt(photometry, angle / kDegree - 90.0 * turn, gamma / kDegree);
+      const double candela = intensityAt(photometry, angles[c] / kDegree - 90.0 * turn, gamma / kDegree);
       onFloor += candela * weight * stay / (kColumns * kRows);
     }
   }

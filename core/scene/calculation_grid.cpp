@@ -68,22 +68,22 @@ PatchLattice latticeOf(const Patches& patches, const std::vector<std::uint32_t>&
     return std::array<long, 2>{std::lround(dot(way, lattice.uAxis) / lattice.cellU),
                                std::lround(dot(way, lattice.vAxis) / lattice.cellV)};
   };
+  std::vector<std::array<long, 2>> cells;
+  for (const std::uint32_t p : members) cells.push_back(cellOf(p));
   std::array<long, 2> first = {0, 0}, last = {0, 0};
-  for (const std::uint32_t p : members)
+  for (const std::array<long, 2>& cell : cells)
     for (const int axis : {0, 1}) {
-      first[axis] = std::min(first[axis], cellOf(p)[axis]);
-      last[axis] = std::max(last[axis], cellOf(p)[axis]);
+      first[axis] = std::min(first[axis], cell[axis]);
+      last[axis] = std::max(last[axis], cell[axis]);
     }
   lattice.columns = static_cast<std::uint32_t>(last[0] - first[0] + 1);
   lattice.rows = static_cast<std::uint32_t>(last[1] - first[1] + 1);
   lattice.origin = middle + (static_cast<double>(first[0]) - 0.5) * whole.u +
                    (static_cast<double>(first[1]) - 0.5) * whole.v;
   lattice.patchOfCell.assign(std::size_t{lattice.columns} * lattice.rows, kNone);
-  for (const std::uint32_t p : members) {
-    const std::array<long, 2> cell = cellOf(p);
-    lattice.patchOfCell[static_cast<std::size_t>(cell[1] - first[1]) * lattice.columns +
-                        static_cast<std::size_t>(cell[0] - first[0])] = p;
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    lattice.patchOfCell[static_cast<std::size_t>(cells[i][1] - first[1]) * lattice.columns +
+                        static_cast<std::size_t>(cells[i][0] - first[0])] = members[i];
   return lattice;
 }
 

@@ -25,6 +25,11 @@ std::vector<std::uint32_t> rowsToSitAt(const Patches& patches) {
   return planes.empty() ? floors : planes;
 }
 
+/// At most `distance` apart on the plan; most of what is not is found out without a root.
+bool isWithin(double distance, double x, double z) {
+  return std::abs(x) <= distance && std::abs(z) <= distance && std::hypot(x, z) <= distance;
+}
+
 /// Places `pitch` apart, centred over the rows, each within a quarter of a pitch of one of them, as high as
 /// that row.
 std::vector<Vec3> placesAt(const Patches& patches, const std::vector<std::uint32_t>& rows, double pitch) {
@@ -43,7 +48,9 @@ std::vector<Vec3> placesAt(const Patches& patches, const std::vector<std::uint32
     double nearest = pitch / 4;
     std::uint32_t at = kNone;
     for (const std::uint32_t p : rows) {
-      const double apart = std::hypot(patches.center[p].x - x, patches.center[p].z - z);
+      const double besideX = patches.center[p].x - x, besideZ = patches.center[p].z - z;
+      if (!isWithin(nearest, besideX, besideZ)) continue;
+      const double apart = std::hypot(besideX, besideZ);
       if (apart < nearest) nearest = apart, at = p;
     }
     if (at != kNone) places.push_back({x, patches.center[at].y, z});
@@ -57,7 +64,7 @@ double floorBelow(const Patches& patches, const Vec3& place) {
   double floor = place.y;
   for (std::uint32_t p = 0; p < patches.count; ++p) {
     const Vec3& center = patches.center[p];
-    if (patches.normal[p].y < kUpwards || std::hypot(center.x - place.x, center.z - place.z) > kBeside)
+    if (patches.normal[p].y < kUpwards || !isWithin(kBeside, center.x - place.x, center.z - place.z))
       continue;
     floor = std::min(floor, center.y);
   }

@@ -46,13 +46,19 @@ std::vector<SurfaceStatistics> meanRows(const Patches& patches, std::size_t surf
   std::vector<double> area(surfaces);
   for (std::uint32_t p = 0; p < patches.rows(); ++p)
     if (patches.counts(p)) area[patches.surface[p]] += patches.area[p];
+  struct Row {
+    std::uint32_t row, surface;
+    double weight;
+  };
+  std::vector<Row> rows;
+  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+    if (!patches.counts(p)) continue;
+    const double factor = exitance ? patches.reflectance[p] : 1.0;
+    rows.push_back({p, patches.surface[p], factor * patches.area[p] / area[patches.surface[p]]});
+  }
   for (std::uint32_t j = 0; j < responses.sites; ++j) {
     const float* column = responses.column(j);
-    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-      if (!patches.counts(p)) continue;
-      const double factor = exitance ? patches.reflectance[p] : 1.0;
-      leaves[patches.surface[p]].mean[j] += factor * patches.area[p] / area[patches.surface[p]] * column[p];
-    }
+    for (const Row& row : rows) leaves[row.surface].mean[j] += row.weight * column[row.row];
   }
   return leaves;
 }

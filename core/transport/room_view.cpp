@@ -39,6 +39,11 @@ double luminousAreaOf(const Luminaire& luminaire, const Vec3& direction) {
   return luminaire.width * luminaire.height * std::abs(direction.z);
 }
 
+/// How much of a unit direction is level.
+double levelOf(const Vec3& direction) {
+  return std::sqrt(direction.x * direction.x + direction.z * direction.z);
+}
+
 /// 1 / p^2 of what lies `way` from an eye.
 double guthWeight(const Vec3& way, const Vec3& sight) {
   const Vec3 up = std::abs(sight.y) < 0.999 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
@@ -171,7 +176,7 @@ std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3
     if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
     const double share = 4.0 / kSights * reflectance_[sight.patch] / std::numbers::pi;
     parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
-    parts.back().cylindrical += share * std::hypot(sight.direction.x, sight.direction.z);
+    parts.back().cylindrical += share * levelOf(sight.direction);
   }
   return parts;
 }

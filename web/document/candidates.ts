@@ -45,16 +45,17 @@ export function mountingsOf(type: LuminaireType, scene: SceneInfo): Mounting[] {
   return type.turns.flatMap((turn) => aims.map((aim) => ({ type: type.id, turn, aim })));
 }
 
-/** Site by site, of each the types in their order. */
+/** Site by site, of each the types in their order. `some`: of these sites alone, as they come. */
 export function candidatesOf(
   types: readonly LuminaireType[],
   describedBy: (type: LuminaireType) => Luminous | undefined,
   scene: SceneInfo,
+  some?: readonly number[],
 ): Candidate[] {
   const { sites } = scene;
   const mount = mountOf(sites);
   const ways = types.map((type) => ({ type, ways: mountingsOf(type, scene), luminous: describedBy(type) }));
-  return [...Array(siteCount(sites)).keys()].flatMap((site) =>
+  return (some ?? [...Array(siteCount(sites)).keys()]).flatMap((site) =>
     ways.flatMap(({ type, ways: all, luminous }) =>
       all
         .filter((way) => !luminous || mount.holds(site, way, luminous))

@@ -314,23 +314,24 @@ export class Mounts {
     const scene = this.#scene;
     if (!scene) return [];
     const { asked, layout, extent } = wanted;
-    const all = this.#list(wanted, scene);
-    if (extent === 'all' || !layout) return all;
+    if (extent === 'all' || !layout) return this.#list(wanted, scene);
     const known = (asked.luminaires.types ?? []).filter(({ hash }) => this.#files.has(hash));
     const own = extent === 'layout' ? candidatesIn(layout, known, scene) : [];
     const taken = new Set(own.map(({ site }) => site));
+    // Of all sites they take as long to list as the light of one layout takes.
     const others = layout.sites.flatMap((site, i) => {
-      const there = taken.has(site) ? [] : all.filter((candidate) => candidate.site === site);
+      const there = taken.has(site) ? [] : this.#list(wanted, scene, site);
       return there[chosenAt(there, layout.mountings?.[i])] ?? [];
     });
     return [...own, ...others];
   }
 
-  /** Everything that a search may try. */
-  #list(wanted: Wanted, scene: SceneInfo): readonly Candidate[] {
+  /** Everything that a search may try, or what of it is on one site. */
+  #list(wanted: Wanted, scene: SceneInfo, site?: number): readonly Candidate[] {
+    const described = ({ hash }: LuminaireType) => this.#files.get(hash)?.description;
+    if (site !== undefined) return candidatesOf(this.#types(wanted), described, scene, [site]);
     const key = this.#keyOf({ ...wanted, extent: 'all' });
     if (this.#listed?.key !== key) {
-      const described = ({ hash }: LuminaireType) => this.#files.get(hash)?.description;
       this.#listed = { key, candidates: candidatesOf(this.#types(wanted), described, scene) };
     }
     return this.#listed.candidates;
