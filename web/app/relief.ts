@@ -25,9 +25,7 @@ export type EasedRule =
   | { readonly rule: 'places'; readonly excluded: readonly number[] };
 
 /** What it costs is told, too. */
-export interface RuleWay extends Way<EasedRule> {
-  readonly lumens: number;
-}
+export type RuleWay = Way<EasedRule>;
 
 export interface Relief {
   readonly of: Intentions; // that were asked for
@@ -103,11 +101,9 @@ async function easedRules(
 ): Promise<RuleWay[]> {
   const { luminaires } = of;
   const ways: RuleWay[] = [];
-  const lumens = new Map<EasedRule, number>();
   const under = async (change: EasedRule) => {
     const eased = change.rule === 'apart' ? { minDistance: change.least } : { excluded: change.excluded };
     const outcome = await tryOne({ ...of, luminaires: { ...luminaires, ...eased } });
-    lumens.set(change, outcome?.lumens ?? 0);
     return outcome?.met ? outcome.layout : null;
   };
   const tried: EasedRule[][] = [];
@@ -116,7 +112,7 @@ async function easedRules(
   if (withoutAreas) tried.push([{ rule: 'places', excluded: withoutAreas }]);
   for (const changes of tried) {
     const way = await firstThatDoes(changes, under);
-    if (way) ways.push({ ...way, lumens: lumens.get(way.change) ?? 0 });
+    if (way) ways.push(way);
   }
   return ways;
 }

@@ -77,14 +77,14 @@ test('a guarantee by statistics may do as one of every patch', async () => {
 test('rules about places that stand in the way are named with what would do', async () => {
   const room = async ({ luminaires }: Intentions) => {
     const met = luminaires.minDistance <= 1.3 || luminaires.excluded.length === 1;
-    return { layout, lumens: 1000 * (1 + luminaires.minDistance), met, violation: met ? 0 : 1 };
+    return { layout, lumens: 1, met, violation: met ? 0 : 1 };
   };
   const asked = wish(floor(200));
   const luminaires = { ...asked.luminaires, minDistance: 1.8, excluded: [4, 5, 6] };
   const { rules } = await findRelief({ ...asked, luminaires }, [missed(100, -0.5)], room, [5]);
   expect(rules).toEqual([
-    { change: { rule: 'apart', least: 1.3 }, layout, lumens: 2300 },
-    { change: { rule: 'places', excluded: [5] }, layout, lumens: 2800 },
+    { change: { rule: 'apart', least: 1.3 }, layout },
+    { change: { rule: 'places', excluded: [5] }, layout },
   ]);
   expect((await findRelief(asked, [missed(100, -0.5)], room)).rules).toEqual([]);
 });

@@ -8,15 +8,26 @@ export interface Power {
   readonly floor: number | null; // m2; null in a room that names no floor
 }
 
+/** What all luminaires draw: by their types where these tell it, else by the efficacy. */
+export function wattsOf(layout: Layout, efficacy: number, types?: readonly LuminaireType[]): number {
+  return layout.sites.reduce((sum, _, index) => sum + drawnBy(layout, index, efficacy, types).watts, 0);
+}
+
+/** Whether the efficacy is needed to tell what luminaires draw. */
+export function needsEfficacy(layout: Layout, types?: readonly LuminaireType[]): boolean {
+  return layout.sites.some(
+    (_, index) => !types?.find(({ id }) => id === layout.mountings?.[index]?.type)?.watts,
+  );
+}
+
 export function powerOf(
   layout: Layout,
   surfaces: readonly { name: string; area: number }[],
   efficacy: number, // lm/W
   types?: readonly LuminaireType[],
 ): Power {
-  const drawn = layout.sites.map((_, index) => drawnBy(layout, index, efficacy, types));
-  const sum = (of: 'flux' | 'watts') => drawn.reduce((total, each) => total + each[of], 0);
-  return { flux: sum('flux'), watts: sum('watts'), floor: floorArea(surfaces) };
+  const flux = layout.sites.reduce((sum, _, index) => sum + (layout.flux[index] ?? 0) * layout.dimming, 0);
+  return { flux, watts: wattsOf(layout, efficacy, types), floor: floorArea(surfaces) };
 }
 
 const burning = { day: 2250, night: 250 }; // h a year, EN 15193-1 for offices

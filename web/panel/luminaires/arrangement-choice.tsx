@@ -2,7 +2,9 @@
 import { useApp } from '../../app/app.ts';
 import { arrangementOf, rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
-import type { Arrangement, PlanAxis, Rule } from '../../document/types.ts';
+import { wattsOf } from '../../app/state/power.ts';
+import type { Store } from '../../app/state/store.ts';
+import type { Arrangement, Layout, PlanAxis, Rule } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
 
 /** Dots of the drawings, in a square of 40 x 28. */
@@ -53,7 +55,7 @@ export function ArrangementChoice() {
               />
               <Drawing rule={rule} />
               <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
-              <small>{tried ? costText(tried.outcome, store.efficacy.value) : '\u00a0'}</small>
+              <small>{tried ? costText(tried.outcome, store) : '\u00a0'}</small>
             </label>
           );
         })}
@@ -67,11 +69,12 @@ export function ArrangementChoice() {
 
 /** "482 W", "not met", "no room". */
 export function costText(
-  outcome: { readonly met: boolean; readonly lumens: number } | null,
-  efficacy: number,
+  outcome: { readonly met: boolean; readonly layout: Layout } | null,
+  { efficacy, document }: Pick<Store, 'efficacy' | 'document'>,
 ): string {
   if (!outcome) return words.value.luminaires.arrangement.noRoom;
-  return outcome.met ? `${compact(outcome.lumens / efficacy)} W` : words.value.values.unmet;
+  if (!outcome.met) return words.value.values.unmet;
+  return `${compact(wattsOf(outcome.layout, efficacy.value, document.value.luminaires.types))} W`;
 }
 
 interface AxisProps {

@@ -2,6 +2,7 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { fewestMet } from '../../app/comparing.ts';
+import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
@@ -31,7 +32,7 @@ export function CountStrip() {
     <div class="field count-strip" data-current={isCurrent}>
       <div ref={strip} class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
-          const cost = costText(outcome, store.efficacy.value);
+          const cost = costText(outcome, store);
           return (
             <button
               key={count}
@@ -80,15 +81,16 @@ function heightOf({ counts }: Comparison, lumens: number): number {
 function Fewest({ comparison, take }: { comparison: Comparison; take: (count: number) => void }) {
   const { store } = useApp();
   const fewest = fewestMet(comparison);
-  const cheapest = comparison.counts
-    .filter(({ outcome }) => outcome?.met)
-    .reduce<{ count: number; lumens: number } | null>(
-      (best, { count, outcome }) =>
-        outcome && (!best || outcome.lumens < best.lumens - 1) ? { count, lumens: outcome.lumens } : best,
-      null,
-    );
+  const { types } = store.document.value.luminaires;
+  const cheapest = comparison.counts.reduce<{ count: number; watts: number } | null>(
+    (best, { count, outcome }) => {
+      if (!outcome?.met) return best;
+      const watts = wattsOf(outcome.layout, store.efficacy.value, types);
+      return !best || watts < best.watts - 0.01 ? { count, watts } : best;
+    },
+    null,
+  );
   if (fewest === null || !cheapest) return <p class="field-note">{words.value.luminaires.counts.none}</p>;
-  const watts = compact(cheapest.lumens / store.efficacy.value);
   return (
     <div class="row">
       <button class="button small" onClick={() => take(fewest)}>
@@ -96,7 +98,7 @@ function Fewest({ comparison, take }: { comparison: Comparison; take: (count: nu
       </button>
       {cheapest.count !== fewest && (
         <button class="button small" onClick={() => take(cheapest.count)}>
-          {words.value.luminaires.counts.cheapest(cheapest.count, watts)}
+          {words.value.luminaires.counts.cheapest(cheapest.count, compact(cheapest.watts))}
         </button>
       )}
     </div>

@@ -35,7 +35,7 @@ export function RulesFirst() {
       <div class="row">
         {others.map(({ rule, outcome }) => (
           <button key={rule} class="button small" onClick={() => choose(rule)}>
-            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store.efficacy.value)}
+            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store)}
           </button>
         ))}
       </div>
@@ -66,7 +66,7 @@ export function EasedRules({ rules: ways }: { rules: readonly RuleWay[] }) {
           <div class="row">
             <button class="button small" onClick={() => take(way)}>
               {way.change.rule === 'apart' ? say.apartBy(shortest(way.change.least)) : say.anywhere},{' '}
-              {costText({ met: true, lumens: way.lumens }, store.efficacy.value)}
+              {costText({ met: true, layout: way.layout }, store)}
             </button>
           </div>
         </div>

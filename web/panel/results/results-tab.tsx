@@ -1,6 +1,6 @@
 /** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
 import { useApp } from '../../app/app.ts';
-import { leni, powerOf } from '../../app/state/power.ts';
+import { leni, needsEfficacy, powerOf } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
 import { Differences } from '../compare/differences.tsx';
 import { AboutRoom } from './about-room.tsx';
@@ -36,11 +36,8 @@ function Power() {
   const { layout, surfaces } = store.shown.value ?? {};
   const scene = store.scene.value;
   if (!layout || !surfaces || !scene) return null;
-  const {
-    flux: lumens,
-    watts,
-    floor,
-  } = powerOf(layout, scene.surfaces, store.efficacy.value, store.document.value.luminaires.types);
+  const { types } = store.document.value.luminaires;
+  const { flux: lumens, watts, floor } = powerOf(layout, scene.surfaces, store.efficacy.value, types);
   const plane = surfaces[scene.surfaces.findIndex(({ measuring }) => measuring)];
   const isLit = floor && plane && plane.mean > 0 && store.document.value.quantity === 'illuminance';
   const per100 = isLit ? watts / floor / (plane.mean / 100) : null;
@@ -69,20 +66,22 @@ function Power() {
           </dd>
         </div>
       )}
-      <div>
-        <dt>{words.value.results.power.efficacy}</dt>
-        <dd>
-          <NumberField
-            label={words.value.results.power.luminousEfficacy}
-            unit="lm/W"
-            value={store.efficacy.value}
-            step={5}
-            min={1}
-            max={683}
-            onInput={(value) => value !== undefined && (store.efficacy.value = value)}
-          />
-        </dd>
-      </div>
+      {needsEfficacy(layout, types) && (
+        <div>
+          <dt>{words.value.results.power.efficacy}</dt>
+          <dd>
+            <NumberField
+              label={words.value.results.power.luminousEfficacy}
+              unit="lm/W"
+              value={store.efficacy.value}
+              step={5}
+              min={1}
+              max={683}
+              onInput={(value) => value !== undefined && (store.efficacy.value = value)}
+            />
+          </dd>
+        </div>
+      )}
     </dl>
   );
 }
