@@ -148,7 +148,8 @@ export class App {
   /** Cuts the picture at a height (m), or shows the whole room. */
   setSection(section: number | null): void {
     const { section: _, ...display } = this.store.display.peek();
-    this.store.display.value = section === null ? display : { ...display, section };
+    const height = Math.round(100 * (section ?? 0)) / 100;
+    this.store.display.value = section === null ? display : { ...display, section: height };
   }
 
   /** Stands in a room of a building: no cut goes through it. */

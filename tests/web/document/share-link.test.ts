@@ -66,6 +66,11 @@ test('a link carries an arrangement and a range of counts', () => {
   expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
 });
 
+test('a link keeps the height at which a building is cut', () => {
+  const cut: Link = { ...link, display: { ...link.display!, section: 4.5 } };
+  expect(decodeLink(encodeLink(cut))).toEqual({ ok: true, link: cut });
+});
+
 test('a link carries paint and is then of version 2; a glare of a reflectance is refused', () => {
   const paint = [
     { surface: 'yellow wall', reflectance: 0.5 },

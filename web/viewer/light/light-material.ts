@@ -227,9 +227,10 @@ void main() {
   float light = litHere();
   float drawn = drawnLight(light);
   if (colored > 0.0) surface.rgb *= mix(vec3(1.0), vLightColor, min(1.0, light / max(drawn, 1e-6)));
-  vec3 color = falseColor ? colorOnLegend(vQuantity)
+  bool isOut = !measuring && isOutside(light);
+  vec3 color = isOut ? outsideColor()
+             : falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
-             : isOutside(light) ? outsideColor()
                           : toneCurve(surface.rgb * drawn * exposure);
   float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
   if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
