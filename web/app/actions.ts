@@ -4,7 +4,7 @@ import type { Display } from '../document/types.ts';
 import type { ViewName } from '../viewer/types.ts';
 import type { App } from './app.ts';
 import { comparingActions } from './comparing-actions.ts';
-import { exportFormats } from './exports/formats.ts';
+import { exportFormats, wordsOf } from './exports/formats.ts';
 import { saveAs } from './exports/save-as.ts';
 import type { Dialog } from './state/store.ts';
 import { chooseLanguage, language, languages, words, type Language } from '../language/language.ts';
@@ -319,7 +319,7 @@ const file: readonly Action[] = [
   },
   ...exportFormats.map((format): Action => ({
     id: format.id,
-    title: format.title,
+    title: () => wordsOf(format).title,
     group: 'File',
     ...(format.keys && { keys: format.keys }),
     enabled: hasRoom,

@@ -37,7 +37,6 @@ test('both have the same keys, and the same places for what is told', () => {
 
 /** Names, signs and words that are the same in both. */
 const alike: readonly string[] = [
-  'actions.exports.stf.button',
   'areas.reached',
   'comparing.sides.solver',
   'dialogs.share.link',

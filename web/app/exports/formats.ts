@@ -1,19 +1,23 @@
 /**
- * What the work is saved as. A row here is an action of its own (menu, palette, key) and a button of the share dialog;
- * what is in the file is made by a module of document/, fetched when it is first wanted.
+ * What the work is saved as. A row here, with its words in every language, is an action of its own (menu, palette, key) and
+ * a button of the share dialog; what is in the file is made by a module of document/, fetched when it is first wanted.
  */
 import type { PlanFrame } from '../../document/plan-frame.ts';
 import type { Layout, SceneInfo } from '../../document/types.ts';
 import { writeProject } from '../../document/project-file.ts';
 import type { App } from '../app.ts';
-import { words } from '../../language/language.ts';
+import { language, words, type Language } from '../../language/language.ts';
+
+interface FormatWords {
+  readonly title: string; // of its action
+  readonly button: string;
+  readonly noun: string; // as words.actions.exports.failed has it: "The <noun> could not be made"
+}
 
 export interface ExportFormat {
   readonly id: string; // of its action
-  readonly title: () => string; // of its action
   readonly keys?: readonly string[];
-  readonly button: () => string;
-  readonly noun: () => string; // "The <noun> could not be made"
+  readonly said: Readonly<Record<Language, FormatWords>>;
   readonly suffix: string; // of the file's name
   readonly type: string; // media type
   /** Throws one readable line. */
@@ -23,28 +27,31 @@ export interface ExportFormat {
 export const exportFormats: readonly ExportFormat[] = [
   {
     id: 'save',
-    title: () => words.value.actions.exports.save.title,
     keys: ['Mod+S'],
-    button: () => words.value.actions.exports.save.button,
-    noun: () => words.value.actions.exports.save.noun,
+    said: {
+      en: { title: 'Save a project file', button: 'Save a project file', noun: 'project file' },
+      de: { title: 'Projektdatei sichern', button: 'Projektdatei sichern', noun: 'Die Projektdatei' },
+    },
     suffix: '.fiatlux.json',
     type: 'application/json',
     content: async ({ keeping }) => writeProject(keeping.project()),
   },
   {
     id: 'png',
-    title: () => words.value.actions.exports.png.title,
-    button: () => words.value.actions.exports.png.button,
-    noun: () => words.value.actions.exports.png.noun,
+    said: {
+      en: { title: 'Export the picture (PNG)', button: 'Picture', noun: 'picture' },
+      de: { title: 'Bild exportieren (PNG)', button: 'Bild', noun: 'Das Bild' },
+    },
     suffix: '.png',
     type: 'image/png',
     content: ({ viewer }) => viewer.png(),
   },
   {
     id: 'csv',
-    title: () => words.value.actions.exports.csv.title,
-    button: () => words.value.actions.exports.csv.button,
-    noun: () => words.value.actions.exports.csv.noun,
+    said: {
+      en: { title: 'Export the luminaires (CSV)', button: 'Luminaires CSV', noun: 'table' },
+      de: { title: 'Leuchten exportieren (CSV)', button: 'Leuchten CSV', noun: 'Die Tabelle' },
+    },
     suffix: '-luminaires.csv',
     type: 'text/csv',
     async content(app) {
@@ -56,9 +63,10 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'results-csv',
-    title: () => words.value.actions.exports.results.title,
-    button: () => words.value.actions.exports.results.button,
-    noun: () => words.value.actions.exports.results.noun,
+    said: {
+      en: { title: 'Export the results (CSV)', button: 'Results CSV', noun: 'table of results' },
+      de: { title: 'Ergebnisse exportieren (CSV)', button: 'Ergebnisse CSV', noun: 'Die Ergebnistabelle' },
+    },
     suffix: '-results.csv',
     type: 'text/csv',
     async content(app) {
@@ -69,9 +77,10 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'dxf',
-    title: () => words.value.actions.exports.dxf.title,
-    button: () => words.value.actions.exports.dxf.button,
-    noun: () => words.value.actions.exports.dxf.noun,
+    said: {
+      en: { title: 'Export the plan (DXF)', button: 'Plan DXF', noun: 'DXF drawing' },
+      de: { title: 'Grundriss exportieren (DXF)', button: 'Grundriss DXF', noun: 'Die DXF-Zeichnung' },
+    },
     suffix: '-plan.dxf',
     type: 'image/vnd.dxf',
     async content(app) {
@@ -82,9 +91,10 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'stf',
-    title: () => words.value.actions.exports.stf.title,
-    button: () => words.value.actions.exports.stf.button,
-    noun: () => words.value.actions.exports.stf.noun,
+    said: {
+      en: { title: 'Export for DIALux or Relux (STF)', button: 'STF', noun: 'STF file' },
+      de: { title: 'Für DIALux oder Relux exportieren (STF)', button: 'STF', noun: 'Die STF-Datei' },
+    },
     suffix: '.stf',
     type: 'text/plain',
     async content(app) {
@@ -95,9 +105,10 @@ export const exportFormats: readonly ExportFormat[] = [
   },
   {
     id: 'gltf',
-    title: () => words.value.actions.exports.gltf.title,
-    button: () => words.value.actions.exports.gltf.button,
-    noun: () => words.value.actions.exports.gltf.noun,
+    said: {
+      en: { title: 'Export the luminaires (glTF)', button: 'glTF lights', noun: 'glTF file' },
+      de: { title: 'Leuchten exportieren (glTF)', button: 'glTF-Leuchten', noun: 'Die glTF-Datei' },
+    },
     suffix: '-luminaires.gltf',
     type: 'model/gltf+json',
     async content(app) {
@@ -108,6 +119,9 @@ export const exportFormats: readonly ExportFormat[] = [
     },
   },
 ];
+
+/** A format's words in the language of the page. */
+export const wordsOf = ({ said }: ExportFormat): FormatWords => said[language.value];
 
 /** The luminaires that are shown, the places of their room, and the corner that they are measured from. */
 function hung({ store, keeping, viewer }: App): {

@@ -1,6 +1,6 @@
 /** Hands a file to the browser, which asks where to put it or puts it among the downloads. */
 import type { App } from '../app.ts';
-import type { ExportFormat } from './formats.ts';
+import { wordsOf, type ExportFormat } from './formats.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
 
@@ -13,7 +13,7 @@ export async function saveAs(format: ExportFormat, app: App): Promise<void> {
     download(`${fileStem(app.store.roomTitle.peek())}${format.suffix}`, blob);
   } catch (error) {
     const why = reasonOf(error);
-    app.store.say('error', words.value.actions.exports.failed(format.noun(), why));
+    app.store.say('error', words.value.actions.exports.failed(wordsOf(format).noun, why));
   }
 }
 

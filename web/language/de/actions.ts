@@ -66,13 +66,6 @@ export const actions: Words['actions'] = {
     film: 'Schleife von fünf Sekunden sichern (WebM)',
   },
   exports: {
-    save: { title: 'Projektdatei sichern', button: 'Projektdatei sichern', noun: 'Die Projektdatei' },
-    png: { title: 'Bild exportieren (PNG)', button: 'Bild', noun: 'Das Bild' },
-    csv: { title: 'Leuchten exportieren (CSV)', button: 'Leuchten CSV', noun: 'Die Tabelle' },
-    results: { title: 'Ergebnisse exportieren (CSV)', button: 'Ergebnisse CSV', noun: 'Die Ergebnistabelle' },
-    dxf: { title: 'Grundriss exportieren (DXF)', button: 'Grundriss DXF', noun: 'Die DXF-Zeichnung' },
-    stf: { title: 'Für DIALux oder Relux exportieren (STF)', button: 'STF', noun: 'Die STF-Datei' },
-    gltf: { title: 'Leuchten exportieren (glTF)', button: 'glTF-Leuchten', noun: 'Die glTF-Datei' },
     noLayout: 'Noch ist keine Anordnung zu sehen',
     failed: (noun, why) => `${noun} konnte nicht erstellt werden: ${why}`,
     openOutline: 'der Umriss seines Bodens ist nicht geschlossen, und STF braucht einen',

@@ -65,13 +65,6 @@ export const actions = {
     film: 'Save a five-second loop (WebM)',
   },
   exports: {
-    save: { title: 'Save a project file', button: 'Save a project file', noun: 'project file' },
-    png: { title: 'Export the picture (PNG)', button: 'Picture', noun: 'picture' },
-    csv: { title: 'Export the luminaires (CSV)', button: 'Luminaires CSV', noun: 'table' },
-    results: { title: 'Export the results (CSV)', button: 'Results CSV', noun: 'table of results' },
-    dxf: { title: 'Export the plan (DXF)', button: 'Plan DXF', noun: 'DXF drawing' },
-    stf: { title: 'Export for DIALux or Relux (STF)', button: 'STF', noun: 'STF file' },
-    gltf: { title: 'Export the luminaires (glTF)', button: 'glTF lights', noun: 'glTF file' },
     noLayout: 'no layout is shown yet',
     failed: (noun: string, why: string) => `The ${noun} could not be made: ${why}`,
     openOutline: 'the outline of its floor is not closed, and STF needs one',

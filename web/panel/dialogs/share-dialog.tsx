@@ -2,7 +2,7 @@
 import { Send } from 'lucide-preact';
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { exportFormats } from '../../app/exports/formats.ts';
+import { exportFormats, wordsOf } from '../../app/exports/formats.ts';
 import { saveAs } from '../../app/exports/save-as.ts';
 import { CopyRow } from './copy-row.tsx';
 import { Dialog } from './dialog.tsx';
@@ -60,7 +60,7 @@ export function ShareDialog({ close }: { close: () => void }) {
       <div class="row">
         {exportFormats.map((format) => (
           <button key={format.id} class="button" onClick={() => void saveAs(format, app)}>
-            {format.button()}
+            {wordsOf(format).button}
           </button>
         ))}
       </div>

@@ -2,7 +2,8 @@
 import { beforeEach, expect, test } from '@jest/globals';
 import { signal } from '@preact/signals';
 import type { App } from '../../../../web/app/app.ts';
-import { exportFormats } from '../../../../web/app/exports/formats.ts';
+import { exportFormats, wordsOf } from '../../../../web/app/exports/formats.ts';
+import { language } from '../../../../web/language/language.ts';
 import { fileStem, saveAs } from '../../../../web/app/exports/save-as.ts';
 import { Store } from '../../../../web/app/state/store.ts';
 import { readProject } from '../../../../web/document/project-file.ts';
@@ -60,10 +61,18 @@ test('one that cannot be made is told by its name, and nothing is saved', async 
   const ofTheLayout = exportFormats.filter(({ id }) => id !== 'save' && id !== 'png');
   for (const format of ofTheLayout) {
     await saveAs(format, app);
-    const text = `The ${format.noun()} could not be made: no layout is shown yet`;
+    const text = `The ${wordsOf(format).noun} could not be made: no layout is shown yet`;
     expect(app.store.messages.value.at(-1)?.text).toBe(text);
   }
   expect(saved).toEqual([]);
+});
+
+test('a format is told in the language of the page', () => {
+  const save = exportFormats[0]!;
+  expect(wordsOf(save).noun).toBe('project file');
+  language.value = 'de';
+  expect(wordsOf(save).noun).toBe('Die Projektdatei');
+  language.value = 'en';
 });
 
 test('a title without a letter still gives a name', () => {
