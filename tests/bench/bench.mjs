@@ -236,7 +236,7 @@ async function drag() {
   print({ name: 'drag_to_layout', ...(await dragToLayout(root, corridor, inflateSync)) });
 }
 
-/** A photometric file that is dropped on the office: 260 candidates. */
+/** A photometric file that is dropped on the office: 260 candidates beside as many that are known. */
 async function photometry() {
   need(inRoot('dist/scenes/office.flux'));
   const times = await dropsOnOffice(root);
