@@ -45,7 +45,7 @@ export async function builder() {
 export const roomMaker = 'fiatlux_precompute';
 
 /**
- * Native targets and the Wasm solver; then `afterWasm`, which need not wait for the former. Emscripten, four fifths of
+ * Native targets and the Wasm solver; then `afterWasm`, which need not wait for the former. Emscripten, three quarters of
  * what is to be installed, is so while the native compiler works.
  */
 export async function programs(targets, afterWasm = () => {}) {
