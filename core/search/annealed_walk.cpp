@@ -34,7 +34,7 @@ void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
   heat_ = heat;
   scale_ = std::max(std::fabs(goal), kLeastGoal);
   temperature_ = kFirstTemperature * heat * scale_;
-  penalty_ = bounded_ ? kFirstPenalty * scale_ : 0;
+  if (bounded_ && penalty_ == 0) penalty_ = kFirstPenalty * scale_;
   taken_ = kTakenFirst * heat;
 }
 

@@ -17,7 +17,7 @@ class AnnealedWalk {
   AnnealedWalk(bool swaps, bool bounded) : swaps_(swaps), bounded_(bounded) {}
 
   /// Starts anew, for about `trials` trials. `heat`: 1 forgets where it starts, less keeps something of it;
-  /// `goal`: a value that goals have.
+  /// `goal`: a value that goals have. What a broken bound costs is what the last walk learned.
   void begin(std::uint64_t trials, double heat, double goal);
 
   /// Prepares a step from where the evaluator stands, whose penalty it sets, and opens the scan for it.
@@ -29,6 +29,8 @@ class AnnealedWalk {
 
   bool isDone() const { return done_ >= trials_; }
   std::uint64_t trials() const { return trials_; }
+  /// What a violation of 100 % costs, in units of the goal; 0 where there are no constraints.
+  double penalty() const { return penalty_; }
 
  private:
   bool openSwap(const Surroundings& at, Scan& scan) const;

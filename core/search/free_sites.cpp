@@ -107,4 +107,20 @@ void FreeSites::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength
   }
 }
 
+void FreeSites::gatherAll(std::vector<std::uint32_t>& sites, std::uint32_t center) {
+  const std::uint32_t* near = prepared_.nearSites(center);
+  std::vector<std::uint32_t> left = movable_;
+  for (std::uint32_t next = 0; next <= prepared_.nearCount() && !left.empty(); ++next) {
+    const std::uint32_t to = next == 0 ? center : near[next - 1];
+    const auto isThere = [&](std::uint32_t i) { return sites[i] == to; };
+    const auto mayCome = [&](std::uint32_t i) { return mayMove(sites[i], to); };
+    auto taker = std::find_if(left.begin(), left.end(), isThere);
+    if (taker == left.end()) taker = std::find_if(left.begin(), left.end(), mayCome);
+    if (taker == left.end()) continue;
+    if (sites[*taker] != to) relocate(sites[*taker], to);
+    sites[*taker] = to;
+    left.erase(taker);
+  }
+}
+
 }  // namespace fiatlux

@@ -75,6 +75,10 @@ class FreeSites {
   /// to a random one, and follows. A luminaire that finds no free site stays.
   void gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random);
 
+  /// Relocates all movable luminaires of `sites`, which it follows, to the sites nearest to one, as far as
+  /// there is room.
+  void gatherAll(std::vector<std::uint32_t>& sites, std::uint32_t center);
+
   /// The luminaires that are not pinned, in order.
   const std::vector<std::uint32_t>& movable() const { return movable_; }
   /// One of them. Precondition: there is one.

@@ -16,6 +16,12 @@ constexpr std::uint32_t kGatherings = 64;           // tried before a walk begin
 constexpr std::uint32_t kTrialsPerLuminaire = 400;  // of the first walk
 constexpr std::uint32_t kLonger = 4;                // the next one is longer by one part in so many
 constexpr double kReheat = 0.5;                     // of a walk from a good layout
+constexpr std::uint32_t kCenters = 512;             // of gatherings of all luminaires
+constexpr std::uint32_t kFirstRoom = 4;             // layouts remembered, one more for each walk
+constexpr double kCrossShare = 0.3;                 // of other work, that much more with each walk
+constexpr std::uint32_t kWalksFirst = 2;            // before layouts are crossed,
+constexpr std::uint32_t kWalksFirstBounded = 4;     // where there are bounds, to whose edges walks lead
+constexpr std::uint32_t kMostInVain = 15;           // crossings in a row, until there is another walk
 constexpr std::uint32_t kWorthTurns = 2;            // of "far" in the time of a walk: it may end thoroughly
 
 bool areUnlike(const PreparedScene& prepared, const std::vector<double>& flux) {
@@ -71,7 +77,8 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       rules_(rules),
       areDifferent_(areUnlike(prepared, evaluator_.flux())),
       length_(kTrialsPerLuminaire * freeSites_.movable().size()),
-      walk_(areDifferent_, evaluator_.objective().hasConstraints()) {}
+      walk_(areDifferent_, evaluator_.objective().hasConstraints()),
+      memory_(prepared, evaluator_.flux()) {}
 
 void Vns::open(const std::vector<std::uint32_t>& sites) {
   begin(sites);
@@ -127,7 +134,7 @@ void Vns::begin(const std::vector<std::uint32_t>& sites) {
 void Vns::enter(std::size_t neighborhood) {
   neighborhood_ = neighborhood;
   evaluator_.setPenalty(0);
-  gathering_ = walking_ = scanning_ = false;
+  gathering_ = walking_ = scanning_ = easing_ = false;
   fruitless_ = 0;
 }
 
@@ -156,6 +163,7 @@ void Vns::openScan() {
 void Vns::closeScan() {
   const Neighborhood& at = neighborhoods()[neighborhood_];
   scanning_ = false;
+  work_ += scan_.size;
   if (scan_.found.count == 0) {
     if (++fruitless_ >= at.turn(here())) leave();
     return;
@@ -183,6 +191,7 @@ void Vns::keepBest() {
 
 /// To the next neighbourhood that is worth while; after the last one the local search has ended.
 void Vns::leave() {
+  if (easing_) return enter(0);
   for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
     const Neighborhood& row = neighborhoods()[next];
     if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
@@ -190,14 +199,14 @@ void Vns::leave() {
   shake();
 }
 
-/// After a local search: the next walk, from the best layout, from a gathering or from anywhere.
+/// After a local search: a crossing or the next walk, from the best layout, from a gathering or from
+/// anywhere.
 void Vns::shake() {
+  remember();
+  if (isCrossingWorthwhile()) return cross();
   switch (++walks_ % 3) {
     case 1:
-      enter(0);
-      gathering_ = true;
-      gatherings_ = 0;
-      return;
+      return beginGatherings();
     case 2:
       return beginWalk(somewhereElse(), 1);
     default:
@@ -205,20 +214,66 @@ void Vns::shake() {
   }
 }
 
+/// Takes what a local search has found, and what it cost; a crossing that found a new incumbent was free.
+void Vns::remember() {
+  if (freeSites_.counts()) return;
+  const bool isKept = memory_.offer(evaluator_.sites(), evaluator_.current(), kFirstRoom + walks_);
+  if (!crossing_) otherWork_ += work_;
+  if (crossing_ && !foundSince_) crossWork_ += work_;
+  inVain_ = crossing_ && !isKept ? inVain_ + 1 : 0;
+  work_ = 0;
+  crossing_ = false;
+}
+
+bool Vns::isCrossingWorthwhile() const {
+  const bool bounded = evaluator_.objective().hasConstraints();
+  return walks_ >= (bounded ? kWalksFirstBounded : kWalksFirst) && inVain_ < kMostInVain &&
+         memory_.hasParents() && freeSites_.movable().size() > 1 &&
+         static_cast<double>(crossWork_) < kCrossShare * (1 + walks_) * static_cast<double>(otherWork_);
+}
+
+/// A local search from two good layouts put together: quick, and at first one that may break bounds a little.
+void Vns::cross() {
+  thorough_ = false;
+  begin(memory_.cross(freeSites_, random_));
+  crossing_ = true;
+  foundSince_ = false;
+  easing_ = walk_.penalty() > 0;
+  evaluator_.setPenalty(walk_.penalty());
+}
+
+/// The first time, all luminaires around each site (or some, where there are very many); later, some of them
+/// around random ones.
+void Vns::beginGatherings() {
+  enter(0);
+  gathering_ = true;
+  gatherings_ = 0;
+  centers_ = walks_ > 1 || freeSites_.counts() ? 0 : std::min(prepared_.candidateCount(), kCenters);
+  gatheredNow_ = best_;
+  freeSites_.load(gatheredNow_);
+}
+
 /// Luminaires thrown together around a site, at several sites: a walk begins at the best of these.
 std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
   const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
+  const std::uint32_t wanted = centers_ > 0 ? centers_ : kGatherings;
   std::uint32_t spent = 0;
-  for (; gatherings_ < kGatherings && spent < limit; ++gatherings_, ++spent) {
-    std::vector<std::uint32_t> sites = best_;
-    freeSites_.load(sites);
-    freeSites_.gather(sites, 2 + random_.below(2 * movable), random_);
-    evaluator_.load(sites);
+  for (; gatherings_ < wanted && spent < limit; ++gatherings_, ++spent) {
+    if (centers_ > 0) {
+      const std::uint64_t center = std::uint64_t{gatherings_} * prepared_.candidateCount() / centers_;
+      freeSites_.gatherAll(gatheredNow_, static_cast<std::uint32_t>(center));
+    } else {
+      gatheredNow_ = best_;
+      freeSites_.load(gatheredNow_);
+      freeSites_.gather(gatheredNow_, 2 + random_.below(2 * movable), random_);
+    }
+    evaluator_.load(gatheredNow_);
     if (gatherings_ > 0 && !isBetter(evaluator_.current(), gatheredEvaluation_)) continue;
-    gathered_ = sites;
+    gathered_ = gatheredNow_;
     gatheredEvaluation_ = evaluator_.current();
   }
-  if (gatherings_ == kGatherings) beginWalk(gathered_, kReheat);
+  work_ += spent;
+  if (gatherings_ == wanted) beginWalk(gathered_, kReheat);
   return spent;
 }
 
@@ -235,6 +290,7 @@ void Vns::beginWalk(const std::vector<std::uint32_t>& sites, double heat) {
 /// Takes the step of a walk, where there is one.
 void Vns::closeStep() {
   scanning_ = false;
+  work_ += scan_.size;
   if (scan_.found.count > 0) {
     take();
     if (isBetter(evaluator_.current(), walkedEvaluation_)) {

@@ -1,8 +1,8 @@
 // Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake a layout,
 // improve it by local search on delta evaluations, and shake again, more strongly. What shakes is an annealed
 // walk, longer each time: from the best layout, from luminaires gathered around a site, from anywhere, by
-// turns. A pure function of scene, intentions, start and seed; it advances in slices of any size without
-// changing its path.
+// turns. Between walks, good layouts that were found are crossed. A pure function of scene, intentions, start
+// and seed; it advances in slices of any size without changing its path.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include "core/search/annealed_walk.h"
 #include "core/search/evaluator.h"
 #include "core/search/intentions.h"
+#include "core/search/layout_memory.h"
 #include "core/search/neighborhood.h"
 
 namespace fiatlux {
@@ -57,6 +58,10 @@ class Vns {
   void enter(std::size_t neighborhood);
   void leave();
   void shake();
+  void remember();
+  bool isCrossingWorthwhile() const;
+  void cross();
+  void beginGatherings();
   std::uint32_t tryGatherings(std::uint32_t limit);
   void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
   void closeStep();
@@ -90,10 +95,21 @@ class Vns {
   std::vector<std::uint32_t> walked_;  // its best layout
   Evaluation walkedEvaluation_;
 
+  // What local searches have found, and the crossings of it.
+  LayoutMemory memory_;
+  bool crossing_ = false;        // the local search is of a crossing,
+  bool easing_ = false;          // and a broken bound only costs as much as in the last walk
+  std::uint64_t work_ = 0;       // trials since the last local search ended,
+  std::uint64_t crossWork_ = 0;  // of all crossings,
+  std::uint64_t otherWork_ = 0;  // and of all else
+  std::uint32_t inVain_ = 0;     // crossings in a row of which nothing was kept
+
   // Gatherings that are being tried.
   bool gathering_ = false;
   std::uint32_t gatherings_ = 0;
-  std::vector<std::uint32_t> gathered_;  // the best so far of those tried
+  std::uint32_t centers_ = 0;               // of gatherings of all luminaires; 0: of some, anywhere
+  std::vector<std::uint32_t> gatheredNow_;  // the one that is being tried
+  std::vector<std::uint32_t> gathered_;     // the best so far of those tried
   Evaluation gatheredEvaluation_;
 };
 

@@ -1,0 +1,48 @@
+// A small memory of good layouts that differ, and what two of them give together: on one side of a line
+// across the plan the child hangs as one parent does, on the other side as the other. Where parts of a room
+// know little of each other, their good solutions come together so.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/search/free_sites.h"
+#include "core/search/objective.h"
+
+namespace fiatlux {
+
+class LayoutMemory {
+ public:
+  /// `prepared` must outlive it; `flux`: of each luminaire, lm.
+  LayoutMemory(const PreparedScene& prepared, std::vector<double> flux);
+
+  /// Keeps a layout unless it is there already. Where `room` layouts are, the worst has to go, which may be
+  /// this one. Returns whether it was kept.
+  bool offer(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation, std::size_t room);
+
+  /// Are there two to cross?
+  bool hasParents() const { return kept_.size() > 1; }
+
+  /// A layout from two of those kept, drawn at random as the line is. Luminaires for which there is no room
+  /// under the rules stay where the first parent has them. `freeSites` follows it. Preconditions:
+  /// hasParents(), two luminaires that may move, candidates of one weight.
+  std::vector<std::uint32_t> cross(FreeSites& freeSites, Random& random) const;
+
+ private:
+  struct Kept {
+    std::vector<std::uint32_t> sites;
+    std::vector<std::uint32_t> key;  // equal for layouts that light alike
+    Evaluation evaluation;
+  };
+
+  std::vector<std::uint32_t> keyOf(std::vector<std::uint32_t> sites) const;
+
+  const PreparedScene& prepared_;
+  std::vector<double> flux_;
+  bool isOneFlux_;
+  std::vector<Kept> kept_;
+};
+
+}  // namespace fiatlux
