@@ -39,6 +39,14 @@ export interface LuminaireBody {
   readonly candela: Float32Array; // as a description has it
 }
 
+/** The tag of a luminaire that can be read, px: its middle and its size. */
+export interface TagPlace {
+  readonly x: number;
+  readonly y: number;
+  readonly wide: number;
+  readonly high: number;
+}
+
 /** A layout and its light, lx a patch; on its way to another one, its luminaires hang between their places in both. */
 export interface OtherLight {
   readonly illuminance: Float32Array;

@@ -4,9 +4,9 @@
  */
 import { Vector3, type Camera } from 'three';
 import type { SceneInfo } from '../../document/types.ts';
+import type { TagPlace } from '../types.ts';
 import { formatLight } from './false-color.ts';
 import { isoluxLevels } from './isolux.ts';
-import type { TagPlace } from '../luminaires/luminaire-tags.ts';
 import { crossings, gridPatches, neighbours, type Plane, type Reading } from './plane-readings.ts';
 
 const steps = [0.25, 0.5, 1, 2, 4, 8]; // m

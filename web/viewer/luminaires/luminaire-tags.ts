@@ -1,5 +1,6 @@
 /** Names of luminaires over the picture: small HTML tags L1, L2, ... that can be clicked and dragged like the luminaire. */
 import { Vector3, type Camera } from 'three';
+import type { TagPlace } from '../types.ts';
 import type { LuminaireObject } from './luminaire-objects.ts';
 import { crowdedTags, spreadTags } from './tag-layout.ts';
 
@@ -18,14 +19,6 @@ function pinIcon(): SVGSVGElement {
 }
 
 const corners = [0, 1, 2, 3].map((i) => new Vector3(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, 0));
-
-/** A tag that can be read, px: its middle and its size. */
-export interface TagPlace {
-  readonly x: number;
-  readonly y: number;
-  readonly wide: number;
-  readonly high: number;
-}
 
 export class LuminaireTags {
   /** Where tags stood when they last followed their luminaires; nothing else is written there. */
