@@ -5,7 +5,6 @@
 import { signal } from '@preact/signals';
 import { nearestSite, positionOf } from '../document/sites.ts';
 import type { Layout, SceneInfo } from '../document/types.ts';
-import { webmOf, type EncodedPicture, type Shape } from '../document/webm.ts';
 import type { Seen } from '../solver/protocol.ts';
 import type { Viewer } from '../viewer/types.ts';
 import type { Solving } from './solving.ts';
@@ -16,9 +15,9 @@ import { words } from '../language/language.ts';
 
 const perSecond = 25;
 const length = 5 * perSecond; // pictures
+const duration = 1e6 / perSecond; // of a picture, microseconds
 const [still, gliding] = [0.6, 3]; // s before the luminaires set out, and of their way
 const bitsPerSecond = 8e6;
-const mostWaiting = 3; // pictures that wait to be encoded
 const steps = 24; // of the way
 
 /** Whether this browser can make a film. */
@@ -98,42 +97,45 @@ export class Film {
 
   /** Every picture of the film, drawn and encoded one by one, however long that takes. */
   async #shot(scene: SceneInfo, show: (share: number) => void): Promise<Blob> {
+    const {
+      BufferTarget,
+      canEncodeVideo,
+      Output,
+      Quality,
+      VideoSample,
+      VideoSampleSource,
+      WebMOutputFormat,
+    } = await import('mediabunny');
+    const quality = new Quality({ bitrate: bitsPerSecond });
+    if (!(await canEncodeVideo('vp8', { quality }))) throw new Error(words.value.comparing.film.notEncoded);
     this.#viewer.divide(1);
-    const pictures: EncodedPicture[] = [];
-    let [fault, space]: [Error | null, VideoColorSpaceInit] = [null, {}];
-    const encoder = new VideoEncoder({
-      output: (chunk, about) => {
-        space = about?.decoderConfig?.colorSpace ?? space;
-        pictures.push(pictureOf(chunk));
-      },
-      error: (error) => (fault = error),
-    });
-    let size: Size | null = null;
-    let last: { readonly share: number; readonly picture: VideoFrame } | null = null;
+    const output = new Output({ format: new WebMOutputFormat(), target: new BufferTarget() });
+    const film = new VideoSampleSource({ codec: 'vp8', quality, keyFrameInterval: 1 });
+    output.addVideoTrack(film, { frameRate: perSecond });
+    await output.start();
+    let last = null as { readonly share: number; readonly picture: VideoFrame } | null;
     try {
-      for (let i = 0; i < length && fault === null; i++) {
+      for (let i = 0; i < length; i++) {
         this.#tell('recording', i / length, scene);
         const share = eased((i / perSecond - still) / gliding);
         const timestamp = (1e6 * i) / perSecond;
-        const picture: VideoFrame =
-          last?.share === share
-            ? new VideoFrame(last.picture, { timestamp })
-            : this.#drawn(show, share, timestamp);
-        last?.picture.close();
-        last = { share, picture };
-        size ??= await begin(encoder, picture);
-        encoder.encode(picture, { keyFrame: i % perSecond === 0 });
-        while (encoder.encodeQueueSize > mostWaiting && fault === null) await pause();
+        if (last?.share !== share) {
+          last?.picture.close();
+          last = { share, picture: this.#drawn(show, share, timestamp) };
+        }
+        const sample = new VideoSample(new VideoFrame(last.picture, { timestamp, duration }));
+        await film.add(sample);
+        sample.close();
         await pause(); // the page goes on
       }
-      if (fault === null) await encoder.flush();
+      await output.finalize();
+    } catch (error) {
+      await output.cancel();
+      throw error;
     } finally {
       last?.picture.close();
-      if (encoder.state !== 'closed') encoder.close();
     }
-    if (fault !== null || !size || pictures.length < length)
-      throw new Error(words.value.comparing.film.notEncoded);
-    return new Blob([webmOf(pictures, { ...size, perSecond, space })], { type: 'video/webm' });
+    return new Blob([output.target.buffer!], { type: 'video/webm' });
   }
 
   #drawn(show: (share: number) => void, share: number, timestamp: number): VideoFrame {
@@ -148,25 +150,7 @@ export class Film {
   }
 }
 
-type Size = Pick<Shape, 'width' | 'height'>;
-
 const pause = () => new Promise((resolve) => setTimeout(resolve));
-
-function pictureOf(chunk: EncodedVideoChunk): EncodedPicture {
-  const bytes = new Uint8Array(chunk.byteLength);
-  chunk.copyTo(bytes);
-  return { bytes, isWhole: chunk.type === 'key' };
-}
-
-/** Makes the encoder ready for pictures like this one. Throws where the browser has none for them. */
-async function begin(encoder: VideoEncoder, picture: VideoFrame): Promise<Size> {
-  const { displayWidth: width, displayHeight: height } = picture;
-  const config = { codec: 'vp8', width, height, bitrate: bitsPerSecond, framerate: perSecond };
-  const { supported } = await VideoEncoder.isConfigSupported(config);
-  if (!supported) throw new Error(words.value.comparing.film.notEncoded);
-  encoder.configure(config);
-  return { width, height };
-}
 
 /** 0..1, at rest at both ends. */
 function eased(share: number): number {
