@@ -10,6 +10,8 @@
 #include <string>
 
 #include "core/base/random.h"
+#include "core/candidates/mount_area.h"
+#include "core/transport/candidate_fit.h"
 #include "core/transport/low_rank_radiosity.h"
 #include "core/transport/photometric_light.h"
 #include "core/transport/site_responses.h"
@@ -49,8 +51,8 @@ std::vector<Type> types() {
           {"cos^126, 12 degrees, tilted 30", power(126), 12, 0.1, 30}};
 }
 
-/// On a site; tilted ones lean to one of four sides.
-PhotometricCandidate candidateOn(const Scene& scene, const Type& type, Random& random) {
+/// On a site, whether it fits there or not; tilted ones lean to one of four sides.
+PhotometricCandidate anyCandidate(const Scene& scene, const Type& type, Random& random) {
   const std::uint32_t j = random.below(static_cast<std::uint32_t>(scene.sites.size()));
   const Site& site = scene.sites[j];
   Luminaire l = luminaireOf(site);
@@ -70,14 +72,33 @@ PhotometricCandidate candidateOn(const Scene& scene, const Type& type, Random& r
   return {j, l};
 }
 
+/// What a search could be offered, as candidatesOf() has it: nothing over its mount's edge or through a wall.
+class Offer {
+ public:
+  explicit Offer(const Scene& scene) : scene_(scene), mount_(scene.sites), fit_(scene) {}
+
+  PhotometricCandidate candidate(const Type& type, Random& random) const {
+    for (;;) {
+      PhotometricCandidate drawn = anyCandidate(scene_, type, random);
+      if (mount_.holds(drawn.site, drawn.luminaire) && fit_.fits(drawn.luminaire, 0)) return drawn;
+    }
+  }
+
+ private:
+  const Scene& scene_;
+  MountArea mount_;
+  CandidateFit fit_;
+};
+
 /// Layouts of one candidate, then of six.
 std::vector<std::vector<PhotometricCandidate>> layoutsOf(const Scene& scene, const Type& type,
                                                          std::uint32_t singles, std::uint32_t sums) {
   Random random(1);
+  const Offer offer(scene);
   std::vector<std::vector<PhotometricCandidate>> layouts(singles + sums);
   for (std::uint32_t i = 0; i < layouts.size(); ++i)
     for (std::uint32_t k = 0; k < (i < singles ? 1 : kLuminaires); ++k)
-      layouts[i].push_back(candidateOn(scene, type, random));
+      layouts[i].push_back(offer.candidate(type, random));
   return layouts;
 }
 
