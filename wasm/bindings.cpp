@@ -4,6 +4,12 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/bound/pair_bound.h"
+#include "core/bound/pair_numbers.h"
 #include "core/candidates/candidate_scene.h"
 #include "core/photometry/photometric_description.h"
 #include "core/search/plane_values.h"
@@ -622,6 +628,29 @@ val advanceAlpha(Session& session, std::uint32_t evaluations, std::uint32_t from
 
 std::string startBound(Session& session) { return errorOf(session.startBound()); }
 
+val takePairs(Session& session) { return copied(session.takePairs()); }
+
+/// A stage of a bound, gone through in a module of its own.
+class PairProof {
+ public:
+  /// False where `pairs` are not what takePairs told.
+  bool begin(const val& pairs) {
+    std::optional<PairGoal> goal = pairGoalFrom(vectorOf<double>(pairs));
+    if (goal) bound_ = std::make_unique<PairBound>(std::move(*goal));
+    return bound_ != nullptr;
+  }
+  /// One step; true when it was the last.
+  bool advance() {
+    if (!bound_) return true;
+    bound_->advance();
+    return bound_->done();
+  }
+  double goal() const { return bound_ ? bound_->goal() : -kUnbounded; }
+
+ private:
+  std::unique_ptr<PairBound> bound_;
+};
+
 val advanceBound(Session& session, std::uint32_t steps) {
   LayoutBound* bound = session.bound();
   if (!bound) return val(std::string("no bound is being looked for"));
@@ -724,7 +753,14 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("startAlpha", &startAlpha)
       .function("advanceAlpha", &advanceAlpha)
       .function("startBound", &startBound)
-      .function("advanceBound", &advanceBound);
+      .function("advanceBound", &advanceBound)
+      .function("takePairs", &takePairs)
+      .function("provedByPairs", &Session::provedByPairs);
+  emscripten::class_<PairProof>("PairProof")
+      .constructor<>()
+      .function("begin", &PairProof::begin)
+      .function("advance", &PairProof::advance)
+      .function("goal", &PairProof::goal);
 }
 
 }  // namespace fiatlux

@@ -38,7 +38,6 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
                            const Evaluation& incumbent, const Layout* reference)
     : sites_(prepared.candidateCount()),
       relaxation_(std::move(relaxation)),
-      incumbent_(incumbent.goal),
       bound_(-kUnbounded),
       bestDual_(-kUnbounded) {
   const LuminaireRules& rules = intentions.luminaires;
@@ -50,6 +49,7 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
   multipliers_.assign(problem_.sides.size() + problem_.aims.size(), 0.0);
   bestMultipliers_ = multipliers_;
   if (std::isfinite(incumbent.goal)) pairGoal_ = pairGoalOf(prepared, rules, problem_);
+  if (pairGoal_) pairGoal_->incumbent = incumbent.goal;
   target_ = problem_.squared ? incumbent.goal * incumbent.goal : incumbent.goal;
   openRound();
 }
@@ -178,9 +178,9 @@ double OptimumBound::constraintValue(const ConvexObjective& form) const {
 }
 
 void OptimumBound::advancePairs() {
-  if (pairGoal_) pairs_ = std::make_unique<PairBound>(std::move(*takePairs()), incumbent_);
+  if (pairGoal_) pairs_ = std::make_unique<PairBound>(std::move(*takePairs()));
   pairs_->advance();
-  if (keepGoal(pairs_->goal())) isByPairs_ = true;
+  provedByPairs(pairs_->goal());
   if (pairs_->done()) stage_ = Stage::kDone;
 }
 
@@ -188,6 +188,10 @@ void OptimumBound::advancePairs() {
 void OptimumBound::keep(double dual) {
   const double safe = dual - kRounding * std::fabs(dual);
   keepGoal(!problem_.squared ? dual : safe > 0 ? std::sqrt(safe) : 0);
+}
+
+void OptimumBound::provedByPairs(double goal) {
+  if (keepGoal(goal)) isByPairs_ = true;
 }
 
 /// Less the rounding of the sums. Is it better than what was known?

@@ -44,6 +44,8 @@ class OptimumBound {
   /// Takes away the last and longest stage, PairBound's, to be gone through elsewhere; nothing where there is
   /// none. Precondition: advance() has not come to it.
   std::optional<PairGoal> takePairs() { return std::exchange(pairGoal_, std::nullopt); }
+  /// Takes what PairBound has proved of them there; goal() stays the best that is known.
+  void provedByPairs(double goal);
   /// Was goal() proved by pairs of luminaires?
   bool isByPairs() const { return isByPairs_; }
 
@@ -80,7 +82,7 @@ class OptimumBound {
   std::optional<PairGoal> pairGoal_;  // until its bound is begun
   std::unique_ptr<PairBound> pairs_;
   bool isByPairs_ = false;
-  double incumbent_, target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
+  double target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
   Stage stage_ = Stage::kMultipliers;
   std::uint32_t stepsInRound_ = 0, rounds_ = 0, fruitless_ = 0, shifts_ = 0;
 };

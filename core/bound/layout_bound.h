@@ -32,6 +32,8 @@ class LayoutBound {
   BoundKind kind() const;
   /// As OptimumBound::takePairs.
   std::optional<PairGoal> takePairs() { return parts_.size() == 1 ? parts_[0]->takePairs() : std::nullopt; }
+  /// As OptimumBound's. Precondition: takePairs() has given some.
+  void provedByPairs(double goal) { parts_[0]->provedByPairs(goal); }
   /// As OptimumBound::within.
   std::optional<double> within(const Evaluation& evaluation) const;
 

@@ -19,11 +19,8 @@ constexpr int kCells = 4096;         // of the range of sigma
 
 }  // namespace
 
-PairBound::PairBound(PairGoal goal, double incumbent)
-    : goal_(std::move(goal)),
-      relaxation_(goal_.layouts),
-      incumbent_(incumbent),
-      bound_(-std::numeric_limits<double>::infinity()) {
+PairBound::PairBound(PairGoal goal)
+    : goal_(std::move(goal)), relaxation_(goal_.layouts), bound_(-std::numeric_limits<double>::infinity()) {
   ask(goal_.factor > 0 ? kGuess * largestSigma() : largestSigma());
 }
 
@@ -31,7 +28,7 @@ PairBound::PairBound(PairGoal goal, double incumbent)
 /// least.
 double PairBound::largestSigma() const {
   if (goal_.factor == 0) return 0;
-  return std::max(0.0, (incumbent_ - goal_.constant - goal_.leastLinear()) / goal_.factor);
+  return std::max(0.0, (goal_.incumbent - goal_.constant - goal_.leastLinear()) / goal_.factor);
 }
 
 /// For the cost whose goal does not change with sigma, to first order, at this sigma.
@@ -73,7 +70,7 @@ PairBound::Lowest PairBound::lowest() const {
     const double tangent = goal_.factor == 0 ? 0 : goal_.factor * sigma_ / 2;
     return {parabolas_.back().top + tangent, sigma_};
   }
-  Lowest lowest{incumbent_, largestSigma()};
+  Lowest lowest{goal_.incumbent, largestSigma()};
   const double width = largestSigma() / kCells;
   for (int cell = 0; cell < kCells; ++cell) {
     const double left = cell * width, right = left + width;
@@ -89,14 +86,14 @@ PairBound::Lowest PairBound::lowest() const {
 void PairBound::closeRound() {
   learn();
   const Lowest found = lowest();
-  const double before = incumbent_ - bound_;
+  const double before = goal_.incumbent - bound_;
   bound_ = std::max(bound_, found.goal);
-  const double gap = incumbent_ - bound_;
+  const double gap = goal_.incumbent - bound_;
   fruitless_ = before - gap < kFruitful * before ? fruitless_ + 1 : 0;
   certifying_ = false;
   steps_ = 0;
   done_ = ++rounds_ >= kMostRounds || fruitless_ >= kFruitlessPairRounds ||
-          gap <= kClosed * std::fabs(incumbent_);
+          gap <= kClosed * std::fabs(goal_.incumbent);
   if (done_) return;
   double sigma = found.sigma;
   if (goal_.factor < 0 && std::isfinite(bound_))

@@ -14,8 +14,7 @@ namespace fiatlux {
 
 class PairBound {
  public:
-  /// `incumbent`: the goal of the best layout known.
-  PairBound(PairGoal goal, double incumbent);
+  explicit PairBound(PairGoal goal);
 
   /// One step of either kind, O(m^3) or more.
   void advance();
@@ -39,7 +38,7 @@ class PairBound {
 
   PairGoal goal_;
   PairRelaxation relaxation_;
-  double incumbent_, bound_, kappa_ = 0, sigma_ = 0;
+  double bound_, kappa_ = 0, sigma_ = 0;
   std::vector<Parabola> parabolas_;
   std::uint32_t steps_ = 0, rounds_ = 0, fruitless_ = 0;
   bool certifying_ = false, done_ = false;

@@ -21,14 +21,16 @@ struct PairGoal {
   double squareConstant = 0;
   std::vector<double> linear;  // rest = linear z + constant + what the aims miss
   double constant = 0;
+  double incumbent = 0;  // the goal of the best layout known
 
   /// Of all layouts under the rules.
   double leastLinear() const;
   double mostLinear() const;
 };
 
-/// `problem` as relaxIntentions gives it. Nothing where it does not apply: ties, several numbers of
-/// luminaires, different fluxes, a range of the dimming, more than one sigma in the goal, too many sites.
+/// `problem` as relaxIntentions gives it; its `incumbent` is left to the caller. Nothing where it does not
+/// apply: ties, several numbers of luminaires, different fluxes, a range of the dimming, more than one sigma
+/// in the goal, too many sites.
 std::optional<PairGoal> pairGoalOf(const PreparedScene& prepared, const LuminaireRules& rules,
                                    const RelaxedIntentions& problem);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/bound/pair_numbers.h"
 #include "core/scene/zones.h"
 #include "core/search/eased.h"
 #include "core/search/identity.h"
@@ -18,11 +19,7 @@
 #include "core/transport/room_view.h"
 
 namespace fiatlux {
-namespace {
-
-constexpr std::uint32_t kMostSitesOfPairs = 200;  // so that a step of their bound delays no answer
-
-}  // namespace
+namespace {}  // namespace
 
 Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
   Result<SceneReader> reader = SceneReader::open(file);
@@ -335,8 +332,19 @@ Result<Done> Session::startAlpha(std::uint64_t seed, const Layout* held) {
 Result<Done> Session::startBound() {
   if (!search_) return Error{"no search is running that could be bounded"};
   bound_ = std::make_unique<LayoutBound>(*prepared_, intentions_, *search_);
-  if (prepared_->candidateCount() > kMostSitesOfPairs) bound_->takePairs();
+  pairsAreTaken_ = false;
   return Done{};
+}
+
+std::vector<double> Session::takePairs() {
+  if (!bound_) return {};
+  const std::optional<PairGoal> pairs = bound_->takePairs();
+  pairsAreTaken_ = pairsAreTaken_ || pairs;
+  return pairs ? numbersOf(*pairs) : std::vector<double>();
+}
+
+void Session::provedByPairs(double goal) {
+  if (bound_ && pairsAreTaken_) bound_->provedByPairs(goal);
 }
 
 std::optional<double> Session::boundGap() const {

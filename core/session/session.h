@@ -133,6 +133,11 @@ class Session {
   /// Error without a search.
   Result<Done> startBound();
   LayoutBound* bound() { return bound_.get(); }
+  /// Takes the bound's last stage away for another thread to go through, each step of which is as long as an
+  /// answer may take: numbers that pairGoalFrom reads; none where there is no such stage.
+  std::vector<double> takePairs();
+  /// What it has proved of them, a goal. Nothing happens after another startBound.
+  void provedByPairs(double goal);
   /// The best possible is better than the incumbent by at most this share; nothing while nothing is proved.
   std::optional<double> boundGap() const;
 
@@ -166,6 +171,7 @@ class Session {
   std::unique_ptr<LayoutSearch> search_, eased_;  // for what is asked; for that as far as it can be met
   std::unique_ptr<AlphaSearch> alpha_;
   std::unique_ptr<LayoutBound> bound_;
+  bool pairsAreTaken_ = false;  // of it
 };
 
 }  // namespace fiatlux

@@ -198,6 +198,32 @@ test('a bound is proved below the goal that the search reached', () => {
   expect(progress.gap).toBeCloseTo((goal - progress.goal) / Math.abs(progress.goal), 9);
 });
 
+test('the pairs of a bound are gone through in another module', () => {
+  const info = session.info();
+  if (!info) throw new Error('no scene');
+  expect(session.setIntentions(coreIntentions({ ...even, constraints: [] }, info.surfaces))).toBe('');
+  expect(session.start(1)).toBe('');
+  const { goal } = session.advance(50_000);
+  expect(session.takePairs()).toHaveLength(0);
+  expect(session.startBound()).toBe('');
+  const pairs = session.takePairs();
+  expect(pairs.length).toBeGreaterThan(0);
+  const proof = new core.PairProof();
+  expect(proof.begin(pairs.subarray(1))).toBe(false);
+  expect(proof.begin(pairs)).toBe(true);
+  expect(proof.goal()).toBe(-Infinity);
+  while (!proof.advance());
+  expect(proof.goal()).toBeLessThanOrEqual(goal);
+  session.provedByPairs(proof.goal());
+  const known = session.advanceBound(0);
+  if (typeof known === 'string') throw new Error(known);
+  expect(known.goal).toBeCloseTo(proof.goal(), 6);
+  expect(known.gap).toBeLessThan(0.5);
+  expect(session.start(2)).toBe('');
+  session.provedByPairs(proof.goal()); // of a search that is no longer there
+  proof.delete();
+});
+
 describe('errors are one readable line', () => {
   const line = /^[^\n]{8,200}$/;
   test('before anything is open', () => {

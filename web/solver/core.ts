@@ -287,7 +287,22 @@ export interface Session {
   startBound(): string;
   /** Spends about that many steps (O(m) each). */
   advanceBound(steps: number): OrError<BoundProgress>;
+  /** After startBound(): takes its last stage away, each step of which is long, for PairProof; empty where there is none. */
+  takePairs(): Float64Array;
+  /** What PairProof has proved of them. */
+  provedByPairs(goal: number): void;
   /** Frees the session; nothing may be called after it. */
+  delete(): void;
+}
+
+/** The last stage of a session's bound, in a module of its own. */
+export interface PairProof {
+  /** False where `pairs` are not what a session's takePairs() tells. */
+  begin(pairs: Float64Array): boolean;
+  /** One step; true when it was the last. */
+  advance(): boolean;
+  /** What is proved so far; -Infinity: nothing. */
+  goal(): number;
   delete(): void;
 }
 
@@ -364,6 +379,8 @@ export const sessionMethods = {
   advanceAlpha: 2,
   startBound: 0,
   advanceBound: 1,
+  takePairs: 0,
+  provedByPairs: 1,
   delete: 0,
 } as const satisfies { readonly [Method in keyof Session]: Parameters<Session[Method]>['length'] };
 
@@ -377,4 +394,5 @@ export interface CoreModule {
   readonly Session: new () => Session;
   readonly Candidates: new () => Candidates;
   readonly ColoredLight: new () => ColoredLight;
+  readonly PairProof: new () => PairProof;
 }

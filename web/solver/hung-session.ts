@@ -26,6 +26,8 @@ export type Searching = Pick<
   | 'advanceAlpha'
   | 'startBound'
   | 'advanceBound'
+  | 'takePairs'
+  | 'provedByPairs'
 >;
 
 /** The arguments by which a session takes a layout. */
@@ -79,6 +81,8 @@ export abstract class HungSession implements Searching {
   advanceAlpha = (evaluations: number, from: number) => this.session.advanceAlpha(evaluations, from);
   startBound = () => this.session.startBound();
   advanceBound = (steps: number) => this.session.advanceBound(steps);
+  takePairs = () => this.session.takePairs();
+  provedByPairs = (goal: number) => this.session.provedByPairs(goal);
 
   /** Frees the session beneath. */
   delete(): void {

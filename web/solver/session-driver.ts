@@ -18,6 +18,7 @@ import { openScene, type Kind } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
 import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 import { pace, type Clock } from './pacing.ts';
+import type { Proving } from './pair-proof.ts';
 import { SearchTask } from './search-task.ts';
 import type { Answer, Task } from './task.ts';
 import { reasonOf } from '../document/reason.ts';
@@ -36,6 +37,8 @@ export class SessionDriver {
   readonly #post: Post;
   readonly #clock: Clock;
   readonly #wake: () => void;
+  readonly #prove: Proving;
+  #endProof = () => {}; // of the bound, in another worker
   #asked: Searching | HungSession; // the session that the latest intentions went to
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
@@ -54,9 +57,9 @@ export class SessionDriver {
 
   /**
    * `clock`: ms since 1970 with fractions (performance.timeOrigin + performance.now()). `wake` is called when there is
-   * work though no message has come.
+   * work though no message has come. `prove`: what takes too long to be done between two messages.
    */
-  constructor(core: Core, session: Session, post: Post, clock: Clock, wake: () => void) {
+  constructor(core: Core, session: Session, post: Post, clock: Clock, wake: () => void, prove: Proving) {
     this.#mounts = new Mounts(core, session);
     this.#asked = session;
     this.#session = session;
@@ -69,6 +72,7 @@ export class SessionDriver {
     };
     this.#clock = clock;
     this.#wake = wake;
+    this.#prove = prove;
   }
 
   /** Whether `step` has something to do. */
@@ -134,6 +138,7 @@ export class SessionDriver {
       case 'solve':
         this.#next = message;
         this.#bound = this.#compare = null; // they were meant for an older wish
+        this.#endProof();
         return;
       case 'show':
         return this.#attempt(message.revision, this.#show, message);
@@ -288,7 +293,12 @@ export class SessionDriver {
       this.#asked.advance(pace.firstEvaluations);
     }
     check(this.#asked.startBound());
-    this.#task = new BoundTask(this.#asked, this.#clock, request.revision);
+    const { revision } = request;
+    const task = new BoundTask(this.#asked, this.#clock, revision);
+    this.#endProof = task.handOn((pairs, tell) =>
+      this.#prove(pairs, (proved) => this.#attempt(revision, () => this.#tell(tell(proved)), null)),
+    );
+    this.#task = task;
   }
 
   #advance(task: Task): void {
@@ -342,7 +352,10 @@ export class SessionDriver {
       const session = mounted ?? this.#session;
       const leaves = this.#leaves(intentions);
       if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, leaves)));
-      if (!this.#mounts.has(this.#asked)) this.#asked = session; // its candidates made room for these
+      if (!this.#mounts.has(this.#asked)) {
+        this.#endProof();
+        this.#asked = session; // its candidates made room for these
+      }
       const held = mounted ? mounted.take(layout) : coreLayout(layout);
       const shown = shownOf(valid(session.show(...held)), 0, leaves);
       const paint = corePaint(intentions.paint, leaves);
@@ -362,6 +375,7 @@ export class SessionDriver {
   /** Ends what runs, and what was to run. */
   #drop(): void {
     this.#next = this.#preparing = this.#task = this.#bound = null;
+    this.#endProof();
   }
 
   /** Asks the session that is for these intentions; returns a layout as it takes it, empty for none. */

@@ -1,5 +1,6 @@
 /** The worker: loads the module, feeds messages to the driver, and lets it work between messages. */
 import { loadCore } from './load-core.ts';
+import { proveAside } from './pair-proof.ts';
 import { isSceneFile } from './scene-bytes.ts';
 import { ArrivingFile } from './scene-stream.ts';
 import type { AheadRequest, FetchedAhead, ToWorker } from './protocol.ts';
@@ -64,7 +65,7 @@ self.onmessage = ({ data }: MessageEvent<ToWorker | AheadRequest>) => {
 };
 
 loadCore(new URL('./core.wasm', import.meta.url)).then((core) => {
-  driver = new SessionDriver(core, new core.Session(), post, clock, schedule);
+  driver = new SessionDriver(core, new core.Session(), post, clock, schedule, proveAside);
   post({ type: 'ready' }, []);
   early.splice(0).forEach(work);
 }, die);

@@ -1,5 +1,5 @@
-// The bound (convex_relaxation, diagonal_shift; pair_bound, pair_goal, pair_relaxation) against brute force:
-// never above the optimum of an exhaustive enumeration, and tight where theory says so.
+// The bound (convex_relaxation, diagonal_shift; pair_bound, pair_goal, pair_numbers, pair_relaxation) against
+// brute force: never above the optimum of an exhaustive enumeration, and tight where theory says so.
 #include "core/bound/bound.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/bound/pair_numbers.h"
 #include "core/search/evaluator.h"
 #include "core/search/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
@@ -279,6 +280,44 @@ TEST(Bound, SaysWhatItIsProvedBy) {
   EXPECT_GT(whole.goal(), early.goal());
   intentions.luminaires.dimmingLow = 0.5;
   EXPECT_FALSE(OptimumBound(prepared, intentions, best).takePairs()) << "it is of one dimming";
+}
+
+TEST(Bound, GoesOnElsewhereByNumbersAlone) {
+  PreparedScene prepared(smallRoom());
+  Intentions intentions = three({kEven, wallNear(60)}, {{Statistic::kMean, 20, kUnbounded, 1, {0}, {}}});
+  intentions.luminaires.minDistance = 1;
+  const Evaluation best = exhaustiveOptimum(prepared, intentions);
+  OptimumBound whole(prepared, intentions, best), early(prepared, intentions, best);
+  const std::vector<double> numbers = numbersOf(*early.takePairs());
+  const auto read = pairGoalFrom(numbers);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(numbersOf(*read), numbers);
+  PairBound elsewhere(*read);
+  while (!elsewhere.done()) elsewhere.advance();
+  for (OptimumBound* bound : {&whole, &early})
+    while (!bound->done()) bound->advance(1000);
+  const double relaxed = early.goal();
+  early.provedByPairs(-kUnbounded);
+  EXPECT_EQ(early.goal(), relaxed) << "nothing was proved there";
+  early.provedByPairs(elsewhere.goal());
+  EXPECT_EQ(early.goal(), whole.goal());
+  EXPECT_EQ(early.isByPairs(), whole.isByPairs());
+  EXPECT_LE(early.goal(), best.goal + 1e-9);
+}
+
+TEST(Bound, RefusesNumbersThatAreNoPairs) {
+  PreparedScene prepared(smallRoom());
+  const Intentions intentions = three({kEven});
+  OptimumBound bound(prepared, intentions, exhaustiveOptimum(prepared, intentions));
+  std::vector<double> numbers = numbersOf(*bound.takePairs());
+  EXPECT_FALSE(pairGoalFrom({}));
+  for (const double sites : {-1.0, 0.5, 2.0}) {
+    std::vector<double> broken = numbers;
+    broken[0] = sites;
+    EXPECT_FALSE(pairGoalFrom(broken)) << sites;
+  }
+  numbers.pop_back();
+  EXPECT_FALSE(pairGoalFrom(numbers));
 }
 
 TEST(DiagonalShift, StaysPositiveAndHelpsADiagonalMatrix) {

@@ -86,6 +86,8 @@ export class FakeSession implements Session {
     readonly evaluationsPerMillisecond = 20_000,
   ) {}
 
+  pairs = new Float64Array(); // of a bound's last stage
+  byPairs = Infinity; // the gap that is proved by them
   provedAt = Infinity; // evaluations after which everything has been tried
 
   openTable(file: Uint8Array) {
@@ -263,8 +265,15 @@ export class FakeSession implements Session {
   advanceBound(steps: number) {
     this.evaluations += steps;
     this.clock.now += steps / 100;
-    const gap = Math.max(0.1, 0.5 - this.evaluations / 5_000);
-    return { done: gap === 0.1, goal: -1 - gap, gap: this.evaluations > 100 ? gap : null };
+    const done = this.evaluations >= 2_000;
+    const gap = Math.min(this.byPairs, Math.max(0.1, 0.5 - this.evaluations / 5_000));
+    return { done, goal: -1 - gap, gap: this.evaluations > 100 ? gap : null };
+  }
+  takePairs() {
+    return this.pairs;
+  }
+  provedByPairs(goal: number) {
+    this.byPairs = -1 - goal;
   }
   adopt(candidates: Candidates) {
     const { asked, taken } = candidates as FakeCandidates;

@@ -1,10 +1,11 @@
 /**
  * Messages in, answers out: the protocol, latest wins, pace.
- * Covers search-job, search-task, alpha-task, bound-task, compare-task, core-intentions, mounts, painted-session.
+ * Covers search-job, search-task, alpha-task, bound-task, pair-proof, compare-task, core-intentions, mounts, painted-session.
  */
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import type { FromWorker, ToWorker } from '../../../web/solver/protocol.ts';
 import { pace } from '../../../web/solver/pacing.ts';
+import type { Proved } from '../../../web/solver/pair-proof.ts';
 import { ArrivingFile } from '../../../web/solver/scene-stream.ts';
 import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeCandidates, FakeClock, FakeColoredLight, FakeSession } from './fake-session.ts';
@@ -33,6 +34,7 @@ let session: FakeSession;
 let driver: SessionDriver;
 let answers: FromWorker[];
 let transferred: Transferable[];
+let proofs: { pairs: Float64Array; tell: (proved: Proved) => void; isEnded: boolean }[];
 let woken: number; // times that the driver had work without a message
 
 beforeEach(() => {
@@ -41,6 +43,7 @@ beforeEach(() => {
   answers = [];
   transferred = [];
   woken = 0;
+  proofs = [];
   driver = new SessionDriver(
     reader,
     session,
@@ -50,6 +53,11 @@ beforeEach(() => {
     },
     clock.read,
     () => ++woken,
+    (pairs, tell) => {
+      const proof = { pairs, tell, isEnded: false };
+      proofs.push(proof);
+      return () => void (proof.isEnded = true);
+    },
   );
 });
 
@@ -550,6 +558,7 @@ describe('the pace of a search', () => {
       (message) => answers.push(message),
       clock.read,
       () => {},
+      () => () => {},
     );
     await driver.receive(open(1, 1, 7));
     const asking = clock.now;
@@ -694,6 +703,52 @@ describe('show and check', () => {
         ],
       },
     ]);
+  });
+});
+
+describe('what is long of a bound', () => {
+  test('goes on beside the driver, and the better of both is told', async () => {
+    await opened();
+    session.pairs = Float64Array.of(7);
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    settle();
+    expect(proofs.map(({ pairs }) => [...pairs])).toEqual([[7]]);
+    expect(answers.at(-1)).toMatchObject({ type: 'bounded', done: false });
+    answers.length = 0;
+    for (const [gap, done] of [
+      [0.3, false], // less than is known
+      [0.05, false],
+      [0.048, true],
+    ] as const)
+      proofs[0]!.tell({ goal: -1 - gap, done });
+    const told = answers.map((answer) => answer.type === 'bounded' && [answer.gap.toFixed(3), answer.done]);
+    expect(told).toEqual([
+      ['0.050', false],
+      ['0.048', true],
+    ]);
+    expect(proofs[0]!.isEnded).toBe(false);
+  });
+
+  test('a worker that ends without a proof leaves what is proved', async () => {
+    await opened();
+    session.pairs = Float64Array.of(7);
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    settle();
+    proofs[0]!.tell({ goal: -Infinity, done: true });
+    expect(answers.at(-1)).toMatchObject({ type: 'bounded', gap: 0.1, done: true });
+  });
+
+  test.each<ToWorker>([
+    { type: 'solve', revision: 3, intentions: asked, start: null, moved: [], seed: 3, askedAt: 0 },
+    { type: 'show', revision: 3, intentions: asked, layout: { sites: [1], flux: [100], dimming: 1 } },
+    { type: 'stop' },
+  ])('$type ends the proof at once, before anything of its own is done', async (message) => {
+    await opened();
+    session.pairs = Float64Array.of(7);
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    settle();
+    await driver.receive(message);
+    expect(proofs.map(({ isEnded }) => isEnded)).toEqual([true]);
   });
 });
 
