@@ -118,7 +118,7 @@ test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet'
   const home = await tagPlaces(page);
   await page.getByRole('button', { name: 'Views' }).tap();
   await page.getByRole('button', { name: 'Plan', exact: true }).tap();
-  await page.keyboard.press('Escape');
+  await expect(page.getByRole('group', { name: 'Views' })).toHaveCount(0); // the picture is seen
   const tag = page.locator('[data-luminaire="0"]');
   await expect.poll(() => tagPlaces(page)).not.toEqual(home);
   const box = (await tag.boundingBox())!;
@@ -150,4 +150,22 @@ test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet'
   await expect.poll(height).toBeLessThan(half - 200);
   await tab(page, 'Results');
   await expect.poll(height).toBe(half);
+});
+
+test('what a phone shows is all there where a tablet opens its link', async ({ page, context }) => {
+  await openApp(page);
+  await settled(page);
+  const shown = await tagPlaces(page);
+  expect(shown).toHaveLength(20);
+  await page.getByRole('button', { name: 'Share', exact: true }).tap();
+  const link = await page.getByRole('dialog').getByRole('textbox', { name: 'Link' }).inputValue();
+  const other = await context.newPage();
+  await other.setViewportSize({ width: 820, height: 1180 });
+  await openApp(other, link);
+  const { x, width } = (await canvas(other).boundingBox())!;
+  for (const tag of await other.locator('[data-luminaire]').all()) {
+    const box = (await tag.boundingBox())!;
+    expect(box.x).toBeGreaterThan(x);
+    expect(box.x + box.width).toBeLessThan(x + width);
+  }
 });

@@ -53,18 +53,15 @@ export const comparingActions: readonly Action[] = [
     enabled: (app) => hasLight(app) && app.store.document.value.cards.length > 0,
     run: ({ challenge }) => void challenge.start(),
   },
-  ...(canFilm
-    ? [
-        {
-          id: 'film',
-          title: () => words.value.actions.comparing.film,
-          group: 'Compare',
-          enabled: (app) => hasLight(app) && app.film.progress.value === null,
-          async run({ film, store }) {
-            const video = await film.record();
-            if (video) download(`${fileStem(store.roomTitle.peek())}-loop.webm`, video);
-          },
-        } satisfies Action,
-      ]
-    : []),
+  {
+    id: 'film',
+    title: () => words.value.actions.comparing.film,
+    group: 'Compare',
+    enabled: (app) => hasLight(app) && app.film.progress.value === null,
+    async run({ film, store }) {
+      if (!canFilm()) return void store.say('info', words.value.comparing.film.notHere);
+      const video = await film.record();
+      if (video) download(`${fileStem(store.roomTitle.peek())}-loop.webm`, video);
+    },
+  },
 ];

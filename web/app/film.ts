@@ -21,7 +21,7 @@ const bitsPerSecond = 8e6;
 const steps = 24; // of the way
 
 /** Whether this browser can make a film. */
-export const canFilm = typeof VideoEncoder === 'function';
+export const canFilm = (): boolean => typeof VideoEncoder === 'function';
 
 export interface FilmProgress {
   readonly stage: 'lighting' | 'recording';

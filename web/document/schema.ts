@@ -170,6 +170,7 @@ export const cameraSchema: v.GenericSchema<unknown, Camera> = v.object({
   position: pointSchema,
   target: pointSchema,
   plan: v.boolean(),
+  aspect: v.exactOptional(number(0.05, 20)),
 });
 
 const observer = v.object({ name: nameSchema, position: pointSchema, direction: pointSchema });

@@ -223,7 +223,12 @@ function payloadOf(link: Link): Payload {
     ...(types.length > 0 && { t: types.map((type) => typeIn(type, link.files?.[type.hash])) }),
     ...(link.plan && { m: link.plan }),
     ...(camera && {
-      k: { ...camera, position: rounded(camera.position, 3), target: rounded(camera.target, 3) },
+      k: {
+        ...camera,
+        position: rounded(camera.position, 3),
+        target: rounded(camera.target, 3),
+        ...(camera.aspect !== undefined && { aspect: round(camera.aspect, 3) }),
+      },
     }),
     ...(display && { d: { ...display, range: [...display.range], exposure: round(display.exposure, 3) } }),
   };

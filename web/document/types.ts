@@ -172,6 +172,7 @@ export interface Camera {
   readonly position: readonly [number, number, number];
   readonly target: readonly [number, number, number];
   readonly plan: boolean; // orthographic view from above
+  readonly aspect?: number; // width / height of the picture that it was seen in
 }
 
 /** A view that a person keeps; its name is its own in the document. */

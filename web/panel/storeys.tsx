@@ -14,7 +14,7 @@ const step = 0.1; // m
 const cutOf = ({ floor, clear }: StoreyView): number =>
   Math.round(10 * (floor + Math.min(waist, clear - 0.3))) / 10;
 
-export function Storeys() {
+export function Storeys({ stood }: { readonly stood: () => void }) {
   const app = useApp();
   const building = useMemo(() => app.viewer.building(), [app.store.scene.value, app.store.preview.value]);
   if (!building) return null;
@@ -60,14 +60,19 @@ export function Storeys() {
         <output>{section === undefined ? '–' : `${fixed(section, 1)} m`}</output>
       </label>
       {storeys.map((storey, i) => (
-        <RoomsOf key={storey.floor} storey={storey} number={storeys.length > 1 ? i + 1 : null} />
+        <RoomsOf key={storey.floor} {...{ storey, stood }} number={storeys.length > 1 ? i + 1 : null} />
       ))}
     </section>
   );
 }
 
-/** `number`: of the storey, where there are several. */
-function RoomsOf({ storey, number }: { readonly storey: StoreyView; readonly number: number | null }) {
+interface RoomsProps {
+  readonly storey: StoreyView;
+  readonly number: number | null; // of the storey, where there are several
+  readonly stood: () => void;
+}
+
+function RoomsOf({ storey, number, stood }: RoomsProps) {
   const app = useApp();
   const texts = words.value.bars.storeys;
   const nameOf = (surface: number, i: number) => {
@@ -84,7 +89,10 @@ function RoomsOf({ storey, number }: { readonly storey: StoreyView; readonly num
             key={i}
             class="button small"
             title={texts.roomTip(fixed(area, 0))}
-            onClick={() => app.standAt(camera)}
+            onClick={() => {
+              app.standAt(camera);
+              stood();
+            }}
           >
             {nameOf(surface, i)}
           </button>

@@ -47,11 +47,11 @@ export function ViewToolbar() {
         </button>
       </div>
       <Popover label={words.value.bars.view.settings} icon={SlidersHorizontal}>
-        <DisplaySettings />
+        {() => <DisplaySettings />}
       </Popover>
       {mode === 'realistic' && <ExposureLock />}
       <Popover label={words.value.bars.view.views} icon={Box}>
-        <Views />
+        {(close) => <Views chosen={() => isPhone() && close()} />}
       </Popover>
       <button
         class="icon-button"
@@ -95,13 +95,20 @@ function ExposureLock() {
 interface PopoverProps {
   readonly label: string;
   readonly icon: typeof Sun;
-  readonly children: preact.ComponentChildren;
+  readonly children: (close: () => void) => preact.ComponentChildren;
 }
+
+/** What floats over the picture covers most of it. */
+const isPhone = () => matchMedia('(max-width: 760px)').matches;
 
 function Popover({ label, icon: Icon, children }: PopoverProps) {
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);
   useDismiss(root, open, () => setOpen(false));
+  const close = () => {
+    root.current?.querySelector('button')?.focus();
+    setOpen(false);
+  };
   return (
     <div class="menu-root" ref={root}>
       <button
@@ -115,7 +122,7 @@ function Popover({ label, icon: Icon, children }: PopoverProps) {
       </button>
       {open && (
         <div class="popover" role="group" aria-label={label}>
-          {children}
+          {children(close)}
         </div>
       )}
     </div>

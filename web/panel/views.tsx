@@ -16,25 +16,33 @@ const views: readonly [ViewName, () => string][] = [
   ['west', () => words.value.bars.views.west],
 ];
 
-export function Views() {
+/** `chosen`: the room is looked at from elsewhere. */
+export function Views({ chosen }: { readonly chosen: () => void }) {
   const app = useApp();
   return (
     <>
-      <div class="view-grid">
+      <div class="view-grid of-views">
         {views.map(([name, title]) => (
-          <button key={name} class="button small" onClick={() => app.viewer.view(name)}>
+          <button
+            key={name}
+            class="button small"
+            onClick={() => {
+              app.viewer.view(name);
+              chosen();
+            }}
+          >
             {title()}
           </button>
         ))}
       </div>
       <p class="fine-print">{words.value.bars.views.hint}</p>
-      <Storeys />
-      {app.store.scene.value && <KeptViews />}
+      <Storeys stood={chosen} />
+      {app.store.scene.value && <KeptViews chosen={chosen} />}
     </>
   );
 }
 
-function KeptViews() {
+function KeptViews({ chosen }: { readonly chosen: () => void }) {
   const app = useApp();
   const [name, setName] = useState('');
   const kept = app.store.document.value.views ?? [];
@@ -49,7 +57,13 @@ function KeptViews() {
         <ul class="kept-views" aria-label={words.value.bars.views.kept}>
           {kept.map((view) => (
             <li key={view.name} class="row">
-              <button class="button small grow" onClick={() => app.viewer.flyTo(view.camera)}>
+              <button
+                class="button small grow"
+                onClick={() => {
+                  app.viewer.flyTo(view.camera);
+                  chosen();
+                }}
+              >
                 {view.name}
               </button>
               <button

@@ -1,5 +1,7 @@
 /** The way of a film: layouts between two others, and the light between two steps. Covers film-note. */
 import { expect, test } from '@jest/globals';
+import type { App } from '../../../web/app/app.ts';
+import { comparingActions } from '../../../web/app/comparing-actions.ts';
 import { blended, canFilm, layoutBetween } from '../../../web/app/film.ts';
 import { fakeScene } from '../fake-solver.ts';
 
@@ -30,4 +32,10 @@ test('light goes straight from step to step', () => {
   ]);
 });
 
-test('is not offered where nothing encodes it', () => expect(canFilm).toBe(false));
+test('where nothing encodes it, it is offered and says so in a sentence', () => {
+  expect(canFilm()).toBe(false);
+  const said: unknown[] = [];
+  const app = { store: { say: (...message: unknown[]) => said.push(message) } } as unknown as App;
+  comparingActions.find(({ id }) => id === 'film')!.run(app);
+  expect(said).toEqual([['info', expect.stringContaining('cannot encode video')]]);
+});

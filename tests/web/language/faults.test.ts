@@ -36,6 +36,14 @@ test('a fault is told in the language of the page, with what it tells of its own
       "a.pdf: this is a PDF document, not a photometric file; take the luminaire's .ies or .ldt file",
     ),
   ).toMatch(/^a\.pdf: Das ist ein PDF-Dokument, keine/);
+  expect(
+    inOurWords('lamp.ldt: symmetry 2 (line 3) needs C plane 3 to be 180; correct the symmetry or the list'),
+  ).toBe(
+    'lamp.ldt: Symmetrie 2 (Zeile 3) verlangt für C-Ebene 3 den Winkel 180; die Symmetrie oder die Liste berichtigen',
+  );
+  expect(inOurWords('this is a GLDF container; unzip it and take out a.ldt, b.ies and others')).toBe(
+    'Das ist ein GLDF-Container; entpacken und daraus a.ldt, b.ies und andere nehmen',
+  );
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });
 

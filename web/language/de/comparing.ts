@@ -71,6 +71,8 @@ export const comparing: Words['comparing'] = {
     cancel: 'Abbrechen (Esc)',
     notRecorded: 'Die Schleife wurde nicht aufgenommen.',
     failed: (why) => `Die Schleife konnte nicht aufgenommen werden: ${why}`,
+    notHere:
+      'Dieser Browser kann kein Video aufzeichnen (VideoEncoder fehlt); ein aktueller Chrome, Edge, Firefox oder Safari am Rechner kann es.',
     notEncoded: 'der Browser konnte es nicht kodieren',
   },
 };

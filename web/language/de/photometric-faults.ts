@@ -37,6 +37,11 @@ const fields = {
   tilt: 'die Neigung bei der Messung',
   directRatio: 'ein Direktanteil',
   intensity: 'eine Lichtstärke',
+  measurement: 'die Nummer der Messung',
+  tiltPosition: 'die Lage der Lampe (1, 2 oder 3) von TILT=INCLUDE',
+  tiltAngles: 'die Zahl der Neigungswinkel',
+  tiltAngle: 'ein Neigungswinkel',
+  tiltFactor: 'ein Neigungsfaktor',
 };
 
 const kinds = {
@@ -90,4 +95,30 @@ export const photometricFaults: typeof english = {
   tableOutput: (told, lamps, held, flux) =>
     `Laut Datei ${told} % des Lampenlichtstroms (${lamps} lm), laut Tabelle ${held} % (${flux} lm)`,
   tableDownward: (told, held) => `Laut Datei gehen ${told} % des Lichts nach unten, laut Tabelle ${held} %`,
+  tableSymmetryPlanes: (symmetry, share, planes) =>
+    `Symmetrie ${symmetry} verlangt eine durch ${share} teilbare Zahl von C-Ebenen, nicht ${planes} (Zeilen 3 und 4)`,
+  tableSymmetryAngle: (symmetry, plane, angle) =>
+    `Symmetrie ${symmetry} (Zeile 3) verlangt für C-Ebene ${plane} den Winkel ${angle}; die Symmetrie oder die Liste berichtigen`,
+  tableSymmetryNone: 'Symmetrie 0 (Zeile 3) verlangt mindestens drei C-Ebenen',
+  tableNoLamps: '0 Lampen; ihre Zahl eintragen, bei absoluter Photometrie eine negative',
+  tableNegativeFlux: 'Der Lichtstrom je Lampe ist negativ; -1 oder einen Lichtstrom eintragen',
+  tableNoFactor: (factor) =>
+    `Die Faktoren der Lichtstärken und des Vorschaltgeräts ergeben ${factor}, was über 0 sein muss; die Datei noch einmal exportieren`,
+  tableHorizontals: (first, last) =>
+    `Die horizontalen Winkel gehen von ${first} bis ${last}; erlaubt sind 0 allein, von 0 bis 90, 180 oder 360 und von 90 bis 270`,
+  tableBeam: 'Die Typen A und B verlangen mindestens zwei horizontale Winkel; als Typ C exportieren',
+  tableBright: (value) =>
+    `${value} cd sind mehr als 1e7; den Wert, den Faktor der Lichtstärken oder den Lampenlichtstrom berichtigen`,
+  tableTilts:
+    'Der Lichtstrom der Lampe hängt von der Neigung der Leuchte ab (TILT=INCLUDE); gerechnet wie ungeneigt aufgehängt',
+  tableEmpty: 'Die Datei ist leer; noch einmal herunterladen',
+  tableDark: 'Die Tabelle enthält kein Licht: jede Lichtstärke ist 0; die Datei noch einmal exportieren',
+  tableGldf: 'Das ist ein GLDF-Container',
+  tableZip: 'Das ist eine Zip-Datei',
+  tableNothingIn: (container) =>
+    `${container} ohne .ldt- oder .ies-Datei darin; beim Hersteller danach fragen`,
+  tableUnzip: (container, files) => `${container}; entpacken und daraus ${files} nehmen`,
+  tableProduct: (files) =>
+    `Das ist die XML-Beschreibung eines GLDF-Produkts; die Datei nehmen, die sie nennt: ${files}`,
+  tableOthers: (files) => `${files} und andere`,
 };

@@ -69,6 +69,8 @@ export const comparing = {
     cancel: 'Cancel (Esc)',
     notRecorded: 'The loop is not recorded.',
     failed: (why: string) => `The loop could not be recorded: ${why}`,
+    notHere:
+      'This browser cannot encode video (VideoEncoder is missing); a current Chrome, Edge, Firefox or Safari on a computer can.',
     notEncoded: 'the browser could not encode it',
   },
 };

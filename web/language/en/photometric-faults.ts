@@ -37,6 +37,11 @@ const fields = {
   tilt: 'the tilt during measurement',
   directRatio: 'a direct ratio',
   intensity: 'an intensity',
+  measurement: 'the number of the measurement',
+  tiltPosition: "the lamp's position (1, 2 or 3) of TILT=INCLUDE",
+  tiltAngles: 'the number of tilt angles',
+  tiltAngle: 'a tilt angle',
+  tiltFactor: 'a tilt factor',
 };
 
 const kinds = {
@@ -92,4 +97,30 @@ export const photometricFaults = {
     `the file says ${told} % of the lamps' flux (${lamps} lm), its table holds ${held} % (${flux} lm)`,
   tableDownward: (told: string, held: string) =>
     `the file says that ${told} % of the light goes down, its table ${held} %`,
+  tableSymmetryPlanes: (symmetry: string, share: string, planes: string) =>
+    `symmetry ${symmetry} needs a number of C planes that ${share} divides, not ${planes} (lines 3 and 4)`,
+  tableSymmetryAngle: (symmetry: string, plane: string, angle: string) =>
+    `symmetry ${symmetry} (line 3) needs C plane ${plane} to be ${angle}; correct the symmetry or the list`,
+  tableSymmetryNone: 'symmetry 0 (line 3) needs three C planes or more',
+  tableNoLamps: '0 lamps; write how many, or a negative number for absolute photometry',
+  tableNegativeFlux: 'the lumens per lamp are negative; write -1 or a flux',
+  tableNoFactor: (factor: string) =>
+    `multiplier and ballast factors make ${factor}; they must be above 0, export the file again`,
+  tableHorizontals: (first: string, last: string) =>
+    `the horizontal angles go from ${first} to ${last}; they must be 0 alone, go from 0 to 90, 180 or 360, or from 90 to 270`,
+  tableBeam: 'types A and B need two horizontal angles or more; export as type C',
+  tableBright: (value: string) =>
+    `${value} cd is more than 1e7; correct the value, the multiplier or the lamps' flux`,
+  tableTilts:
+    "the lamp's flux changes with the luminaire's tilt (TILT=INCLUDE); it is taken as it hangs untilted",
+  tableEmpty: 'the file is empty; fetch it again',
+  tableDark: 'the table holds no light: every intensity is 0; export the file again',
+  tableGldf: 'this is a GLDF container',
+  tableZip: 'this is a zip container',
+  tableNothingIn: (container: string) =>
+    `${container} without an .ldt or .ies file in it; ask its maker for one of these`,
+  tableUnzip: (container: string, files: string) => `${container}; unzip it and take out ${files}`,
+  tableProduct: (files: string) =>
+    `this is the XML description of a GLDF product; take the file that it names: ${files}`,
+  tableOthers: (files: string) => `${files} and others`, // last: sentences may end so
 };

@@ -10,6 +10,7 @@ export interface NumberFieldProps {
   readonly unit?: string;
   readonly step: number;
   readonly min?: number;
+  readonly whyLeast?: string; // what is told instead of "At least ..."
   readonly max?: number;
   readonly placeholder?: string;
   readonly whole?: boolean;
@@ -50,11 +51,16 @@ export function readNumber(text: string, unit = '', sign = decimalSign()): numbe
 }
 
 /** What a person is told of what was typed: how it was read where that is not plain, and that it was cut. */
-export function remarkOn(text: string, unit: string, [min, max]: readonly [number, number]): string | null {
+export function remarkOn(
+  text: string,
+  unit: string,
+  [min, max]: readonly [number, number],
+  whyLeast?: string,
+): string | null {
   const value = readNumber(text, unit);
   if (value === null) return null;
   if (value > max) return words.value.values.atMost(shortest(max));
-  if (value < min) return words.value.values.atLeast(shortest(min));
+  if (value < min) return whyLeast ?? words.value.values.atLeast(shortest(min));
   return isAmbiguous(bareOf(text, unit)) ? words.value.values.readAs(shortest(value)) : null;
 }
 
@@ -84,7 +90,7 @@ export function NumberField(props: NumberFieldProps) {
   const take = (text: string) => {
     if (draft === null) setBefore(value);
     setDraft(text);
-    setRemark(remarkOn(text, unit ?? '', [min, max]));
+    setRemark(remarkOn(text, unit ?? '', [min, max], props.whyLeast));
     const next = readNumber(text, unit);
     if (next !== null && !waits?.(next)) onInput(fit(next));
     else if (next !== null) return;

@@ -52,12 +52,13 @@ interface RowProps {
   readonly unit?: string;
   readonly whole?: boolean;
   readonly most?: number;
+  readonly whyLeast?: string;
   readonly onInput: (value: number) => void;
   readonly onEnd: () => void;
 }
 
 /** Roughly by sliding, exactly by typing. */
-function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEnd }: RowProps) {
+function SliderRow({ label, value, range, step, unit, whole, most, whyLeast, onInput, onEnd }: RowProps) {
   const take = (next: number) => onInput(whole ? Math.round(next) : Number(next.toPrecision(8)));
   return (
     <div class="field">
@@ -71,6 +72,7 @@ function SliderRow({ label, value, range, step, unit, whole, most, onInput, onEn
           step={step}
           min={range[0]}
           max={most ?? range[1]}
+          {...(whyLeast && { whyLeast })}
           onInput={(next) => next !== undefined && take(next)}
           onEnd={onEnd}
         />
@@ -106,13 +108,11 @@ function CountAndFlux() {
         most={most}
         step={1}
         whole
+        {...(pinned.length > 1 && { whyLeast: words.value.luminaires.noFewer(pinned.length) })}
         onInput={(next) => set(words.value.steps.count, { count: next, ...pushed(next) })}
         onEnd={end}
       />
       <MostLuminaires places={places} />
-      {pinned.length > 1 && count <= pinned.length && (
-        <p class="field-note">{words.value.luminaires.noFewer(pinned.length)}</p>
-      )}
       {!isOfTypes && (
         <SliderRow
           label={words.value.luminaires.flux}

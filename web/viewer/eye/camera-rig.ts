@@ -24,8 +24,8 @@ export class CameraRig {
   #loop: FrameLoop;
   #report: (camera: Camera) => void;
   #poses = new RoomPoses({ min: [-2, 0, -2], max: [2, 3, 2] }, [0, 0, 0, 0]);
-  /** Untouched since then: a new picture size frames the room anew. */
-  #framed: 'home' | 'plan' | null = 'home';
+  /** Untouched since then: a new picture size frames the room anew, or what a given view showed. */
+  #framed: 'home' | 'plan' | Camera | null = 'home';
   #unreported = false;
   #flying: Animation | null = null;
   #isRising = false; // by rise(), a frame at a time
@@ -86,7 +86,9 @@ export class CameraRig {
     };
     this.#poses.aspect = frame(this.#perspective, top, bottom);
     this.#poses.planAspect = frame(this.#orthographic, planTop, planBottom);
-    if (this.#framed) this.#apply(this.#framed === 'home' ? this.#poses.home() : this.#poses.plan());
+    if (this.#framed === 'home') this.#apply(this.#poses.home());
+    else if (this.#framed === 'plan') this.#apply(this.#poses.plan());
+    else if (this.#framed) this.#apply(this.#poses.given(this.#framed));
     this.#project();
   }
 
@@ -105,7 +107,8 @@ export class CameraRig {
     const eye = this.plan
       ? new Vector3(0, this.#planHeight() / (2 * tangent), 0).add(target)
       : this.#perspective.position;
-    return { position: eye.toArray(), target: target.toArray(), plan: this.plan };
+    const aspect = this.plan ? this.#poses.planAspect : this.#poses.aspect;
+    return { position: eye.toArray(), target: target.toArray(), plan: this.plan, aspect };
   }
 
   /** Ends what is left of a turn or a flight: the view that is on the screen stays. */
@@ -116,15 +119,15 @@ export class CameraRig {
   }
 
   set(camera: Camera): void {
-    this.#framed = null;
     this.#stop();
-    this.#apply(this.#poses.of(new Vector3(...camera.position), new Vector3(...camera.target), camera.plan));
+    this.#apply(this.#poses.given(camera));
+    this.#framed = camera;
     this.#loop.invalidate();
   }
 
-  flyTo({ position, target, plan }: Camera): void {
-    this.#framed = null;
-    this.#fly(this.#poses.of(new Vector3(...position), new Vector3(...target), plan));
+  flyTo(camera: Camera): void {
+    this.#fly(this.#poses.given(camera));
+    this.#framed = camera;
   }
 
   /** Stands on a point of the floor and looks where the eye has looked; a drag then turns the head. */

@@ -10,6 +10,7 @@ const eyeHeight = 1.6; // m, standing
 const fromWall = 1.2; // m, of an eye within the room
 const arm = 0.4; // m from the eye to the centre of its turns
 const floorDepth = 0.15; // m: carpets and steps are floor, too
+const likeness = 1.02; // of two pictures' shapes: what differs less is the same view
 const planTilt = 1e-4; // the eye of a plan stands this much off the vertical, which says what is up on the page
 
 /** Of a person who looks ahead (unit, level): the centre of turns is just before the eyes. */
@@ -94,6 +95,17 @@ export class RoomPoses {
         .setY(0);
     if (ahead.lengthSq() < 1e-6) ahead.set(0, 0, -1);
     return { eye, target: ahead.setLength(arm).add(eye) };
+  }
+
+  /**
+   * A view as it was given. Where it was seen in a wider picture the eye steps back until as much is seen from side to side;
+   * an eye that stands in the room stays there.
+   */
+  given({ position, target, plan, aspect: seen }: Camera): CameraPose {
+    const pose = this.of(new Vector3(...position), new Vector3(...target), plan);
+    const wider = (seen ?? 0) / (plan ? this.planAspect : this.aspect);
+    if (wider > likeness && pose.spherical.radius > 2 * arm) pose.spherical.radius *= wider;
+    return pose;
   }
 
   of(eye: Vector3, target: Vector3, plan: boolean): CameraPose {

@@ -40,6 +40,8 @@ test('what was read unexpectedly, or cut, is told', () => {
   expect(remarkOn('1,250', 'lx', [0, 1e7])).toBe('Read as 1\u202f250'); // tests run in English
   expect(remarkOn('1,25', 'lx', [0, 1e7])).toBeNull();
   expect(remarkOn('99', '', [1, 60])).toBe('At most 60');
+  expect(remarkOn('2', '', [4, 60])).toBe('At least 4');
+  expect(remarkOn('2', '', [4, 60], 'No fewer: 4 are pinned.')).toBe('No fewer: 4 are pinned.');
   expect(remarkOn('-5', '', [0, 60])).toBe('At least 0');
   expect(remarkOn('abc', '', [0, 60])).toBeNull();
 });
