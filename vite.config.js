@@ -30,7 +30,10 @@ const keepOffline = {
     order: 'post',
     handler(_options, bundle) {
       const worker = bundle['service-worker.js'];
-      const files = Object.keys(bundle).filter((name) => name !== worker.fileName && !name.endsWith('.html'));
+      // Seven megabytes that few people need are kept once they were used, like rooms.
+      const isKept = (name) =>
+        name !== worker.fileName && !name.endsWith('.html') && !/\bweb-ifc\b/.test(name);
+      const files = Object.keys(bundle).filter(isKept);
       const entry = Object.values(bundle).find(
         ({ isEntry, fileName }) => isEntry && fileName !== worker.fileName,
       );

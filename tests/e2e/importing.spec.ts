@@ -1,4 +1,5 @@
-// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files, unpacked-model, unpack-worker, import-sheet.
+// Models of other programs, dropped as they are: shown, with what was guessed. Covers importing, import-model, dropped-files, unpacked-model, unpack-worker, import-sheet, import-ifc, ifc-worker, place-dialog.
+import { madeIfc } from '../web/made-ifc.ts';
 import { packedWithDraco } from '../web/packed-with-draco.ts';
 import { drop, expect, look, picture, test } from './app.ts';
 
@@ -59,4 +60,28 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   await drop(page, { 'seminar.stf': stf });
   await expect(page.getByRole('heading', { name: 'Edit the room' })).toBeVisible();
   await expect(page.getByRole('button', { name: 'wall north, 7 m' })).toBeVisible();
+});
+
+test('of an .ifc one space is chosen and lit; one without geometry is told in a sentence', async ({
+  page,
+}) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.goto('./');
+  await expect(page.getByRole('tab', { name: 'Intentions' })).toBeVisible();
+  expect(asked.filter((path) => /ifc/.test(path))).toEqual([]);
+
+  await drop(page, { 'house.ifc': madeIfc({ hasGeometry: false, hasSpaces: false }) });
+  const messages = page.getByRole('region', { name: 'Messages' });
+  await expect(messages.getByText(/“house.ifc” cannot be read: it holds no shapes/)).toBeVisible();
+
+  await drop(page, { 'house.ifc': madeIfc() });
+  const dialog = page.getByRole('dialog', { name: 'Which place of “house”?' });
+  await expect(dialog.getByRole('button')).toHaveCount(7); // one closes it
+  await dialog.getByRole('button', { name: /Hall 4.0 × 5.0 m/ }).click();
+  await expect(page.getByRole('heading', { name: /“house 0.4200 Hall”$/ })).toBeVisible();
+  await page.getByRole('button', { name: 'How it was understood' }).click();
+  const sheet = page.getByRole('complementary', { name: 'How the model was understood' });
+  await expect(sheet.getByRole('checkbox', { name: /^Ceiling Board 12/ }).first()).toBeChecked();
+  await expect(sheet.getByLabel(/Matt white/)).toHaveValue('83');
 });

@@ -39,6 +39,7 @@ test('both have the same keys, and the same places for what is told', () => {
 const alike: readonly string[] = [
   'areas.reached',
   'comparing.sides.solver',
+  'dialogs.place.size',
   'dialogs.share.link',
   'intentions.guarantee.alpha',
   'intentions.histogram.cantelli',

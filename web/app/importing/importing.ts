@@ -2,19 +2,21 @@
 import type { PackedPlan } from '../../document/made-room.ts';
 import { readStf } from '../../document/stf.ts';
 import { importModel, type Imported } from './import-model.ts';
-import { cureOf, isModel } from './model-files.ts';
+import { importIfc, type ChoosePlace } from './ifc/import-ifc.ts';
+import { cureOf, isIfc, isModel } from './model-files.ts';
 import { planOfStf } from './stf-plan.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 export type Import = Imported | { readonly plan: PackedPlan; readonly note: string | null };
 
-/** A model as .glb, or a room as a plan. Throws one sentence. */
-export async function imported(files: readonly File[]): Promise<Import> {
+/** A model as .glb, or a room as a plan; null where no place of a building was chosen. Throws one sentence. */
+export async function imported(files: readonly File[], choose: ChoosePlace): Promise<Import | null> {
   const stf = files.find(({ name }) => /\.stf$/i.test(name));
   const main = files.find((file) => isModel(file.name)) ?? stf ?? files.find((file) => cureOf(file.name));
   const name = main?.name ?? words.value.opening.import.theFile;
   try {
+    if (main && isIfc(main.name)) return await importIfc(main, choose);
     if (main && isModel(main.name)) return await importModel(files);
     if (stf) return stfRoom(await stf.text());
   } catch (error) {

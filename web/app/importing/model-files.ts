@@ -1,7 +1,7 @@
 /** Which dropped files are models of other programs, and what is said of those that nothing here can read. */
 import { words } from '../../language/language.ts';
 
-const models = /\.(obj|stl|dae|fbx|3ds)$/i;
+const models = /\.(obj|stl|dae|fbx|3ds|ifc)$/i;
 
 /** The cure for formats without a reader, by extension. */
 const unreadable: readonly (readonly [RegExp, () => string])[] = [
@@ -11,12 +11,13 @@ const unreadable: readonly (readonly [RegExp, () => string])[] = [
   [/\.(blend)$/i, () => words.value.opening.import.cures.blender],
   [/\.(max|c4d|ma|mb)$/i, () => words.value.opening.import.cures.other],
   [/\.(dwg|dxf)$/i, () => words.value.opening.import.cures.cad],
-  [/\.(ifc|ifczip)$/i, () => words.value.opening.import.cures.bim],
+  [/\.ifcxml$/i, () => words.value.opening.import.cures.bim],
   [/\.(evo|dlx|rdf)$/i, () => words.value.opening.import.cures.dialux],
   [/\.(step|stp|iges|igs)$/i, () => words.value.opening.import.cures.cadModel],
 ];
 
 export const isModel = (name: string): boolean => models.test(name);
+export const isIfc = (name: string): boolean => /\.ifc$/i.test(name);
 
 /** Whether these files need the importer: a model, an STF room, or what only it knows by name. */
 export function isForImport(names: readonly string[]): boolean {

@@ -4,8 +4,8 @@ import { words } from '../../language/language.ts';
 
 const mostBytes = 256 << 20; // inflated, all together
 const mostFiles = 2000;
-const wanted = /\.(gltf|glb|bin|obj|mtl|stl|dae|fbx|3ds|stf|png|jpe?g|webp|tga|bmp|gif)$/i;
-const model = /\.(gltf|glb|obj|stl|dae|fbx|3ds|stf)$/i;
+const wanted = /\.(gltf|glb|bin|obj|mtl|stl|dae|fbx|3ds|ifc|stf|png|jpe?g|webp|tga|bmp|gif)$/i;
+const model = /\.(gltf|glb|obj|stl|dae|fbx|3ds|ifc|stf)$/i;
 
 /** null where the zip holds no model: photometry, or something else. Throws one sentence where it is damaged or holds too much. */
 export async function unzippedModel(file: File): Promise<File[] | null> {

@@ -10,6 +10,7 @@ import { cleanName } from '../../document/schema.ts';
 import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
+import type { IfcPlace } from '../importing/ifc/ifc-places.ts';
 import { isForImport } from '../importing/model-files.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
@@ -77,7 +78,8 @@ export class FileOpening {
   /** What a zip holds of a model; null where the files are none, or other things are in it. */
   async #unzipped(files: readonly File[]): Promise<readonly File[] | null> {
     const [zip] = files;
-    if (files.length !== 1 || !zip || !/\.zip$/i.test(zip.name) || zip.size > largestFile) return null;
+    if (files.length !== 1 || !zip || !/\.(zip|ifczip)$/i.test(zip.name) || zip.size > largestFile)
+      return null;
     const { unzippedModel } = await import('../importing/unzipped.ts');
     return unzippedModel(zip);
   }
@@ -85,10 +87,24 @@ export class FileOpening {
   /** A model of another program becomes a .glb and is opened as one; a plan opens the room maker. */
   async #import(files: readonly File[]): Promise<void> {
     const { imported } = await import('../importing/importing.ts');
-    const made = await imported(files);
+    const made = await imported(files, (building, places) => this.#choosePlace(building, places));
+    if (!made) return;
     if (made.note) this.#store.say('info', made.note);
     if ('plan' in made) this.#store.making.value = { plan: made.plan };
     else await this.#open(made.file, []);
+  }
+
+  /** Of a building, the place that is to be lit; another question puts this one aside. */
+  #choosePlace(building: string, places: readonly IfcPlace[]): Promise<number | null> {
+    const { question } = this.#store;
+    question.peek()?.answer(null);
+    return new Promise((resolve) => {
+      const answer = (place: number | null) => {
+        question.value = null;
+        resolve(place);
+      };
+      question.value = { building, places, answer };
+    });
   }
 
   async #open(file: File, others: readonly File[]): Promise<void> {

@@ -155,7 +155,7 @@ export class Opening {
 
   /** Lets a person choose a file of their own. */
   pick(
-    accept = '.flux,.glb,.gltf,.bin,.obj,.mtl,.stl,.dae,.fbx,.3ds,.stf,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip,.png,.jpg,.jpeg',
+    accept = '.flux,.glb,.gltf,.bin,.obj,.mtl,.stl,.dae,.fbx,.3ds,.ifc,.ifczip,.stf,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip,.png,.jpg,.jpeg',
   ): void {
     const input = document.createElement('input');
     input.type = 'file';

@@ -2,6 +2,7 @@
  * The state of the app as signals. What is asked (the document and its history) and what is shown (the solver's latest
  * answer) are apart; nothing here touches worker, canvas or DOM.
  */
+import type { IfcPlace } from '../importing/ifc/ifc-places.ts';
 import { batch, computed, signal } from '@preact/signals';
 import type { Draft } from 'immer';
 import { edit, redo, seal, startHistory, undo, type History, type Travel } from '../../document/history.ts';
@@ -70,6 +71,13 @@ export interface LightingState {
   readonly share: number; // 0..1 of this pass
   readonly secondsLeft: number | null; // of this pass, once that can be told
   readonly fault: string | null; // why it has ended without light
+}
+
+/** A building of which one place is to be lit. */
+export interface PlaceQuestion {
+  readonly building: string;
+  readonly places: readonly IfcPlace[];
+  readonly answer: (place: number | null) => void; // its index; null: none of them
 }
 
 /** How a model is understood, while that is looked at. */
@@ -199,6 +207,7 @@ export class Store {
   readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
   readonly litRoom = signal<string | null>(null); // whose model is at hand
   readonly sheet = signal<SheetState | null>(null);
+  readonly question = signal<PlaceQuestion | null>(null); // which place of a building is to be lit
   readonly pendingLink = signal<Link | null>(null); // waits for the file it is about
   readonly drawing = signal<AreaKind | 'corners' | null>(null); // the next drag or the next clicks in the plan make one
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen

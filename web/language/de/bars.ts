@@ -78,7 +78,7 @@ export const bars: Words['bars'] = {
   drop: {
     here: 'Hier ablegen',
     takes:
-      'ein Modell (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, ein Ordner oder eine .zip), ein Raum aus DIALux oder Relux (.stf), eine Szene (.flux), eine Leuchte (.ies, .ldt) oder ein Projekt. Es bleibt auf diesem Rechner.',
+      'ein Modell (.glb, .gltf, .ifc, .obj, .fbx, .dae, .3ds, .stl, ein Ordner oder eine .zip), ein Raum aus DIALux oder Relux (.stf), eine Szene (.flux), eine Leuchte (.ies, .ldt) oder ein Projekt. Es bleibt auf diesem Rechner.',
   },
   noGraphics:
     'Dieser Browser stellt der Seite keine 3D-Grafik (WebGL 2) bereit. Hardwarebeschleunigung in seinen Einstellungen einschalten oder die Seite in einem anderen Browser öffnen.',

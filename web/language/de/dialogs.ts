@@ -59,6 +59,14 @@ export const dialogs: Words['dialogs'] = {
     nameOf: 'Name des Raums',
     doRename: 'Umbenennen',
   },
+  place: {
+    name: (building) => `Welcher Ort in „${building}“?`,
+    about: 'Was dort liegt, wird für sich beleuchtet; der Rest des Gebäudes bleibt weg.',
+    building: 'Das ganze Gebäude',
+    storey: 'Geschoss',
+    space: 'Raum',
+    size: (width, depth) => `${width} × ${depth} m`,
+  },
   presets: {
     noRoute: 'Zuerst den Rettungsweg als Sehaufgabenbereich zeichnen; beurteilt wird längs seiner Mitte.',
     noSurface: (title) => `Dieser Raum hat keine Fläche, von der „${title}“ verlangt werden könnte.`,

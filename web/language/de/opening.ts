@@ -88,13 +88,24 @@ export const opening: Words['opening'] = {
       blender: 'Blender: als glTF exportieren (Datei, Exportieren, glTF 2.0)',
       other: 'dem Programm, das sie erstellt hat: als glTF oder FBX exportieren',
       cad: 'CAD: den Grundriss im Raumeditor zeichnen (Neuer Raum) oder ein 3D-Modell als FBX exportieren',
-      bim: 'BIM: den Raum aus dem Ursprungsprogramm als glTF, OBJ oder Collada exportieren',
+      bim: 'BIM: aus dem Ursprungsprogramm als .ifc (IFC-SPF) speichern',
       dialux: 'DIALux oder Relux: den Raum als STF (.stf) exportieren',
       cadModel: 'CAD: als glTF, OBJ oder STL exportieren',
     },
     zipDamaged: (name) => `„${name}“ ist eine beschädigte Zip-Datei; neu herunterladen.`,
     zipTooLarge: (name, size, count) =>
       `„${name}“ entpackt sich zu ${size} MB in ${count} Dateien: Unnötiges herausnehmen.`,
+    ifc: {
+      noIfc: 'sie ist keine IFC-Datei in STEP-Form (ISO-10303-21)',
+      noGeometry: 'sie enthält keine Formen von Wänden, Böden oder Decken: mit Geometrie exportieren',
+      tooMuch: 'sie enthält mehr als 5 Millionen Dreiecke: ein Geschoss davon exportieren',
+      noLibrary: 'was IFC liest, konnte nicht geladen werden; Verbindung prüfen und erneut versuchen',
+      broken: 'sie ist beschädigt oder zu groß für diesen Browser',
+      luminaires: (count) =>
+        count === 1
+          ? 'Die Leuchte der Datei wurde weggelassen: ihr Platz wird neu gefunden.'
+          : `Die ${count} Leuchten der Datei wurden weggelassen: ihre Plätze werden neu gefunden.`,
+    },
     units: { millimetres: 'Millimeter', centimetres: 'Zentimeter' },
   },
   preview: {

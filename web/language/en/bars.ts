@@ -77,7 +77,7 @@ export const bars = {
   drop: {
     here: 'Drop it here',
     takes:
-      'a model (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, a folder or a .zip), a room of DIALux or Relux (.stf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this computer.',
+      'a model (.glb, .gltf, .ifc, .obj, .fbx, .dae, .3ds, .stl, a folder or a .zip), a room of DIALux or Relux (.stf), a scene (.flux), a luminaire (.ies, .ldt) or a project. It stays on this computer.',
   },
   noGraphics:
     'This browser gives the page no 3D graphics (WebGL 2). Switch hardware acceleration on in its settings, or open the page in another browser.',

@@ -57,6 +57,14 @@ export const dialogs = {
     nameOf: 'Name of the room',
     doRename: 'Rename',
   },
+  place: {
+    name: (building: string) => `Which place of “${building}”?`,
+    about: 'What lies there is lit by itself; the rest of the building is left out.',
+    building: 'The whole building',
+    storey: 'Storey',
+    space: 'Space',
+    size: (width: string, depth: string) => `${width} × ${depth} m`,
+  },
   presets: {
     noRoute: 'Draw the escape route as a task area first; each is judged along its middle.',
     noSurface: (title: string) => `This room has no surface that “${title}” could be asked of.`,

@@ -82,13 +82,24 @@ export const opening = {
       blender: 'Blender: export it as glTF (File, Export, glTF 2.0)',
       other: 'the program that made it: export it as glTF or FBX',
       cad: 'CAD: draw the plan in the room maker (New room), or export a 3D model as FBX',
-      bim: 'BIM: export the room as glTF, OBJ or Collada from the program that made it',
+      bim: 'BIM: save it as .ifc (IFC-SPF) from the program that made it',
       dialux: 'DIALux or Relux: export the room as STF (.stf)',
       cadModel: 'CAD: export it as glTF, OBJ or STL',
     },
     zipDamaged: (name: string) => `“${name}” is a damaged zip file; fetch it again.`,
     zipTooLarge: (name: string, size: number, count: number) =>
       `“${name}” unpacks to ${size} MB in ${count} files: take out what is not needed.`,
+    ifc: {
+      noIfc: 'it is no IFC file of the STEP form (ISO-10303-21)',
+      noGeometry: 'it holds no shapes of walls, floors or ceilings: export it with geometry',
+      tooMuch: 'it holds more than 5 million triangles: export one storey of it',
+      noLibrary: 'what reads IFC could not be loaded; check the connection and try again',
+      broken: 'it is damaged, or too large for this browser',
+      luminaires: (count: number) =>
+        count === 1
+          ? 'The luminaire of the file was left out: its place is found anew.'
+          : `The ${count} luminaires of the file were left out: their places are found anew.`,
+    },
     units: { millimetres: 'millimetres', centimetres: 'centimetres' },
   },
   preview: {

@@ -3,6 +3,7 @@ import { useApp } from '../../app/app.ts';
 import { GalleryDialog } from './gallery-dialog.tsx';
 import { LuminaireDialog } from './luminaire-dialog.tsx';
 import { HelpDialog } from './help-dialog.tsx';
+import { PlaceDialog } from './place-dialog.tsx';
 import { Palette } from './palette.tsx';
 import { PresetsDialog } from './presets-dialog.tsx';
 import { ReportDialog } from './report-dialog.tsx';
@@ -11,6 +12,7 @@ import { ShareDialog } from './share-dialog.tsx';
 export function Dialogs() {
   const { store } = useApp();
   const close = () => void (store.dialog.value = null);
+  if (store.question.value) return <PlaceDialog question={store.question.value} />;
   switch (store.dialog.value) {
     case 'gallery':
       return <GalleryDialog close={close} />;
