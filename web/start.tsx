@@ -8,6 +8,9 @@ import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
 
+// The first script waits for nothing, so this one may come before the end of the page.
+if (document.readyState === 'loading')
+  await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
 const root = document.getElementById('app');
 root?.replaceChildren();
 const store = new Store();

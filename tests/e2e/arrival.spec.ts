@@ -1,5 +1,5 @@
 // The first seconds of a first visit: from within, at dusk; and that nobody has to wait for their end.
-// Covers arrival, camera-rig.
+// Covers arrival, camera-rig, and which files come before the first light (vite.config.js).
 import type { Page } from '@playwright/test';
 import { canvas, expect, openApp, tagPlaces, test } from './app.ts';
 
@@ -39,4 +39,19 @@ test('where less motion is wished for, the whole room is there in full light', a
   expect(await shade(page)).toBe('');
   await expect.poll(async () => (await tagPlaces(page)).length).toBeGreaterThan(0);
   expect(await tagPlaces(page)).not.toContain('behind the eye');
+});
+
+test('the first light waits for few files: a browser asks a host for six at a time', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.goto('./', { waitUntil: 'commit' });
+  await expect.poll(() => isFull(page)).toBe(true);
+  const scripts = asked.filter((name) => name.endsWith('.js'));
+  expect(scripts.length).toBeLessThanOrEqual(12);
+  const beforeRoom = asked.slice(
+    0,
+    asked.findIndex((name) => name.endsWith('.flux')),
+  );
+  expect(beforeRoom.length).toBeLessThanOrEqual(12);
 });
