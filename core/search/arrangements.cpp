@@ -252,6 +252,12 @@ std::vector<std::vector<std::uint32_t>> ordersOf(const Ties& ties, const std::ve
   return orders;
 }
 
+/// Is a chain its own mirror image about the middle of all coordinates?
+bool isCentred(const Chain& chain, const std::vector<double>& values) {
+  const double ends = values[chain.at.front()] + values[chain.at.back()];
+  return std::fabs(ends - values.front() - values.back()) < 4e-3;  // two millimetres each
+}
+
 }  // namespace
 
 std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules) {
@@ -306,7 +312,7 @@ bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
     return false;
   }
   bool found = false;
-  const Fields fields(grid, rules.count, mostOf(rules));
+  const Fields fields(grid, rules.count, mostOf(rules), rules.arrangement.axis);
   const PinsAndExclusions rule(scene.sites.size(), rules);
   std::vector<std::uint32_t> sites;
   fields.visit([&](const Field& field) {
@@ -318,11 +324,15 @@ bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
 
 // --- Fields
 
-Fields::Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most)
+Fields::Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most, PlanAxis axis)
     : grid_(grid), least_(least), most_(most) {
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < 2; ++d) {
+    // Mirrored about a line along x it is the same across.
+    const bool isMirrored = axis == PlanAxis::kBoth || axis == (d == 1 ? PlanAxis::kX : PlanAxis::kZ);
     for (std::uint32_t count = 1; count <= most && count <= grid.values(d).size(); ++count)
-      for (Chain& chain : grid.chains(d, count)) chains_[d].push_back(std::move(chain));
+      for (Chain& chain : grid.chains(d, count))
+        if (!isMirrored || isCentred(chain, grid.values(d))) chains_[d].push_back(std::move(chain));
+  }
 }
 
 void Fields::visit(const std::function<bool(const Field&)>& visit) const {

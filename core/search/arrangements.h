@@ -60,8 +60,9 @@ struct Field {
 /// All regular fields of some counts, in one fixed order.
 class Fields {
  public:
-  /// Of `least` to `most` luminaires. The grid must outlive them.
-  Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most);
+  /// Of `least` to `most` luminaires; mirrored about lines through the middle of the grid where an axis is
+  /// said. The grid must outlive them.
+  Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most, PlanAxis axis = PlanAxis::kFound);
 
   /// Calls `visit` for each until it returns false; `sites` are the field's, `pitch` its smaller one, m
   /// (infinite for a single luminaire).

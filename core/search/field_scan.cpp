@@ -7,7 +7,8 @@ namespace fiatlux {
 
 FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
     : evaluator_(prepared, intentions, reference),
-      all_(prepared.grid(), intentions.luminaires.count, mostOf(intentions.luminaires)),
+      all_(prepared.grid(), intentions.luminaires.count, mostOf(intentions.luminaires),
+           intentions.luminaires.arrangement.axis),
       bestEvaluation_{kUnbounded, kUnbounded, 1} {
   const LuminaireRules& rules = intentions.luminaires;
   const PinsAndExclusions allowed(prepared.scene().sites.size(), rules);

@@ -53,7 +53,7 @@ inline constexpr const char* kPlanAxisNames[] = {"found", "x", "z", "both"};  //
 
 struct Arrangement {
   Rule rule = Rule::kFree;
-  PlanAxis axis = PlanAxis::kFound;  // of symmetric layouts and rows
+  PlanAxis axis = PlanAxis::kFound;  // of symmetric layouts and rows; a field's, found: it may be anywhere
 };
 
 /// How many luminaires of one type there may be.

@@ -44,8 +44,7 @@ Result<Done> checkCount(const LuminaireRules& rules) {
 Result<Done> checkArrangement(const Scene& scene, const LuminaireRules& rules) {
   const Arrangement& asked = rules.arrangement;
   const std::string name = kRuleNames[static_cast<std::size_t>(asked.rule)];
-  const bool hasAxis = asked.rule == Rule::kSymmetric || asked.rule == Rule::kRows;
-  if (!hasAxis && asked.axis != PlanAxis::kFound)
+  if (asked.rule == Rule::kFree && asked.axis != PlanAxis::kFound)
     return Error{"arrangement: \"" + name + "\" has no axis; drop it"};
   if (asked.rule == Rule::kRows && asked.axis == PlanAxis::kBoth)
     return Error{"arrangement: rows run along one axis; say \"x\", \"z\" or \"found\""};

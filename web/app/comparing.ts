@@ -40,9 +40,10 @@ export function withRule(asked: Intentions, rule: Rule): Intentions {
 
 /** A rule with the axis that the luminaires had, as far as it has one. */
 export function arrangementOf(rule: Rule, { arrangement }: Pick<Luminaires, 'arrangement'>): Arrangement {
-  const axis = arrangement?.axis;
-  const keeps = axis !== undefined && (rule === 'symmetric' || (rule === 'rows' && axis !== 'both'));
-  return keeps ? { rule, axis } : { rule };
+  const { axis, rule: had } = arrangement ?? {};
+  if (axis === undefined || rule === 'free') return { rule };
+  const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
+  return has ? { rule, axis } : { rule };
 }
 
 /** The least number of luminaires that met everything, as far as has been tried. */

@@ -125,11 +125,11 @@ export interface Glare {
 
 /** How the luminaires hang together; an axis is one of the plan that a layout is mirrored about or rows run along. */
 export type Rule = 'free' | 'symmetric' | 'rows' | 'field';
-export type PlanAxis = 'found' | 'x' | 'z' | 'both'; // both: symmetric only
+export type PlanAxis = 'found' | 'x' | 'z' | 'both'; // both: not of rows
 
 export interface Arrangement {
   readonly rule: Rule;
-  readonly axis?: PlanAxis; // symmetric and rows; absent = found
+  readonly axis?: PlanAxis; // absent = found; of a field: anywhere
 }
 
 /** A rectangle in plan, in the room's axes, m: the smaller x and z, then the larger ones. */

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "core/search/layout_search.h"
 #include "core/search/validate_intentions.h"
@@ -49,6 +50,34 @@ TEST(Arrangements, CountsEveryField) {
   EXPECT_EQ(fieldsOf(grid, 6, 6), 14470u);
   EXPECT_EQ(fieldsOf(grid, 12, 12), 8619u);
   EXPECT_EQ(fieldsOf(grid, 2, 24), 90102u);
+}
+
+TEST(Arrangements, FieldsInTheMiddleAreTheirOwnMirrorImages) {
+  const Scene scene = ceiling();
+  const SiteGrid grid(scene);
+  for (const auto& [axis, alongX, alongZ] :
+       {std::tuple(PlanAxis::kX, false, true), std::tuple(PlanAxis::kZ, true, false),
+        std::tuple(PlanAxis::kBoth, true, true)}) {
+    std::size_t middle = 0, counted = 0;
+    Sites sites;
+    const auto isInMiddle = [&](double Vec3::*direction, double whole) {
+      return std::fabs(scene.sites[sites.front()].position.*direction +
+                       scene.sites[sites.back()].position.*direction - whole) < 1e-6;
+    };
+    const auto count = [&](const Fields& fields, bool all) {
+      fields.visit([&](const Field& field) {
+        if (!fields.sitesOf(field, sites)) return true;
+        const bool is = (!alongX || isInMiddle(&Vec3::x, 12)) && (!alongZ || isInMiddle(&Vec3::z, 7.8));
+        (all ? counted : middle) += is;
+        EXPECT_TRUE(all || is);
+        return true;
+      });
+    };
+    count(Fields(grid, 2, 24), true);
+    count(Fields(grid, 2, 24, axis), false);
+    EXPECT_EQ(middle, counted);
+    EXPECT_GT(middle, 0u);
+  }
 }
 
 TEST(Arrangements, MirrorsKeepAllSitesOfARectangleAndDropThoseWithoutAnImage) {
@@ -340,7 +369,7 @@ TEST(Arrangements, SayWhatCannotBe) {
   EXPECT_NE(refusal(ask(5, Rule::kSymmetric, PlanAxis::kX)).find("no symmetric layout of 5"),
             std::string::npos);
   EXPECT_EQ(refusal(ask(5, Rule::kSymmetric, PlanAxis::kZ)), "");
-  EXPECT_NE(refusal(ask(4, Rule::kField, PlanAxis::kX)).find("\"field\" has no axis"), std::string::npos);
+  EXPECT_NE(refusal(ask(4, Rule::kFree, PlanAxis::kX)).find("\"free\" has no axis"), std::string::npos);
   EXPECT_NE(refusal(ask(4, Rule::kRows, PlanAxis::kBoth)).find("one axis"), std::string::npos);
   Intentions unequal = ask(2, Rule::kRows);
   unequal.luminaires.flux = {100, 200};

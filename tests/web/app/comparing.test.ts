@@ -22,6 +22,7 @@ test('another number is exactly that, another rule keeps the axis that it has a 
   const both = { arrangement: { rule: 'symmetric', axis: 'both' } } as const;
   expect(arrangementOf('rows', both)).toEqual({ rule: 'rows' });
   expect(arrangementOf('symmetric', both)).toEqual({ rule: 'symmetric', axis: 'both' });
+  expect(arrangementOf('field', both)).toEqual({ rule: 'field', axis: 'both' });
   expect(arrangementOf('field', { arrangement: { rule: 'rows', axis: 'x' } })).toEqual({ rule: 'field' });
 });
 

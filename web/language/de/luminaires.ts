@@ -19,6 +19,7 @@ export const luminaires: Words['luminaires'] = {
     mirrored: 'Gespiegelt an',
     rowsFound: 'in der besseren Richtung',
     axisFound: 'der besseren Achse',
+    noAxis: 'keiner Achse: beliebig',
     rowsLong: 'längs im Raum',
     axisLong: 'der langen Achse',
     rowsShort: 'quer im Raum',

@@ -18,6 +18,7 @@ export const luminaires = {
     mirrored: 'Mirrored about',
     rowsFound: 'the better way',
     axisFound: 'the better axis',
+    noAxis: 'no axis: anywhere',
     rowsLong: 'along the room',
     axisLong: 'the long axis',
     rowsShort: 'across the room',

@@ -60,7 +60,7 @@ export function ArrangementChoice() {
           );
         })}
       </div>
-      {(asked === 'symmetric' || asked === 'rows') && (
+      {asked !== 'free' && (
         <Axis rule={asked} axis={luminaires.arrangement?.axis ?? 'found'} choose={choose} />
       )}
     </fieldset>
@@ -78,7 +78,7 @@ export function costText(
 }
 
 interface AxisProps {
-  readonly rule: 'symmetric' | 'rows';
+  readonly rule: Exclude<Rule, 'free'>;
   readonly axis: PlanAxis;
   readonly choose: (arrangement: Arrangement) => void;
 }
@@ -111,14 +111,14 @@ function Axis({ rule, axis, choose }: AxisProps) {
 
 /** What the select offers, the long way of the places (xyz each) before the short one, and what it is called. */
 export function axesOf(
-  rule: 'symmetric' | 'rows',
+  rule: Exclude<Rule, 'free'>,
   position: ArrayLike<number>,
 ): readonly (readonly [PlanAxis, string])[] {
   const said = words.value.luminaires.arrangement;
   const [long, short] = axesByLength(position);
-  return rule === 'rows'
-    ? [['found', said.rowsFound], [long, said.rowsLong], [short, said.rowsShort]] // prettier-ignore
-    : [['found', said.axisFound], [long, said.axisLong], [short, said.axisShort], ['both', said.both]]; // prettier-ignore
+  if (rule === 'rows') return [['found', said.rowsFound], [long, said.rowsLong], [short, said.rowsShort]]; // prettier-ignore
+  const found = rule === 'field' ? said.noAxis : said.axisFound;
+  return [['found', found], [long, said.axisLong], [short, said.axisShort], ['both', said.both]]; // prettier-ignore
 }
 
 /** Of x and z the one that the places reach further along, then the other. */

@@ -11,6 +11,7 @@ afterEach(() => speak('en'));
 test.each([
   ['symmetric', wide, ['found', 'x', 'z', 'both']],
   ['symmetric', deep, ['found', 'z', 'x', 'both']],
+  ['field', wide, ['found', 'x', 'z', 'both']],
   ['rows', wide, ['found', 'x', 'z']],
   ['rows', deep, ['found', 'z', 'x']],
 ] as const)('%s along %j: %j', async (rule, position, ways) => {
