@@ -393,6 +393,7 @@ val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::ui
   result.set("layout", valueOf(found->layout));
   result.set("violation", found->evaluation.violation);
   result.set("goal", found->evaluation.goal);
+  result.set("limit", found->limit ? val(*found->limit) : val::null());
   return result;
 }
 

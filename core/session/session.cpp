@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/alpha/guarantees.h"
+#include "core/bound/evenness_limit.h"
 #include "core/bound/pair_numbers.h"
 #include "core/scene/zones.h"
 #include "core/search/eased.h"
@@ -19,7 +20,18 @@
 #include "core/transport/room_view.h"
 
 namespace fiatlux {
-namespace {}  // namespace
+namespace {
+
+/// Of what is asked for alone and missed; nothing where no limit is known.
+std::optional<double> limitOf(const Scene& scene, const Intentions& asked, const Evaluation& found) {
+  if (!asked.goals.empty() || asked.constraints.size() != 1 || found.violation == 0) return std::nullopt;
+  Constraint only = asked.constraints[0];
+  if (!only.onGrid || only.statistic != Statistic::kUniformity) return std::nullopt;
+  only.quantity = quantityOf(asked, only);
+  return evennessLimit(scene, only, asked.luminaires.excluded);
+}
+
+}  // namespace
 
 Result<Done> Session::openTable(std::span<const std::uint8_t> file) {
   Result<SceneReader> reader = SceneReader::open(file);
@@ -279,7 +291,7 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
   search.advance(evaluations);
   constexpr std::uint32_t kFields = 1u << 16;
   while (asked.luminaires.arrangement.rule == Rule::kField && !search.isProved()) search.advance(kFields);
-  return Found{search.incumbent(), search.evaluation()};
+  return Found{search.incumbent(), search.evaluation(), limitOf(*scene_, asked, search.evaluation())};
 }
 
 Result<Shown> Session::incumbent() {

@@ -34,6 +34,8 @@ struct SearchProgress {
 struct Found {
   Layout layout;
   Evaluation evaluation;
+  std::optional<double> limit =
+      {};  // of the one evenness on a grid that is asked for and missed: none is above
 };
 
 class Session {
@@ -111,7 +113,8 @@ class Session {
   /// happens before start().
   SearchProgress settle(std::uint32_t evaluations);
   /// What so many evaluations find for other intentions, from `start` where given; of a regular field all are
-  /// tried. What is asked and the searches that run stay as they are.
+  /// tried. What is asked and the searches that run stay as they are. Where nothing but an evenness on a grid
+  /// is asked and missed, it says what no layout can exceed (evenness_limit.h).
   Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                          std::uint32_t evaluations);
   /// Readings of the best layout so far. Its luminaires are numbered as in the start, each the one that has

@@ -12,10 +12,16 @@ import { nameOf, type Alone, type Verdict } from './words/verdict.ts';
 
 const evaluations = 25_000; // of a row
 
-/** By the names of rows: the best that was found, in the unit of the row. */
+/** Of a row: the best that was found, and what no layout can have more of where that is proved, in its unit. */
+export interface BestFigure {
+  readonly found: number;
+  readonly limit?: number;
+}
+
+/** By the names of rows. */
 export interface BestFigures {
   readonly of: Intentions;
-  readonly figures: ReadonlyMap<string, number>;
+  readonly figures: ReadonlyMap<string, BestFigure>;
 }
 
 /** The same luminaires, asked for nothing but one row. */
@@ -68,12 +74,14 @@ export class BestFinding {
   #find(of: Intentions, rows: readonly Missed[]): void {
     if (rows.length === 0) return;
     this.#asked = of;
-    const figures = new Map<string, number>();
+    const figures = new Map<string, BestFigure>();
     const variants = rows.map(({ alone }) => askedAlone(of, alone));
     this.#solving.compare(variants, evaluations, ({ variant, outcome }) => {
       const row = rows[variant];
       if (!row || !outcome) return;
-      figures.set(nameOf(row), better(row.alone, row.actual, figureOf(row.alone, outcome)));
+      const { limit } = outcome;
+      const found = better(row.alone, row.actual, figureOf(row.alone, outcome));
+      figures.set(nameOf(row), { found, ...(limit !== undefined && { limit }) });
       this.#store.bestFigures.value = { of, figures: new Map(figures) };
     });
   }

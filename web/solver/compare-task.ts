@@ -56,6 +56,7 @@ export class CompareTask implements Task {
     const layout = layoutOf(found.layout);
     const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
     const closely = asked.constraints.some(isOfPatches) ? metUpTo : metWithin;
-    return { layout, lumens, met: found.violation <= closely, violation: found.violation };
+    const { violation, limit } = found;
+    return { layout, lumens, met: violation <= closely, violation, ...(limit !== null && { limit }) };
   }
 }

@@ -57,6 +57,7 @@ export interface CoreTrial {
   readonly layout: CoreLayout;
   readonly violation: number;
   readonly goal: number;
+  readonly limit: number | null; // proved: no layout has more of the one evenness that is asked for and missed
 }
 
 /** Everything that is shown of one layout. */

@@ -93,6 +93,7 @@ export interface Outcome {
   readonly lumens: number; // of all luminaires, dimmed
   readonly met: boolean; // every constraint
   readonly violation: number;
+  readonly limit?: number; // proved, as in CoreTrial
 }
 
 /** A layout and its light as a scene file begins with them: to be seen while the rest is on its way. */

@@ -2,6 +2,7 @@
 import { expect, test } from '@jest/globals';
 import { askedAlone, figureOf } from '../../../web/app/best-figures.ts';
 import type { Intentions } from '../../../web/document/types.ts';
+import { impossibleText } from '../../../web/panel/results/verdict-table.tsx';
 import { usualLuminaires } from '../../../web/app/rooms/opening-wish.ts';
 
 const even = { statistic: 'uniformity', surfaces: ['floor'], min: 0.4, on: 'grid' } as const;
@@ -25,4 +26,11 @@ test('what was met has its target, what was not is as far from it as the violati
   const most = { statistic: 'mean', surfaces: ['wall'], max: 50 } as const;
   expect(figureOf(most, { met: false, violation: 0.1 })).toBeCloseTo(55);
   expect(figureOf({ ugr: 19 }, { met: false, violation: 9 })).toBeCloseTo(27);
+});
+
+test('a row is called impossible where a proof says so, rounded so that it holds', () => {
+  const row = { where: 'floor', what: 'U', target: 0.4, actual: 0.11, unit: '', margin: -0.7, met: false };
+  expect(impossibleText(row, { found: 0.11 })).toBeNull();
+  expect(impossibleText(row, { found: 0.11, limit: 0.41 })).toBeNull();
+  expect(impossibleText(row, { found: 0.11, limit: 0.1412 })).toMatch(/0\.40.*0\.15 at most, proved/);
 });

@@ -208,7 +208,7 @@ export class FakeSession implements Session {
     const sites = Uint32Array.from({ length: count }, (_, i) => i);
     const lumens = Float64Array.from(sites, () => flux[0] ?? 0);
     const layout = { sites, flux: lumens, dimming: 0.5, ties: new Uint32Array() };
-    return { layout, violation: count < 2 ? 0.25 : 0, goal: 0 };
+    return { layout, violation: count < 2 ? 0.25 : 0, goal: 0, limit: null };
   }
   incumbent() {
     return shown([0, 1]);

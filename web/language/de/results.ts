@@ -101,6 +101,8 @@ export const results: Words['results'] = {
     met: 'Erfüllt',
     aloneMet: 'erfüllbar, doch nicht mit dem Rest',
     bestFound: (value) => `bestens erreicht: ${value}`,
+    impossible: (target, most) =>
+      `Keine Leuchten dieser Typen an diesen Plätzen erreichen ${target}, gleich wie viele und wie hell: höchstens ${most}, bewiesen. Andere Plätze, Typen oder Farben vielleicht.`,
   },
   places: { walls: 'Wände', ceiling: 'Decke', task: 'Sehaufgabe' },
 };

@@ -102,6 +102,8 @@ export const results = {
     met: 'Met',
     aloneMet: 'can be met, but not with the rest',
     bestFound: (value: string) => `best found: ${value}`,
+    impossible: (target: string, most: string) =>
+      `No luminaires of these types on these mounts reach ${target}, however many and bright: ${most} at most, proved. Other mounts, types or paint might.`,
   },
   places: { walls: 'walls', ceiling: 'ceiling', task: 'task' },
 };

@@ -3,6 +3,7 @@ import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
+import type { BestFigure } from '../../app/best-figures.ts';
 import { everyVerdict } from '../../app/words/type-verdicts.ts';
 import { nameOf, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
@@ -55,7 +56,7 @@ export function VerdictTable() {
 
 interface RowProps {
   readonly row: Verdict;
-  readonly best: number | undefined; // that was found for this row alone, where it is not met
+  readonly best: BestFigure | undefined; // of this row alone, where it is not met
 }
 
 function Row({ row, best }: RowProps) {
@@ -65,6 +66,7 @@ function Row({ row, best }: RowProps) {
     <tr>
       <th scope="row">
         <span class="verdict-where">{where}</span> <span class="faint">{what}</span>
+        {met === false && best && <small class="verdict-margin">{impossibleText(row, best)}</small>}
       </th>
       <td class="number">{targetText(row)}</td>
       <td class="number">
@@ -74,7 +76,9 @@ function Row({ row, best }: RowProps) {
           <strong>{valueText(actual, unit)}</strong>
         )}
         {spare && <small class="verdict-margin">{spare}</small>}
-        {met === false && best !== undefined && <small class="verdict-margin">{bestText(row, best)}</small>}
+        {met === false && best !== undefined && (
+          <small class="verdict-margin">{bestText(row, best.found)}</small>
+        )}
       </td>
       <td>
         {met !== null && (
@@ -90,6 +94,15 @@ function Row({ row, best }: RowProps) {
       </td>
     </tr>
   );
+}
+
+/** That no layout at all can meet the row, where that is proved: however many luminaires, however bright. */
+export function impossibleText(row: Verdict, { limit }: BestFigure): string | null {
+  const { target, unit } = row;
+  if (limit === undefined || target === null || limit >= target) return null;
+  // Rounded up: what is said holds.
+  const most = unit === '' ? Math.ceil(100 * limit) / 100 : limit;
+  return words.value.results.verdict.impossible(targetText(row), valueText(most, unit));
 }
 
 /** Whether the row could be met by itself, or how near to it any layout came. */
