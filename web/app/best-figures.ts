@@ -65,7 +65,8 @@ export class BestFinding {
       const { intentions } = store.traced.value;
       const { state } = store.progress.value;
       if (state === 'improving') return void (this.#asked = null);
-      if (store.tab.value !== 'results' || state !== 'settled' || !store.shown.value) return;
+      const isLookedAt = store.tab.value === 'results' || store.dialog.value === 'report';
+      if (!isLookedAt || state !== 'settled' || !store.shown.value) return;
       const isKnown = this.#asked === intentions || store.bestFigures.peek()?.of === intentions;
       if (!isKnown) untracked(() => this.#find(intentions, everyVerdict(store).filter(isMissed)));
     });

@@ -5,6 +5,7 @@
 import type { Point3 } from '../document/plan-frame.ts';
 import { luminairesIn } from '../document/areas.ts';
 import { nearestSite, siteCount } from '../document/sites.ts';
+import { renumbered } from '../document/reading-order.ts';
 import { heldTogether, inHand, movedSites, tiedTo } from '../document/ties.ts';
 import type { Layout, PlanArea } from '../document/types.ts';
 import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
@@ -186,6 +187,24 @@ export class Hand {
       { by: 'search', from },
     );
     this.#store.announcement.value = words.value.steps.removedNow(named(gone));
+  }
+
+  /** The same luminaires at the same places, with tags as a plan is read; `order`: who comes first, second ... */
+  renumber(order: readonly number[]): void {
+    const layout = this.#layout();
+    if (!layout || layout.sites.length !== order.length) return;
+    const from = renumbered(layout, order);
+    const { ofType } = this.#store.document.peek().luminaires;
+    this.#store.luminaires.value = [];
+    if (ofType)
+      this.#store.edit(
+        words.value.luminaires.list.inOrder,
+        ({ luminaires }) => void (luminaires.ofType = order.map((luminaire) => ofType[luminaire] ?? null)),
+        null,
+        { by: 'search', from },
+      );
+    else if (this.#store.progress.peek().state === 'shown') this.#solving.show(from);
+    else this.#solving.solve(from);
   }
 
   unpinAll(): void {

@@ -5,7 +5,9 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.ts';
 import { marginText } from '../app/words/layout-check.ts';
-import { targetText, valueText } from '../app/words/verdict.ts';
+import type { BestFigure } from '../app/best-figures.ts';
+import { bestText, impossibleText } from '../app/words/best-text.ts';
+import { nameOf, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
@@ -18,7 +20,7 @@ import { fixed } from '../language/numbers.ts';
 
 export function ReportPage({ close }: { close: () => void }) {
   const app = useApp();
-  const report = useMemo(() => reportOf(app), [words.value]);
+  const report = useMemo(() => reportOf(app), [words.value, app.store.bestFigures.value]);
   const picture = usePicture();
   const root = useRef<HTMLElement>(null);
   useEffect(() => {
@@ -149,7 +151,19 @@ function Code({ text }: { text: string }) {
   );
 }
 
-function Verdicts({ report: { verdicts } }: Props) {
+function Best({ row, best }: { row: Verdict; best: BestFigure | undefined }) {
+  if (!best) return null;
+  const impossible = impossibleText(row, best);
+  return (
+    <small>
+      {' '}
+      ({bestText(row, best)}
+      {impossible && `: ${impossible}`})
+    </small>
+  );
+}
+
+function Verdicts({ report: { verdicts, best } }: Props) {
   if (verdicts.length === 0) return null;
   return (
     <table>
@@ -181,6 +195,7 @@ function Verdicts({ report: { verdicts } }: Props) {
                   ? words.value.report.verdicts.met
                   : words.value.report.verdicts.unmet}
               {row.margin !== null && Number.isFinite(row.margin) && `, ${marginText(row.margin)}`}
+              {row.met === false && <Best row={row} best={best.get(nameOf(row))} />}
             </td>
           </tr>
         ))}

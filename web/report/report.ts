@@ -6,6 +6,7 @@ import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
 import { maintenanceText } from '../app/words/room-types.ts';
 import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
+import type { BestFigure } from '../app/best-figures.ts';
 import { everyVerdict } from '../app/words/type-verdicts.ts';
 import type { Verdict } from '../app/words/verdict.ts';
 import { maintenanceOf } from '../document/maintenance.ts';
@@ -25,6 +26,7 @@ export interface Report {
   readonly date: string;
   readonly quantity: Quantity;
   readonly verdicts: readonly Verdict[];
+  readonly best: ReadonlyMap<string, BestFigure>; // of rows that are not met, as far as it is known
   readonly power: Power;
   readonly schedule: readonly ScheduleRow[];
   readonly luminaires: ReturnType<typeof hungInPlan>;
@@ -49,6 +51,7 @@ export function reportOf(app: App): Report {
   if (!shown) throw new Error(words.value.actions.exports.noLayout);
   const document = store.document.peek();
   const { types } = document.luminaires;
+  const best = store.bestFigures.peek();
   const efficacy = store.efficacy.peek();
   const isPlane = ({ name }: SurfaceResult) =>
     store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
@@ -60,6 +63,7 @@ export function reportOf(app: App): Report {
     date: new Date().toLocaleDateString(locale.value, { dateStyle: 'long' }),
     quantity: document.quantity,
     verdicts: everyVerdict(store),
+    best: best?.of === store.traced.peek().intentions ? best.figures : new Map(),
     power: powerOf(layout, scene.surfaces, efficacy, types),
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),

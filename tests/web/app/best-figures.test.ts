@@ -2,7 +2,7 @@
 import { expect, test } from '@jest/globals';
 import { askedAlone, figureOf } from '../../../web/app/best-figures.ts';
 import type { Intentions } from '../../../web/document/types.ts';
-import { impossibleText } from '../../../web/panel/results/verdict-table.tsx';
+import { impossibleText } from '../../../web/app/words/best-text.ts';
 import { usualLuminaires } from '../../../web/app/rooms/opening-wish.ts';
 
 const even = { statistic: 'uniformity', surfaces: ['floor'], min: 0.4, on: 'grid' } as const;

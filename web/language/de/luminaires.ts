@@ -59,6 +59,8 @@ export const luminaires: Words['luminaires'] = {
     place: 'Ort: x, y, z (m)',
     type: 'Typ',
     pin: 'Fix',
+    inOrder: 'Der Reihe nach nummerieren',
+    inOrderTip: 'Nummern, wie der Grundriss gelesen wird: Reihe um Reihe, von Nordwesten',
     pinOf: (number) => `L${number} fixieren`,
     unpinOf: (number) => `L${number} lösen`,
     typeOf: (number) => `Typ von L${number}`,

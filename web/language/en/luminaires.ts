@@ -58,6 +58,8 @@ export const luminaires = {
     place: 'Place: x, y, z (m)',
     type: 'Type',
     pin: 'Pin',
+    inOrder: 'Number in order',
+    inOrderTip: 'Tags as the plan is read: row by row, from the north-west',
     pinOf: (number: number) => `Pin L${number}`,
     unpinOf: (number: number) => `Unpin L${number}`,
     typeOf: (number: number) => `Type of L${number}`,

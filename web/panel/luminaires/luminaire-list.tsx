@@ -3,6 +3,7 @@ import { Pin, SquareDashedMousePointer } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact } from '../../app/words/format.ts';
 import { inPlan, placeText } from '../../document/plan-frame.ts';
+import { isInOrder, readingOrder } from '../../document/reading-order.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { steps } from '../selection-bar.tsx';
@@ -107,6 +108,8 @@ function Head({ hasTypes }: { hasTypes: boolean }) {
 /** Several luminaires are moved, pinned and removed as one. */
 export function SelectSeveral() {
   const { store, hand, viewer } = useApp();
+  const [scene, layout, frame] = [store.scene.value, store.shown.value?.layout, viewer.frame()];
+  const order = scene && layout && frame && readingOrder(layout, scene.sites, frame);
   const { several, inPlan: ask, inPlanTip, all } = words.value.bars.selection;
   const isOn = store.drawing.value === 'select';
   const draw = () => {
@@ -122,6 +125,15 @@ export function SelectSeveral() {
       <button class="button small" onClick={() => hand.pickIn(null)}>
         {all}
       </button>
+      {order && !isInOrder(order) && (
+        <button
+          class="button small"
+          title={words.value.luminaires.list.inOrderTip}
+          onClick={() => hand.renumber(order)}
+        >
+          {words.value.luminaires.list.inOrder}
+        </button>
+      )}
     </div>
   );
 }

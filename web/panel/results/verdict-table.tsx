@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
 import type { BestFigure } from '../../app/best-figures.ts';
+import { bestText, impossibleText } from '../../app/words/best-text.ts';
 import { everyVerdict } from '../../app/words/type-verdicts.ts';
 import { nameOf, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
@@ -62,51 +63,43 @@ interface RowProps {
 function Row({ row, best }: RowProps) {
   const { where, what, actual, unit, margin, met } = row;
   const spare = margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
+  const impossible = met === false && best ? impossibleText(row, best) : null;
   return (
-    <tr>
-      <th scope="row">
-        <span class="verdict-where">{where}</span> <span class="faint">{what}</span>
-        {met === false && best && <small class="verdict-margin">{impossibleText(row, best)}</small>}
-      </th>
-      <td class="number">{targetText(row)}</td>
-      <td class="number">
-        {actual === null ? (
-          <small>{words.value.values.notInFile}</small>
-        ) : (
-          <strong>{valueText(actual, unit)}</strong>
-        )}
-        {spare && <small class="verdict-margin">{spare}</small>}
-        {met === false && best !== undefined && (
-          <small class="verdict-margin">{bestText(row, best.found)}</small>
-        )}
-      </td>
-      <td>
-        {met !== null && (
-          <span
-            class={`met ${met ? 'met' : 'unmet'}`}
-            role="img"
-            aria-label={met ? words.value.intentions.card.isMet : words.value.values.unmet}
-            title={spare ?? undefined}
-          >
-            {met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
-          </span>
-        )}
-      </td>
-    </tr>
+    <>
+      <tr>
+        <th scope="row">
+          <span class="verdict-where">{where}</span> <span class="faint">{what}</span>
+        </th>
+        <td class="number">{targetText(row)}</td>
+        <td class="number">
+          {actual === null ? (
+            <small>{words.value.values.notInFile}</small>
+          ) : (
+            <strong>{valueText(actual, unit)}</strong>
+          )}
+          {spare && <small class="verdict-margin">{spare}</small>}
+          {met === false && best !== undefined && <small class="verdict-margin">{bestText(row, best)}</small>}
+        </td>
+        <td>
+          {met !== null && (
+            <span
+              class={`met ${met ? 'met' : 'unmet'}`}
+              role="img"
+              aria-label={met ? words.value.intentions.card.isMet : words.value.values.unmet}
+              title={spare ?? undefined}
+            >
+              {met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
+            </span>
+          )}
+        </td>
+      </tr>
+      {impossible && (
+        <tr class="verdict-note">
+          <td colSpan={4}>
+            <small>{impossible}</small>
+          </td>
+        </tr>
+      )}
+    </>
   );
-}
-
-/** That no layout at all can meet the row, where that is proved: however many luminaires, however bright. */
-export function impossibleText(row: Verdict, { limit }: BestFigure): string | null {
-  const { target, unit } = row;
-  if (limit === undefined || target === null || limit >= target) return null;
-  // Rounded up: what is said holds.
-  const most = unit === '' ? Math.ceil(100 * limit) / 100 : limit;
-  return words.value.results.verdict.impossible(targetText(row), valueText(most, unit));
-}
-
-/** Whether the row could be met by itself, or how near to it any layout came. */
-function bestText({ target, unit }: Verdict, best: number): string {
-  const { aloneMet, bestFound } = words.value.results.verdict;
-  return best === target ? aloneMet : bestFound(valueText(best, unit));
 }
