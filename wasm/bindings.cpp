@@ -359,6 +359,8 @@ std::string setIntentions(Session& session, val asked) {
 
 // --- search
 
+bool prepareSearch(Session& session, std::uint32_t rows) { return session.prepareSearch(rows); }
+
 std::string start(Session& session, std::uint32_t seed) { return errorOf(session.start(seed, nullptr)); }
 
 std::string startFrom(Session& session, std::uint32_t seed, val sites, val flux, double dimming) {
@@ -740,6 +742,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("info", &info)
       .function("setPowers", &setPowers)
       .function("setIntentions", &setIntentions)
+      .function("prepareSearch", &prepareSearch)
       .function("start", &start)
       .function("startFrom", &startFrom)
       .function("startNear", &startNear)

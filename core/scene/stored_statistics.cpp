@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fiatlux {
 namespace {
@@ -34,39 +35,61 @@ std::vector<std::vector<std::uint32_t>> rowsOfSurfaces(const Patches& patches, s
   return rows;
 }
 
-SurfaceStatistics storedStatistics(const Patches& patches, const Responses& responses, Quantity quantity,
-                                   const std::vector<std::uint32_t>& rows) {
-  const std::size_t m = responses.sites, stride = (m + kWide - 1) / kWide * kWide;
-  const auto factor = [&](std::uint32_t p) {
-    return quantity == Quantity::kExitance ? double{patches.reflectance[p]} : 1.0;
-  };
-  double area = 0;
-  for (const std::uint32_t p : rows) area += patches.area[p];
-  SurfaceStatistics result;
-  result.mean.assign(m, 0.0);
+StatisticsInTurn::StatisticsInTurn(const Patches& patches, const Responses& responses, Quantity quantity,
+                                   std::vector<std::uint32_t> rows)
+    : patches_(patches),
+      responses_(responses),
+      quantity_(quantity),
+      rows_(std::move(rows)),
+      stride_((responses.sites + kWide - 1) / kWide * kWide) {
+  const std::size_t m = responses.sites;
+  for (const std::uint32_t p : rows_) area_ += patches.area[p];
+  statistics_.mean.assign(m, 0.0);
   for (std::size_t j = 0; j < m; ++j) {
     const float* column = responses.column(static_cast<std::uint32_t>(j));
-    for (const std::uint32_t p : rows) result.mean[j] += patches.area[p] / area * factor(p) * column[p];
+    for (const std::uint32_t p : rows_)
+      statistics_.mean[j] += patches.area[p] / area_ * factor(p) * column[p];
   }
+  deviations_.resize(kChunk * stride_);
+  products_.resize(stride_ * stride_);
+}
 
-  std::vector<float> deviations(kChunk * stride);
-  std::vector<double> products(stride * stride);
-  for (std::size_t first = 0; first < rows.size(); first += kChunk) {
-    const std::size_t count = std::min(kChunk, rows.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t p = rows[first + i];
-      const double weight = std::sqrt(patches.area[p] / area), scale = factor(p);
-      for (std::size_t j = 0; j < m; ++j)
-        deviations[i * stride + j] = static_cast<float>(
-            weight * (scale * responses.illuminance[j * responses.rows + p] - result.mean[j]));
-    }
-    addProducts(deviations.data(), count, stride, products.data());
+double StatisticsInTurn::factor(std::uint32_t row) const {
+  return quantity_ == Quantity::kExitance ? double{patches_.reflectance[row]} : 1.0;
+}
+
+bool StatisticsInTurn::advance(std::size_t count) {
+  for (const std::size_t before = taken_; taken_ < rows_.size() && taken_ - before < count;)
+    addChunk(std::min(kChunk, rows_.size() - taken_));
+  return taken_ == rows_.size();
+}
+
+void StatisticsInTurn::addChunk(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t p = rows_[taken_ + i];
+    const double weight = std::sqrt(patches_.area[p] / area_), scale = factor(p);
+    for (std::size_t j = 0; j < responses_.sites; ++j)
+      deviations_[i * stride_ + j] = static_cast<float>(
+          weight * (scale * responses_.illuminance[j * responses_.rows + p] - statistics_.mean[j]));
   }
-  result.covariance.resize(m * m);
+  addProducts(deviations_.data(), count, stride_, products_.data());
+  taken_ += count;
+}
+
+SurfaceStatistics StatisticsInTurn::take() {
+  const std::size_t m = responses_.sites;
+  statistics_.covariance.resize(m * m);
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = i; j < m; ++j)
-      result.covariance[i * m + j] = result.covariance[j * m + i] = products[i * stride + j];
-  return result;
+      statistics_.covariance[i * m + j] = statistics_.covariance[j * m + i] = products_[i * stride_ + j];
+  return std::move(statistics_);
+}
+
+SurfaceStatistics storedStatistics(const Patches& patches, const Responses& responses, Quantity quantity,
+                                   const std::vector<std::uint32_t>& rows) {
+  StatisticsInTurn statistics(patches, responses, quantity, rows);
+  (void)statistics.advance(rows.size());
+  return statistics.take();
 }
 
 }  // namespace fiatlux

@@ -16,9 +16,7 @@ std::uint64_t keyOf(std::uint32_t place, std::uint32_t way) { return (std::uint6
 
 constexpr std::size_t kMostTiedEntries = 4'000'000;  // of one covariance of each of the ties that are kept
 
-std::shared_ptr<const KernelStatistics> kernelStatistics(const Scene& scene, Quantity quantity,
-                                                         const SurfaceSet& surfaces) {
-  SurfaceStatistics exact = unionStatistics(scene, quantity, surfaces);
+std::shared_ptr<const KernelStatistics> kernelStatistics(SurfaceStatistics exact) {
   auto result = std::make_shared<KernelStatistics>();
   const std::size_t m = exact.mean.size();
   result->mean = std::move(exact.mean);
@@ -121,17 +119,38 @@ bool PreparedScene::isFactored(Quantity quantity) const {
   return candidateCount_ > kMostInCovariance && leafStatistics(scene_, quantity)[0].covariance.empty();
 }
 
+const PreparedScene::Entry* PreparedScene::entryOf(Quantity quantity, const SurfaceSet& surfaces) const {
+  for (const Entry& entry : entries_)
+    if (entry.quantity == quantity && entry.surfaces == surfaces) return &entry;
+  return nullptr;
+}
+
+void PreparedScene::keep(Entry entry) {
+  if (entries_.size() == kKeptSets) entries_.erase(entries_.begin());
+  entries_.push_back(std::move(entry));
+}
+
 std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quantity,
                                                                   const SurfaceSet& surfaces) {
-  for (const Entry& entry : entries_)
-    if (entry.quantity == quantity && entry.surfaces == surfaces) return entry.statistics;
-  if (entries_.size() == kKeptSets) entries_.erase(entries_.begin());
-  entries_.push_back({quantity, surfaces,
-                      isTied() ? tiedStatistics(*sites_->statistics(quantity, surfaces))
-                      : isFactored(quantity)
-                          ? factoredStatistics(std::make_shared<LightFactor>(scene_, quantity, surfaces))
-                          : kernelStatistics(scene_, quantity, surfaces)});
+  if (const Entry* known = entryOf(quantity, surfaces)) return known->statistics;
+  keep({quantity, surfaces,
+        isTied()               ? tiedStatistics(*sites_->statistics(quantity, surfaces))
+        : isFactored(quantity) ? factoredStatistics(std::make_shared<LightFactor>(scene_, quantity, surfaces))
+                               : kernelStatistics(unionStatistics(scene_, quantity, surfaces))});
   return entries_.back().statistics;
+}
+
+bool PreparedScene::prepare(Quantity quantity, const SurfaceSet& surfaces, std::size_t rows) {
+  const bool hasCovariance = !leafStatistics(scene_, quantity)[0].covariance.empty();
+  if (hasCovariance || isFactored(quantity) || entryOf(quantity, surfaces)) return true;
+  if (!begun_ || begun_->quantity != quantity || begun_->surfaces != surfaces)
+    begun_.emplace(Begun{
+        quantity, surfaces,
+        StatisticsInTurn(scene_.patches, responsesOf(scene_, quantity), quantity, rowsOf(scene_, surfaces))});
+  if (!begun_->statistics.advance(rows)) return false;
+  keep({quantity, surfaces, kernelStatistics(begun_->statistics.take())});
+  begun_.reset();
+  return true;
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/stored_statistics.h"
 #include "core/search/arrangements.h"
 #include "core/search/light_factor.h"
 #include "core/search/statistics.h"
@@ -88,6 +89,9 @@ class PreparedScene {
 
   /// Of a set of leaves (empty = all), made at first use and kept (the 64 latest).
   std::shared_ptr<const KernelStatistics> statistics(Quantity quantity, const SurfaceSet& surfaces);
+  /// Some of that beforehand, by `rows` rows of light: true when it is there, or is made at once anyway. What
+  /// has begun is dropped when another set is asked for. Precondition: !isTied().
+  bool prepare(Quantity quantity, const SurfaceSet& surfaces, std::size_t rows);
   /// The covariance of the candidates without nobody(), in double, candidateCount() square.
   std::vector<double> exactCovariance(Quantity quantity, const SurfaceSet& surfaces) const;
   /// What the candidates draw (powerAt) as a row of means, to be summed by the kernels: `mean` has stride()
@@ -134,6 +138,8 @@ class PreparedScene {
   std::shared_ptr<const KernelStatistics> tiedStatistics(const KernelStatistics& ofSites) const;
 
   bool isFactored(Quantity quantity) const;
+  const Entry* entryOf(Quantity quantity, const SurfaceSet& surfaces) const;
+  void keep(Entry entry);
 
   const Scene& scene_;
   VarianceForm form_ = VarianceForm::kBySize;
@@ -141,6 +147,12 @@ class PreparedScene {
   Ties ties_;
   std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1, waysPerPlace_ = 1;
   std::vector<Entry> entries_;
+  struct Begun {
+    Quantity quantity;
+    SurfaceSet surfaces;
+    StatisticsInTurn statistics;
+  };
+  std::optional<Begun> begun_;
   std::uint32_t nearCount_ = 0;
   std::vector<std::uint32_t> near_;
   std::unordered_map<std::uint64_t, std::uint32_t> inWay_;  // of types: candidate of a place and a way

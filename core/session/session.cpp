@@ -85,6 +85,7 @@ Result<Done> Session::finishOperator() {
 }
 
 bool Session::prepareLight(bool looks, std::uint32_t count) {
+  if (!reader_) return !scene_ || !scene_->lightOperator || photometricLight()->prepare(count);
   const Scene* room = outline();
   if (!room || !room->lightOperator) return true;
   if (!arrivingLight_) arrivingLight_ = std::make_shared<const PhotometricLight>(*room), looked_ = 0;
@@ -215,6 +216,21 @@ Result<Done> Session::ready() const {
   if (Result<Done> complete = isComplete(); !complete) return complete;
   if (!asked_) return Error{"nothing is asked of the light yet"};
   return Done{};
+}
+
+bool Session::prepareSearch(std::size_t rows) {
+  if (!ready()) return true;
+  const auto areThere = [&](const auto& wish) {
+    const StatisticTraits& traits = traitsOf(wish.statistic);
+    const Quantity quantity = quantityOf(intentions_, wish);
+    return !traits.needsSurfaces || (prepared_->prepare(quantity, wish.surfaces, rows) &&
+                                     (!traits.needsOver || prepared_->prepare(quantity, wish.over, rows)));
+  };
+  const std::vector<Goal>& goals = intentions_.goals;
+  const std::vector<Constraint>& constraints = intentions_.constraints;
+  return std::all_of(goals.begin(), goals.end(), areThere) &&
+         std::all_of(constraints.begin(), constraints.end(),
+                     [&](const Constraint& c) { return isOfPoints(c) || areThere(c); });
 }
 
 Result<Done> Session::start(std::uint64_t seed, const Layout* start) {

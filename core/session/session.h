@@ -67,9 +67,9 @@ class Session {
   /// Completes the scene of finish() by what the light of other photometries needs; the file is then done
   /// with.
   Result<Done> finishOperator();
-  /// Does some of what luminaires of other photometries will want to know of a room whose responses are still
-  /// on their way: what is seen from the places of its observers where `looks`, then of `count` sites. True
-  /// when nothing is left to do, or the operator is not there.
+  /// Does some of what luminaires of other photometries will want to know of a room, while its responses are
+  /// still on their way or once it is open: what is seen from the places of its observers where `looks` (not
+  /// once it is open), then of `count` sites. True when nothing is left to do, or the operator is not there.
   bool prepareLight(bool looks, std::uint32_t count);
   /// Decodes all but the statistics: the light of other photometries can be asked for, but no intentions may
   /// be set before finishStatistics() has completed the scene; the file is then done with.
@@ -96,6 +96,10 @@ class Session {
   /// changes.
   Result<Done> setIntentions(const Intentions& intentions);
   const Intentions& intentions() const { return intentions_; }
+
+  /// Some of what a search for the intentions will want to know of the scene: true when nothing is left that
+  /// takes longer than reading `rows` rows of its light. Whoever does not wait has it made by start().
+  bool prepareSearch(std::size_t rows);
 
   // --- The search. Each of the next five is an Error without scene or intentions.
 

@@ -221,8 +221,9 @@ export interface Session {
   /** After finish(): completes the scene by the sections of the operator; '' or one readable line. */
   finishOperator(): string;
   /**
-   * Does some of what candidates will need of a room whose responses are still on their way: what is seen from the places of
-   * its observers where `looks`, then of `count` sites. True when nothing is left to do.
+   * Does some of what candidates will need of a room, while its responses are still on their way or once it is open: what is
+   * seen from the places of its observers where `looks` (not once it is open), then of `count` sites. True when nothing is
+   * left to do.
    */
   prepareLight(looks: boolean, count: number): boolean;
   /** finish() without the statistics, and with the operator: candidates can be begun, intentions not be set yet. */
@@ -235,6 +236,11 @@ export interface Session {
   setPowers(watts: Float64Array): void;
   /** Replaces what is asked and ends running searches; statistics of surface sets are kept. */
   setIntentions(intentions: CoreIntentions): string;
+  /**
+   * Some of what a search for the intentions will want to know of the scene, by `rows` rows of its light: true when nothing
+   * is left to do. What is missing start() makes.
+   */
+  prepareSearch(rows: number): boolean;
   /** Begins a search at random. `seed`: 32 bits. */
   start(seed: number): string;
   /** Begins a search from a layout, fitted to the rules; its luminaires on pinned sites keep their numbers. */
@@ -360,6 +366,7 @@ export const sessionMethods = {
   finish: 0,
   finishOperator: 0,
   prepareLight: 2,
+  prepareSearch: 1,
   finishLight: 0,
   finishStatistics: 0,
   info: 0,

@@ -13,6 +13,7 @@ import {
 export type Searching = Pick<
   Session,
   | 'setIntentions'
+  | 'prepareSearch'
   | 'start'
   | 'startFrom'
   | 'startNear'
@@ -62,6 +63,7 @@ export abstract class HungSession implements Searching {
   protected abstract above(layout: CoreLayout): CoreLayout;
 
   setIntentions = (asked: CoreIntentions) => this.session.setIntentions(this.beneath(asked));
+  prepareSearch = (rows: number) => this.session.prepareSearch(rows);
   start = (seed: number) => this.session.start(seed);
   startFrom = (seed: number, ...layout: LayoutArguments) => this.session.startFrom(seed, ...layout);
   startNear = (seed: number, sites: Uint32Array, flux: Float64Array, dimming: number, moved: Uint32Array) =>

@@ -29,6 +29,8 @@ type Request<Type extends ToWorker['type']> = Extract<ToWorker, { readonly type:
 type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' | 'gains'>>;
 
 const preparedSites = 16; // of a room, between two looks at what has arrived of it: the core takes so many together
+const idleSites = 4; // likewise, where a slider may want an answer
+const preparedRows = 512; // of the light of all candidates, likewise: a slice of their statistics
 
 export class SessionDriver {
   readonly #mounts: Mounts;
@@ -45,9 +47,12 @@ export class SessionDriver {
   #isOpening = false;
   #awaited: Kind | null = null; // the room stands, and what luminaires of this kind need is on its way
   #preparesRoom = false; // what types will need of the room is being made, while its responses are on their way
+  #hasTime = false; // the rest of that may be made while nothing else is to be done
   #waiting: Turned[] = []; // came while a file was being opened
   #next: Request<'solve'> | null = null; // the latest wish, not begun
   #preparing: Request<'solve'> | null = null; // what it may try is being made
+  /** What is being prepared has been asked of this session, which takes the layout to start from like this. */
+  #readied: { readonly of: number; readonly by: unknown; readonly held: LayoutArguments } | null = null;
   #task: Task | null = null;
   #bound: Request<'bound'> | null = null; // waits for the search to settle
   #compare: CompareTask | null = null; // goes on while no search runs
@@ -80,6 +85,7 @@ export class SessionDriver {
     const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
     return (
       this.#preparesRoom ||
+      this.#hasTime ||
       this.#color.waits ||
       this.#reads.length > 0 ||
       running.some((each) => each !== null)
@@ -130,6 +136,7 @@ export class SessionDriver {
     else if (this.#bound && !this.#task) this.#attempt(this.#bound.revision, this.#beginBound, this.#bound);
     const task = this.#task;
     if (task) this.#attempt(task.revision, this.#advance, task);
+    else if (isIdle && this.#hasTime) this.#hasTime = !this.#session.prepareLight(false, idleSites);
   }
 
   #take(asked: Turned): void {
@@ -167,7 +174,7 @@ export class SessionDriver {
     const turn = ++this.#openings;
     const isCurrent = () => turn === this.#openings;
     this.#isOpening = true;
-    this.#preparesRoom = false;
+    this.#preparesRoom = this.#hasTime = false;
     this.#awaited = null;
     this.#drop();
     this.#compare = null;
@@ -199,7 +206,10 @@ export class SessionDriver {
         },
       });
       if (!isOpen) return;
-      if (this.#scene?.hasOperator) this.#color.ready();
+      if (this.#scene?.hasOperator) {
+        this.#color.ready();
+        this.#hasTime = true;
+      }
     } catch (error) {
       if (!isCurrent()) return;
       this.#fail(revision, error);
@@ -238,7 +248,7 @@ export class SessionDriver {
   #beginSearch(request: Request<'solve'>): void {
     this.#next = this.#preparing = this.#task = null;
     const { intentions: asked, start: layout } = request;
-    if (this.#mounts.isReady({ asked, layout, extent: 'all' })) return this.#search(request);
+    if (this.#mounts.isReady({ asked, layout, extent: 'all' })) return this.#prepare(request);
     const isLit = layout !== null && this.#mounts.hangs(asked, layout);
     this.#preparing = isLit ? this.#foreshow(request, layout) : request;
   }
@@ -259,17 +269,23 @@ export class SessionDriver {
     this.#preparesRoom = !this.#session.prepareLight(looks, preparedSites);
   }
 
-  /** One slice of the light of all candidates; the search begins when it is there. */
+  /** One slice of the light of all candidates, or then of its statistics; the search begins when they are there. */
   #prepare(request: Request<'solve'>): void {
-    const { intentions: asked, start: layout } = request;
-    if (this.#mounts.advance({ asked, layout, extent: 'all' })) this.#search(request);
+    const { intentions: asked, start: layout, revision } = request;
+    const wanted: Wanted = { asked, layout, extent: 'all' };
+    this.#preparing = request;
+    const isReadied = this.#readied?.of === revision && this.#readied.by === this.#asked;
+    if (!isReadied) {
+      if (!this.#mounts.isReady(wanted)) return void this.#mounts.advance(wanted);
+      const held = this.#ask(asked, layout, 'all');
+      this.#readied = { of: revision, by: this.#asked, held };
+    }
+    if (this.#asked.prepareSearch(preparedRows)) this.#search(request, this.#readied!.held);
   }
 
-  #search(request: Request<'solve'>): void {
-    this.#preparing = null;
-    const { intentions, start, seed, revision } = request;
-    const layout = this.#ask(intentions, start, 'all');
-    const { moved } = request;
+  #search(request: Request<'solve'>, layout: LayoutArguments): void {
+    this.#preparing = this.#readied = null;
+    const { intentions, start, seed, revision, moved } = request;
     const isWhole = layout[0].length === start?.sites.length;
     if (isWhole && moved.length > 0) check(this.#asked.startNear(seed, ...layout, Uint32Array.from(moved)));
     else check(layout[0].length > 0 ? this.#asked.startFrom(seed, ...layout) : this.#asked.start(seed));

@@ -58,6 +58,26 @@ TEST(Session, ThePathDoesNotDependOnTheSlices) {
   EXPECT_EQ(whole.incumbent()->layout.sites, sliced.incumbent()->layout.sites);
 }
 
+TEST(Session, WhatASearchNeedsCanBePreparedInSlices) {
+  Session whole, sliced;
+  for (Session* session : {&whole, &sliced}) {
+    Scene scene = syntheticScene(32, 16);
+    for (auto* leaves : {&scene.illuminance, &scene.exitance})
+      for (SurfaceStatistics& leaf : *leaves) leaf.covariance.clear();  // as of candidates
+    session->adopt(std::move(scene));
+    Intentions intentions = evenLight();
+    intentions.constraints = {{Statistic::kContrast, 0.1, kUnbounded, 0, {0}, {1}}};
+    ASSERT_TRUE(session->setIntentions(intentions));
+  }
+  int slices = 0;
+  while (!sliced.prepareSearch(1)) ++slices;
+  EXPECT_GT(slices, 2);
+  EXPECT_TRUE(sliced.prepareSearch(1));
+  for (Session* session : {&whole, &sliced}) ASSERT_TRUE(session->start(5, nullptr));
+  EXPECT_EQ(whole.advance(3000).evaluation.goal, sliced.advance(3000).evaluation.goal);
+  EXPECT_EQ(whole.incumbent()->layout.sites, sliced.incumbent()->layout.sites);
+}
+
 TEST(Session, ReadingsAreThoseOfThePatches) {
   for (Quantity quantity : {Quantity::kIlluminance, Quantity::kExitance}) {
     Session session;

@@ -129,6 +129,13 @@ export class FakeSession implements Session {
     this.calls.push(looks ? 'prepare and look' : 'prepare');
     return !looks;
   }
+  unprepared = 0; // calls of prepareSearch that find something left to do
+  prepareSearch() {
+    if (this.unprepared === 0) return true;
+    this.unprepared -= 1;
+    this.calls.push('prepare search');
+    return false;
+  }
   finishLight() {
     this.calls.push('finishLight');
     return '';

@@ -347,6 +347,31 @@ describe('luminaires of types', () => {
     expect(kinds().at(-1)).toBe('settled 2');
   });
 
+  test('the statistics of all that may be tried are made in slices, which a newer wish ends', async () => {
+    await opened();
+    session.unprepared = 3;
+    await driver.receive(solve(2));
+    driver.step();
+    driver.step();
+    await driver.receive(solve(3));
+    expect(session.calls.filter((call) => call.startsWith('start'))).toEqual([]);
+    session.unprepared = 1;
+    for (let i = 0; i < 3; ++i) driver.step();
+    expect(session.calls.filter((call) => call.startsWith('start'))).toEqual(['start 3']);
+    expect(kinds()).toEqual(['improved 3']);
+  });
+
+  test('what they will need of an open room is made while nothing else is to be done', async () => {
+    session.hasOperator = true;
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    expect(session.calls).not.toContain('prepare');
+    settle();
+    expect(session.calls.at(-1)).toBe('prepare');
+    expect(driver.busy).toBe(false);
+  });
+
   test('what is made serves the next wish', async () => {
     await driver.receive(solve(2, { intentions: ofTypes(), start }));
     settle();
