@@ -21,7 +21,7 @@ import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
-import { activeWish, gainLines } from './words/paint-gains.ts';
+import { activeWish, asksBeyondPaint, gainLines } from './words/paint-gains.ts';
 
 const pause = 250; // ms after the latest light
 
@@ -77,6 +77,9 @@ export class Painting {
     const { traced, shown, card } = this.#store;
     return shown.value && activeWish(traced.value, shown.value, card.value);
   });
+
+  /** Whether something is asked that is left out there. */
+  readonly leavesOut = computed(() => asksBeyondPaint(this.#store.traced.value.intentions));
 
   /** The surfaces whose paint helps most, the best one first. */
   readonly lines = computed(() => {

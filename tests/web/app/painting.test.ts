@@ -86,3 +86,13 @@ test('a room whose file cannot tell is neither painted nor asked', async () => {
   expect(app.store.painted.value).toBe(app.store.scene.value);
   expect(solver.last('gains')).toBeUndefined();
 });
+
+test('what paint changes and the list leaves out is said where it is asked', () => {
+  expect(app.painting.leavesOut.value).toBe(false);
+  app.store.edit('No glare', (draft) => {
+    draft.glare = { max: 19 };
+  });
+  expect(app.painting.leavesOut.value).toBe(true);
+  app.undo();
+  expect(app.painting.leavesOut.value).toBe(false);
+});

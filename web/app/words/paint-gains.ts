@@ -2,7 +2,7 @@
 import { planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
 import { isPaintable, leastPaint, mostPaint } from '../../document/paint.ts';
 import { isRatio } from '../../document/statistics.ts';
-import type { Constraint, Goal, Quantity, SceneInfo, Statistic } from '../../document/types.ts';
+import type { Constraint, Goal, Intentions, Quantity, SceneInfo, Statistic } from '../../document/types.ts';
 import type { PaintGain, Shown } from '../../solver/protocol.ts';
 import { words } from '../../language/language.ts';
 import { fixed } from '../../language/numbers.ts';
@@ -37,6 +37,12 @@ export interface GainLine {
 const untold: readonly Statistic[] = ['power', 'ugr', ...planeStatistics];
 const isBeyondPaint = ({ statistic, quantity }: Pick<Constraint, 'statistic' | 'quantity'>) =>
   quantity === 'direct' || untold.includes(statistic);
+
+/** Whether glare, points of measuring planes or direct light are asked about, of which no gain is told. */
+export const asksBeyondPaint = ({ quantity, glare, goals, constraints }: Intentions): boolean =>
+  quantity === 'direct' ||
+  glare !== undefined ||
+  [...goals, ...constraints].some((each) => each.statistic !== 'power' && isBeyondPaint(each));
 
 /**
  * What is asked above all: the bound that is missed most, of the opened card where it misses one; where none is missed the

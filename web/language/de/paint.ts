@@ -22,6 +22,8 @@ export const paint: Words['paint'] = {
   helps: 'Welche Farbe am meisten hilft',
   per: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad.`,
   glows: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad, die erste leuchtet auf.`,
+  leavesOut:
+    'Auch Blendung und das Licht an den Punkten von Messebenen hängen von der Farbe ab; hier wird das nicht bewertet. Direktes Licht lässt sie, wie es ist.',
   lighter: (change) => `heller: ${change}`,
   darker: (change) => `dunkler: ${change}`,
   nearer: (share) => `${share} näher`,

@@ -21,6 +21,8 @@ export const paint = {
   helps: 'Which paint helps most',
   per: (wish: string) => `For ${wish}; each by 0.1 of reflectance.`,
   glows: (wish: string) => `For ${wish}; each by 0.1 of reflectance, the first glows.`,
+  leavesOut:
+    'Paint changes glare and the light at the points of measuring planes, too; that is not judged here. Direct light it leaves alone.',
   lighter: (change: string) => `lighter: ${change}`,
   darker: (change: string) => `darker: ${change}`,
   nearer: (share: string) => `${share} nearer`,

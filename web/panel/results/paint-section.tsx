@@ -177,7 +177,8 @@ function Helping() {
       painting.isWatched.value = painting.isSeen.value = false;
     };
   }, [hasWish]);
-  if (!wish) return null;
+  const note = painting.leavesOut.value && <p class="fine-print">{words.value.paint.leavesOut}</p>;
+  if (!wish) return note || null;
   const lines = painting.lines.value;
   return (
     <div class="paint-gains" ref={list}>
@@ -205,6 +206,7 @@ function Helping() {
           </li>
         ))}
       </ol>
+      {note}
     </div>
   );
 }
