@@ -97,6 +97,29 @@ test('a room is typed, furnished, seen, saved and opened again', async ({ page }
   await expect(maker(page)).toHaveCount(0);
 });
 
+test('a measuring plane is drawn in the plan by one drag, and undone in one step', async ({ page }) => {
+  await newRoom(page);
+  const plan = page.getByRole('group', { name: 'Plan of the room' });
+  const draw = maker(page).getByRole('button', { name: 'Draw in the plan' });
+  await draw.click();
+  await page.keyboard.press('Escape');
+  await expect(draw).toHaveAttribute('aria-pressed', 'false');
+  await draw.click();
+  const { x, y, width, height } = (await plan.boundingBox())!;
+  const [left, top] = [x + width / 2 - 60, y + height / 2 - 40];
+  await page.mouse.move(left, top);
+  await page.mouse.down();
+  await page.mouse.move(left + 110, top + 70, { steps: 3 });
+  await page.mouse.up();
+  await expect(draw).toHaveAttribute('aria-pressed', 'false');
+  await expect(plan.getByRole('button', { name: /^task area 1/i })).toHaveAttribute('aria-pressed', 'true');
+  const side = (name: string) => maker(page).getByRole('textbox', { name }).first().inputValue();
+  const ratio = Number(await side('Width')) / Number(await side('Depth'));
+  expect(Math.abs(ratio - 110 / 70)).toBeLessThan(0.25); // both to the decimetre
+  await page.keyboard.press('Control+z');
+  await expect(plan.getByRole('button', { name: /^task area/i })).toHaveCount(0);
+});
+
 test('axe finds nothing serious in the room maker: wide and narrow, light and dark', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await newRoom(page);

@@ -31,6 +31,7 @@ const lastRoom = 'fiatlux-room-plan'; // where the browser keeps the latest plan
 export class Making {
   readonly plan = signal<RoomPlan>(planOf(outlines.rectangle(6, 4), 2.8));
   readonly selected = signal<Selected | null>(null);
+  readonly isPlaneDrawn = signal(false); // the next drag in the plan makes a measuring plane
   readonly past = signal<readonly Step[]>([]);
   readonly future = signal<readonly RoomPlan[]>([]);
   readonly faults = computed(() => planFaults(this.plan.value));

@@ -128,3 +128,9 @@ export function withRows(plan: RoomPlan, index: number, rows: Rows): RoomPlan {
     }
   return { ...plan, items: [...plan.items, ...more].slice(0, mostItems) };
 }
+
+/** With one more measuring plane around a point, as high as the working plane. */
+export function withTask(plan: RoomPlan, [x, z]: Point, [width, depth]: Point): RoomPlan {
+  const task = { x, z, width, depth, height: plan.plane?.height ?? 0.75, turn: 0 };
+  return { ...plan, tasks: [...plan.tasks, task] };
+}

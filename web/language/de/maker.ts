@@ -108,6 +108,8 @@ export const maker: Words['maker'] = {
     rim: 'Randzone',
     rimOf: 'Randzone der Nutzebene',
     task: 'Sehaufgabe',
+    draw: 'Im Plan zeichnen',
+    drag: 'Im Plan von Ecke zu Ecke ziehen; Esc beendet.',
   },
   edit: 'Raum bearbeiten',
   goOn: 'Mit dem letzten weitermachen',

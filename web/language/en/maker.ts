@@ -108,6 +108,8 @@ export const maker = {
     rim: 'Rim',
     rimOf: 'Rim of the working plane',
     task: 'Task area',
+    draw: 'Draw in the plan',
+    drag: 'Drag in the plan from corner to corner; Esc ends.',
   },
   edit: 'Edit the room',
   goOn: 'Go on with the last one',

@@ -9,6 +9,7 @@ import { distance, rotated } from '../../room-maker/polygon.mjs';
 import { type Item, type Point, type RoomPlan } from '../../room-maker/room-plan.mjs';
 import { NumberField } from '../controls/number-field.tsx';
 import { stepped } from '../controls/slider.tsx';
+import { DrawPlane } from './draw-plane.tsx';
 import { useMaking } from './making-context.ts';
 import { dragged, moved } from './plan-moves.ts';
 import { gridOf, pointUnder, useSize, viewOf, type PlanView } from './plan-view.ts';
@@ -91,7 +92,8 @@ function useHands(plan: RoomPlan, view: PlanView) {
 }
 
 export function PlanDrawing() {
-  const plan = useMaking().plan.value;
+  const making = useMaking();
+  const plan = making.plan.value;
   const { element, size } = useSize();
   const whole = viewOf(plan.outline, ...size);
   const { handle, onSvg, heldView } = useHands(plan, whole);
@@ -111,6 +113,7 @@ export function PlanDrawing() {
         <Plane plan={plan} />
         <Things plan={plan} handle={handle} />
         <Walls plan={plan} handle={handle} pixel={1 / view.scale} />
+        {making.isPlaneDrawn.value && <DrawPlane view={view} />}
       </svg>
       <Lengths view={view} />
     </div>

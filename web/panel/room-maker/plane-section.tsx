@@ -1,7 +1,7 @@
 /** The working plane with its rim, and task areas within the room. */
-import { Plus } from 'lucide-preact';
+import { Plus, SquareDashed } from 'lucide-preact';
 import type { RoomPlan } from '../../room-maker/room-plan.mjs';
-import { toMillimetres } from '../../room-maker/plan-edits.ts';
+import { toMillimetres, withTask } from '../../room-maker/plan-edits.ts';
 import { Check } from '../controls/check.tsx';
 import { Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
@@ -20,11 +20,7 @@ export function PlaneSection() {
   const change = (part: Partial<typeof usualPlane>, gesture: string) =>
     making.edit((plan) => ({ ...plan, plane: { ...(plan.plane ?? usualPlane), ...part } }), gesture);
   const addTask = () => {
-    making.edit((plan) => {
-      const [x, z] = middleOf(plan);
-      const task = { x, z, width: 1.6, depth: 0.8, height: plan.plane?.height ?? 0.75, turn: 0 };
-      return { ...plan, tasks: [...plan.tasks, task] };
-    });
+    making.edit((plan) => withTask(plan, middleOf(plan), [1.6, 0.8]));
     making.selected.value = { what: 'task', index: making.plan.peek().tasks.length - 1 };
   };
   return (
@@ -58,7 +54,20 @@ export function PlaneSection() {
           <Plus size={14} aria-hidden />
           <span>{words.value.maker.plane.task}</span>
         </button>
+        <button
+          class="button small"
+          aria-pressed={making.isPlaneDrawn.value}
+          onClick={() => (making.isPlaneDrawn.value = !making.isPlaneDrawn.peek())}
+        >
+          <SquareDashed size={14} aria-hidden />
+          <span>{words.value.maker.plane.draw}</span>
+        </button>
       </div>
+      {making.isPlaneDrawn.value && (
+        <p class="fine-print" role="status">
+          {words.value.maker.plane.drag}
+        </p>
+      )}
     </Section>
   );
 }
