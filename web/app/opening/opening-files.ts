@@ -149,6 +149,8 @@ export class FileOpening {
     const isOpen = await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const plain = await plainOf(model);
       if (plain) model = { name, bytes: plain, siblings: new Map() };
+      const tooMuch = plain && (await import('../importing/too-much.ts')).tooMuchIn(plain);
+      if (tooMuch) throw new Error(words.value.opening.about(name, tooMuch));
       if (plain && isCurrent()) await this.#preview(model);
       if (!isCurrent()) return;
       this.#store.making.value = null;

@@ -17,6 +17,14 @@ export const opening: Words['opening'] = {
   roomMissing: (room) => `der Raum „${room}“ ist nicht auf diesem Server; mit npm run build erstellen`,
   firstOf: (count) => `Von ${count} Dateien wird die erste geöffnet.`,
   tooLarge: (name) => `„${name}“ ist größer als 256 MB; mehr kann der Browser nicht halten.`,
+  tooMuch: {
+    parts: (count, most) =>
+      `es hat ${count} Teile, zeigen lassen sich hier ${most}: die eines Materials vereinen oder fiatlux precompute verwenden`,
+    triangles: (count, most, name, percent) =>
+      `es hat ${count} Dreiecke, beleuchten lassen sich hier ${most}: ${percent} % davon liegen in „${name}“; vereinfachen oder fiatlux precompute verwenden`,
+    deep: (most) =>
+      `seine Knoten liegen mehr als ${most} tief ineinander: ohne Verschachtelung neu exportieren`,
+  },
   unreadable: (name) => `„${name}“ konnte nicht vom Datenträger gelesen werden.`,
   notOurs: (name) =>
     `„${name}“ ist keine Datei von Fiat Lux: möglich sind .flux, .glb, .gltf, .ies, .ldt und Projektdateien.`,

@@ -13,6 +13,13 @@ export const opening = {
   roomMissing: (room: string) => `the room "${room}" is not on this server; build it with: npm run build`,
   firstOf: (count: number) => `Of ${count} files the first is opened.`,
   tooLarge: (name: string) => `“${name}” is larger than 256 MB, which is more than the browser can hold.`,
+  tooMuch: {
+    parts: (count: string, most: string) =>
+      `it has ${count} parts, and a page can show ${most}: join those of one material, or use fiatlux precompute`,
+    triangles: (count: string, most: string, name: string, percent: string) =>
+      `it has ${count} triangles, and a page can light ${most}: ${percent} % of them are in “${name}”; make it simpler, or use fiatlux precompute`,
+    deep: (most: string) => `its nodes lie in each other more than ${most} deep: export it again, flattened`,
+  },
   unreadable: (name: string) => `“${name}” could not be read from the disk.`,
   notOurs: (name: string) =>
     `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .gltf, .ies, .ldt and project files.`,

@@ -1,0 +1,36 @@
+// What would freeze the page is told before it is shown. Covers too-much.
+import { expect, test } from '@jest/globals';
+import { tooMuchIn } from '../../../../web/app/importing/too-much.ts';
+import { writeGlb } from '../../../../web/document/gltf-container.ts';
+import { changed, refused } from '../../hostile-models.ts';
+
+test('200 000 parts are counted and named', () => {
+  expect(tooMuchIn(refused['instances.glb']!())).toMatch(/^it has 200.000 parts, and a page can show 20.000/);
+});
+
+test('nodes in nodes without end are told, a cycle is left to the builder', () => {
+  expect(tooMuchIn(refused['deep.glb']!())).toMatch(/more than 1.000 deep/);
+  expect(tooMuchIn(refused['cycle.glb']!())).toBeNull();
+});
+
+test('of too many triangles the node that holds most of them is named', () => {
+  const json = {
+    scenes: [{ nodes: [0, 1, 1] }],
+    nodes: [
+      { name: 'chandelier', mesh: 0 },
+      { name: 'wall', mesh: 1 },
+    ],
+    meshes: [{ primitives: [{ indices: 0 }] }, { primitives: [{ attributes: { POSITION: 1 } }] }],
+    accessors: [{ count: 6_000_000 }, { count: 600_000 }],
+  };
+  expect(tooMuchIn(writeGlb(json, new Uint8Array(6e6)))).toMatch(
+    /^it has 2.400.000 triangles, and a page can light 2.000.000: 83 % of them are in “chandelier”/,
+  );
+});
+
+test('a sound room is not too much; what is broken is told by others', () => {
+  expect(tooMuchIn(changed(() => {}))).toBeNull();
+  for (const name of ['nothing.glb', 'lying.glb', 'nested.gltf', 'page.gltf', 'empty.glb', 'count.glb'])
+    expect([name, tooMuchIn(refused[name]!())]).toEqual([name, null]);
+  expect(tooMuchIn(changed(({ json }) => (json.accessors[1].count = 2 ** 31 - 1)))).toBeNull();
+});
