@@ -158,7 +158,7 @@ function Best({ row, best }: { row: Verdict; best: BestFigure | undefined }) {
     <small>
       {' '}
       ({bestText(row, best)}
-      {impossible && `: ${impossible}`})
+      {impossible && `. ${impossible}`})
     </small>
   );
 }
