@@ -55,16 +55,20 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
     surfaces: names,
     verb: v.picklist(['illuminate', 'overshadow', 'homogenize', 'vary', 'keep']),
     weight: number(0, 1000),
+    // A mean to come near to, in the unit of the quantity; keep has none:
     aim: v.exactOptional(number(1e-3, 1e7)),
     mean: v.exactOptional(range),
-    spread: v.exactOptional(range),
+    spread: v.exactOptional(range), // sigma
+    // By statistics, for which alone alpha counts, or the true minimum and maximum:
     guarantee: v.exactOptional(
       v.object({ by: v.picklist(['chebyshev', 'patches']), alpha: number(0, 100), ...range.entries }),
     ),
-    uniformity: v.exactOptional(number(0, 1)),
+    uniformity: v.exactOptional(number(0, 1)), // U_o at least
     contrast: v.exactOptional(v.object({ over: names, min: ratio })),
-    direct: v.exactOptional(v.boolean()),
+    direct: v.exactOptional(v.boolean()), // it speaks of direct light alone
+    // Mean, evenness and darkest spot are those of the EN grid's points:
     onGrid: v.exactOptional(v.boolean()),
+    // On measuring planes only, of all light: how well faces are seen, that over the horizontal, light from one side.
     cylindrical: v.exactOptional(v.object(planeBounds(lux))),
     modelling: v.exactOptional(v.object(planeBounds(ratio))),
     vertical: v.exactOptional(v.object({ ...planeBounds(lux), direction: levelSchema })),
@@ -72,6 +76,7 @@ export function cardOf<Bound extends v.GenericSchema>(bound: Bound) {
 }
 
 const cardSchema = cardOf(lux);
+export type CheckedCard = v.InferOutput<typeof cardSchema>;
 
 export const mostTypes = 16;
 export const hashSchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{16}$/));

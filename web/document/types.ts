@@ -4,6 +4,7 @@
  * is looked at (camera, display). What is shown (the light of a layout) lives apart, in `Shown` of the solver's answers.
  * Words and units are those of the core (core/search/intentions.h) and of intentions.json.
  */
+import type { CheckedCard } from './schema.ts';
 import type { Statistic } from './statistics.ts';
 
 export type { Statistic };
@@ -49,33 +50,14 @@ export interface PlaneBounds {
 
 export type Verb = 'illuminate' | 'overshadow' | 'homogenize' | 'vary' | 'keep';
 
+/** As it passes the validators, for good. */
+type Frozen<Value> = Value extends object ? { readonly [Key in keyof Value]: Frozen<Value[Key]> } : Value;
+
 /**
- * One card of the panel: a verb on a surface and what else is asked there. Cards are turned into goals and
- * constraints by `intentionsOf` (document/intentions.ts).
+ * One card of the panel: a verb on a surface and what else is asked there (document/schema.ts has its fields). Cards are
+ * turned into goals and constraints by `intentionsOf` (document/intentions.ts).
  */
-export interface Card {
-  readonly id: string;
-  readonly surfaces: SurfaceNames;
-  readonly verb: Verb;
-  readonly weight: number;
-  readonly aim?: number; // a mean to come near to, in the unit of the quantity; keep has none
-  readonly mean?: { readonly min?: number; readonly max?: number };
-  readonly spread?: { readonly max?: number; readonly min?: number }; // sigma
-  readonly guarantee?: {
-    readonly by: 'chebyshev' | 'patches'; // statistics, or the true minimum and maximum
-    readonly alpha: number; // chebyshev only
-    readonly min?: number;
-    readonly max?: number;
-  };
-  readonly uniformity?: number; // U_o at least
-  readonly contrast?: { readonly over: SurfaceNames; readonly min: number };
-  readonly direct?: boolean; // it speaks of direct light alone
-  readonly onGrid?: boolean; // mean, evenness and darkest spot are those of the EN grid's points
-  // On measuring planes only, of all light:
-  readonly cylindrical?: PlaneBounds; // lx: how well faces are seen
-  readonly modelling?: PlaneBounds; // cylindrical over horizontal
-  readonly vertical?: PlaneBounds & { readonly direction: Point }; // lx
-}
+export type Card = Frozen<CheckedCard>;
 
 /** A point of the room, m. */
 export type Point = readonly [number, number, number];

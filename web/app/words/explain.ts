@@ -63,26 +63,17 @@ export function fieldText(card: Card, field: BoundField): string {
 
 function textOf(card: Card, field: BoundField): string {
   const { by, alpha = 2 } = card.guarantee ?? {};
-  const guaranteed = by === 'patches' ? '' : words.value.values.fields.guaranteed(alphaText(alpha));
+  const { bounds, boundsOf } = words.value.intentions;
+  const guaranteed = by === 'patches' ? '' : boundsOf.guaranteed(alphaText(alpha));
   switch (field) {
-    case 'mean.min':
-      return words.value.values.fields.meanMin;
-    case 'mean.max':
-      return words.value.values.fields.meanMax;
-    case 'spread.min':
-      return words.value.values.fields.spreadMin;
-    case 'spread.max':
-      return words.value.values.fields.spreadMax;
     case 'guarantee.min':
-      return words.value.values.fields.spotMin(guaranteed);
+      return boundsOf.spotMin(guaranteed);
     case 'guarantee.max':
-      return words.value.values.fields.spotMax(guaranteed);
-    case 'uniformity':
-      return words.value.values.fields.uniformity;
+      return boundsOf.spotMax(guaranteed);
     case 'contrast':
-      return words.value.values.fields.contrast(placesText(card.contrast?.over ?? []));
+      return boundsOf.contrast(placesText(card.contrast?.over ?? []));
     default:
-      return words.value.values.ofPlanes[field];
+      return bounds[field];
   }
 }
 

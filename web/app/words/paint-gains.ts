@@ -71,7 +71,8 @@ export function activeWish(
 
 function ofBound(asked: Constraint, index: number, value: number): Wish {
   const isTooLow = asked.min !== undefined && value < asked.min;
-  const { more, less, statistics } = words.value.paint;
+  const { more, less } = words.value.paint;
+  const { statistics } = words.value.intentions;
   const text = (isTooLow ? more : less)(statistics[asked.statistic], placesText(asked.surfaces));
   return {
     of: 'constraints',
@@ -86,7 +87,8 @@ function ofBound(asked: Constraint, index: number, value: number): Wish {
 
 function ofGoal({ statistic, sense, surfaces, target }: Goal, index: number, value: number): Wish {
   const where = placesText(surfaces);
-  const { more, less, about, statistics } = words.value.paint;
+  const { more, less, about } = words.value.paint;
+  const { statistics } = words.value.intentions;
   const text = {
     max: more(statistics[statistic], where),
     min: less(statistics[statistic], where),

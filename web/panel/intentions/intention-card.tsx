@@ -7,7 +7,7 @@ import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
 import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
-import { keepRange, planeStatistics, withOptional } from '../../document/intentions.ts';
+import { keepRange, withOptional } from '../../document/intentions.ts';
 import type { Card, Verb } from '../../document/types.ts';
 import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
@@ -115,13 +115,12 @@ function Met({ status }: { status: Status | null }) {
   );
 }
 
+/** What every card shows at once; all else that it may hold is behind "more". */
+const atOnce = new Set<string>(['id', 'surfaces', 'verb', 'weight', 'aim', 'onGrid']);
+
 /** Whether a card asks for something that is behind "more". */
-const asksMore = (card: Card): boolean => {
-  const { verb, mean, spread, guarantee, uniformity, contrast, direct } = card;
-  const ofPlanes = planeStatistics.map((statistic) => card[statistic]);
-  const asked = [verb === 'keep' ? undefined : mean, spread, guarantee, uniformity, contrast, direct];
-  return [...asked, ...ofPlanes].some((each) => each !== undefined);
-};
+const asksMore = (card: Card): boolean =>
+  Object.keys(card).some((key) => !atOnce.has(key) && !(key === 'mean' && card.verb === 'keep'));
 
 /** One scale for the slider and the histogram of a card: what is asked and the light, but not its few brightest spots. */
 function useAxis({ aim, mean, guarantee, surfaces, direct }: Card, reached: Reached | null) {
