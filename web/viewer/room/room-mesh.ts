@@ -17,7 +17,7 @@ import {
   type MeshStandardMaterial,
   type Object3D,
 } from 'three';
-import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../../document/types.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from '../light/light-material.ts';
@@ -93,10 +93,17 @@ const whitePixel =
 const fromFileAlone = new LoadingManager();
 fromFileAlone.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : whitePixel));
 
+/** A picture that is KTX2 alone is none: the material's plain colour is shown, as it counts for the light. */
+const plainForKtx2 = ({ json }: GLTFParser): GLTFLoaderPlugin => ({
+  name: 'KHR_texture_basisu',
+  loadTexture: (index) => (json.textures[index].source === undefined ? Promise.resolve(null as never) : null),
+});
+
 /** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
 export async function readGlb(glb: ArrayBuffer): Promise<Group> {
   try {
-    const gltf = await new GLTFLoader(fromFileAlone).parseAsync(glb, '');
+    const loader = new GLTFLoader(fromFileAlone).register(plainForKtx2);
+    const gltf = await loader.parseAsync(glb, '');
     for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
     return gltf.scene;
   } catch (error) {
