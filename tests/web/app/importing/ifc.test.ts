@@ -67,6 +67,8 @@ test('a space keeps what lies in it and around it, by name; longer parts are cut
   expect(new Set(hall.nodes.map(({ name }) => name))).toEqual(
     new Set(['Ceiling Board 12', 'East wall', 'North wall', 'Slab', 'South wall', 'West wall']),
   );
+  const ceilings = hall.nodes.filter(({ name }) => name.startsWith('Ceiling'));
+  expect(ceilings).toHaveLength(1); // that of the space behind the wall is none of it
   const [width, height, depth] = sizeOf(hall);
   expect(width).toBe(4.55); // the inside, the east wall of 0.2 m, and 0.35 m of the west
   expect(height).toBeLessThan(3.6);

@@ -8,11 +8,13 @@ export interface IfcPlace {
   readonly kind: 'building' | 'storey' | 'space';
   readonly name: string; // '' where the file has none
   readonly size: readonly [width: number, depth: number] | null; // m, of a space
-  readonly box: Box;
+  readonly box: Box; // what is outside is cut off
+  readonly near: Box; // elements that do not come so far belong to a neighbour
 }
 
 const around = 0.35; // m beside and below a space that belong to it: half a thick wall, the floor
 const above = 0.6; // m: up to the slab where the space ends at a suspended ceiling
+const touching = 0.05; // m beside a space: walls stand there
 const belowStorey = 0.3; // m: the slab that it stands on
 const aboveStorey = 0.15; // m over the next floor: that floor, which is the ceiling here
 
@@ -22,7 +24,13 @@ export function placesOf({ storeys, spaces }: IfcBuilding): readonly IfcPlace[] 
     spaces
       .filter((space) => space.storey === storey)
       .sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
-      .map(({ name, box }) => ({ kind: 'space', name, size: footprint(box), box: grown(box) }));
+      .map(({ name, box }) => ({
+        kind: 'space',
+        name,
+        size: footprint(box),
+        box: grown(box, around),
+        near: grown(box, touching),
+      }));
   const known = new Set<number | null>(storeys.map(({ id }) => id));
   const floors = storeys.flatMap(({ id, name, floor }, i): IfcPlace[] => {
     const next = storeys.slice(i + 1).find((other) => other.floor > floor + belowStorey)?.floor ?? Infinity;
@@ -30,30 +38,30 @@ export function placesOf({ storeys, spaces }: IfcBuilding): readonly IfcPlace[] 
       min: [-Infinity, floor - belowStorey, -Infinity],
       max: [Infinity, next + aboveStorey, Infinity],
     };
-    return [{ kind: 'storey', name, size: null, box }, ...spacesOf(id)];
+    return [{ kind: 'storey', name, size: null, box, near: box }, ...spacesOf(id)];
   });
   const others = [...new Set(spaces.map(({ storey }) => storey))].filter((storey) => !known.has(storey));
   const places = [...floors, ...others.flatMap(spacesOf)];
   return places.length === 1
     ? places
-    : [{ kind: 'building', name: '', size: null, box: everywhere }, ...places];
+    : [{ kind: 'building', name: '', size: null, box: everywhere, near: everywhere }, ...places];
 }
 
 const footprint = ({ min, max }: Box) => [max[0] - min[0], max[2] - min[2]] as const;
 
-const grown = ({ min, max }: Box): Box => ({
-  min: [min[0] - around, min[1] - around, min[2] - around],
-  max: [max[0] + around, max[1] + above, max[2] + around],
+const grown = ({ min, max }: Box, beside: number): Box => ({
+  min: [min[0] - beside, min[1] - around, min[2] - beside],
+  max: [max[0] + beside, max[1] + above, max[2] + beside],
 });
 
 /** null where nothing lies there. It stands on the origin: survey coordinates are too far away for floats. */
 export function glbOfPlace(
   { pieces, names }: IfcBuilding,
-  { box }: IfcPlace,
+  { box, near }: IfcPlace,
 ): Uint8Array<ArrayBuffer> | null {
   const inside = pieces.flatMap((piece) => {
     const own = boxOf([piece.mesh]);
-    if (!meets(own, box)) return [];
+    if (!meets(own, near)) return [];
     const mesh = box === everywhere ? piece.mesh : within(piece.mesh, box);
     return mesh ? [{ ...piece, mesh }] : [];
   });
