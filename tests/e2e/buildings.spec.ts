@@ -1,6 +1,6 @@
 // A building of several storeys: cut by them, stood in, and lit in one of them. Covers storeys and mounts-section.
 import { makeBuilding } from '../rooms/made-building.mjs';
-import { difference, drop, expect, picture, test } from './app.ts';
+import { difference, drop, expect, picture, test, violations } from './app.ts';
 
 test.setTimeout(180_000);
 test.use({ viewport: { width: 900, height: 600 } });
@@ -27,6 +27,7 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
     .toBeGreaterThan(0.05);
   const upper = storeys.getByRole('group', { name: 'Stand in: Storey 2' });
   await expect(upper.getByRole('button')).toHaveCount(3);
+  expect(await violations(page)).toEqual([]);
   await upper.getByRole('button', { name: 'Room 1' }).click();
   await expect(section).toHaveAttribute('aria-valuetext', 'not cut');
   await views.click();
@@ -39,4 +40,5 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
   await expect(lower).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('checkbox', { name: 'slab/underside' })).toBeChecked();
   await expect(page.getByRole('checkbox', { name: 'roof/underside' })).not.toBeChecked();
+  expect(await violations(page)).toEqual([]);
 });

@@ -67,6 +67,11 @@ test('axe finds nothing serious: wide and narrow, light and dark, every tab and 
         await tab(page, name);
         expect(await violations(page), `${name}, ${colorScheme}, ${width} px`).toEqual([]);
       }
+      for (const name of ['Views', 'Picture settings', 'Compare']) {
+        await page.getByRole('button', { name, exact: true }).click();
+        expect(await violations(page), `${name}, ${colorScheme}, ${width} px`).toEqual([]);
+        await page.keyboard.press('Escape');
+      }
     }
     await tab(page, 'Results');
     await page.getByRole('button', { name: 'wall north', exact: true }).click();
