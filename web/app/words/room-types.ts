@@ -19,6 +19,7 @@ export interface RoomType {
   readonly onFloor: boolean; // the task is the floor, though there be measuring planes
   readonly cylindrical?: number; // lx
   readonly ugr?: number; // at most
+  readonly length?: number; // m, of that luminaire, where it is longer than places are apart
   readonly luminaire?: string; // a file of the site's that serves where luminaires are of no type: squares glare
 }
 
@@ -55,6 +56,7 @@ export const roomTypes: readonly RoomType[] = [
     cylindrical: 50,
     ugr: 28,
     luminaire: 'batten.ldt',
+    length: 1.2,
   },
   {
     id: 'museum',
@@ -129,6 +131,7 @@ export function askForType(
   else if (fromSite.length > 0) {
     luminaires.types = [...fromSite] as Draft<LuminaireType>[];
     luminaires.most ??= Math.min(2 * luminaires.count, sites.size.length, mostLuminaires);
+    if (type.length !== undefined) keepApart(luminaires, type.length);
   }
   draft.cards = cardsOf(type, surfaces) as Draft<Card>[];
   draft.roomType = type.id;
@@ -137,6 +140,13 @@ export function askForType(
   if (type.ugr !== undefined) draft.glare = { ...looking, max: type.ugr };
   else delete draft.glare;
   luminaires.maintenance ??= [...usualMaintenance];
+}
+
+/** Luminaires of a length (m), whichever way they are turned, run neither into each other nor into walls. */
+function keepApart(luminaires: Draft<FiatLuxDocument>['luminaires'], length: number): void {
+  luminaires.minDistance = Math.max(luminaires.minDistance, length);
+  luminaires.areas ??= { keepOut: [], keepIn: [], fromWalls: 0 };
+  luminaires.areas.fromWalls = Math.max(luminaires.areas.fromWalls, length / 2);
 }
 
 /** Other luminaires are off; of those of the emergency as few as do. */

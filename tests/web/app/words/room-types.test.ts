@@ -76,6 +76,24 @@ describe('the rooms of the site', () => {
   });
 });
 
+test('long luminaires of the site run neither into each other nor into walls', () => {
+  const { store, scene } = storeOf('writing');
+  const apart = () => {
+    const { minDistance, areas } = store.document.peek().luminaires;
+    return [minDistance, areas?.fromWalls ?? 0];
+  };
+  const [before, fromWalls] = apart() as [number, number];
+  store.edit('panels', (draft) =>
+    askForType(draft, typeOf('writing'), scene, [luminaireType('t', photometricText())]),
+  );
+  expect(apart()).toEqual([before, fromWalls]);
+  store.edit('battens', (draft) =>
+    askForType(draft, typeOf('corridor'), scene, [luminaireType('t', photometricText())]),
+  );
+  expect(apart()).toEqual([Math.max(before, 1.2), Math.max(fromWalls, 0.6)]);
+  expect(v.is(documentSchema, store.document.peek())).toBe(true);
+});
+
 describe('a room type', () => {
   test('writes cards for task, walls and ceiling', () => {
     expect(cardsOf(typeOf('writing'), surfaces)).toMatchObject([
