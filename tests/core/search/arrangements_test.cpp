@@ -55,9 +55,8 @@ TEST(Arrangements, CountsEveryField) {
 TEST(Arrangements, FieldsInTheMiddleAreTheirOwnMirrorImages) {
   const Scene scene = ceiling();
   const SiteGrid grid(scene);
-  for (const auto& [axis, alongX, alongZ] :
-       {std::tuple(PlanAxis::kX, false, true), std::tuple(PlanAxis::kZ, true, false),
-        std::tuple(PlanAxis::kBoth, true, true)}) {
+  for (const PlanAxis axis : {PlanAxis::kX, PlanAxis::kZ, PlanAxis::kBoth}) {
+    const bool alongX = axis != PlanAxis::kX, alongZ = axis != PlanAxis::kZ;
     std::size_t middle = 0, counted = 0;
     Sites sites;
     const auto isInMiddle = [&](double Vec3::*direction, double whole) {
