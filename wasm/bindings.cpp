@@ -726,6 +726,14 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("begin", &beginColor)
       .function("isGrey", &isGrey)
       .function("of", &colorsOf);
+  emscripten::class_<PairProof>("PairProof")
+      .constructor<>()
+      .function("begin", &PairProof::begin)
+      .function("advance", &PairProof::advance)
+      .function("goal", &PairProof::goal);
+}
+
+EMSCRIPTEN_BINDINGS(session) {
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("openTable", &openTable)
@@ -760,11 +768,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("advanceBound", &advanceBound)
       .function("takePairs", &takePairs)
       .function("provedByPairs", &Session::provedByPairs);
-  emscripten::class_<PairProof>("PairProof")
-      .constructor<>()
-      .function("begin", &PairProof::begin)
-      .function("advance", &PairProof::advance)
-      .function("goal", &PairProof::goal);
 }
 
 }  // namespace fiatlux

@@ -25,4 +25,6 @@ const room = likelyRoom(location.hash);
 const ahead = startWorkerEarly(room && sceneAddress(room));
 if (room && ahead) expectScene(room, ahead);
 expectCatalog();
-import('./start.tsx').catch(() => document.getElementById('app')?.classList.add('is-stuck'));
+import('./start.tsx')
+  .then(({ start }) => start())
+  .catch(() => document.getElementById('app')?.classList.add('is-stuck'));

@@ -8,14 +8,21 @@ import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
 
-// The first script waits for nothing, so this one may come before the end of the page.
-if (document.readyState === 'loading')
-  await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
-const root = document.getElementById('app');
-root?.replaceChildren();
-const store = new Store();
-void sentences().catch(() => undefined); // here already, should the connection go
-const wished = wishedLanguage();
-if (wished !== 'en') await speak(wished).catch(() => undefined); // no connection: English is here
-if (root) render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);
-if (import.meta.env.PROD) keepForOffline(store);
+/**
+ * Draws the page. Nothing is awaited while this module is evaluated: the words of another language are in a script that
+ * needs this one's, and each would wait for the other.
+ */
+export async function start(): Promise<void> {
+  // The first script waits for nothing, so this may come before the end of the page.
+  if (document.readyState === 'loading')
+    await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
+  const root = document.getElementById('app');
+  root?.replaceChildren();
+  const store = new Store();
+  void sentences().catch(() => undefined); // here already, should the connection go
+  const wished = wishedLanguage();
+  if (wished !== 'en') await speak(wished).catch(() => undefined); // no connection: English is here
+  if (root)
+    render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);
+  if (import.meta.env.PROD) keepForOffline(store);
+}
