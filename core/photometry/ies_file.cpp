@@ -172,6 +172,8 @@ void readTypeC(NumberReader& reader, const Header& header, Photometry& photometr
   photometry.gamma = readAngles(reader, header.verticals, "the vertical angle", 0, 180);
   photometry.c = readAngles(reader, header.horizontals, "the horizontal angle", 0, 360);
   photometry.symmetry = symmetryOf(reader, photometry.c);
+  // A lone plane stands for all, whatever its angle.
+  if (photometry.symmetry == PhotometricSymmetry::kAxial) photometry.c.assign(1, 0);
   photometry.candela = readTable(reader, photometry.gamma.size() * photometry.c.size(), header.factor);
   photometry.luminous = areaOf(header.opening);
 }

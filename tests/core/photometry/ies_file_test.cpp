@@ -135,6 +135,17 @@ TEST(IesFile, TiltInAFileOfItsOwnIsRefused) {
   EXPECT_THAT(refusal(file.text()), HasSubstr("which LM-63-2019 forbids"));
 }
 
+TEST(IesFile, ALonePlaneIsThatOfZeroWhateverItsAngle) {
+  for (const double angle : {0.0, 0.0001, 90.0}) {
+    IesFile file;
+    file.c = {angle};
+    const Result<Photometry> p = read(file.text());
+    ASSERT_TRUE(p) << p.error().message;
+    EXPECT_EQ(p->symmetry, PhotometricSymmetry::kAxial);
+    EXPECT_EQ(p->c, std::vector<double>{0});
+  }
+}
+
 TEST(IesFile, TheRoundMayBeLeftOpen) {
   IesFile file;
   file.c = angles(0, 360, 30);
