@@ -10,8 +10,8 @@ const announceApp = {
     order: 'post',
     handler(html, { bundle }) {
       const chunks = bundle ?? {};
-      const start = Object.values(chunks).find(({ facadeModuleId }) =>
-        facadeModuleId?.endsWith('/start.tsx'),
+      const start = Object.values(chunks).find(({ moduleIds }) =>
+        moduleIds?.some((id) => id.endsWith('/start.tsx')),
       );
       const needed = new Set(start ? [start.fileName] : []);
       for (const file of needed) chunks[file].imports.forEach((each) => needed.add(each));

@@ -231,7 +231,7 @@ for (const [what, pattern, status, words] of broken)
   });
 
 plain('a start without the app says so and offers to try again', async ({ page }) => {
-  const app = /\/assets\/start-[^/]{8}\.js$/; // and no other script whose name begins so
+  const app = /\/assets\/app-[^/]{8}\.js$/; // and no other script whose name begins so
   await page.route(app, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByText('Fiat Lux could not be started')).toBeVisible();
