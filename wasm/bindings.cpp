@@ -359,8 +359,6 @@ std::string setIntentions(Session& session, val asked) {
 
 // --- search
 
-bool prepareSearch(Session& session, std::uint32_t rows) { return session.prepareSearch(rows); }
-
 std::string start(Session& session, std::uint32_t seed) { return errorOf(session.start(seed, nullptr)); }
 
 std::string startFrom(Session& session, std::uint32_t seed, val sites, val flux, double dimming) {
@@ -750,7 +748,7 @@ EMSCRIPTEN_BINDINGS(session) {
       .function("info", &info)
       .function("setPowers", &setPowers)
       .function("setIntentions", &setIntentions)
-      .function("prepareSearch", &prepareSearch)
+      .function("prepareSearch", &Session::prepareSearch)
       .function("start", &start)
       .function("startFrom", &startFrom)
       .function("startNear", &startNear)

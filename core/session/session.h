@@ -34,8 +34,8 @@ struct SearchProgress {
 struct Found {
   Layout layout;
   Evaluation evaluation;
-  std::optional<double> limit =
-      {};  // of the one evenness on a grid that is asked for and missed: none is above
+  /// Of the one evenness on a grid that is asked for and missed: none is above.
+  std::optional<double> limit = {};
 };
 
 class Session {

@@ -1,7 +1,9 @@
 /** Which dropped files are models of other programs, and what is said of those that nothing here can read. */
 import { words } from '../../language/language.ts';
 
-const models = /\.(obj|stl|dae|fbx|3ds|ifc)$/i;
+/** Extensions of what is turned into a glTF here. */
+export const modelExtensions: readonly string[] = ['obj', 'stl', 'dae', 'fbx', '3ds', 'ifc'];
+const models = new RegExp(`\\.(${modelExtensions.join('|')})$`, 'i');
 
 /** The cure for formats without a reader, by extension. */
 const unreadable: readonly (readonly [RegExp, () => string])[] = [

@@ -30,10 +30,15 @@ import { forgetLink, hasLink } from './address.ts';
 import { isFirstVisit, requestScene } from './first-scene.ts';
 import { Lighting, type CreatePool } from '../lighting/lighting.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
+import { modelExtensions } from '../importing/model-files.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
+
+/** The kinds of files that may be opened. */
+const ofPrograms = modelExtensions.map((extension) => `.${extension}`).join(',');
+const everything = `.flux,.glb,.gltf,.bin,.mtl,${ofPrograms},.ifczip,.stf,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip,.png,.jpg,.jpeg`;
 
 export class Opening {
   readonly #store: Store;
@@ -154,9 +159,7 @@ export class Opening {
   }
 
   /** Lets a person choose a file of their own. */
-  pick(
-    accept = '.flux,.glb,.gltf,.bin,.obj,.mtl,.stl,.dae,.fbx,.3ds,.ifc,.ifczip,.stf,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip,.png,.jpg,.jpeg',
-  ): void {
+  pick(accept = everything): void {
     const input = document.createElement('input');
     input.type = 'file';
     input.multiple = true;

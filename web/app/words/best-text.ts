@@ -7,8 +7,7 @@ import { targetText, valueText, type Verdict } from './verdict.ts';
 export function impossibleText(row: Verdict, { limit }: BestFigure): string | null {
   const { target, unit } = row;
   if (limit === undefined || target === null || limit >= target) return null;
-  // Rounded up: what is said holds.
-  const most = unit === '' ? Math.ceil(100 * limit) / 100 : limit;
+  const most = Math.ceil(100 * limit) / 100; // of an evenness; rounded up, so that what is said holds
   return words.value.results.verdict.impossible(targetText(row), valueText(most, unit));
 }
 
