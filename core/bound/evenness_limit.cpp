@@ -11,7 +11,7 @@ namespace {
 constexpr double kMostProducts = 1e9;  // about a second; the limit holds whenever one stops
 constexpr int kMostPlayed = 3000;
 constexpr double kPlayedClosely = 0.002;  // share by which even the best split may be below the limit
-constexpr double kRounding = 1e-6;        // share: of light in floats and its sums
+constexpr double kFloatRounding = 1e-6;   // share: of light in floats and its sums
 
 /// Columns of single luminaires, each as a share of its own mean: `points` entries a column.
 struct ColumnsByMean {
@@ -123,7 +123,7 @@ double evennessLimit(const Scene& scene, const Constraint& constraint,
     limit = std::min(limit, game.limit());
     if (limit - game.reached() <= kPlayedClosely * limit) break;
   }
-  return std::min(1.0, limit * (1 + kRounding));
+  return std::min(1.0, limit * (1 + kFloatRounding));
 }
 
 }  // namespace fiatlux
