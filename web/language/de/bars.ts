@@ -82,6 +82,7 @@ export const bars: Words['bars'] = {
   },
   noGraphics:
     'Dieser Browser stellt der Seite keine 3D-Grafik (WebGL 2) bereit. Hardwarebeschleunigung in seinen Einstellungen einschalten oder die Seite in einem anderen Browser öffnen.',
+  slow: 'Das dauert ungewöhnlich lange.',
   stage: {
     looking:
       'Der Raum. Ziehen dreht, Umschalt und Ziehen verschiebt, Tasten 1 bis 6 für Ansichten, F passt ein.',

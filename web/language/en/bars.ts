@@ -81,6 +81,7 @@ export const bars = {
   },
   noGraphics:
     'This browser gives the page no 3D graphics (WebGL 2). Switch hardware acceleration on in its settings, or open the page in another browser.',
+  slow: 'This takes unusually long.',
   stage: {
     looking: 'The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit.',
     working:
