@@ -105,6 +105,7 @@ export const bars: Words['bars'] = {
       keepIn: 'Zulässige Fläche aufziehen oder ihre Ecken anklicken',
       select: 'Rahmen um die Leuchten aufziehen',
       task: 'Bereich der Sehaufgabe aufziehen',
+      plane: 'Messebene aufziehen oder ihre Ecken anklicken',
       corners: 'Ecken des Bereichs anklicken; die erste noch einmal schließt ihn',
     },
     ends: '(Esc beendet)',

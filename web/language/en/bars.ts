@@ -99,6 +99,7 @@ export const bars = {
       keepIn: 'Drag the area to keep to, or click its corners',
       select: 'Drag around the luminaires to select',
       task: 'Drag the task area',
+      plane: 'Drag the measuring plane, or click its corners',
       corners: 'Click the corners of the task area; the first one again closes it',
     },
     ends: '(Esc ends)',
