@@ -52,7 +52,7 @@ export const sheet: Words['sheet'] = {
     wanted: 'Auf einer Ebene über dem Boden messen',
     height: 'Höhe über dem Boden',
     rim: 'Randzone, die wegbleibt',
-    drawn: (name) => `Messebene ${name}`,
+    drawn: (name) => `Gezeichnet: ${name}`,
     border: 'Randzone, die wegbleibt',
     tooNarrow: 'Die Randzone lässt nichts von ihr übrig.',
     remove: (name) => `${name} entfernen`,

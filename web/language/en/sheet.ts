@@ -51,7 +51,7 @@ export const sheet = {
     wanted: 'Measure on a plane over the floor',
     height: 'Height over the floor',
     rim: 'Rim left out',
-    drawn: (name: string) => `Measuring plane ${name}`,
+    drawn: (name: string) => `Drawn: ${name}`,
     border: 'Border left out',
     tooNarrow: 'Its border leaves nothing of it.',
     remove: (name: string) => `Remove ${name}`,
