@@ -71,7 +71,17 @@ interface Primitive {
   extensions?: { [draco: string]: { bufferView: number; attributes: Record<string, number> } };
 }
 
-/** Throws where the file is not as it should be, or a buffer is missing; a picture that is missing stays so. */
+/** What the decoders say no to: the builder, which has none, would only say that the mesh is compressed. */
+export class DamagedMesh extends Error {
+  constructor() {
+    super('a compressed mesh is damaged');
+  }
+}
+
+/**
+ * Throws where the file is not as it should be, or a buffer is missing: DamagedMesh where that is said of something
+ * compressed. A picture that is missing stays so.
+ */
 export async function plainGlb(
   file: Bytes,
   siblings: ReadonlyMap<string, Bytes>,
@@ -153,14 +163,13 @@ async function takeViews(
     if (!(count * byteStride <= view.byteLength && view.byteLength <= mostBytes))
       throw new Error('a view is too small for what it holds');
     const target = new Uint8Array(view.byteLength);
-    (await codecs.meshopt()).decodeGltfBuffer(
-      target,
-      count,
-      byteStride,
-      within(sources, packed),
-      mode,
-      filter,
-    );
+    const source = within(sources, packed);
+    const decoder = await codecs.meshopt();
+    try {
+      decoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
+    } catch {
+      throw new DamagedMesh();
+    }
     parts.add(target, rest);
   }
 }
@@ -236,7 +245,7 @@ class DecodedMesh {
     module.destroy(buffer);
     if (isWhole && this.points > 0) return;
     this.end();
-    throw new Error('a compressed mesh is damaged');
+    throw new DamagedMesh();
   }
 
   get points(): number {
@@ -258,8 +267,7 @@ class DecodedMesh {
       5126: [DT_FLOAT32, 4],
     };
     const [kind, size] = kinds[componentType] ?? [0, 0];
-    if (!attribute.ptr || !size || attribute.num_components() !== widths[type])
-      throw new Error('an attribute of a compressed mesh is not what it is said to be');
+    if (!attribute.ptr || !size || attribute.num_components() !== widths[type]) throw new DamagedMesh();
     const bytes = this.points * widths[type] * size;
     return this.#taken(bytes, (at) =>
       this.#decoder.GetAttributeDataArrayForAllPoints(this.#mesh, attribute, kind, bytes, at),
@@ -282,7 +290,7 @@ class DecodedMesh {
     const isFilled = fill(at);
     const taken = this.#module.HEAPU8.slice(at, at + bytes) as Bytes;
     this.#module._free(at);
-    if (!isFilled) throw new Error('a compressed mesh is damaged');
+    if (!isFilled) throw new DamagedMesh();
     return taken;
   }
 }

@@ -1,11 +1,14 @@
 /** The worker that makes models plain: one question, one answer, and it is gone. */
 import dracoAddress from 'draco3dgltf/draco_decoder_gltf.wasm?url';
-import { plainGlb, type Codecs } from './plain-glb.ts';
+import { DamagedMesh, plainGlb, type Codecs } from './plain-glb.ts';
 
 export interface Packed {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly siblings: ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
 }
+
+/** The plain .glb; null where the file is broken otherwise than in what is compressed. */
+export type Unpacked = Uint8Array<ArrayBuffer> | 'damaged' | null;
 
 declare const self: DedicatedWorkerGlobalScope;
 
@@ -34,6 +37,8 @@ const codecs: Codecs = {
 };
 
 self.onmessage = async ({ data }: MessageEvent<Packed>) => {
-  const plain = await plainGlb(data.bytes, data.siblings, codecs).catch(() => null);
-  self.postMessage(plain, plain ? [plain.buffer] : []);
+  const answer = await plainGlb(data.bytes, data.siblings, codecs).catch((error: unknown) =>
+    error instanceof DamagedMesh ? ('damaged' as const) : null,
+  );
+  self.postMessage(answer satisfies Unpacked, answer instanceof Uint8Array ? [answer.buffer] : []);
 };

@@ -23,12 +23,14 @@ import { reasonOf } from '../../document/reason.ts';
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
 
-/** The model in one plain .glb; null where it is broken. */
-async function plainOf({ bytes, siblings }: Model): Promise<Model['bytes'] | null> {
+/** The model in one plain .glb; null where it is broken. Throws one line where what is compressed in it is. */
+async function plainOf({ name, bytes, siblings }: Model): Promise<Model['bytes'] | null> {
   const { needsUnpacking } = await import('../importing/plain-glb.ts');
   if (!needsUnpacking(bytes)) return bytes;
   const { unpackedModel } = await import('../importing/unpacked-model.ts');
-  return unpackedModel({ bytes, siblings });
+  return unpackedModel({ bytes, siblings }).catch((error: unknown) => {
+    throw new Error(words.value.opening.about(name, reasonOf(error)), { cause: error });
+  });
 }
 
 export class FileOpening {

@@ -17,6 +17,7 @@ export const opening: Words['opening'] = {
   roomMissing: (room) => `der Raum „${room}“ ist nicht auf diesem Server; mit npm run build erstellen`,
   firstOf: (count) => `Von ${count} Dateien wird die erste geöffnet.`,
   tooLarge: (name) => `„${name}“ ist größer als 256 MB; mehr kann der Browser nicht halten.`,
+  damagedMesh: 'ein komprimiertes Netz darin ist beschädigt: noch einmal exportieren, oder ohne Kompression',
   tooMuch: {
     parts: (count, most) =>
       `es hat ${count} Teile, zeigen lassen sich hier ${most}: die eines Materials vereinen oder fiatlux precompute verwenden`,

@@ -13,6 +13,7 @@ export const opening = {
   roomMissing: (room: string) => `the room "${room}" is not on this server; build it with: npm run build`,
   firstOf: (count: number) => `Of ${count} files the first is opened.`,
   tooLarge: (name: string) => `“${name}” is larger than 256 MB, which is more than the browser can hold.`,
+  damagedMesh: 'a compressed mesh of it is damaged: export it again, or without compression',
   tooMuch: {
     parts: (count: string, most: string) =>
       `it has ${count} parts, and a page can show ${most}: join those of one material, or use fiatlux precompute`,

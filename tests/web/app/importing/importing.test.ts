@@ -47,6 +47,28 @@ describe('a zip', () => {
     expect(await unzippedModel(zip({ 'lamp.ldt': 'x' }))).toBeNull();
   });
 
+  /** A zip of one file, whose sizes say what they like. */
+  const saying = (size: number, content: Uint8Array<ArrayBuffer>) => {
+    const bytes = zipSync({ 'room.obj': content }, { level: 9 }) as Uint8Array<ArrayBuffer>;
+    const view = new DataView(bytes.buffer, bytes.byteOffset);
+    const central = view.getUint32(bytes.length - 6, true);
+    view.setUint32(central + 24, size, true);
+    view.setUint32(22, size, true);
+    return file('bomb.zip', bytes);
+  };
+
+  test('that would inflate to more than a page can hold is refused before that', async () => {
+    await expect(unzippedModel(saying(1e9, new Uint8Array(1000)))).rejects.toThrow(/“bomb.zip” .*1000 MB/);
+  });
+
+  test('that says little and holds much gives no more than it says, or is damaged', async () => {
+    const much = saying(1000, new Uint8Array(64 << 20));
+    expect(much.size).toBeLessThan(100_000);
+    const files = await unzippedModel(much).catch((error: Error) => error.message);
+    if (typeof files === 'string') expect(files).toMatch(/damaged/);
+    else expect(files?.map(({ size }) => size)).toEqual([1000]);
+  });
+
   test('that is damaged says so', async () => {
     await expect(unzippedModel(file('room.zip', 'PK but not a zip'))).rejects.toThrow(/damaged/);
   });

@@ -5,7 +5,12 @@ import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { readContainer, writeGlb } from '../../../../web/document/gltf-container.ts';
 import { packedWithDraco, wasmOfDraco } from '../../packed-with-draco.ts';
-import { needsUnpacking, plainGlb, type Codecs } from '../../../../web/app/importing/plain-glb.ts';
+import {
+  DamagedMesh,
+  needsUnpacking,
+  plainGlb,
+  type Codecs,
+} from '../../../../web/app/importing/plain-glb.ts';
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -137,10 +142,12 @@ describe('compressed models', () => {
     const packed = await packedWithDraco(positions, corners);
     const { text, bin } = readContainer(packed);
     const damaged = writeGlb(JSON.parse(text), bin!.map((byte, i) => (i > 20 ? byte ^ 0x5a : byte))); // prettier-ignore
-    await expect(plainGlb(damaged, new Map(), codecs)).rejects.toThrow(/damaged|not what/);
+    await expect(plainGlb(damaged, new Map(), codecs)).rejects.toThrow(DamagedMesh);
+    const garbage = writeGlb(JSON.parse(text), bin!.map((_, i) => (37 * i) & 0xff)); // prettier-ignore
+    await expect(plainGlb(garbage, new Map(), codecs)).rejects.toThrow(DamagedMesh);
     const { gltf, bin: whole } = await packedWithMeshopt();
     const siblings = siblingsOf({ 'a room.bin': whole.map((byte) => byte ^ 0xff) });
-    await expect(plainGlb(gltf, siblings, codecs)).rejects.toThrow();
+    await expect(plainGlb(gltf, siblings, codecs)).rejects.toThrow(DamagedMesh);
   });
 });
 
