@@ -142,6 +142,13 @@ inline TrapRoom inUnits(double perMetre) {
   return room;
 }
 
+/// A plain house whose every face has two sides.
+inline TrapRoom twoSided() {
+  TrapRoom room(true);
+  room.slab("s0", 0), room.walls(0, false), room.slab("s1", kStorey + kSlab);
+  return room;
+}
+
 /// No material at all, and a table.
 inline TrapRoom noMaterials() {
   TrapRoom room;
