@@ -34,8 +34,7 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     try {
       setApp(new App(store, parts));
     } catch {
-      const again = { label: words.value.opening.again, run: () => location.reload() };
-      store.say('error', words.value.bars.noGraphics, again);
+      store.say('error', words.value.bars.noGraphics);
     }
   }, []);
 

@@ -110,7 +110,7 @@ function valueAt(svg: SVGSVGElement | null, clientX: number, scale: number): num
   return Math.max(step, Number((Math.round(value / step) * step).toPrecision(8)));
 }
 
-/** The share {words.value.intentions.histogram.ofArea} in each interval; the largest fills the height. */
+/** The share of the area in each interval; the largest fills the height. */
 function Bars({ sample, scale }: { sample: AreaSample; scale: number }) {
   const shares = histogram(sample, scale, bins);
   const peak = Math.max(...shares, 1e-9);
@@ -193,7 +193,7 @@ function Handle({ value, at, scale, kind, mark, label, text, drag, set }: Handle
   );
 }
 
-/** The true share {words.value.intentions.histogram.ofArea} below the bound, and the promises at the alpha that this bound stands for. */
+/** The true share of the area below the bound, and the promises at the alpha that this bound stands for. */
 function Shares({ card, sample, unit }: CardProps & { sample: AreaSample; unit: string }) {
   const inPaperWords = usePaperWords();
   const floor = card.guarantee?.min ?? card.mean?.min;

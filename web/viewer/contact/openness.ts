@@ -42,6 +42,9 @@ const touching = 0.06; // m: what is nearer has a shadow with an edge
 const within = 0.01; // m: so far inside of a triangle is not at its border
 const lift = 1e-3; // m above the surface, and towards the triangle's middle
 const same = 1e-5; // m
+const halvings = 4; // to where something begins to cover a surface
+const steepest = 0.25; // of a cell: what V does in less is not continued
+const darkest = 0.1; // V behind an edge
 const around = 0.5; // of the light comes from all round; the rest from luminaires, whose shadows the patches know
 const lit = 0.8; // how bright, for its reflectance, what is met is
 
@@ -165,6 +168,7 @@ class OpennessOfRoom {
     const begin = this.#used;
     const cells = this.#cellsOf(face);
     const found = this.#lattice(face, cells);
+    const edges = this.#edges(face, found, cells);
 
     // Every small triangle counts for the patch whose middle is nearest.
     const patches = patchesOf(face);
@@ -172,14 +176,16 @@ class OpennessOfRoom {
     const row = (j: number) => j * (n + 1) - (j * (j - 1)) / 2;
     for (let j = 0; j < n; j++)
       for (let i = 0; i < n - j; i++) {
-        const [a, b, c] = [found[row(j) + i]!, found[row(j) + i + 1]!, found[row(j + 1) + i]!];
-        this.#count(face, patches, (i + 1 / 3) / n, (j + 1 / 3) / n, (a + b + c) / 3, n);
+        const [a, b, c] = [row(j) + i, row(j) + i + 1, row(j + 1) + i];
+        const value = meanBefore(found, edges, [a, b, c]);
+        this.#count(face, patches, (i + 1 / 3) / n, (j + 1 / 3) / n, value, n);
         if (i + j + 1 >= n) continue;
-        const d = found[row(j + 1) + i + 1]!;
-        this.#count(face, patches, (i + 2 / 3) / n, (j + 2 / 3) / n, (b + c + d) / 3, n);
+        const across = meanBefore(found, edges, [b, c, row(j + 1) + i + 1]);
+        this.#count(face, patches, (i + 2 / 3) / n, (j + 2 / 3) / n, across, n);
       }
     if (cells === 0) return [0, 0];
 
+    goOnBehind(found, edges);
     uncover(found, n);
     const count = found.length;
     if (begin + count > this.#values.length) {
@@ -200,6 +206,36 @@ class OpennessOfRoom {
     for (let j = 0; j <= cells; j++)
       for (let i = 0; i <= cells - j; i++) found[k++] = this.#at(face, i / cells, j / cells);
     return found;
+  }
+
+  /** Where between neighbours of the lattice one is covered and the other is not. */
+  #edges(face: Face, found: Float32Array, cells: number): Edges {
+    const edges: Edges = new Map();
+    const row = (j: number) => j * (cells + 1) - (j * (j - 1)) / 2;
+    for (let j = 0; j <= cells; j++)
+      for (let i = 0; i <= cells - j; i++) {
+        const seen = row(j) + i;
+        if (found[seen] === 0) continue;
+        for (const [di, dj] of beside) {
+          const [p, q] = [i + di, j + dj];
+          if (p < 0 || q < 0 || p + q > cells || found[row(q) + p]! > 0) continue;
+          const edge = this.#edgeBetween(face, [i / cells, j / cells], [p / cells, q / cells], found[seen]!);
+          edges.set(edgeKey(seen, row(q) + p), edge);
+        }
+      }
+    return edges;
+  }
+
+  /** By halving. */
+  #edgeBetween(face: Face, [u, v]: readonly number[], [cu, cv]: readonly number[], open: number): Edge {
+    let [before, behind, value] = [0, 1, open];
+    for (let step = 0; step < halvings; step++) {
+      const middle = (before + behind) / 2;
+      const there = this.#at(face, u! + middle * (cu! - u!), v! + middle * (cv! - v!));
+      if (there > 0) [before, value] = [middle, there];
+      else behind = middle;
+    }
+    return { share: (before + behind) / 2, value };
   }
 
   #count(face: Face, patches: readonly number[], u: number, v: number, value: number, cells: number): void {
@@ -362,6 +398,45 @@ class NearTriangles {
     }
     return found;
   }
+}
+
+/** Between a place that is seen and one that is covered. */
+interface Edge {
+  readonly share: number; // of the way to the covered one
+  readonly value: number; // V there
+}
+type Edges = Map<number, Edge>;
+
+const edgeKey = (seen: number, covered: number): number => 256 * seen + covered;
+
+/** The mean of V over a small triangle of a lattice, 0 where it is covered. */
+function meanBefore(found: Float32Array, edges: Edges, corners: Triple): number {
+  const seen = corners.filter((k) => found[k]! > 0);
+  const covered = corners.filter((k) => found[k] === 0);
+  const at = (k: number) => found[k]!;
+  const edge = (from: number, to: number) => edges.get(edgeKey(seen[from]!, covered[to]!))!;
+  if (covered.length === 0) return seen.reduce((sum, k) => sum + at(k), 0) / 3;
+  if (seen.length === 0) return 0;
+  if (seen.length === 1) {
+    const [left, right] = [edge(0, 0), edge(0, 1)];
+    return (left.share * right.share * (at(seen[0]!) + left.value + right.value)) / 3;
+  }
+  const [left, right] = [edge(0, 0), edge(1, 0)];
+  const [a, b] = [at(seen[0]!), at(seen[1]!)];
+  const beside = right.share * (a + b + right.value);
+  return (beside + left.share * (1 - right.share) * (a + left.value + right.value)) / 3;
+}
+
+/** Behind an edge V goes on as it came to it, so that what is drawn between the two is right where it is seen. */
+function goOnBehind(found: Float32Array, edges: Edges): void {
+  const sums = new Map<number, [sum: number, count: number]>();
+  for (const [key, { share, value }] of edges) {
+    const [seen, covered] = [key >> 8, key & 255];
+    const [sum, count] = sums.get(covered) ?? [0, 0];
+    const slope = (value - found[seen]!) / Math.max(steepest, share);
+    sums.set(covered, [sum + found[seen]! + slope, count + 1]);
+  }
+  for (const [covered, [sum, count]] of sums) found[covered] = Math.min(1, Math.max(darkest, sum / count));
 }
 
 /**

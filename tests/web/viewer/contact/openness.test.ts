@@ -93,6 +93,14 @@ describe('how open a place is', () => {
     const sheet = raised(box[4]!, () => 0.05); // seen from behind, but not from all round
     expect(openness({ parts: [floor, sheet], patchCenter, edge: 0.2 }).means[0]).toBeGreaterThan(0.75);
   });
+
+  test('what a box covers does not depend on how it lies to the lattice: its foot has no scallops', () => {
+    const moved = (by: number) =>
+      box.map((part) => ({ ...part, positions: part.positions.map((x, i) => (i % 3 === 1 ? x : x + by)) }));
+    const of = (by: number) => openness({ parts: [floor, ...moved(by)], patchCenter, edge: 0.2 }).means[0]!;
+    const means = [-0.02, -0.013, -0.006, 0.001, 0.008, 0.015, 0.022].map(of);
+    expect(Math.max(...means) - Math.min(...means)).toBeLessThan(0.02);
+  });
 });
 
 test('triangles with a lattice get corners of their own, and all keep their order', () => {
