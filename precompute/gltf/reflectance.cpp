@@ -42,6 +42,13 @@ double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle,
   const SourceMesh& mesh = source_.meshes[m];
   if (mesh.extras.reflectance) return *mesh.extras.reflectance;
   if (isAssumed(m)) return (*assumed_)[m][triangle];
+  const std::array<double, 3> color = colorAt(m, triangle, weights);
+  return luminanceOf(color[0], color[1], color[2]);
+}
+
+std::array<double, 3> ReflectanceMap::colorAt(std::uint32_t m, std::uint32_t triangle,
+                                              const std::array<double, 3>& weights) const {
+  const SourceMesh& mesh = source_.meshes[m];
   std::array<double, 3> color{1, 1, 1};
   const auto& v = mesh.triangles[triangle];
   if (mesh.material >= 0) {
@@ -68,7 +75,7 @@ double ReflectanceMap::at(std::uint32_t m, std::uint32_t triangle,
       for (int i = 0; i < 3; ++i) tint += weights[i] * mesh.colors[v[i]][c];
       color[c] *= std::clamp(tint, 0.0, 1.0);
     }
-  return luminanceOf(color[0], color[1], color[2]);
+  return color;
 }
 
 std::string ReflectanceMap::materialName(std::uint32_t m) const {

@@ -27,8 +27,11 @@ class ReflectanceMap {
   /// True when `at` is the same everywhere on a mesh.
   bool isConstant(std::uint32_t mesh) const;
 
-  /// Luminance 0..1 at a point of a triangle of a mesh, given by its barycentric weights; not yet clamped to
-  /// 0.95.
+  /// Linear colour of the material at a point of a triangle of a mesh, given by its barycentric weights.
+  std::array<double, 3> colorAt(std::uint32_t mesh, std::uint32_t triangle,
+                                const std::array<double, 3>& weights) const;
+
+  /// Luminance 0..1 there, or what was said or assumed instead; not yet clamped to 0.95.
   double at(std::uint32_t mesh, std::uint32_t triangle, const std::array<double, 3>& weights) const;
 
   /// What a message calls the mesh's material.

@@ -19,6 +19,16 @@ TEST(Reflectance, IsTheLuminanceOfTheLinearFactor) {
   EXPECT_NEAR(map.at(0, 0, {1, 0, 0}), 0.2126 + 0.5 * 0.7152 + 0.25 * 0.0722, 1e-12);
 }
 
+TEST(Reflectance, WhatIsSaidOfAMeshLeavesItsColourAlone) {
+  SourceScene scene = texturedSquare();
+  scene.materials[0].image = -1;
+  scene.materials[0].baseColor = {1, 0.5, 0.25, 1};
+  scene.meshes[0].extras.reflectance = 0.1;
+  const ReflectanceMap map(scene);
+  EXPECT_EQ(map.at(0, 0, {1, 0, 0}), 0.1);
+  EXPECT_EQ(map.colorAt(0, 0, {1, 0, 0}), (std::array<double, 3>{1, 0.5, 0.25}));
+}
+
 TEST(Reflectance, TexturesAreDecodedFromSrgb) {
   const SourceScene scene = texturedSquare({188, 188, 188});
   const ReflectanceMap map(scene);
