@@ -556,28 +556,18 @@ val colorsOf(const RoomColor& color, val illuminance) {
 
 // --- which paint helps
 
-/// Of each surface: its index, then what every goal and every constraint gains. Or one line.
-val paintGainsOf(Session& room, val asked, val paint, val illuminance) {
-  if (!room.scene()) return val(std::string("no scene is open"));
-  Intentions intentions = intentionsOf(asked, room.scene());
-  intentions.luminaires = {};
-  intentions.luminaires.count = 1;
-  if (!(intentions.zones == room.scene()->zones)) {
-    // Another session answers what is asked; this one is to know the areas by their names, too.
-    Intentions ofZones;
-    ofZones.luminaires = intentions.luminaires;
-    ofZones.zones = intentions.zones;
-    if (const Result<Done> known = room.setIntentions(ofZones); !known) return val(known.error().message);
-  }
-  const Result<Done> checked = checkIntentions(*room.scene(), intentions);
-  if (!checked) return val(checked.error().message);
+/// Of each surface: its index, then what every goal and every constraint gains. Or one line. `lit` has the
+/// layout; it is the session of the room, or one that has adopted candidates in it.
+val paintGainsOf(Session& lit, Session& room, val asked, val paint, val sites, val flux, double dimming) {
+  if (!room.scene() || !lit.scene()) return val(std::string("no scene is open"));
   const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
   if (!painted) return val(painted.error().message);
-  const std::vector<float> light = vectorOf<float>(illuminance);
-  if (light.size() != room.scene()->patches.rows()) return val(std::string("the light is of another room"));
+  const Result<std::vector<PaintGain>> gains =
+      paintGains(*room.scene(), *room.photometricLight(), **painted,
+                 {*lit.scene(), layoutOf(sites, flux, dimming)}, intentionsOf(asked, lit.scene()));
+  if (!gains) return val(gains.error().message);
   std::vector<double> numbers;
-  for (const PaintGain& gain :
-       paintGains(*room.scene(), room.photometricLight()->exchange(), **painted, light, intentions)) {
+  for (const PaintGain& gain : *gains) {
     numbers.push_back(gain.surface);
     numbers.insert(numbers.end(), gain.goals.begin(), gain.goals.end());
     numbers.insert(numbers.end(), gain.constraints.begin(), gain.constraints.end());

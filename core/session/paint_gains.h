@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/search/intentions.h"
-#include "core/transport/exchange.h"
+#include "core/transport/photometric_light.h"
 #include "core/transport/repaint.h"
 
 namespace fiatlux {
@@ -19,9 +20,18 @@ struct PaintGain {
 
 inline constexpr std::size_t kMostGains = 96;  // surfaces: the largest
 
-/// Of the surfaces that can be painted, by their numbers. `light`: rows, lx, of a layout in the repainted
-/// room. What no paint changes (power), and glare, gains 0.
-std::vector<PaintGain> paintGains(const Scene& room, const ExchangeOperator& exchange, const Repaint& paint,
-                                  const std::vector<float>& light, const Intentions& asked);
+/// A layout in the scene whose sites it names: the room's own, or one of candidates in it
+/// (core/candidates/candidate_scene.h). Refers to that.
+struct LitLayout {
+  const Scene& scene;
+  Layout layout;
+};
+
+/// Of the surfaces that can be painted, by their numbers; the layout hangs in the room under `paint`, and
+/// `light` is of that room. What no paint changes (power, direct light) gains 0. An Error where the layout's
+/// scene does not tell what is asked.
+Result<std::vector<PaintGain>> paintGains(const Scene& room, const PhotometricLight& light,
+                                          const Repaint& paint, const LitLayout& lit,
+                                          const Intentions& asked);
 
 }  // namespace fiatlux

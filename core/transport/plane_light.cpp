@@ -33,7 +33,7 @@ Responses empty(std::size_t points, std::size_t sites) {
 std::vector<PlaneLight> planeLight(const Scene& room, const RoomView& view,
                                    const std::vector<PlaneWish>& wishes,
                                    const std::vector<Luminaire>& luminaires, const Responses& responses) {
-  const std::size_t sites = luminaires.size();
+  const std::size_t sites = responses.sites;
   std::vector<PlaneLight> planes;
   for (const PlaneWish& wish : wishes) {
     const std::vector<PlanePoint> points = pointsOnPlane(room, wish.surface);

@@ -13,7 +13,8 @@
 namespace fiatlux {
 
 /// For every wish, of each luminaire at its flux; column j of the responses is its light in the room as the
-/// view has it. The scene must have a light operator, and its planes points (checkPlane).
+/// view has it. Of columns beyond the luminaires: what the room reflects of them. The scene must have a light
+/// operator, and its planes points (checkPlane).
 std::vector<PlaneLight> planeLight(const Scene& room, const RoomView& view,
                                    const std::vector<PlaneWish>& wishes,
                                    const std::vector<Luminaire>& luminaires, const Responses& responses);

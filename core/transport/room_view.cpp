@@ -123,7 +123,7 @@ double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const
 
 UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& directions,
                               const std::vector<Luminaire>& luminaires, const Responses& responses) const {
-  const std::size_t sites = luminaires.size(), count = directions.size();
+  const std::size_t sites = responses.sites, count = directions.size();
   UprightRows rows;
   rows.cylindrical.resize(sites);
   rows.vertical.assign(count, std::vector<float>(sites));
@@ -149,7 +149,7 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
     const float* light = responses.column(j);
     for (std::size_t k = 0; k < patches.size(); ++k)
       for (std::size_t d = 0; d <= count; ++d) sums[d] += weights[k * (1 + count) + d] * light[patches[k]];
-    visitParts(point, luminaires[j], [&](const Vec3& way) {
+    const auto addPart = [&](const Vec3& way) {
       const double squared = dot(way, way), distance = std::sqrt(squared);
       if (!(distance > 0)) return;
       const double candela = candelaOf(luminaires[j], seenFrom(luminaires[j], (-1 / distance) * way));
@@ -157,7 +157,8 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
       sums[0] += strength * std::hypot(way.x, way.z) / std::numbers::pi;
       for (std::size_t d = 0; d < count; ++d)
         sums[1 + d] += strength * std::max(0.0, dot(way, directions[d]));
-    });
+    };
+    if (j < luminaires.size()) visitParts(point, luminaires[j], addPart);
     rows.cylindrical[j] = static_cast<float>(sums[0]);
     for (std::size_t d = 0; d < count; ++d) rows.vertical[d][j] = static_cast<float>(sums[1 + d]);
   }

@@ -78,7 +78,8 @@ class RoomView {
                                  const std::vector<Luminaire>& luminaires, const Responses& responses,
                                  const std::vector<std::uint32_t>& some) const;
 
-  /// Of each luminaire at its flux, which is lit by parts; column j of the responses is its light.
+  /// Of each luminaire at its flux, which is lit by parts; column j of the responses is its light. Of columns
+  /// beyond the luminaires: what the room reflects of them.
   UprightRows upright(const Vec3& point, const std::vector<Vec3>& directions,
                       const std::vector<Luminaire>& luminaires, const Responses& responses) const;
 

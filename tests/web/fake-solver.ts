@@ -1,11 +1,13 @@
 // A worker that answers the protocol without a core: a square room of one floor and one wall, light that falls off
 // with distance, layouts that are the first free sites. Answers come when `flush` is called, so that tests decide when.
 import type { PhotometricDescription } from '../../web/document/photometry.ts';
+import { boundedBy } from '../../web/document/intentions.ts';
 import type { FromWorker, OpeningLight, Shown, ToWorker } from '../../web/solver/protocol.ts';
 import type { Intentions, Layout, SceneInfo } from '../../web/document/types.ts';
 import type { WorkerLike } from '../../web/solver/solver-client.ts';
 import { described } from './described.ts';
 
+const glare = 25; // UGR of every layout
 const side = 4; // sites and patches along an edge, 1 m apart
 
 export function fakeScene(): SceneInfo {
@@ -57,8 +59,8 @@ export function fakeShown(scene: SceneInfo, layout: Layout, intentions: Intentio
   });
   const surfaces = ['floor', 'wall', 'all'].map((name, i) => ({ name, area: [12, 4, 16][i]!, ...rows[i]! }));
   const meanOf = (name: string | undefined) => surfaces.find((row) => row.name === name)?.mean ?? 0;
-  const constraints = intentions.constraints.map((constraint) => {
-    const value = meanOf(constraint.surfaces[0]);
+  const constraints = boundedBy(intentions).map((constraint) => {
+    const value = constraint.statistic === 'ugr' ? glare : meanOf(constraint.surfaces[0]);
     const excess = Math.max(0, (constraint.min ?? -Infinity) - value, value - (constraint.max ?? Infinity));
     const violation = excess / Math.abs(constraint.min ?? constraint.max ?? 1);
     const margin = excess > 0 ? -violation : 0.1;
@@ -137,7 +139,7 @@ export class FakeSolver implements WorkerLike {
         const gains = [0, 1].map((surface) => ({
           surface,
           goals: intentions.goals.map(() => (surface === 0 ? -2 : 12)),
-          constraints: intentions.constraints.map(() => (surface === 0 ? 30 : 3)),
+          constraints: boundedBy(intentions).map(() => (surface === 0 ? 30 : 3)),
         }));
         this.#queue.push({ type: 'gained', revision, gains });
         return;

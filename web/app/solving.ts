@@ -204,7 +204,7 @@ export class Solving {
 
   /** What lighter paint would do for the light that is shown. Rejects with one readable line. */
   gains(shown: Shown): Promise<readonly PaintGain[]> {
-    return this.#client.gains(this.#store.traced.peek().intentions, shown.illuminance);
+    return this.#client.gains(this.#store.traced.peek().intentions, shown.layout);
   }
 
   /** What a photometric file says. Rejects with one readable line. */

@@ -169,6 +169,12 @@ export function planesAskedOf({ constraints }: Intentions): readonly unknown[] {
     .map(({ statistic, surfaces, direction }) => [statistic, surfaces, direction ?? null]);
 }
 
+/** All that is bounded, in the order in which the solver answers: glare stands after all others. */
+export function boundedBy({ constraints, glare }: Intentions): readonly Constraint[] {
+  const ugr = glare?.max === undefined ? [] : [{ statistic: 'ugr', max: glare.max, surfaces: [] } as const];
+  return [...constraints, ...ugr];
+}
+
 export function intentionsOf(document: FiatLuxDocument): TracedIntentions {
   const goals: Goal[] = [];
   const goalCards: (string | null)[] = [];

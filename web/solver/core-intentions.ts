@@ -1,4 +1,5 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
+import { boundedBy } from '../document/intentions.ts';
 import { paintByLeaf } from '../document/paint.ts';
 import type { Constraint, Glare, Intentions, Layout, Paint, SceneInfo } from '../document/types.ts';
 import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
@@ -32,7 +33,7 @@ export function corePaint(
   return Float64Array.from(byLeaf.flatMap(([leaf, { reflectance }]) => [leaf, reflectance]));
 }
 
-/** A bound on glare stands after all others. Throws one readable line where a name is not in the room. */
+/** Throws one readable line where a name is not in the room. */
 export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
   const surfaces = (of: Pick<Constraint, 'surfaces' | 'over' | 'quantity'>) => ({
     surfaces: surfaceSetOf(of.surfaces, leaves),
@@ -40,8 +41,6 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
     quantity: of.quantity === undefined ? null : codes.quantity[of.quantity],
   });
   const { luminaires, glare } = asked;
-  const ugr = glare?.max === undefined ? [] : [{ statistic: 'ugr', max: glare.max, surfaces: [] } as const];
-  const constraints: readonly Constraint[] = [...asked.constraints, ...ugr];
   return {
     glare: coreGlare(glare),
     zones: leaves.flatMap(({ name, part }) => (part ? [{ name, ...part }] : [])),
@@ -67,7 +66,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
       target: goal.target ?? 0,
       ...surfaces(goal),
     })),
-    constraints: constraints.map((constraint) => ({
+    constraints: boundedBy(asked).map((constraint) => ({
       statistic: codes.statistic[constraint.statistic],
       lower: constraint.min ?? -Infinity,
       upper: constraint.max ?? Infinity,

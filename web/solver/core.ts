@@ -277,13 +277,17 @@ export interface Session {
    *  only those of `asked` can be asked about. */
   adopt(candidates: Candidates, asked: CoreIntentions): string;
   /**
-   * What lighter paint does for a layout whose light is known (rows, lx) in the room as it is painted: a row of numbers for
-   * each surface, its index and then what every goal and every constraint gains per 0.1 more reflectance.
+   * What lighter paint does for a layout in `room` as it is painted (this session is of it, or has adopted candidates in it,
+   * and was asked the same): a row of numbers for each surface, its index and then what every goal and every constraint
+   * gains per 0.1 more reflectance.
    */
   paintGains(
+    room: Session,
     intentions: CoreIntentions,
     paint: Float64Array,
-    illuminance: Float32Array,
+    sites: Uint32Array,
+    flux: Float64Array,
+    dimming: number,
   ): OrError<Float64Array>;
   /** Begins the alpha-search for the true minima and maxima that are asked for. `held`: sites of the layout whose
    *  luminaires are pinned; none = the first ones are. */
@@ -382,7 +386,7 @@ export const sessionMethods = {
   show: 3,
   check: 3,
   adopt: 2,
-  paintGains: 3,
+  paintGains: 6,
   startAlpha: 2,
   advanceAlpha: 2,
   startBound: 0,

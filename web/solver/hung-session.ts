@@ -22,6 +22,7 @@ export type Searching = Pick<
   | 'tryAside'
   | 'incumbent'
   | 'show'
+  | 'paintGains'
   | 'check'
   | 'startAlpha'
   | 'advanceAlpha'
@@ -78,6 +79,9 @@ export abstract class HungSession implements Searching {
   }
   incumbent = () => this.#shown(this.session.incumbent());
   show = (...layout: LayoutArguments) => this.#shown(this.session.show(...layout));
+  /** `room`: the one that the scene beneath is of. */
+  paintGains = (room: Session, asked: CoreIntentions, paint: Float64Array, ...layout: LayoutArguments) =>
+    this.session.paintGains(room, asked, paint, ...layout);
   check = (...layout: LayoutArguments) => this.session.check(...layout);
   startAlpha = (seed: number, held: Uint32Array) => this.session.startAlpha(seed, held);
   advanceAlpha = (evaluations: number, from: number) => this.session.advanceAlpha(evaluations, from);

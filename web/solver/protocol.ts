@@ -181,14 +181,14 @@ export type ToWorker =
   /** Linear RGB of the patches of the open room -> 'colored' after each light that is shown, where any has a colour. */
   | { readonly type: 'paint'; readonly colors: Float32Array }
   /**
-   * Tells what lighter paint would do for a light that is shown (lx a row), by its intentions -> 'gained', at once and
+   * Tells what lighter paint would do for the light of a layout, by its intentions -> 'gained', at once and
    * whatever else runs. It supersedes nothing and nothing supersedes it.
    */
   | {
       readonly type: 'gains';
       readonly revision: number;
       readonly intentions: Intentions;
-      readonly illuminance: Float32Array;
+      readonly layout: Layout;
     }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };

@@ -229,7 +229,7 @@ export class SessionDriver {
     this.#post({ type: 'described', revision, description }, transfer);
   }
 
-  #tellGains({ revision, intentions, illuminance }: Request<'gains'>): void {
+  #tellGains({ revision, intentions, layout }: Request<'gains'>): void {
     const tell = (gains: OrError<readonly PaintGain[]>) =>
       this.#post({ type: 'gained', revision, gains }, []);
     if (!this.#scene?.hasOperator || this.#isOpening || this.#awaited)
@@ -237,7 +237,8 @@ export class SessionDriver {
     try {
       const leaves = this.#leaves(intentions);
       const asked = coreIntentions(intentions, leaves);
-      const numbers = this.#session.paintGains(asked, corePaint(intentions.paint, leaves), illuminance);
+      const { session, held } = this.#beside(intentions, layout);
+      const numbers = session.paintGains(this.#session, asked, corePaint(intentions.paint, leaves), ...held);
       tell(typeof numbers === 'string' ? numbers : gainsOf(numbers, asked));
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
@@ -364,15 +365,8 @@ export class SessionDriver {
       this.#post({ type: 'readings', revision, shown }, [...buffers, ...colors]);
     };
     try {
-      const mounted = this.#mounts.session({ asked: intentions, layout, extent: 'layout' });
-      const session = mounted ?? this.#session;
       const leaves = this.#leaves(intentions);
-      if (session !== this.#asked) check(session.setIntentions(coreIntentions(intentions, leaves)));
-      if (!this.#mounts.has(this.#asked)) {
-        this.#endProof();
-        this.#asked = session; // its candidates made room for these
-      }
-      const held = mounted ? mounted.take(layout) : coreLayout(layout);
+      const { session, held } = this.#beside(intentions, layout);
       const shown = shownOf(valid(session.show(...held)), 0, leaves);
       const paint = corePaint(intentions.paint, leaves);
       answer({ ...shown, colors: this.#color.of(shown.illuminance, paint) });
@@ -380,6 +374,19 @@ export class SessionDriver {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       answer(reasonOf(error));
     }
+  }
+
+  /** Who has the light of a layout, and how it takes that: what was asked last goes on. */
+  #beside(intentions: Intentions, layout: Layout): { session: Searching; held: LayoutArguments } {
+    const mounted = this.#mounts.session({ asked: intentions, layout, extent: 'layout' });
+    const session = mounted ?? this.#session;
+    if (session !== this.#asked)
+      check(session.setIntentions(coreIntentions(intentions, this.#leaves(intentions))));
+    if (!this.#mounts.has(this.#asked)) {
+      this.#endProof();
+      this.#asked = session; // its candidates made room for these
+    }
+    return { session, held: mounted ? mounted.take(layout) : coreLayout(layout) };
   }
 
   #stop(): void {

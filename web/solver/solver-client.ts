@@ -145,12 +145,12 @@ export class SolverClient {
     });
   }
 
-  /** What lighter paint would do for this light. Rejects with one readable line. */
-  gains(intentions: Intentions, illuminance: Float32Array): Promise<readonly PaintGain[]> {
+  /** What lighter paint would do for the light of a layout. Rejects with one readable line. */
+  gains(intentions: Intentions, layout: Layout): Promise<readonly PaintGain[]> {
     const revision = ++this.#revision;
     return new Promise((resolve, reject) => {
       this.#gaining.set(revision, { resolve, reject });
-      this.#worker.postMessage({ type: 'gains', revision, intentions, illuminance }, []);
+      this.#worker.postMessage({ type: 'gains', revision, intentions, layout }, []);
     });
   }
 

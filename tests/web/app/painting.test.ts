@@ -87,12 +87,37 @@ test('a room whose file cannot tell is neither painted nor asked', async () => {
   expect(solver.last('gains')).toBeUndefined();
 });
 
-test('what paint changes and the list leaves out is said where it is asked', () => {
-  expect(app.painting.leavesOut.value).toBe(false);
+test('what paint does to glare and to light on faces is told in their units', async () => {
+  app.painting.isWatched.value = true;
   app.store.edit('No glare', (draft) => {
     draft.glare = { max: 19 };
   });
-  expect(app.painting.leavesOut.value).toBe(true);
+  await settle();
+  expect(app.painting.wish.value?.text).toBe('less glare');
+  expect(app.painting.lines.value.map(({ name, isLighter, text }) => [name, isLighter, text])).toEqual([
+    ['floor', false, '−30.00 UGR'],
+    ['wall', false, '−3.00 UGR'],
+  ]);
   app.undo();
+  app.addCard('illuminate', ['floor']);
+  const card = app.store.document.value.cards.at(-1)!;
+  app.changeCard(card.id, 'faces', (each) => ({ ...each, cylindrical: { min: 1e5 } }));
+  await settle();
+  expect(app.painting.wish.value?.text).toBe('more light on faces on floor');
+  expect(app.painting.lines.value[0]?.text).toBe('+30.0 lx');
   expect(app.painting.leavesOut.value).toBe(false);
+});
+
+test('that no paint changes direct light is said where it is asked', async () => {
+  app.painting.isWatched.value = true;
+  app.addCard('illuminate', ['floor']);
+  const card = app.store.document.value.cards.at(-1)!;
+  app.changeCard(card.id, 'at least', (each) => ({ ...each, mean: { min: 1e5 } }));
+  await settle();
+  expect(app.painting.wish.value).toMatchObject({ of: 'constraints', text: 'more light on floor' });
+  expect(app.painting.leavesOut.value).toBe(false);
+  app.changeCard(card.id, 'direct', (each) => ({ ...each, direct: true }));
+  await settle();
+  expect(app.painting.wish.value).toMatchObject({ of: 'goals' }); // what its reflections could help
+  expect(app.painting.leavesOut.value).toBe(true);
 });

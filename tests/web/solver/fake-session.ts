@@ -228,7 +228,8 @@ export class FakeSession implements Session {
     return { largestDifference: 1e-5, surface: 0, margins: Float64Array.of(0.25) };
   }
   /** Of the floor, 3 for each goal and 4 for each constraint, times what it reflects. */
-  paintGains(intentions: CoreIntentions, paint: Float64Array) {
+  paintGains(_room: Session, intentions: CoreIntentions, paint: Float64Array, sites: Uint32Array) {
+    this.calls.push(`gains ${[...sites].join(' ')}`);
     const share = paint[1] ?? 0.5;
     const { goals, constraints } = intentions;
     return Float64Array.of(0, ...goals.map(() => 3 * share), ...constraints.map(() => 4 * share));

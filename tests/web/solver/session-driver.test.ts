@@ -567,10 +567,10 @@ describe('paint', () => {
   test('tells what lighter paint gains, beside what runs', async () => {
     session.hasOperator = true;
     await opened();
-    const illuminance = Float32Array.of(1, 2, 3, 4);
-    await driver.receive({ type: 'gains', revision: 2, intentions: painted, illuminance });
+    await driver.receive({ type: 'gains', revision: 2, intentions: painted, layout: start });
     const gains = [{ surface: 0, goals: [0.75], constraints: [1] }];
     expect(answers.at(-1)).toEqual({ type: 'gained', revision: 2, gains });
+    expect(mounted.calls.at(-1)).toBe('gains 0'); // in the session that has the light of this one place
   });
 });
 

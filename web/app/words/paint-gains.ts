@@ -1,5 +1,5 @@
 /** Which paint helps most with what is asked, in words. */
-import { planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
+import { boundedBy, planeStatistics, type TracedIntentions } from '../../document/intentions.ts';
 import { isPaintable, leastPaint, mostPaint } from '../../document/paint.ts';
 import { isRatio } from '../../document/statistics.ts';
 import type { Constraint, Goal, Intentions, Quantity, SceneInfo, Statistic } from '../../document/types.ts';
@@ -33,16 +33,17 @@ export interface GainLine {
   readonly share: number; // of the largest gain
 }
 
-/** What no paint changes, or none that is told. */
-const untold: readonly Statistic[] = ['power', 'ugr', ...planeStatistics];
-const isBeyondPaint = ({ statistic, quantity }: Pick<Constraint, 'statistic' | 'quantity'>) =>
-  quantity === 'direct' || untold.includes(statistic);
+type Asked = Pick<Constraint, 'statistic' | 'quantity'>;
 
-/** Whether glare, points of measuring planes or direct light are asked about, of which no gain is told. */
-export const asksBeyondPaint = ({ quantity, glare, goals, constraints }: Intentions): boolean =>
-  quantity === 'direct' ||
-  glare !== undefined ||
-  [...goals, ...constraints].some((each) => each.statistic !== 'power' && isBeyondPaint(each));
+const isOfPlanes = (statistic: Statistic) => planeStatistics.some((each) => each === statistic);
+
+/** Whether it is of light that nothing has reflected: no paint changes that. */
+const isOfDirect = ({ statistic, quantity }: Asked, of: Quantity) =>
+  (quantity ?? of) === 'direct' && !['power', 'ugr'].includes(statistic) && !isOfPlanes(statistic);
+
+/** Whether something is asked of direct light. */
+export const asksBeyondPaint = ({ quantity, goals, constraints }: Intentions): boolean =>
+  [...goals, ...constraints].some((each) => isOfDirect(each, quantity));
 
 /**
  * What is asked above all: the bound that is missed most, of the opened card where it misses one; where none is missed the
@@ -53,17 +54,18 @@ export function activeWish(
   shown: Shown,
   card: string | null,
 ): Wish | null {
-  if (intentions.quantity === 'direct') return null;
+  const canHelp = (asked: Asked) => asked.statistic !== 'power' && !isOfDirect(asked, intentions.quantity);
+  const bounds = boundedBy(intentions);
   const missed = shown.constraints
-    .map((result, index) => ({ result, index, asked: intentions.constraints[index] }))
-    .filter(({ result, asked }) => !result.met && asked && !isBeyondPaint(asked))
+    .map((result, index) => ({ result, index, asked: bounds[index] }))
+    .filter(({ result, asked }) => !result.met && asked && canHelp(asked))
     .sort((a, b) => b.result.violation - a.result.violation);
   const bound = missed.find(({ index }) => origins[index]?.card === card) ?? missed[0];
   if (bound?.asked) return ofBound(bound.asked, bound.index, bound.result.value);
   const goals = intentions.goals.map((goal, index) => ({ goal, index }));
   const reachable = goals.filter(({ goal, index }) => {
     const isReached = goal.sense === 'near' && (shown.goals[index]?.value ?? 0) < reached;
-    return !isBeyondPaint(goal) && !isReached;
+    return canHelp(goal) && !isReached;
   });
   const own = reachable.find(({ index }) => goalCards[index] === card) ?? reachable[0];
   return own ? ofGoal(own.goal, own.index, shown.goals[own.index]?.value ?? 0) : null;
@@ -71,9 +73,10 @@ export function activeWish(
 
 function ofBound(asked: Constraint, index: number, value: number): Wish {
   const isTooLow = asked.min !== undefined && value < asked.min;
-  const { more, less } = words.value.paint;
+  const { more, less, lessGlare } = words.value.paint;
   const { statistics } = words.value.intentions;
-  const text = (isTooLow ? more : less)(statistics[asked.statistic], placesText(asked.surfaces));
+  const ofPlace = () => (isTooLow ? more : less)(statistics[asked.statistic], placesText(asked.surfaces));
+  const text = asked.statistic === 'ugr' ? lessGlare : ofPlace();
   return {
     of: 'constraints',
     index,
@@ -128,5 +131,6 @@ function changeText(change: number, { statistic, isDistance }: Wish, quantity: Q
   const amount = Math.abs(change);
   if (isDistance) return words.value.paint.nearer(percent(amount));
   if (isRatio(statistic)) return `${sign}${fixed(amount, 3)}`;
-  return `${sign}${compact(amount)} ${unitOf(quantity)}`;
+  if (statistic === 'ugr') return `${sign}${fixed(amount, 2)} UGR`;
+  return `${sign}${compact(amount)} ${unitOf(isOfPlanes(statistic) ? 'illuminance' : quantity)}`;
 }

@@ -22,13 +22,13 @@ export const paint: Words['paint'] = {
   helps: 'Welche Farbe am meisten hilft',
   per: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad.`,
   glows: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad, die erste leuchtet auf.`,
-  leavesOut:
-    'Auch Blendung und das Licht an den Punkten von Messebenen hängen von der Farbe ab; hier wird das nicht bewertet. Direktes Licht lässt sie, wie es ist.',
+  leavesOut: 'Keine Farbe ändert direktes Licht: Was davon verlangt wird, ist hier ausgelassen.',
   lighter: (change) => `heller: ${change}`,
   darker: (change) => `dunkler: ${change}`,
   nearer: (share) => `${share} näher`,
   more: (what, where) => `mehr ${what} auf ${where}`,
   less: (what, where) => `weniger ${what} auf ${where}`,
+  lessGlare: 'weniger Blendung',
   about: (mean, where) => `einen Mittelwert von ${mean} auf ${where}`,
   names: {
     ceiling: 'Deckenweiß',

@@ -21,13 +21,13 @@ export const paint = {
   helps: 'Which paint helps most',
   per: (wish: string) => `For ${wish}; each by 0.1 of reflectance.`,
   glows: (wish: string) => `For ${wish}; each by 0.1 of reflectance, the first glows.`,
-  leavesOut:
-    'Paint changes glare and the light at the points of measuring planes, too; that is not judged here. Direct light it leaves alone.',
+  leavesOut: 'No paint changes direct light: what is asked of it is left out here.',
   lighter: (change: string) => `lighter: ${change}`,
   darker: (change: string) => `darker: ${change}`,
   nearer: (share: string) => `${share} nearer`,
   more: (what: string, where: string) => `more ${what} on ${where}`,
   less: (what: string, where: string) => `less ${what} on ${where}`,
+  lessGlare: 'less glare',
   about: (mean: string, where: string) => `a mean of ${mean} on ${where}`,
   names: {
     ceiling: 'White ceiling paint',
