@@ -200,13 +200,7 @@ std::size_t tiltLineOf(const PhotometricText& text) {
   return line == text.lines.end() ? 0 : static_cast<std::size_t>(line - text.lines.begin()) + 1;
 }
 
-}  // namespace
-
-bool looksLikeIes(const PhotometricText& text) {
-  return !text.lines.empty() && (taggedFormat(text.lines[firstLineOf(text)]) || tiltLineOf(text) > 0);
-}
-
-Result<Photometry> readIes(const PhotometricText& text) {
+Result<Photometry> readNumbersBy(Comma comma, const PhotometricText& text) {
   Photometry photometry;
   const std::size_t first = firstLineOf(text);
   const std::optional<PhotometricFormat> tag = taggedFormat(text.lines[first]);
@@ -221,7 +215,7 @@ Result<Photometry> readIes(const PhotometricText& text) {
                                                          : words.firstLine);
   photometry.maker = shortText(words.maker);
   photometry.cct = words.cct;
-  StreamReader reader(text, tiltLine + 1);
+  StreamReader reader(text, tiltLine + 1, comma);
   const std::string_view tiltText = text.lines[tiltLine - 1];
   const std::string_view tilt = trimmed(tiltText.substr(tiltText.find('=') + 1));
   if (upper(tilt) == "INCLUDE")
@@ -236,6 +230,20 @@ Result<Photometry> readIes(const PhotometricText& text) {
   closeRound(photometry);
   photometry.longAxis = PhotometricAxis::kC0;
   return photometry;
+}
+
+}  // namespace
+
+bool looksLikeIes(const PhotometricText& text) {
+  return !text.lines.empty() && (taggedFormat(text.lines[firstLineOf(text)]) || tiltLineOf(text) > 0);
+}
+
+Result<Photometry> readIes(const PhotometricText& text) {
+  Result<Photometry> read = readNumbersBy(Comma::kParts, text);
+  if (read) return read;
+  // A decimal comma parts a number in two, so that the counts do not fit: then it is one where they fit so.
+  Result<Photometry> other = readNumbersBy(Comma::kIsDecimal, text);
+  return other ? other : read;
 }
 
 }  // namespace fiatlux

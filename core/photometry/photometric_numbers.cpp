@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kLeastStep = 1e-4;  // degrees between two angles
 
-bool parts(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\f' || c == '\v'; }
-
 }  // namespace
 
 double NumberReader::next(const char* what) {
@@ -52,6 +50,10 @@ void NumberReader::failAtEnd(const char* what) {
        " should stand; it was cut short or a line is missing, fetch it again");
 }
 
+bool StreamReader::parts(char c) const {
+  return c == ' ' || c == '\t' || c == '\f' || c == '\v' || (c == ',' && comma_ == Comma::kParts);
+}
+
 std::string_view StreamReader::peek() {
   for (; next_ < lines_.size(); ++next_, at_ = 0) {
     const std::string_view line = lines_[next_];
@@ -73,7 +75,7 @@ std::optional<std::string_view> StreamReader::take() {
 }
 
 std::optional<double> StreamReader::numberOf(std::string_view token) const {
-  return fiatlux::numberOf(token);
+  return comma_ == Comma::kParts ? fiatlux::numberOf(token) : numberOfLine(token);
 }
 
 bool StreamReader::numberFollows() { return numberOf(peek()).has_value(); }

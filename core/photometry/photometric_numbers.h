@@ -2,6 +2,7 @@
 // a stream, EULUMDAT one a line; the rest is the same for both.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,11 +47,15 @@ class NumberReader {
   std::optional<Error> failure_;
 };
 
-/// Numbers parted by blanks, commas and line ends.
+/// What a comma stands for in a stream of numbers.
+enum class Comma : std::uint8_t { kParts, kIsDecimal };
+
+/// Numbers parted by blanks and line ends, and by commas where these are not decimal.
 class StreamReader : public NumberReader {
  public:
   /// Starts at the beginning of line `line` (from 1).
-  StreamReader(const PhotometricText& text, std::size_t line) : NumberReader(text), next_(line - 1) {}
+  StreamReader(const PhotometricText& text, std::size_t line, Comma comma = Comma::kParts)
+      : NumberReader(text), comma_(comma), next_(line - 1) {}
   bool numberFollows() override;
 
  protected:
@@ -59,6 +64,8 @@ class StreamReader : public NumberReader {
 
  private:
   std::string_view peek();
+  bool parts(char c) const;
+  Comma comma_;
   std::size_t next_, at_ = 0;  // index of the line being read, place in it
 };
 

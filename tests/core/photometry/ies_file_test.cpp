@@ -46,6 +46,24 @@ TEST(IesFile, ReadsAWholeFileOfTheSecondVintage) {
   EXPECT_EQ(p->longAxis, PhotometricAxis::kC0);
 }
 
+TEST(IesFile, CommasPartNumbersOrAreDecimalAsTheCountsSay) {
+  const std::string head = "IESNA:LM-63-2002\r\nTILT=NONE\r\n";
+  const auto file = [&](const std::string& numbers) { return read(head + numbers); };
+  const std::string decimal = "1 1000 1,5 3 1 1 2 0,1 0,2 0\r\n1 1 12,5\r\n0 22,5 90\r\n0\r\n100 50,5 0\r\n";
+  const Result<Photometry> p = file(decimal);
+  ASSERT_TRUE(p) << p.error().message;
+  EXPECT_THAT(p->gamma, ElementsAre(0, 22.5, 90));
+  EXPECT_NEAR(p->at(0, 1), 75.75, 1e-9);
+  EXPECT_EQ(p->watts, 12.5);
+  EXPECT_NEAR(p->luminous.width, 0.1, 1e-12);
+  const Result<Photometry> parted = file("1,1000,1,3,1,1,2,0,0,0\r\n1,1,12\r\n0,45,90\r\n0\r\n100,50,0\r\n");
+  ASSERT_TRUE(parted) << parted.error().message;
+  EXPECT_THAT(parted->gamma, ElementsAre(0, 45, 90));
+  // Where neither fits, the fault is that of numbers that commas part.
+  EXPECT_THAT(refusal(head + "1,1000,1,3,1,1,2,0,0,0\r\n1,1,12\r\n0,45,90\r\n0\r\n100,50\r\n"),
+              HasSubstr("the file ends where an intensity should stand"));
+}
+
 TEST(IesFile, TheSecondFactorMultipliesBefore1995Only) {
   const std::pair<const char*, double> vintages[] = {{"", 900},
                                                      {"IESNA91", 900},
