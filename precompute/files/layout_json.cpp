@@ -133,6 +133,15 @@ std::uint32_t nearestSite(const Scene& scene, const Vec3& position) {
   return best;
 }
 
+/// Nobody can say which way C0 lies where its axis runs along gamma 0.
+Result<Done> checkAxis(const LayoutEntry& entry, const Site& site) {
+  if (!entry.photometric || !entry.photometric->mounting.axis) return Done{};
+  const auto& [photometry, flux, mounting] = *entry.photometric;
+  const Vec3 normal = mountedLuminaire(exactType(photometry), flux, site, mounting).normal;
+  if (length(inPlane(*mounting.axis, normal)) > 0) return Done{};
+  return Error{"\"axis\" must not be parallel to the direction in which the luminaire points"};
+}
+
 /// A site where one is named, unless the entry says itself what hangs there.
 Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>& sites) {
   if (entry.free && (!entry.site || !entry.freeKeys.empty() || sites.empty())) return *entry.free;
@@ -146,6 +155,7 @@ Result<Luminaire> freeOrOnSite(const LayoutEntry& entry, const std::vector<Site>
   if (entry.free && length(site.position - entry.free->position) > kSamePlace)
     return Error{name + " of this room is not at the \"position\" beside it" + cure};
   if (!entry.photometric) return luminaireOf(site);
+  if (Result<Done> sound = checkAxis(entry, site); !sound) return sound.error();
   const auto& [photometry, flux, mounting] = *entry.photometric;
   return mountedLuminaire(exactType(photometry), flux, site, mounting);
 }
@@ -181,6 +191,8 @@ Result<Layout> layoutOnSites(const LayoutFile& file, const Scene& scene, std::ve
         notes.push_back(where + ": the nearest site, " + std::to_string(site) + ", is " +
                         std::to_string(distance).substr(0, 5) + " m away");
     }
+    if (Result<Done> sound = checkAxis(entry, scene.sites[site]); !sound)
+      return Error{where + ": " + sound.error().message};
     if (!entry.freeKeys.empty()) {
       std::string keys;
       for (const std::string& key : entry.freeKeys) keys += (keys.empty() ? "" : ", ") + key;

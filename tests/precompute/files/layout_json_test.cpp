@@ -162,6 +162,22 @@ TEST(LayoutJson, PhotometryIsRefusedWithItsPlace) {
   EXPECT_THAT(errorOf(R"({"luminaires": [{"site": 0, "photometry": "spot.ies"}]})"), HasSubstr("no folder"));
 }
 
+TEST(LayoutJson, AnAxisAlongTheBeamIsRefusedWhereverItPoints) {
+  const Scene scene = syntheticScene(40, 5);
+  const auto errors = [&](const std::string& keys) {
+    const auto file =
+        parseLayout(R"({"luminaires": [{"site": 1, "photometry": "spot.ies", )" + keys + "}]}", spotFile);
+    std::vector<std::string> notes;
+    const auto onSites = layoutOnSites(*file, scene, notes);
+    const auto free = freeLuminaires(*file, scene.sites);
+    EXPECT_EQ(bool(onSites), bool(free));  // in `evaluate` and `light` alike
+    return onSites ? "no error" : onSites.error().message;
+  };
+  EXPECT_THAT(errors(R"("axis": [0, 1, 0])"), HasSubstr("luminaires[0]: \"axis\" must not be parallel"));
+  EXPECT_THAT(errors(R"("normal": [1, 0, 0], "axis": [-2, 0, 0])"), HasSubstr("must not be parallel"));
+  EXPECT_EQ(errors(R"("normal": [1, 0, 0], "axis": [1, 0, 1])"), "no error");
+}
+
 TEST(LayoutJson, BadTextIsRefusedWithItsPlace) {
   EXPECT_THAT(errorOf(""), HasSubstr("not valid JSON"));
   EXPECT_THAT(errorOf("[]"), HasSubstr("expected an object"));
