@@ -49,6 +49,7 @@ Result<AskedSearch> AskedSearch::make(Scene& room, IntentionsFile asked) {
     return search;
   }
   if (auto ok = search.checkPower(); !ok) return ok.error();
+  if (auto ok = search.checkGlare(); !ok) return ok.error();
   if (auto ok = search.makeCandidates(); !ok) return ok.error();
   if (search.isOfTypes())
     if (auto ok = search.takeSites(search.intentions_.luminaires); !ok) return ok.error();
@@ -68,6 +69,16 @@ Result<Done> AskedSearch::checkPower() const {
     if (types_[t].watts == 0)
       return Error{"luminaires.types[" + std::to_string(t) + "]: power is asked for, but " +
                    printable(types_[t].name, 80) + " states no watts; give \"watts\""};
+  return Done{};
+}
+
+Result<Done> AskedSearch::checkGlare() const {
+  if (intentions_.observers.empty()) return Done{};
+  for (std::size_t t = 0; t < types_.size(); ++t)
+    if (!hasLuminousArea(photometricLuminaire(exactType(types_[t].photometry), flux_[t], 0, 0)))
+      return Error{"luminaires.types[" + std::to_string(t) + "]: " + printable(types_[t].name, 80) +
+                   " has no luminous area, so nobody can say how it glares; take another file, or leave "
+                   "\"observers\" out"};
   return Done{};
 }
 

@@ -54,6 +54,7 @@ class AskedSearch {
   nlohmann::ordered_json typesJson(const Layout& layout) const;
   Result<Done> takeSites(const LuminaireRules& asked);
   Result<Done> checkPower() const;
+  Result<Done> checkGlare() const;
 
   const Scene* room_;
   Intentions intentions_;

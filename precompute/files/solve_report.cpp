@@ -48,6 +48,7 @@ const char* nameOf(Rule rule) { return kRuleNames[static_cast<std::size_t>(rule)
 
 std::string valueText(const Scene& scene, double value, Statistic statistic, Quantity quantity) {
   if (std::isnan(value)) return "undefined";
+  if (statistic == Statistic::kUgr && value < 0 && std::isinf(value)) return "none";
   if (std::isinf(value)) return "infinite";
   const bool isWatts = traitsOf(statistic).unit == Unit::kFlux && !scene.hangings.empty();
   const std::string unit = isWatts ? "W" : unitName(statistic, quantity);

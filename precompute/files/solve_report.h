@@ -20,8 +20,8 @@ nlohmann::ordered_json goalJson(const Shown& shown);
 std::string constraintLine(const Scene& scene, const Intentions& intentions, const Shown& shown,
                            std::size_t c);
 
-/// "42.1 lx", "0.4", "120 W" (power of types), "infinite", "undefined" (a contrast of darkness against
-/// darkness).
+/// "42.1 lx", "0.4", "120 W" (power of types), "infinite", "none" (where nothing glares), "undefined" (a
+/// contrast of darkness against darkness).
 std::string valueText(const Scene& scene, double value, Statistic statistic, Quantity quantity);
 
 /// {"rule", "axis" where one was asked for, "ties": the luminaires that move together, numbers from 0}.

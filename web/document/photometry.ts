@@ -33,6 +33,12 @@ export interface PhotometricDescription {
   readonly candela: Float32Array;
 }
 
+/** Whether its glare can be told: it is no point. */
+export const hasLuminousArea = ({
+  luminous: { length, width, height },
+}: Pick<PhotometricDescription, 'luminous'>): boolean =>
+  Math.max(length * width, length * height, width * height) > 1e-9; // m2
+
 export const sampledPlanes = 24;
 export const sampledGammas = 181;
 

@@ -5,7 +5,7 @@
  */
 import { candidatesOf, type Candidate } from '../document/candidates.ts';
 import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
-import type { PhotometricDescription } from '../document/photometry.ts';
+import { hasLuminousArea, type PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
@@ -269,6 +269,7 @@ export class Mounts {
     if (types.length === 0) return this.#squares(wanted, paint);
     const candidates = this.#candidates(wanted);
     if (candidates.length === 0) throw new Error(fitsNowhere(types));
+    if (wanted.asked.glare) this.#checkLuminousAreas(candidates);
     return {
       size: candidates.length,
       candidates,
@@ -276,6 +277,13 @@ export class Mounts {
         beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file, paint),
       sessionOf: (session) => new MountedSession(session, candidates),
     };
+  }
+
+  #checkLuminousAreas(candidates: readonly Candidate[]): void {
+    for (const { type } of candidates) {
+      const description = this.#files.get(type.hash)?.description;
+      if (description && !hasLuminousArea(description)) throw new Error(hasNoArea(type));
+    }
   }
 
   #squares({ layout, extent }: Wanted, paint: Float64Array): Plan {
@@ -371,7 +379,12 @@ function check(error: string): void {
   if (error) throw new Error(error);
 }
 
+const hasNoArea = ({ name }: LuminaireType): string =>
+  `“${name}” has no luminous area, so nobody can say how it glares: take another luminaire, or ask for no glare`;
+
 function fitsNowhere(types: readonly LuminaireType[]): string {
   const names = types.map(({ name }) => `“${name}”`).join(', ');
-  return `${names} ${types.length === 1 ? 'fits' : 'fit'} on no place of this room: take a smaller luminaire`;
+  return types.length === 1
+    ? `${names} fits on no place of this room: take a smaller luminaire`
+    : `${names} fit on no place of this room: take a smaller luminaire`;
 }

@@ -48,6 +48,14 @@ TEST(SolveReport, ConstraintsAsLines) {
             "chebyshev (alpha 2) of all 150 lx (at least 100, at most 200): met");
 }
 
+TEST(SolveReport, WhereNothingGlaresThereIsNoGlare) {
+  const Scene scene = syntheticScene(8, 2);
+  Intentions intentions;
+  intentions.constraints = {{Statistic::kUgr, -kUnbounded, 19, 1, {}, {}}};
+  EXPECT_EQ(constraintLine(scene, intentions, shownWith({{-kUnbounded, 0}}, {}), 0),
+            "ugr of the worst observer none (at most 19): met");
+}
+
 TEST(SolveReport, AThousandthIsMetWithItsMargin) {
   const Scene scene = syntheticScene(8, 2);
   const auto line = [&](Statistic statistic, double violation) {

@@ -440,6 +440,16 @@ describe('luminaires of types that', () => {
       message: expect.stringMatching(/“Long one” fits on no/),
     });
   });
+
+  test('without a luminous area are refused where glare is asked for', async () => {
+    const intentions = { ...ofTypes(), glare: { max: 19 } };
+    await driver.receive(solve(2, { intentions, start }));
+    settle();
+    expect(answers.at(-1)).toMatchObject({
+      type: 'failed',
+      message: expect.stringMatching(/^“.+” has no luminous area, so nobody can say how it glares: /),
+    });
+  });
 });
 
 describe('the colour of light', () => {

@@ -56,6 +56,10 @@ export const faults: Words['faults'] = {
     'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; siehe fiatlux surfaces, dann --mount, --ceiling oder --double-sided',
   staysDark: (share) =>
     `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; siehe fiatlux surfaces, dann --mount oder --ceiling`,
+  fitsNowhere: (name) => `${name} passt auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen`,
+  fitNowhere: (names) => `${names} passen auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen`,
+  noLuminousArea: (name) =>
+    `${name} hat keine leuchtende Fläche, also lässt sich nicht sagen, wie sie blendet: eine andere Leuchte nehmen oder nicht nach Blendung fragen`,
   noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene (--plane) liegen könnte',
   narrowFloor: (rim) =>
     `Keine Nutzebene: Der Boden ist schmaler als zwei Randzonen von ${rim} m; die Randzone kleiner machen (--plane-rim)`,

@@ -55,6 +55,10 @@ export const faults = {
     'nearly all light is lost: the luminaires hang outdoors or look at backs; see fiatlux surfaces, then --mount, --ceiling or --double-sided',
   staysDark: (share: string) =>
     `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling`,
+  fitsNowhere: (name: string) => `${name} fits on no place of this room: take a smaller luminaire`,
+  fitNowhere: (names: string) => `${names} fit on no place of this room: take a smaller luminaire`,
+  noLuminousArea: (name: string) =>
+    `${name} has no luminous area, so nobody can say how it glares: take another luminaire, or ask for no glare`,
   noFloor: 'there is no floor for a working plane (--plane) to lie over',
   narrowFloor: (rim: string) =>
     `no working plane: the floor is narrower than two rims of ${rim} m; make the rim smaller (--plane-rim)`,
