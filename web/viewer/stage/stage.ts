@@ -65,7 +65,11 @@ export class Stage {
     this.renderer.localClippingEnabled = true;
     // note: asks the graphics process and waits for it; later it would wait for all that is being compiled there.
     this.anisotropy = Math.min(8, this.renderer.capabilities.getMaxAnisotropy());
-    this.daylight.add(new HemisphereLight(0xffffff, 0x9a9287, 3.6), new DirectionalLight(0xffffff, 1.2));
+    // Walls of every direction differ, and floors from walls by what they reflect more than by how they face.
+    const [key, fill] = [new DirectionalLight(0xffffff, 1.9), new DirectionalLight(0xffffff, 1.1)];
+    key.position.set(0.8, 0.5, 0.35);
+    fill.position.set(-0.4, 0.3, -0.8);
+    this.daylight.add(new HemisphereLight(0xffffff, 0xc9c2b8, 3.5), key, fill);
     this.daylight.visible = false;
     this.scene.add(this.#background.mesh, this.daylight);
     canvas.addEventListener('webglcontextlost', this.#lost);
