@@ -3,10 +3,11 @@
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
 import { effect, untracked } from '@preact/signals';
-import type { Arrangement, Intentions, Luminaires, Rule } from '../document/types.ts';
+import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
+import { wattsOf } from './state/power.ts';
 import type { Comparison, Store } from './state/store.ts';
 
 export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
@@ -44,6 +45,25 @@ export function arrangementOf(rule: Rule, { arrangement }: Pick<Luminaires, 'arr
   if (axis === undefined || rule === 'free') return { rule };
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
   return has ? { rule, axis } : { rule };
+}
+
+/**
+ * What each rule reaches. A free layout may also be what a stricter rule found, so it is shown as costing no more; the
+ * free search alone, in so many more layouts, may not have come as far. `cost`: of a layout, in any unit.
+ */
+export function byRule(
+  outcomes: readonly (Outcome | null)[],
+  cost: (layout: Layout) => number,
+): Comparison['rules'] {
+  const least = outcomes
+    .filter((outcome) => outcome?.met)
+    .reduce((best, each) => (!best || cost(each!.layout) < cost(best.layout) ? each : best), null);
+  return outcomes.map((outcome, i) => {
+    const rule = rules[i] ?? 'free';
+    const isBeaten =
+      rule === 'free' && least && !(outcome?.met && cost(outcome.layout) <= cost(least.layout));
+    return { rule, outcome: isBeaten ? least : outcome };
+  });
 }
 
 /** The least number of luminaires that met everything, as far as has been tried. */
@@ -96,10 +116,15 @@ export class Comparing {
         this.#try(
           rules.map((rule) => withRule(of, rule)),
           evaluationsOfRule,
-          (found) => take({ rules: found.map((outcome, i) => ({ rule: rules[i] ?? 'free', outcome })) }),
+          (found) => take({ rules: byRule(found, (layout) => this.#watts(layout)) }),
         );
       },
     );
+  }
+
+  #watts(layout: Layout): number {
+    const { efficacy, document } = this.#store;
+    return wattsOf(layout, efficacy.peek(), document.peek().luminaires.types);
   }
 
   /** The bounds that conflict and what would do instead, once all that has been searched for. */

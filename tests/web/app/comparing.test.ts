@@ -1,5 +1,12 @@
 import { expect, test } from '@jest/globals';
-import { arrangementOf, countsAround, fewestMet, withCount, withRule } from '../../../web/app/comparing.ts';
+import {
+  arrangementOf,
+  byRule,
+  countsAround,
+  fewestMet,
+  withCount,
+  withRule,
+} from '../../../web/app/comparing.ts';
 import type { Intentions } from '../../../web/document/types.ts';
 import { sixLuminaires as luminaires } from '../six-luminaires.ts';
 
@@ -41,4 +48,25 @@ test('the fewest are the first that met everything', () => {
   ];
   expect(fewestMet({ counts })).toBe(5);
   expect(fewestMet({ counts: counts.slice(0, 2) })).toBeNull();
+});
+
+test('a free layout costs no more than what a stricter rule reached', () => {
+  const outcome = (sites: number, met = true) => ({
+    layout: { sites: Array(sites).fill(0), flux: Array(sites).fill(1), dimming: 1 },
+    lumens: sites,
+    met,
+    violation: met ? 0 : 1,
+  });
+  const cost = (layout: { flux: readonly number[] }) => layout.flux.length;
+  const [free, symmetric, rows, field] = [outcome(23), outcome(20), outcome(18), outcome(12, false)];
+  const reached = byRule([free, symmetric, rows, field], cost);
+  expect(reached).toEqual([
+    { rule: 'free', outcome: rows },
+    { rule: 'symmetric', outcome: symmetric },
+    { rule: 'rows', outcome: rows },
+    { rule: 'field', outcome: field },
+  ]);
+  expect(byRule([outcome(17), symmetric, rows, null], cost)[0]?.outcome?.lumens).toBe(17);
+  expect(byRule([outcome(15, false), null, rows, null], cost)[0]?.outcome).toBe(rows);
+  expect(byRule([outcome(15, false), null, null, field], cost)[0]?.outcome?.met).toBe(false);
 });
