@@ -4,6 +4,7 @@
  */
 import { effect, signal, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
+import { readingOrder, renumbered } from '../document/reading-order.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type { FiatLuxDocument, Intentions, Layout, LuminaireType, SceneInfo } from '../document/types.ts';
@@ -62,6 +63,7 @@ export class Solving {
   #comparing: Compared[] = []; // one after the other, the first of them at the solver
   #checking: Layout | null = null; // was asked to be checked
   #asked: { readonly of: Intentions; readonly factor: number; readonly asNew: Intentions } | null = null;
+  #isUntagged = false; // the search that runs began from nowhere, and nobody has said which luminaire is which
   #refusal: number | null = null; // the message about a wish that the solver refused
 
   constructor(store: Store, viewer: Viewer, createWorker: () => WorkerLike) {
@@ -91,6 +93,8 @@ export class Solving {
   solve(start: Layout | null = this.#showing.held, moved: readonly number[] = []): void {
     if (!this.#store.scene.peek()) return;
     const intentions = this.#begin();
+    const { pinned, ofType = [] } = intentions.luminaires;
+    this.#isUntagged = start === null && pinned.length === 0 && ofType.length === 0;
     const from = start ?? this.#foreseen(intentions);
     this.#showing.hold(from);
     this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt(), moved);
@@ -255,7 +259,8 @@ export class Solving {
     const { count, most = count } = luminaires;
     if (!light || light.layout.sites.length < count || light.layout.sites.length > most) return null;
     const factor = this.#factor;
-    const { layout, illuminance } = light;
+    const { illuminance } = light;
+    const layout = this.#isUntagged ? this.#asRead(light.layout) : light.layout;
     this.#showing.foresee({ layout, illuminance: illuminance.map((value) => value * factor) });
     return layout;
   }
@@ -363,9 +368,19 @@ export class Solving {
     }
     this.#forgetRefusal();
     const state = evaluations === 0 ? 'shown' : type === 'settled' ? 'settled' : 'improving';
-    this.#showing.present(this.#read(shown), { state, evaluations, milliseconds }, (seen) => {
-      if (state === 'settled') this.#settled(seen);
+    const read = this.#read(shown);
+    const seen =
+      this.#isUntagged && state !== 'shown' ? { ...read, layout: this.#asRead(read.layout) } : read;
+    this.#showing.present(seen, { state, evaluations, milliseconds }, (told) => {
+      if (state === 'settled') this.#settled(told);
     });
+  }
+
+  /** With tags as a plan is read, where there is a plan. */
+  #asRead(layout: Layout): Layout {
+    const { scene, roomPlan } = this.#store;
+    const [sites, plan] = [scene.peek()?.sites, roomPlan.peek()];
+    return sites && plan ? renumbered(layout, readingOrder(layout, sites, plan.frame)) : layout;
   }
 
   /** Readings of the core as a person gets them. */

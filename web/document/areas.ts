@@ -6,8 +6,8 @@ import { inPlan, type Point2, type RoomPlan } from './plan-frame.ts';
 import { positionOf, siteCount } from './sites.ts';
 import type { Areas, Layout, Luminaires, PlanArea, PlanOutline, SceneInfo } from './types.ts';
 
-/** What an area in plan is for: where luminaires may hang, which of them are meant, or what is lit. */
-export type AreaKind = 'keepOut' | 'keepIn' | 'select' | 'task';
+/** What an area in plan is for: where luminaires may hang, which of them are meant, what is lit, or where is measured. */
+export type AreaKind = 'keepOut' | 'keepIn' | 'select' | 'task' | 'plane';
 
 /** An area as it is drawn in the picture. */
 export interface MarkedArea {

@@ -45,6 +45,7 @@ const layers = {
 type Layer = keyof typeof layers;
 
 const letter = 0.15; // m, height of texts
+const air = 0.05; // m, between a luminaire and its tag
 
 /** A group: its code and its value. */
 type Group = readonly [code: number, value: string | number];
@@ -121,25 +122,39 @@ function tables(): Group[] {
   ];
 }
 
-function luminaireGroups({
+/** Where its tag begins: beside a luminaire that is longer to the north, above any other, so that it is next to no other. */
+function tagPlace({
   tag,
-  place,
+  place: [x, y, z],
   axis: [ax, ay],
   size: [along, across],
   round,
-}: DxfLuminaire): Group[] {
+}: DxfLuminaire): Point3 {
+  const reach = (a: number, b: number) => (round ? along : along * Math.abs(a) + across * Math.abs(b)) / 2;
+  const [east, north] = [reach(ax, ay), reach(ay, ax)];
+  const wide = 0.8 * letter * tag.length;
+  return east < north ? [x + east + air, y - letter / 2, z] : [x - wide / 2, y + north + air, z];
+}
+
+function luminaireGroups(luminaire: DxfLuminaire): Group[] {
+  const {
+    tag,
+    place,
+    axis: [ax, ay],
+    size: [along, across],
+    round,
+  } = luminaire;
   const corner = (u: number, v: number): Point2 => [
     place[0] + (u * along * ax - v * across * ay) / 2,
     place[1] + (u * along * ay + v * across * ax) / 2,
   ];
   const rectangle = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-  const above: Point3 = [place[0], place[1] + Math.max(along, across) / 2 + 0.05, place[2]];
   return [
     ...(round ? circle('LUMINAIRES', place, along / 2) : polyline('LUMINAIRES', rectangle, place[2], true)),
     [0, 'POINT'],
     [8, 'LUMINAIRES'],
     ...at(place),
-    ...text('TAGS', above, tag),
+    ...text('TAGS', tagPlace(luminaire), tag),
   ];
 }
 

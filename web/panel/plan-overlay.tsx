@@ -1,9 +1,9 @@
 /** Over the plan: a scale bar, north and the corner that coordinates count from; and the hand that draws an area. */
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
-import { areaBetween, noAreas, outlineOf, type AreaKind } from '../document/areas.ts';
+import { areaBetween, cornersOf, noAreas, outlineOf, type AreaKind } from '../document/areas.ts';
 import { inPlan, type Point2 } from '../document/plan-frame.ts';
-import type { PlanArea } from '../document/types.ts';
+import type { PlanArea, PlanOutline } from '../document/types.ts';
 import { words } from '../language/language.ts';
 import { fixed, listed, shortest } from '../language/numbers.ts';
 
@@ -127,8 +127,9 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     viewer.setAreas(app.markedAreas());
   };
   useDrawing(end);
-  const keep = (area: PlanArea | Corners) => {
+  const keep = (area: PlanArea | PlanOutline) => {
     store.drawing.value = null;
+    if (kind === 'plane') return void app.opening.addPlane(cornersOf(area));
     if (kind !== 'keepOut' && kind !== 'keepIn') return;
     const { keepOut, keepIn } = words.value.steps;
     store.edit(kind === 'keepOut' ? keepOut : keepIn, ({ luminaires }) => {
@@ -137,7 +138,7 @@ function DrawArea({ kind }: { kind: AreaKind }) {
     });
   };
   const corners = useCorners(kind, keep);
-  const isByCorners = kind === 'keepOut' || kind === 'keepIn';
+  const isByCorners = kind === 'keepOut' || kind === 'keepIn' || kind === 'plane';
   const move = (event: PointerEvent) => {
     const point = viewer.planPoint(event.clientX, event.clientY);
     setAt(point);

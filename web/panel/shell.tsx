@@ -34,7 +34,8 @@ export function Shell({ store, createViewer, createWorker }: Props) {
     try {
       setApp(new App(store, parts));
     } catch {
-      store.say('error', words.value.bars.noGraphics);
+      const again = { label: words.value.opening.again, run: () => location.reload() };
+      store.say('error', words.value.bars.noGraphics, again);
     }
   }, []);
 

@@ -9,4 +9,5 @@ export function isSimple(polygon: Polygon): boolean;
 export function holds(a: Polygon, b: Polygon, clearance?: number): boolean;
 export function areApart(a: Polygon, b: Polygon, clearance?: number): boolean;
 export function inset(polygon: Polygon, by: number): Point[] | null;
+export function triangles(polygon: Polygon, holes?: readonly Polygon[]): Point[][];
 export function rotated(points: Polygon, degrees: number): Point[];

@@ -9,7 +9,7 @@ import { outlineOf } from '../../../web/document/areas.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
 import type { ToWorker } from '../../../web/solver/protocol.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
-import { FakeSolver } from '../fake-solver.ts';
+import { FakeSolver, fakeShown } from '../fake-solver.ts';
 import { fakeHost, type FakeHost } from '../fake-host.ts';
 import { packedPlan } from '../../../web/room-maker/plan-code.mjs';
 import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
@@ -68,6 +68,39 @@ test('while a model without light is shown, the room before it can be neither sh
   app.store.preview.value = 'model.glb';
   expect(ofRoom.map(enabled)).toEqual([false, false, false, false]);
   expect(enabled('view-plan')).toBe(true);
+});
+
+test('a search from nowhere is tagged as a plan is read; one that goes on, or that holds a place, is not', () => {
+  const tags = () => app.store.shown.value!.layout.sites;
+  const answer = () => {
+    const { revision, intentions } = solver.last('solve')!;
+    const layout = { sites: [9, 2, 5], flux: [1, 2, 3], dimming: 1 }; // x + 4 z, z to the south
+    const shown = fakeShown(solver.scene, layout, intentions);
+    solver.say({
+      type: 'settled',
+      revision,
+      shown,
+      evaluations: 9,
+      milliseconds: 1,
+      askedAt: 0,
+      postedAt: 1,
+    });
+    frame();
+  };
+  app.solving.solve(null);
+  answer();
+  expect(tags()).toEqual([2, 5, 9]);
+  expect(app.store.shown.value!.layout.flux).toEqual([2, 3, 1]);
+  app.solving.solve();
+  expect(solver.last('solve')!.start!.sites).toEqual([2, 5, 9]);
+  answer();
+  expect(tags()).toEqual([9, 2, 5]);
+  app.store.edit('Pin', ({ luminaires }) => void (luminaires.pinned = [9]), null, {
+    by: 'search',
+    from: null,
+  });
+  answer();
+  expect(tags()).toEqual([9, 2, 5]);
 });
 
 test('a luminaire that is removed leaves the others where they are, and the last one stays', () => {

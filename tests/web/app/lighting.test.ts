@@ -1,5 +1,7 @@
 /** What is carried over from a draft to the full room, and how the time left is told. */
 import { describe, expect, test } from '@jest/globals';
+import { outlineOf } from '../../../web/document/areas.ts';
+import { readContainer, writeGlb } from '../../../web/document/gltf-container.ts';
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
 import type { BuildOptions } from '../../../web/builder/builder.ts';
@@ -62,6 +64,43 @@ function rememberingShelf(): Shelf {
   };
 }
 
+/** Lights rooms on a store of its own; `next` is what is placed from then on. */
+function lightingOf(first: SceneInfo) {
+  const store = new Store();
+  const placed: FiatLuxDocument[] = [];
+  const room = { next: first };
+  const place = async (_: unknown, title: string, __: unknown, make: (scene: SceneInfo) => Placement) => {
+    const { document: made } = make(room.next);
+    placed.push(made);
+    store.scene.value = room.next;
+    store.reset(made);
+  };
+  const placing = {
+    turn: 0,
+    attempt: (_: string, action: (isCurrent: () => boolean) => Promise<void>) => action(() => true),
+    place,
+    replace: async () => false,
+  };
+  const built: BuildOptions[] = [];
+  const models: Model[] = [];
+  const pool = {
+    survey: async () => ({ scale: 0.5 }),
+    build: async ({ options, model }: { options: BuildOptions; model: Model }) => {
+      built.push(options);
+      models.push(model);
+      return { file: new ArrayBuffer(0), room: { source: '', warnings: [] } };
+    },
+  };
+  const lighting = new Lighting(
+    store,
+    { layout: () => null } as unknown as Solving,
+    placing as unknown as Placing,
+    rememberingShelf(),
+    async () => pool as unknown as BuilderPool,
+  );
+  return { store, placed, room, built, models, lighting };
+}
+
 describe('a model that is understood in another way', () => {
   const card = (id: string, ...surfaces: string[]): Card => ({ id, surfaces, verb: 'illuminate', weight: 1 });
   const named = (identity: string, xs: readonly number[], ...names: string[]): SceneInfo => ({
@@ -93,40 +132,12 @@ describe('a model that is understood in another way', () => {
   });
 
   test('keeps what was asked of the room that is on the screen, and no other', async () => {
-    const store = new Store();
-    const placed: FiatLuxDocument[] = [];
-    let next = before;
-    const place = async (_: unknown, title: string, __: unknown, make: (scene: SceneInfo) => Placement) => {
-      const { document: made } = make(next);
-      placed.push(made);
-      store.scene.value = next;
-      store.reset(made);
-    };
-    const placing = {
-      turn: 0,
-      attempt: (_: string, action: (isCurrent: () => boolean) => Promise<void>) => action(() => true),
-      place,
-      replace: async () => false,
-    };
-    const built: BuildOptions[] = [];
-    const pool = {
-      build: async ({ options }: { options: BuildOptions }) => {
-        built.push(options);
-        return { file: new ArrayBuffer(0), room: { source: '', warnings: [] } };
-      },
-    };
-    const lighting = new Lighting(
-      store,
-      { layout: () => null } as unknown as Solving,
-      placing as unknown as Placing,
-      rememberingShelf(),
-      async () => pool as unknown as BuilderPool,
-    );
+    const { store, placed, room, built, lighting } = lightingOf(before);
     const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
     await lighting.light(model);
     const wish = [card('mine', 'room/floor')];
     store.edit('Change', (each) => void (each.cards = structuredClone(wish) as never));
-    next = after;
+    room.next = after;
     await lighting.light(model, { ...usualChoices, ceiling: 2.5 });
     expect(placed[1]!.cards).toEqual(wish);
     expect(placed[1]!.scene).toBe(after.identity);
@@ -138,6 +149,26 @@ describe('a model that is understood in another way', () => {
     expect(store.messages.value.map(({ text }) => text)).toEqual(['“a” is understood as it was last time.']);
     await lighting.light({ ...model, bytes: new Uint8Array(5) });
     expect(built.at(-1)?.ceiling).toBe(0);
+  });
+
+  test('with a plane that was drawn is lit anew, and keeps its name and what was asked', async () => {
+    const { store, placed, room, models, lighting } = lightingOf(before);
+    const bytes = writeGlb({ asset: { version: '2.0' }, scenes: [{ nodes: [] }] }, null);
+    const model: Model = { name: 'a.glb', bytes, siblings: new Map() };
+    await lighting.light(model);
+    expect(await lighting.hasModel()).toBe(true);
+    const wish = [card('mine', 'room/floor')];
+    store.edit('Change', (each) => void (each.cards = structuredClone(wish) as never));
+    room.next = { ...before, identity: 'c'.repeat(16) };
+    const outline = outlineOf([0, 0, 2, 1]);
+    await lighting.light(model, {
+      ...usualChoices,
+      drawn: [{ name: 'plane 1', outline, height: 0.75, border: 0 }],
+    });
+    expect(models.slice(0, 2)).toEqual([model, model]); // a draft, and in full
+    const { nodes } = JSON.parse(readContainer(models.at(-1)!.bytes).text);
+    expect(nodes).toEqual([{ name: 'plane 1', mesh: 0, extras: { fiatlux: { measure: true } } }]);
+    expect(placed[1]).toMatchObject({ room: 'a.flux', scene: 'c'.repeat(16), cards: wish });
   });
 });
 

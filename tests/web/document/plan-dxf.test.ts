@@ -5,6 +5,7 @@ import { planDxf } from '../../../web/document/plan-dxf.ts';
 import { fakePlan } from '../fake-viewer.ts';
 
 interface Entity {
+  readonly startPoint?: { x: number; y: number };
   readonly type: string;
   readonly layer: string;
   readonly vertices?: readonly { x: number; y: number; z: number }[];
@@ -114,6 +115,24 @@ describe('the plan as DXF', () => {
     expect(of('LUMINAIRES', 'CIRCLE')).toMatchObject([{ center: { x: 4, y: 1 }, radius: 0.075 }]);
     for (const { x, y } of turned?.vertices ?? [])
       expect(Math.hypot(x - 3.3333, y - 0.6667)).toBeCloseTo(0.4 * Math.SQRT1_2, 3);
+  });
+
+  test('writes each tag beside its own luminaire, where long ones hang close', () => {
+    const battens = [0, 1].flatMap((alongEast) =>
+      [0, 1, 2].map((i) => ({
+        tag: `L${3 * alongEast + i + 1}`,
+        place: [alongEast ? 6 : 1 + 0.6 * i, alongEast ? 1 + 0.6 * i : 1, 2.8] as const,
+        axis: (alongEast ? [1, 0] : [0, 1]) as readonly [number, number],
+        size: [1.2, 0.1, 0.1] as const,
+        round: false,
+      })),
+    );
+    const tags = new DxfParser().parseSync(planDxf({ ...drawing, luminaires: battens }))!
+      .entities as unknown as readonly Entity[];
+    for (const { text: tag, startPoint } of tags.filter(({ layer }) => layer === 'TAGS')) {
+      const away = battens.map(({ place: [x, y] }) => Math.hypot(x - startPoint!.x, y - startPoint!.y));
+      expect(battens[away.indexOf(Math.min(...away))]!.tag).toBe(tag);
+    }
   });
 
   test('draws task areas on their plane, to a millimetre, and names them', () => {

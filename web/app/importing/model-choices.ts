@@ -14,7 +14,16 @@ import {
 } from '../../builder/builder.ts';
 import type { Model } from '../../builder/protocol.ts';
 import { readContainer } from '../../document/gltf-container.ts';
+import type { PlanOutline } from '../../document/types.ts';
 import { luminance, type Rgb } from '../../document/linear-colour.mjs';
+
+/** A level measuring plane that was drawn in the plan of the room. */
+export interface DrawnPlane {
+  readonly name: string;
+  readonly outline: PlanOutline; // the room's x and z, m
+  readonly height: number; // m, the room's y
+  readonly border: number; // m, that is left out along its edges
+}
 
 export interface ModelChoices {
   readonly unit: number; // metres; 0: 1, or a guess where that is absurd
@@ -26,6 +35,7 @@ export interface ModelChoices {
   readonly drop: number; // m, below where they hang; 0: what the file says
   readonly plane: number; // m, of the working plane over the floor; 0: none
   readonly planeRim: number; // m, that it stays away from the floor's edges
+  readonly drawn: readonly DrawnPlane[]; // other measuring planes; the only choice that is no option of the command
   readonly doubleSided: boolean;
   readonly reflectances: Readonly<Record<string, number>>; // by material
 }
@@ -40,9 +50,18 @@ export const usualChoices: ModelChoices = {
   drop: 0,
   plane: 0,
   planeRim: usualOptions.planeRim,
+  drawn: [],
   doubleSided: false,
   reflectances: {},
 };
+
+const number = v.pipe(v.number(), v.finite());
+const drawnPlane = v.object({
+  name: v.string(),
+  outline: v.pipe(v.array(v.tuple([number, number])), v.minLength(3)),
+  height: number,
+  border: v.pipe(number, v.minValue(0)),
+});
 
 const metres = v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), 0);
 const choicesSchema = v.object({
@@ -55,6 +74,7 @@ const choicesSchema = v.object({
   drop: metres,
   plane: metres,
   planeRim: v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), usualOptions.planeRim),
+  drawn: v.optional(v.array(drawnPlane), []),
   doubleSided: v.optional(v.boolean(), false),
   reflectances: v.optional(v.record(v.string(), v.pipe(v.number(), v.minValue(0), v.maxValue(0.95))), {}),
 });
@@ -63,6 +83,7 @@ const choicesSchema = v.object({
 export function keptChoices(kept: unknown): ModelChoices | null {
   const read = v.safeParse(choicesSchema, kept);
   if (!read.success) return null;
+  if (read.output.drawn.length > 0) return read.output;
   return JSON.stringify(chosenOptions(read.output)) === JSON.stringify(usualOptions) ? null : read.output;
 }
 
@@ -119,7 +140,7 @@ export function materialsOf(glb: Model['bytes']): readonly ModelMaterial[] {
   }
 }
 
-export function chosenOptions({ unit, reflectances, ...choices }: ModelChoices): BuildOptions {
+export function chosenOptions({ unit, reflectances, drawn: _drawn, ...choices }: ModelChoices): BuildOptions {
   return { ...usualOptions, ...choices, scale: unit, reflectances: Object.entries(reflectances) };
 }
 

@@ -10,6 +10,7 @@ import {
   digestOf,
   keptChoices,
   usualChoices,
+  type DrawnPlane,
   type ModelChoices,
 } from '../importing/model-choices.ts';
 import { documentOf } from '../../document/linked-document.ts';
@@ -22,6 +23,7 @@ import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
 import type { ImportSheet } from './import-sheet.ts';
+import { siteModel } from './site-model.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -55,6 +57,7 @@ export class Lighting {
   sheet: ImportSheet | null = null; // the latest one; store.sheet says whether it is open
   #running: Running | null = null;
   #model: Model | null = null;
+  #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
 
   constructor(
@@ -81,15 +84,19 @@ export class Lighting {
       isAgain: this.#model === model && this.#isOnScreen(),
     });
     this.#model = model;
+    if (!running.isAgain) this.#modelOf = null;
     this.#choices = choices ?? usualChoices;
     try {
       if (!choices) await this.#recall(model, running);
       const pool = await this.#createPool();
-      const first = await this.#build(pool, model, 'draft', running);
-      const room = await this.#shelf.nameFor(model.name, first.room.source);
-      this.#store.litRoom.value = room;
+      const measured = await this.#measured(pool, model);
+      const first = await this.#build(pool, measured, 'draft', running);
+      const { litRoom } = this.#store;
+      const known = running.isAgain && litRoom.peek() === this.#modelOf ? this.#modelOf : null;
+      const room = known ?? (await this.#shelf.nameFor(model.name, first.room.source));
+      litRoom.value = this.#modelOf = room;
       const shown = await this.#showDraft(model.name, room, first, running);
-      const full = await this.#build(pool, model, 'full', running);
+      const full = await this.#build(pool, measured, 'full', running);
       const isKept = await this.#kept(room, full, model);
       await this.#showFull(room, full, shown, isKept, running);
     } catch (error) {
@@ -115,6 +122,31 @@ export class Lighting {
     } catch (error) {
       return reasonOf(error);
     }
+  }
+
+  /** Whether the model of the room on the screen is at hand, here or beside its scene on the site. */
+  async hasModel(): Promise<boolean> {
+    if (this.#isOnScreen()) return true;
+    const { room } = this.#store.document.peek();
+    const bytes = await siteModel(room);
+    if (!bytes || this.#store.document.peek().room !== room) return false;
+    this.cancel();
+    this.#model = { name: `${room}.glb`, bytes, siblings: new Map() };
+    this.#modelOf = room;
+    this.#choices = usualChoices;
+    return true;
+  }
+
+  /** The sheet, with one more measuring plane. Precondition: hasModel() said true. */
+  async addPlane(plane: Omit<DrawnPlane, 'name'>): Promise<void> {
+    await this.adjust();
+    const { choices } = this.#store.sheet.peek() ?? {};
+    const { surfaces = [] } = this.#store.scene.peek() ?? {};
+    if (!choices) return;
+    const taken = new Set([...surfaces, ...choices.drawn].map(({ name }) => name));
+    let number = 1;
+    while (taken.has(`plane ${number}`)) number += 1;
+    this.sheet?.choose({ drawn: [...choices.drawn, { ...plane, name: `plane ${number}` }] });
   }
 
   /** Opens the sheet of how the model was understood; closed by itself. */
@@ -217,6 +249,15 @@ export class Lighting {
     this.#store.announcement.value = words.value.opening.litFully(title);
   }
 
+  /** With the planes that were drawn, in the file's own axes. */
+  async #measured(pool: BuilderPool, model: Model): Promise<Model> {
+    const { drawn, up } = this.#choices;
+    if (drawn.length === 0) return model;
+    const { withPlanes } = await import('../importing/drawn-planes.ts');
+    const { scale } = await pool.survey(model, chosenOptions(this.#choices));
+    return withPlanes(model, drawn, { scale, up });
+  }
+
   /** Takes the choices that were made for the same model before, and says so. */
   async #recall(model: Model, running: Running): Promise<void> {
     const digest = await digestOf(model);
@@ -228,8 +269,8 @@ export class Lighting {
 
   /** Whether the room of the model at hand is on the screen. */
   #isOnScreen(): boolean {
-    const { litRoom, document, preview } = this.#store;
-    return preview.peek() === null && litRoom.peek() !== null && litRoom.peek() === document.peek().room;
+    const { document, preview } = this.#store;
+    return preview.peek() === null && this.#modelOf !== null && this.#modelOf === document.peek().room;
   }
 
   /** What was asked of the room before it was understood in another way, as far as it can be asked of it now. */

@@ -8,7 +8,7 @@ import type { PackedPlan } from '../../document/made-room.ts';
 import { cleanName } from '../../document/schema.ts';
 import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/linked-document.ts';
-import type { FiatLuxDocument, SceneInfo } from '../../document/types.ts';
+import type { FiatLuxDocument, PlanOutline, SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { Keeping } from '../keeping.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
@@ -39,6 +39,8 @@ import { reasonOf } from '../../document/reason.ts';
 /** The kinds of files that may be opened. */
 const ofPrograms = modelExtensions.map((extension) => `.${extension}`).join(',');
 const everything = `.flux,.glb,.gltf,.bin,.mtl,${ofPrograms},.ifczip,.stf,.json,.fiatlux,.ies,.ldt,.gldf,.xml,.zip,.png,.jpg,.jpeg`;
+
+const deskHeight = 0.75; // m
 
 export class Opening {
   readonly #store: Store;
@@ -175,6 +177,12 @@ export class Opening {
     const run = () => readable && void this.#openLink(readable, false);
     this.#store.say('error', message, readable && { label: words.value.opening.readable, run });
     return false;
+  }
+
+  /** A measuring plane drawn in the plan, as high as desks: the sheet asks the rest. Precondition: the model is at hand. */
+  addPlane(outline: PlanOutline): void {
+    const floor = this.#store.roomPlan.peek()?.frame.floor ?? 0;
+    void this.lighting.addPlane({ outline, height: floor + deskHeight, border: 0 });
   }
 
   /** Opens the room maker, on a plan or for a new room. */

@@ -82,6 +82,7 @@ export const bars: Words['bars'] = {
   },
   noGraphics:
     'Dieser Browser stellt der Seite keine 3D-Grafik (WebGL 2) bereit. Hardwarebeschleunigung in seinen Einstellungen einschalten oder die Seite in einem anderen Browser öffnen.',
+  slow: 'Das dauert ungewöhnlich lange.',
   stage: {
     looking:
       'Der Raum. Ziehen dreht, Umschalt und Ziehen verschiebt, Tasten 1 bis 6 für Ansichten, F passt ein.',
@@ -104,6 +105,7 @@ export const bars: Words['bars'] = {
       keepIn: 'Zulässige Fläche aufziehen oder ihre Ecken anklicken',
       select: 'Rahmen um die Leuchten aufziehen',
       task: 'Bereich der Sehaufgabe aufziehen',
+      plane: 'Messebene aufziehen oder ihre Ecken anklicken',
       corners: 'Ecken des Bereichs anklicken; die erste noch einmal schließt ihn',
     },
     ends: '(Esc beendet)',

@@ -52,6 +52,10 @@ export const sheet: Words['sheet'] = {
     wanted: 'Auf einer Ebene über dem Boden messen',
     height: 'Höhe über dem Boden',
     rim: 'Randzone, die wegbleibt',
+    drawn: (name) => `Gezeichnet: ${name}`,
+    border: 'Randzone, die wegbleibt',
+    tooNarrow: 'Die Randzone lässt nichts von ihr übrig.',
+    remove: (name) => `${name} entfernen`,
   },
   foreseen: (patches, size, time) =>
     `Etwa ${patches} Teilflächen von ${size} m: ungefähr ${time} auf diesem Rechner, ein erstes Bild früher.`,

@@ -81,6 +81,7 @@ export const bars = {
   },
   noGraphics:
     'This browser gives the page no 3D graphics (WebGL 2). Switch hardware acceleration on in its settings, or open the page in another browser.',
+  slow: 'This takes unusually long.',
   stage: {
     looking: 'The room. Drag to orbit, Shift and drag to pan, keys 1 to 6 for views, F to fit.',
     working:
@@ -98,6 +99,7 @@ export const bars = {
       keepIn: 'Drag the area to keep to, or click its corners',
       select: 'Drag around the luminaires to select',
       task: 'Drag the task area',
+      plane: 'Drag the measuring plane, or click its corners',
       corners: 'Click the corners of the task area; the first one again closes it',
     },
     ends: '(Esc ends)',

@@ -51,6 +51,10 @@ export const sheet = {
     wanted: 'Measure on a plane over the floor',
     height: 'Height over the floor',
     rim: 'Rim left out',
+    drawn: (name: string) => `Drawn: ${name}`,
+    border: 'Border left out',
+    tooNarrow: 'Its border leaves nothing of it.',
+    remove: (name: string) => `Remove ${name}`,
   },
   foreseen: (patches: string, size: string, time: string) =>
     `About ${patches} patches of ${size} m: some ${time} on this computer, a first picture sooner.`,

@@ -47,11 +47,36 @@ export function TaskAreaList() {
           {say.corners}
         </button>
         <AddAt />
+        <DrawPlane />
       </div>
       {list.map((area, index) => (
         <AreaRow key={area.name} {...{ area, index, frame }} />
       ))}
     </section>
+  );
+}
+
+/** A new measuring plane: in the plan of a room that is made, or as one more node of its model. */
+function DrawPlane() {
+  const { store, viewer, opening } = useApp();
+  const { areas: say } = words.value;
+  const draw = async () => {
+    if (store.plan.peek()) return opening.make(store.plan.peek());
+    if (store.drawing.peek() === 'plane') return void (store.drawing.value = null);
+    if (!(await opening.lighting.hasModel())) return void store.say('info', say.planeNoModel);
+    store.drawing.value = 'plane';
+    if (!viewer.camera().plan) viewer.view('plan');
+  };
+  return (
+    <button
+      class="button small"
+      aria-pressed={store.drawing.value === 'plane'}
+      title={say.planeTip}
+      onClick={() => void draw()}
+    >
+      <SquareDashed size={14} aria-hidden />
+      {say.plane}
+    </button>
   );
 }
 

@@ -26,6 +26,7 @@ const colors: Record<AreaKind, string> = {
   keepIn: '#4d8dff',
   select: '#9aa4b2',
   task: '#16a37f',
+  plane: '#7fb2ff',
 };
 
 export class AreaMarks {
