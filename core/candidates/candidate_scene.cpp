@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/candidates/candidate_list.h"
+#include "core/candidates/mount_area.h"
 #include "core/scene/zones.h"
 #include "core/transport/direct_quadrature.h"
 #include "core/transport/plane_light.h"
@@ -237,7 +238,8 @@ Scene CandidateScene::finish(Quantity quantity) {
   for (const Candidate& candidate : candidates_) {
     scene.sites.push_back(room_->sites[candidate.site]);
     if (!types_.empty())
-      scene.hangings.push_back({candidate.site, candidate.type, candidate.way, types_[candidate.type].power});
+      scene.hangings.push_back({candidate.site, candidate.type, candidate.way, types_[candidate.type].power,
+                                bodyOf(luminaireOf(candidate), room_->sites[candidate.site])});
   }
   if (paint_) {
     std::copy(paint_->reflectance().begin(), paint_->reflectance().end(), scene.patches.reflectance.begin());

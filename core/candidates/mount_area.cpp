@@ -19,15 +19,19 @@ MountArea::MountArea(const std::vector<Site>& sites) : sites_(sites) {
   }
 }
 
+Body bodyOf(const Luminaire& luminaire, const Site& site) {
+  // The axis laid flat; one that points away from the mount stands for any.
+  const Vec3 flat = luminaire.axis - dot(luminaire.axis, site.normal) * site.normal;
+  return {length(flat) > 1e-6 ? normalized(flat) : site.axis, luminaire.width / 2, luminaire.height / 2};
+}
+
 bool MountArea::holds(std::uint32_t site, const Luminaire& luminaire) const {
   const Site& at = sites_[site];
-  // The axis laid flat; one that points away from the mount stands for any.
-  const Vec3 flat = luminaire.axis - dot(luminaire.axis, at.normal) * at.normal;
-  const Vec3 along = length(flat) > 1e-6 ? normalized(flat) : at.axis;
-  const Vec3 across = cross(at.normal, along);
-  for (const double u : {-0.5, 0.0, 0.5})
-    for (const double v : {-0.5, 0.0, 0.5}) {
-      const Vec3 point = at.position + (u * luminaire.width) * along + (v * luminaire.height) * across;
+  const Body body = bodyOf(luminaire, at);
+  const Vec3 across = cross(at.normal, body.along);
+  for (const double u : {-1, 0, 1})
+    for (const double v : {-1, 0, 1}) {
+      const Vec3 point = at.position + (u * body.halfLength) * body.along + (v * body.halfBreadth) * across;
       if (!isOn(site, point)) return false;
     }
   return true;

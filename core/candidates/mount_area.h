@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "core/scene/luminaire.h"
-#include "core/scene/patches.h"
+#include "core/scene/scene.h"
 
 namespace fiatlux {
+
+/// The luminous area of a luminaire on a site, laid flat on the mount.
+Body bodyOf(const Luminaire& luminaire, const Site& site);
 
 /// Refers to the sites, which must outlive it.
 class MountArea {

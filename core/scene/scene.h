@@ -39,12 +39,20 @@ inline bool operator==(const Zone& a, const Zone& b) {
   return a.name == b.name && a.leaf == b.leaf && a.rows == b.rows;
 }
 
+/// What a luminaire takes of its mount, laid flat on it: a rectangle around the middle; of no size where a
+/// half is 0.
+struct Body {
+  Vec3 along;                              // unit
+  double halfLength = 0, halfBreadth = 0;  // m, along and across it
+};
+
 /// One way to hang a luminaire in a room, where the sites of a scene are such ways (core/candidates).
 struct Hanging {
   std::uint32_t place = 0;  // site of the room: those of one place exclude each other
   std::uint32_t type = 0;   // of luminaire
   std::uint32_t way = 0;    // type, turn and aim: the same number on every place
   double power = 1;         // W of the luminaire at a flux of 1
+  Body body = {};
 };
 
 /// Light of every patch for each site at 1 lm before anything reflects it.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/random.h"
+#include "core/search/bodies.h"
 #include "core/search/type_counts.h"
 
 namespace fiatlux {
@@ -143,18 +144,22 @@ std::vector<Ties> rowTies(const SiteGrid& grid, const LuminaireRules& rules) {
 class Occupied {
  public:
   Occupied(const Scene& scene, const LuminaireRules& rules)
-      : scene_(scene), types_(scene, rules), minDistance_(rules.minDistance), barred_(scene.sites.size(), 0) {
+      : scene_(scene),
+        types_(scene, rules),
+        minDistance_(rules.minDistance),
+        hasBodies_(haveBodies(scene)),
+        barred_(scene.sites.size(), 0) {
     for (const std::uint32_t site : rules.excluded) barred_[site] = 1;
   }
 
   bool accepts(const std::vector<std::uint32_t>& tie) const {
     for (std::size_t i = 0; i < tie.size(); ++i) {
       if (barred_[tie[i]]) return false;
-      if (minDistance_ <= 0) continue;
+      if (minDistance_ <= 0 && !hasBodies_) continue;
       for (std::size_t k = 0; k < i; ++k)
-        if (isNear(tie[i], tie[k])) return false;
+        if (isTooNear(tie[i], tie[k])) return false;
       for (const std::uint32_t site : taken_)
-        if (isNear(tie[i], site)) return false;
+        if (isTooNear(tie[i], site)) return false;
     }
     return true;
   }
@@ -180,13 +185,15 @@ class Occupied {
   std::uint32_t typeOf(std::uint32_t site) const {
     return scene_.hangings.empty() ? 0 : scene_.hangings[site].type;
   }
-  bool isNear(std::uint32_t a, std::uint32_t b) const {
-    return length(scene_.sites[a].position - scene_.sites[b].position) < minDistance_;
+  bool isTooNear(std::uint32_t a, std::uint32_t b) const {
+    return length(scene_.sites[a].position - scene_.sites[b].position) < minDistance_ ||
+           collide(scene_, a, b);
   }
 
   const Scene& scene_;
   TypeCounts types_;
   double minDistance_;
+  bool hasBodies_;
   std::vector<char> barred_;
   std::vector<std::uint32_t> taken_;
 };
@@ -316,7 +323,8 @@ bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
   const PinsAndExclusions rule(scene.sites.size(), rules);
   std::vector<std::uint32_t> sites;
   fields.visit([&](const Field& field) {
-    found = fields.pitchOf(field) >= rules.minDistance && fields.sitesOf(field, sites) && rule.allow(sites);
+    found = fields.pitchOf(field) >= rules.minDistance && fields.sitesOf(field, sites) && rule.allow(sites) &&
+            !fieldCollides(scene, sites, fields.columnsOf(field));
     return !found;
   });
   return found;

@@ -70,6 +70,7 @@ class Fields {
   /// The sites of a field, row by row; false where one is missing.
   bool sitesOf(const Field& field, std::vector<std::uint32_t>& sites) const;
   double pitchOf(const Field& field) const;
+  std::size_t columnsOf(const Field& field) const { return chains_[0][field.columns].at.size(); }
 
  private:
   const SiteGrid& grid_;

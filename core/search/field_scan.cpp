@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "core/search/bodies.h"
+
 namespace fiatlux {
 
 FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
@@ -13,7 +15,8 @@ FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, cons
   const LuminaireRules& rules = intentions.luminaires;
   const PinsAndExclusions allowed(prepared.scene().sites.size(), rules);
   all_.visit([&](const Field& field) {
-    if (all_.pitchOf(field) >= rules.minDistance && all_.sitesOf(field, sites_) && allowed.allow(sites_))
+    const bool fits = all_.pitchOf(field) >= rules.minDistance && all_.sitesOf(field, sites_);
+    if (fits && allowed.allow(sites_) && !fieldCollides(prepared.scene(), sites_, all_.columnsOf(field)))
       fields_.push_back(field);
     return true;
   });

@@ -37,7 +37,7 @@ void FreeSites::relocate(std::uint32_t from, std::uint32_t to) {
 void FreeSites::block(std::uint32_t site, int change) {
   total_ += static_cast<std::uint32_t>(change) * prepared_.weight(site);
   types_.add(prepared_.typeOf(site), change * static_cast<int>(prepared_.weight(site)));
-  if (minDistance_ <= 0) {
+  if (minDistance_ <= 0 && (prepared_.isTied() || !prepared_.hasBodies())) {
     if (!prepared_.isTied())
       blocked_[site] += static_cast<std::uint32_t>(change);
     else if (site != prepared_.nobody())

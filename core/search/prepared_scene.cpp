@@ -45,7 +45,10 @@ Moments momentsOf(const KernelStatistics& statistics, const std::uint32_t* sites
 }
 
 PreparedScene::PreparedScene(const Scene& scene, VarianceForm form)
-    : scene_(scene), form_(form), candidateCount_(static_cast<std::uint32_t>(scene.sites.size())) {
+    : scene_(scene),
+      hasBodies_(haveBodies(scene)),
+      form_(form),
+      candidateCount_(static_cast<std::uint32_t>(scene.sites.size())) {
   std::vector<Vec3> centers;
   for (const Site& site : scene.sites) centers.push_back(site.position);
   findNear(centers);
@@ -59,16 +62,20 @@ PreparedScene::PreparedScene(const Scene& scene, VarianceForm form)
 
 PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
     : scene_(sites.scene_),
+      hasBodies_(sites.hasBodies_),
       sites_(&sites),
       ties_(std::move(ties)),
       candidateCount_(static_cast<std::uint32_t>(ties_.members.size())),
       waysPerPlace_(sites.waysPerPlace_),
       gaps_(std::size_t{candidateCount_} * candidateCount_, 0.0f),
       innerDistance_(candidateCount_, kUnbounded) {
+  const auto gapBetween = [&](std::uint32_t i, std::uint32_t j) {
+    return sites.conflict(i, j, 0) ? 0 : sites.distance(i, j);
+  };
   const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
     double gap = kUnbounded;
     for (const std::uint32_t i : a)
-      for (const std::uint32_t j : b) gap = std::min(gap, sites.distance(i, j));
+      for (const std::uint32_t j : b) gap = std::min(gap, gapBetween(i, j));
     return gap;
   };
   std::vector<Vec3> centers;
@@ -81,7 +88,7 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
     centers.push_back((1.0 / static_cast<double>(members.size())) * sum);
     for (std::size_t i = 0; i < members.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
-        innerDistance_[a] = std::min(innerDistance_[a], sites.distance(members[i], members[k]));
+        innerDistance_[a] = std::min(innerDistance_[a], gapBetween(members[i], members[k]));
     for (std::uint32_t b = 0; b < a; ++b)
       gaps_[std::size_t{a} * candidateCount_ + b] = gaps_[std::size_t{b} * candidateCount_ + a] =
           static_cast<float>(gapOf(members, ties_.members[b]));

@@ -12,6 +12,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/stored_statistics.h"
 #include "core/search/arrangements.h"
+#include "core/search/bodies.h"
 #include "core/search/light_factor.h"
 #include "core/search/statistics.h"
 
@@ -111,16 +112,20 @@ class PreparedScene {
 
   /// Distance between the centres of two candidates, of ties between their nearest members, m.
   double distance(std::uint32_t a, std::uint32_t b) const;
+  /// Do candidates keep each other away by their bodies, whatever their least distance?
+  bool hasBodies() const { return hasBodies_; }
   /// May two candidates not be there at once? A layout has each at most once.
   bool conflict(std::uint32_t a, std::uint32_t b, double minDistance) const {
-    if (!isTied()) return a == b || (minDistance > 0 && distance(a, b) < minDistance);
+    if (!isTied())
+      return a == b || (minDistance > 0 && distance(a, b) < minDistance) ||
+             (hasBodies_ && collide(scene_, a, b));
     if (a == candidateCount_ || b == candidateCount_) return false;
     const double gap = gaps_[std::size_t{a} * candidateCount_ + b];
     return gap <= 0 || gap < minDistance;
   }
-  /// Ties that share a site with one, itself included. Precondition: isTied().
+  /// Ties that share a site with one or run into it, itself included. Precondition: isTied().
   const std::vector<std::uint32_t>& overlapping(std::uint32_t tie) const { return overlapping_[tie]; }
-  /// The least distance within a candidate, m; infinite for a single site.
+  /// The least distance within a candidate, m; infinite for a single site, 0 where its bodies collide.
   double innerDistance(std::uint32_t candidate) const { return innerDistance_[candidate]; }
 
   /// The scene of these ties, made at first use and kept while there is room. Precondition: !isTied().
@@ -142,6 +147,7 @@ class PreparedScene {
   void keep(Entry entry);
 
   const Scene& scene_;
+  bool hasBodies_ = false;
   VarianceForm form_ = VarianceForm::kBySize;
   PreparedScene* sites_ = nullptr;  // where this one is of ties
   Ties ties_;
@@ -156,7 +162,8 @@ class PreparedScene {
   std::uint32_t nearCount_ = 0;
   std::vector<std::uint32_t> near_;
   std::unordered_map<std::uint64_t, std::uint32_t> inWay_;  // of types: candidate of a place and a way
-  std::vector<float> gaps_;  // of ties: distances of all pairs, 0 with itself and where they share a site
+  std::vector<float>
+      gaps_;  // of ties: distances of all pairs, 0 with itself and where they may not be at once
   std::vector<double> innerDistance_;  // of ties
   std::vector<std::vector<std::uint32_t>> overlapping_;
   std::vector<std::shared_ptr<PreparedScene>> tied_;

@@ -194,12 +194,15 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
                      siteText(scene, rules.pinned[i]) + " are " + text(distance) +
                      " m apart, closer than the minimum distance of " + text(rules.minDistance) + " m"};
     }
-  const std::size_t room = packSites(PreparedScene(scene), rules).size();
-  if (room < rules.count)
-    return Error{"luminaires: found room for only " + text(room) + " of " + text(std::size_t{rules.count}) +
-                 " luminaires " + text(rules.minDistance) +
-                 " m apart; lower the count or the minimum distance"};
-  return Done{};
+  const PreparedScene prepared(scene);
+  const std::size_t room = packSites(prepared, rules).size();
+  if (room >= rules.count) return Done{};
+  const std::string found = "luminaires: found room for only " + text(room) + " of " +
+                            text(std::size_t{rules.count}) + " luminaires ";
+  constexpr double kFelt = 0.01;  // m: less keeps luminaires of types off one site, no more
+  if (prepared.hasBodies() && rules.minDistance < kFelt)
+    return Error{found + "that do not run into each other; lower the count or take smaller ones"};
+  return Error{found + text(rules.minDistance) + " m apart; lower the count or the minimum distance"};
 }
 
 Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quantity quantity,

@@ -48,7 +48,8 @@ LuminaireRules tiedRules(const PreparedScene& prepared, const LuminaireRules& ru
     prepared.appendSites(tie, members);
     const bool isBarred =
         std::any_of(members.begin(), members.end(), [&](std::uint32_t site) { return barred[site] != 0; });
-    if (isBarred || prepared.innerDistance(tie) < rules.minDistance) tied.excluded.push_back(tie);
+    const double inner = prepared.innerDistance(tie);
+    if (isBarred || inner <= 0 || inner < rules.minDistance) tied.excluded.push_back(tie);
   }
   return tied;
 }
