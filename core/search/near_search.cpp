@@ -4,16 +4,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/search/identity.h"
 #include "core/search/start_layout.h"
+#include "core/search/steady.h"
 
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kNeighbours = 24;  // that are asked how much they alone would do
-constexpr std::uint32_t kHelpful = 11;     // of them, that followers are chosen from: 330 choices of four
-constexpr std::uint32_t kGlance = 250;     // evaluations for each choice,
-constexpr std::uint32_t kLook = 1500;      // and for the best of them:
+constexpr std::uint32_t kNeighbours = 24;   // that are asked how much they alone would do
+constexpr std::uint32_t kHelpful = 11;      // of them, that followers are chosen from: 330 choices of four
+constexpr std::size_t kScouted = 4;         // of them, those first that a search of all luminaires moves
+constexpr std::uint32_t kScouting = 20000;  // evaluations of that,
+constexpr std::uint32_t kGlance = 250;      // evaluations for each choice,
+constexpr std::uint32_t kLook = 1500;       // and for the best of them:
 constexpr std::size_t kLookedAt = 20;
+constexpr int kExchanges = 4;          // of one follower for another, each the best of
+constexpr std::size_t kExchanged = 6;  // so many that are looked at
 
 /// The luminaires that may follow, nearest to what was moved first.
 std::vector<std::uint32_t> neighboursOf(const PreparedScene& prepared, const LuminaireRules& rules,
@@ -91,24 +97,98 @@ bool isAheadOf(const Evaluation& a, const Evaluation& b) {
   return std::pair(a.violation, a.goal) < std::pair(b.violation, b.goal);
 }
 
-using Searches = std::vector<std::unique_ptr<LayoutSearch>>;
+/// Followers, and the search for how they follow.
+struct Choice {
+  std::vector<std::uint32_t> followers;
+  std::unique_ptr<LayoutSearch> search;
+};
 
-void sortBestFirst(Searches& searches) {
-  std::stable_sort(searches.begin(), searches.end(),
-                   [](const auto& a, const auto& b) { return isBetter(a->evaluation(), b->evaluation()); });
+/// The first `kept` of them, the best first.
+void keepBest(std::vector<Choice>& tried, std::size_t kept) {
+  std::stable_sort(tried.begin(), tried.end(), [](const Choice& a, const Choice& b) {
+    return isAheadOf(a.search->evaluation(), b.search->evaluation());
+  });
+  if (tried.size() > kept) tried.resize(kept);
 }
 
-/// Those of the neighbours that do most on their own, the best first; where all are few, as they come.
-std::vector<std::uint32_t> mostHelpful(const Choices& choices, const std::vector<std::uint32_t>& neighbours) {
+void lookAt(std::vector<Choice>& tried) {
+  for (Choice& choice : tried) choice.search->advance(kLook);
+}
+
+/// Whoever of the neighbours goes elsewhere when all luminaires may, those first that go furthest.
+std::vector<std::uint32_t> scouted(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
+                                   const Layout& start, const std::vector<std::uint32_t>& neighbours) {
+  Intentions asked = intentions;
+  asked.luminaires.count = static_cast<std::uint32_t>(start.sites.size());
+  asked.luminaires.countHigh = 0;
+  asked.luminaires.pinned.resize(start.sites.size(), kNone);
+  LayoutSearch search(prepared, asked, seed, &start);
+  search.advance(kScouting);
+  const Layout found = numberedAs(prepared.scene(), asked.luminaires, search.incumbent(), start);
+  const Layout calm = steadied(prepared, asked, found, start).layout;
+  const auto way = [&](std::uint32_t i) { return prepared.distance(start.sites[i], calm.sites[i]); };
+  std::vector<std::uint32_t> gone;
+  for (const std::uint32_t i : neighbours)
+    if (start.sites[i] != calm.sites[i]) gone.push_back(i);
+  std::stable_sort(gone.begin(), gone.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return way(a) > way(b); });
+  if (gone.size() > kScouted) gone.resize(kScouted);
+  return gone;
+}
+
+/// The `scouts`, and those of the other neighbours that do most on their own, the best first; where all are
+/// few, as they come.
+std::vector<std::uint32_t> mostHelpful(const Choices& choices, const std::vector<std::uint32_t>& neighbours,
+                                       const std::vector<std::uint32_t>& scouts) {
   if (neighbours.size() <= kHelpful) return neighbours;
   std::vector<std::pair<Evaluation, std::uint32_t>> alone;
+  const auto isScout = [&](std::uint32_t i) {
+    return std::find(scouts.begin(), scouts.end(), i) != scouts.end();
+  };
   for (const std::uint32_t i : neighbours)
-    if (const auto search = choices.glanceAt({i})) alone.emplace_back(search->evaluation(), i);
+    if (const auto search = isScout(i) ? nullptr : choices.glanceAt({i}))
+      alone.emplace_back(search->evaluation(), i);
   std::stable_sort(alone.begin(), alone.end(),
                    [](const auto& a, const auto& b) { return isAheadOf(a.first, b.first); });
-  std::vector<std::uint32_t> result;
-  for (std::size_t k = 0; k < alone.size() && k < kHelpful; ++k) result.push_back(alone[k].second);
+  std::vector<std::uint32_t> result = scouts;
+  for (std::size_t k = 0; k < alone.size() && result.size() < kHelpful; ++k)
+    result.push_back(alone[k].second);
   return result;
+}
+
+/// A glance at every choice of so many of the helpful, those of the first ones first; more than are looked at
+/// are kept.
+std::vector<Choice> bestOf(const Choices& choices, const std::vector<std::uint32_t>& helpful) {
+  std::vector<int> chosen(helpful.size(), 0);
+  std::fill_n(chosen.begin(), std::min<std::size_t>(kMostFollowers, chosen.size()), 1);
+  std::vector<Choice> best;
+  do {
+    std::vector<std::uint32_t> followers;
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      if (chosen[k]) followers.push_back(helpful[k]);
+    if (auto search = choices.glanceAt(followers)) best.push_back({followers, std::move(search)});
+    if (best.size() == 2 * kLookedAt) keepBest(best, kLookedAt);
+  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  return best;
+}
+
+/// One of its followers for another neighbour, as long as that helps.
+void exchange(const Choices& choices, const std::vector<std::uint32_t>& neighbours, Choice& best) {
+  for (int round = 0; round < kExchanges; ++round) {
+    std::vector<Choice> tried;
+    for (std::size_t k = 0; k < best.followers.size(); ++k)
+      for (const std::uint32_t i : neighbours) {
+        std::vector<std::uint32_t> followers = best.followers;
+        if (std::find(followers.begin(), followers.end(), i) != followers.end()) continue;
+        followers[k] = i;
+        if (auto search = choices.glanceAt(followers)) tried.push_back({followers, std::move(search)});
+      }
+    keepBest(tried, kExchanged);
+    lookAt(tried);
+    keepBest(tried, 1);
+    if (tried.empty() || !isBetter(tried[0].search->evaluation(), best.search->evaluation())) return;
+    best = std::move(tried[0]);
+  }
 }
 
 }  // namespace
@@ -120,28 +200,17 @@ std::unique_ptr<LayoutSearch> searchNear(PreparedScene& prepared, const Intentio
       start.sites.size() < intentions.luminaires.count || start.sites.size() > mostOf(intentions.luminaires))
     return nullptr;
   const Choices choices(prepared, intentions, seed, start);
+  const std::vector<std::uint32_t> neighbours = neighboursOf(prepared, intentions.luminaires, start, moved);
   const std::vector<std::uint32_t> helpful =
-      mostHelpful(choices, neighboursOf(prepared, intentions.luminaires, start, moved));
+      mostHelpful(choices, neighbours, scouted(prepared, intentions, seed, start, neighbours));
   if (helpful.empty()) return nullptr;
-  // A glance at every choice of so many of them, as marks in the order of the first first.
-  std::vector<char> chosen(helpful.size(), 0);
-  std::fill_n(chosen.begin(), std::min<std::size_t>(kMostFollowers, chosen.size()), 1);
-  Searches best;
-  do {
-    std::vector<std::uint32_t> followers;
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      if (chosen[k]) followers.push_back(helpful[k]);
-    if (auto search = choices.glanceAt(followers)) best.push_back(std::move(search));
-    if (best.size() < 2 * kLookedAt) continue;
-    sortBestFirst(best);
-    best.resize(kLookedAt);
-  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  std::vector<Choice> best = bestOf(choices, helpful);
   if (best.empty()) return nullptr;
-  sortBestFirst(best);
-  if (best.size() > kLookedAt) best.resize(kLookedAt);
-  for (const auto& search : best) search->advance(kLook);
-  sortBestFirst(best);
-  return std::move(best.front());
+  keepBest(best, kLookedAt);
+  lookAt(best);
+  keepBest(best, 1);
+  exchange(choices, neighbours, best.front());
+  return std::move(best.front().search);
 }
 
 }  // namespace fiatlux

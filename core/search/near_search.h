@@ -1,5 +1,6 @@
 // Steadiness: when a luminaire is moved by hand, only a few of those beside it make up for it and all others
-// stay where they are. Which few is found out by a short search for each choice.
+// stay where they are. Which few is found out by a short search for each choice, then by exchanging one of
+// them for another.
 #pragma once
 
 #include <cstdint>
