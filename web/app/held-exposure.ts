@@ -13,8 +13,9 @@ export function holdDuringGestures({ history }: Store, viewer: Viewer): void {
   const pressed = (is: boolean) => () => void (isPressed.value = is);
   // note: captured, for a press on a luminaire goes no further
   globalThis.addEventListener?.('pointerdown', pressed(true), true);
-  for (const end of ['pointerup', 'pointercancel', 'blur'])
-    globalThis.addEventListener?.(end, pressed(false), true);
+  for (const end of ['pointerup', 'pointercancel']) globalThis.addEventListener?.(end, pressed(false), true);
+  // Not captured: a slider that is pressed takes the focus from another control, whose blur ends nothing.
+  globalThis.addEventListener?.('blur', pressed(false));
   let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
     const isGesture = (history.value.past.at(-1)?.gesture ?? null) !== null;

@@ -89,7 +89,8 @@ function Loading() {
       {what && (
         <div class={isFirst ? 'loading first' : 'loading'} role="status">
           <span class="spinner" aria-hidden="true" />
-          {what} …{isFirst && <Slow />}
+          <span>{what} …</span>
+          {isFirst && <Slow />}
         </div>
       )}
     </>
@@ -108,7 +109,7 @@ function Slow() {
   if (!isSlow) return null;
   return (
     <>
-      {words.value.bars.slow}
+      <span>{words.value.bars.slow}</span>
       <button class="button small" onClick={() => location.reload()}>
         {words.value.opening.again}
       </button>

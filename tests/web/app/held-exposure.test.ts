@@ -8,6 +8,7 @@ const own = globalThis.addEventListener;
 let page: EventTarget;
 let store: Store;
 let held: boolean;
+let hearsOfControls: ((event: Event) => void)[]; // what is captured at the window hears each control lose the focus
 
 const brighten = (gesture: string) =>
   store.edit('flux', ({ luminaires }) => void (luminaires.flux += 10), gesture);
@@ -15,7 +16,11 @@ const brighten = (gesture: string) =>
 beforeEach(() => {
   jest.useFakeTimers();
   page = new EventTarget();
-  globalThis.addEventListener = page.addEventListener.bind(page) as typeof addEventListener;
+  hearsOfControls = [];
+  globalThis.addEventListener = ((type: string, listener: (event: Event) => void, isCaptured?: boolean) => {
+    if (type === 'blur' && isCaptured) hearsOfControls.push(listener);
+    page.addEventListener(type, listener, isCaptured);
+  }) as typeof addEventListener;
   store = new Store();
   holdDuringGestures(store, { holdExposure: (active) => void (held = active) } as Viewer);
 });
@@ -32,6 +37,17 @@ test('a hand that rests in the middle of a drag keeps it', () => {
   expect(held).toBe(true);
   page.dispatchEvent(new Event('pointerup'));
   store.endGesture();
+  expect(held).toBe(false);
+});
+
+test('a slider that takes the focus from another control keeps it, another window does not', () => {
+  page.dispatchEvent(new Event('pointerdown'));
+  for (const lose of hearsOfControls) lose(new Event('blur'));
+  brighten('drag');
+  jest.advanceTimersByTime(60_000);
+  expect(held).toBe(true);
+  page.dispatchEvent(new Event('blur'));
+  jest.advanceTimersByTime(3500);
   expect(held).toBe(false);
 });
 

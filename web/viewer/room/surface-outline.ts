@@ -6,9 +6,11 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
+  CustomBlending,
   Group,
   LineBasicMaterial,
   LineSegments,
+  MinEquation,
   type Material,
   type Object3D,
   type Plane,
@@ -63,6 +65,18 @@ function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
     .map(({ lit }) => lit);
 }
 
+/**
+ * Lines over the light on a measuring plane: no darker where many cross, and lighter than isolux lines, so that a chair is
+ * no black spot on what is read there.
+ */
+export function outlineOver(): LineBasicMaterial {
+  const material = new LineBasicMaterial({ color: 0x62676f, depthTest: false, toneMapped: false });
+  material.transparent = true; // drawn after the plane
+  material.blending = CustomBlending;
+  material.blendEquation = MinEquation;
+  return material;
+}
+
 export class SurfaceOutlines {
   readonly root = new Group();
   #room: readonly LitMesh[] = [];
@@ -71,7 +85,7 @@ export class SurfaceOutlines {
   #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
   #hovered = this.#material('#ffffff', 1.25, 0.6);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
-  #over = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.3, depthTest: false });
+  #over = outlineOver();
   #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
   #drawing: LineSegments[] = [];
   #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
