@@ -6,7 +6,7 @@ import path from 'node:path';
 import { expect, test } from '@jest/globals';
 import { candidatesOf } from '../../web/document/candidates.ts';
 import type { Intentions, Layout, LuminaireType, SceneInfo } from '../../web/document/types.ts';
-import { coreIntentions, shownOf } from '../../web/solver/core-intentions.ts';
+import { coreIntentions, gainsOf, shownOf } from '../../web/solver/core-intentions.ts';
 import { beginCandidates, MountedSession } from '../../web/solver/mounted-session.ts';
 import { openScene } from '../../web/solver/open-scene.ts';
 import { wholeFile } from '../../web/solver/scene-stream.ts';
@@ -41,6 +41,7 @@ function sessionOf(
   count = 2,
   more: Partial<Intentions['luminaires']> = {},
   constraints: Intentions['constraints'] = [],
+  glare?: Intentions['glare'],
 ): MountedSession {
   const candidates = candidatesOf(types, () => undefined, scene).filter(({ site }) => sites.includes(site));
   const making = new core.Candidates();
@@ -52,6 +53,7 @@ function sessionOf(
     luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0, types, ...more },
     goals: [{ statistic: 'mean', sense: 'near', target: 40, weight: 1, surfaces: ['floor'] }],
     constraints,
+    ...(glare && { glare }),
   };
   expect(session.adopt(making, coreIntentions(asked, scene.surfaces))).toBe('');
   making.delete();
@@ -192,4 +194,42 @@ test('direct light is a part of all light, of candidates as of squares', () => {
   const shown = valid(room.show(Uint32Array.of(8), Float64Array.of(100), 1));
   expect(shown.illuminance).toEqual(shown.direct);
   expect(shown.constraints[0]).toBeCloseTo(shown.surfaces[0]!, 6);
+});
+
+test('which paint helps is told of glare, direct light and faces, for luminaires of types', () => {
+  const constraints = [
+    { statistic: 'mean', min: 1, surfaces: ['floor'] },
+    { statistic: 'mean', min: 1, surfaces: ['floor'], quantity: 'direct' },
+    { statistic: 'cylindrical', min: 1, surfaces: ['desk plane'] },
+  ] as const;
+  const observers = [{ name: 'me', position: [0.5, 1.2, 1], direction: [1, 0, 0] }] as const;
+  const glare = { max: 10, observers };
+  const session = sessionOf([panel], 2, {}, constraints, glare);
+  const layout = layoutOf([
+    [8, panel],
+    [21, panel],
+  ]);
+  const asked = coreIntentions(
+    {
+      quantity: 'illuminance',
+      luminaires: { count: 2, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+      goals: [],
+      constraints,
+      glare,
+    },
+    scene.surfaces,
+  );
+  const numbers = valid(session.paintGains(room, asked, new Float64Array(), ...session.take(layout)));
+  const gains = gainsOf(numbers, asked);
+  expect(gains.map(({ surface }) => surface)).toEqual([0, 1]); // the plane only measures
+  for (const { constraints: gained } of gains) {
+    const [mean, direct, faces, ugr] = gained;
+    expect(mean).toBeGreaterThan(0);
+    expect(direct).toBe(0);
+    expect(faces).toBeGreaterThan(0);
+    expect(ugr).toBeLessThan(-0.01); // against a brighter room it glares less
+  }
+  expect(
+    session.paintGains(room, { ...asked, glare: null }, new Float64Array(), ...session.take(layout)),
+  ).toMatch(/nobody looks|does not tell/);
 });
