@@ -113,9 +113,12 @@ export function legendTicks(scale: Omit<Scale, 'colorMap'>, count = 6): LegendTi
   return apartTicks(ticks, count);
 }
 
+/** How many digits a label is wide: what stands between thousands is narrow. */
+const digitsOf = (label: string): number => label.length - 0.6 * (label.match(/\s/g)?.length ?? 0);
+
 /** Ticks whose labels would touch give way to their neighbours; both ends stay. */
 function apartTicks(ticks: readonly LegendTick[], count: number): LegendTick[] {
-  const widthOf = ({ label }: LegendTick) => (0.16 * (label.length + 1.5)) / (count + 1); // of the legend
+  const widthOf = ({ label }: LegendTick) => (0.16 * (1 + digitsOf(label))) / (count + 1); // of the legend
   /** Where its label begins and ends: those at the ends of the legend stay within it. */
   const spanOf = (tick: LegendTick): readonly [number, number] => {
     const width = widthOf(tick);

@@ -11,7 +11,7 @@ import { crossings, gridPatches, neighbours, type Plane, type Reading } from './
 
 const steps = [0.25, 0.5, 1, 2, 4, 8]; // m
 const apart = { wide: 46, high: 24 }; // px between readings
-const text = { wide: 26, high: 14 }; // px, about
+const text = { wide: 38, high: 16 }; // px, about, with some air beside a tag
 const sameLevel = 170; // px between two names of one level
 
 /** What is known of a plane, made when it is first shown. */
@@ -26,6 +26,14 @@ interface Placed {
   readonly y: number;
   readonly text: string;
   readonly isLevel: boolean;
+}
+
+/** Whether a number would lie under a tag or read as one with it. */
+export function isAtTag(tags: readonly TagPlace[], { x, y }: { x: number; y: number }): boolean {
+  return tags.some(
+    (tag) =>
+      Math.abs(tag.x - x) < (tag.wide + text.wide) / 2 && Math.abs(tag.y - y) < (tag.high + text.high) / 2,
+  );
 }
 
 export class PlaneLabels {
@@ -111,7 +119,7 @@ export class PlaneLabels {
     if (!grid) grids.set(step, (grid = gridPatches(plane, step)));
     for (const patch of grid) {
       const at = this.#project(plane.center.subarray(3 * patch, 3 * patch + 3), camera, size);
-      if (!at || this.#isUnderTag(at) || isNear(placed, at, apart.wide, apart.high)) continue;
+      if (!at || isAtTag(this.#tags, at) || isNear(placed, at, apart.wide, apart.high)) continue;
       placed.push({ ...at, text: formatLight(rounded(light[patch]!)), isLevel: false });
     }
   }
@@ -121,18 +129,11 @@ export class PlaneLabels {
     for (const { point, value } of crossings(known.plane, known.pairs, light, isoluxLevels) as Reading[]) {
       const at = this.#project(point, camera, size);
       const others = levels.get(value) ?? [];
-      if (!at || this.#isUnderTag(at)) continue;
+      if (!at || isAtTag(this.#tags, at)) continue;
       if (isNear(others, at, sameLevel, sameLevel) || isNear(placed, at, apart.wide, apart.high)) continue;
       levels.set(value, [...others, at]);
       placed.push({ ...at, text: formatLight(value), isLevel: true });
     }
-  }
-
-  #isUnderTag({ x, y }: { x: number; y: number }): boolean {
-    return this.#tags.some(
-      (tag) =>
-        Math.abs(tag.x - x) < (tag.wide + text.wide) / 2 && Math.abs(tag.y - y) < (tag.high + text.high) / 2,
-    );
   }
 
   #pixelsPerMetre({ patches, center }: Plane, camera: Camera, size: Size): number {

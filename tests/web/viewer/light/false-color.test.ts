@@ -154,6 +154,11 @@ test('labels of ticks never touch', () => {
       }
 });
 
+test('a tick is left out only where its label has no room', () => {
+  const ticks = falseColor.legendTicks({ range: [0, 1000], logarithmic: false, steps: 0 }, 5);
+  expect(ticks.map(({ value }) => value)).toEqual([0, 200, 400, 600, 800, 1000]);
+});
+
 test('the shader draws every isolux level', () => {
   for (const level of isoluxLevels) expect(isoluxShader).toContain(`${level}.0`);
 });
