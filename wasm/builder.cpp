@@ -44,6 +44,10 @@ SceneOptions optionsOf(const val& asked) {
   for (unsigned i = 0, count = reflectances["length"].as<unsigned>(); i < count; ++i)
     options.room.reflectances.push_back(
         {reflectances[i][0].as<std::string>(), reflectances[i][1].as<double>()});
+  if (const std::vector<double> at = emscripten::vecFromJSArray<double>(asked["inside"]); at.size() == 3)
+    options.room.place.inside = Vec3{at[0], at[1], at[2]};
+  options.room.place.doors = asked["doors"].as<std::uint32_t>();
+  options.room.place.lid = static_cast<PlaceOptions::Lid>(asked["lid"].as<int>());
   options.room.doubleSided = asked["doubleSided"].as<bool>();
   options.room.memory = asked["memory"].as<double>();
   options.room.mounts = namesOf(asked["mounts"]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,14 @@ namespace fiatlux {
 struct NamedReflectance {
   std::string material;
   double value = 0;  // 0..kMostReflectance
+};
+
+/// Which part of a building is the room.
+struct PlaceOptions {
+  std::optional<Vec3>
+      inside;               // m, a point in its air, as the model stands after `scale` and `isZUp`; none: all
+  std::uint32_t doors = 0;  // open ones that one may pass from there
+  enum class Lid { kNone, kDark, kWhite } lid = Lid::kNone;  // on what then stays open
 };
 
 struct RoomOptions {
@@ -34,6 +43,7 @@ struct RoomOptions {
   double planeRim = 0.5;              // m, that it stays away from the floor's edges
   bool isZUp = false;                 // z of the file is up, not y
   std::vector<NamedReflectance> reflectances;
+  PlaceOptions place;
   bool doubleSided = false;           // every material is: fronts may look either way
   double memory = 4;                  // GB, refused above
   std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory

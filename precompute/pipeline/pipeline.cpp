@@ -7,6 +7,7 @@
 
 #include "precompute/base/error.h"
 #include "precompute/geometry/build_room.h"
+#include "precompute/geometry/place.h"
 #include "precompute/geometry/scale_guess.h"
 #include "precompute/geometry/source_changes.h"
 #include "precompute/light/lost_rays.h"
@@ -30,8 +31,8 @@ namespace {
 /// A model in metres.
 struct Measured {
   SourceScene source;
-  double scale = 1;  // metres per unit of the file
-  std::string note;  // one line where that was guessed
+  double scale = 1;                // metres per unit of the file
+  std::vector<std::string> notes;  // one line where that was guessed, one where only a place of it stays
 };
 
 Measured measured(const ModelFile& model, const RoomOptions& options, const Host& host) {
@@ -40,17 +41,20 @@ Measured measured(const ModelFile& model, const RoomOptions& options, const Host
   if (options.isZUp) standUpright(source);
   repaint(options.reflectances, source);
   const double guess = options.scale > 0 ? 1 : guessedScale(source);
-  if (guess == 1) return {std::move(source), asked, ""};
-  scaleBy(guess, source);
-  std::string note = noteOfScale(guess, source);
-  return {std::move(source), guess, std::move(note)};
+  std::vector<std::string> notes;
+  if (guess != 1) {
+    scaleBy(guess, source);
+    notes.push_back(noteOfScale(guess, source));
+  }
+  if (options.place.inside) notes.push_back(keepPlace(options.place, source));
+  return {std::move(source), asked * guess, std::move(notes)};
 }
 
 }  // namespace
 
 OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host& host) {
   beginStage(host.progress, "reading");
-  auto [source, scale, note] = measured(model, options, host);
+  auto [source, scale, notes] = measured(model, options, host);
   beginStage(host.progress, "patches");
   auto [room, tracer] = orThrow(buildTracedRoom(source, options));
   room.scale = scale;
@@ -59,7 +63,7 @@ OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host
   std::vector<std::string> lost = warningsOfLostRays(room, tracer);
   room.warnings.insert(room.warnings.begin() + static_cast<std::ptrdiff_t>(room.leading),
                        std::make_move_iterator(lost.begin()), std::make_move_iterator(lost.end()));
-  if (!note.empty()) room.warnings.insert(room.warnings.begin(), note);
+  room.warnings.insert(room.warnings.begin(), notes.begin(), notes.end());
   if (host.warn) host.warn(room.warnings);
   return {std::move(source), std::move(room), std::move(tracer)};
 }
@@ -130,10 +134,10 @@ Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, 
 
 Result<Survey> surveyModel(const ModelFile& model, const RoomOptions& options, const Host& host) {
   const auto survey = [&] {
-    const auto [source, scale, note] = measured(model, options, host);
+    const auto [source, scale, notes] = measured(model, options, host);
     Survey survey = orThrow(surveyRoom(source, options));
     survey.scale = scale;
-    if (!note.empty()) survey.warnings.insert(survey.warnings.begin(), note);
+    survey.warnings.insert(survey.warnings.begin(), notes.begin(), notes.end());
     return survey;
   };
   return atDoor(survey, kNoMemory);

@@ -19,6 +19,10 @@ constexpr std::uint32_t kFewPatches = 100;
 
 constexpr double kMiB = 1 << 20;
 
+const char* nameOf(PlaceOptions::Lid lid) {
+  return lid == PlaceOptions::Lid::kNone ? "none" : lid == PlaceOptions::Lid::kDark ? "dark" : "white";
+}
+
 /// The options that change the light, in words that never change.
 std::string lightOptions(const SceneOptions& options, const Room& room) {
   std::ostringstream text;
@@ -37,6 +41,9 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
     text << " working-plane=" << options.room.plane << " rim=" << options.room.planeRim;
   for (const auto& [material, value] : options.room.reflectances)
     text << " reflectance=" << material.size() << ":" << material << "=" << value;
+  if (const PlaceOptions& place = options.room.place; place.inside)
+    text << " inside=" << place.inside->x << "," << place.inside->y << "," << place.inside->z
+         << " doors=" << place.doors << " lid=" << nameOf(place.lid);
   text << room.assumptions;
   return text.str();
 }
@@ -45,6 +52,12 @@ Json reflectancesJson(const std::vector<NamedReflectance>& reflectances) {
   Json json = Json::object();
   for (const auto& [material, value] : reflectances) json[material] = value;
   return json;
+}
+
+Json placeJson(const PlaceOptions& place) {
+  return {{"inside", {place.inside->x, place.inside->y, place.inside->z}},
+          {"doors", place.doors},
+          {"lid", nameOf(place.lid)}};
 }
 
 Json optionsJson(const SceneOptions& options, const Room& room) {
@@ -113,6 +126,7 @@ std::string provenanceOf(const Account& account) {
   if (!plan.empty()) json["plan"] = Json::parse(plan);
   json["patchSize"] = room.patchSize;
   json["options"] = optionsJson(options, room);
+  if (options.room.place.inside) json["options"]["place"] = placeJson(options.room.place);
   json["seconds"] = secondsJson(seconds);
   json["lost"] = report.lost;
   json["lostLight"] = std::max(0.0, 1 - report.balance.absorbed);

@@ -31,6 +31,35 @@ void addReflectanceOption(CLI::App& command, RoomOptions& room) {
       ->type_name("TEXT");
 }
 
+void addPlaceOptions(CLI::App& command, PlaceOptions& place) {
+  using Lid = PlaceOptions::Lid;
+  CLI::Option* inside = command
+                            .add_option_function<std::vector<double>>(
+                                "--inside",
+                                [&place](const std::vector<double>& p) {
+                                  place.inside = Vec3{p[0], p[1], p[2]};
+                                },
+                                "X,Y,Z in metres, a point in a building's room: only that room is lit")
+                            ->expected(3)
+                            ->delimiter(',')
+                            ->check(numberFrom(-kMost, kMost));
+  command
+      .add_option("--doors", place.doors, "With --inside: rooms behind so many open doors belong to it, too")
+      ->needs(inside)
+      ->check(wholeFrom(0, 100))
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--lid",
+          [&place](const std::string& kind) {
+            place.lid = kind == "white" ? Lid::kWhite : kind == "dark" ? Lid::kDark : Lid::kNone;
+          },
+          "With --inside: what closes its openings (default: none)")
+      ->needs(inside)
+      ->check(CLI::IsMember({"none", "dark", "white"}))
+      ->type_name("none|dark|white");
+}
+
 }  // namespace
 
 void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, bool& verbose) {
@@ -56,6 +85,7 @@ void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, 
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("y|z");
   addReflectanceOption(command, room);
+  addPlaceOptions(command, room.place);
   command
       .add_option("--plane", room.plane,
                   "A measuring plane so many metres over the floor below the luminaires")

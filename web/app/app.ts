@@ -258,7 +258,10 @@ export class App {
     const { store } = this;
     return {
       hovered: (surface, at) => void (store.hover.value = surface !== null && at ? { surface, ...at } : null),
-      surfacePicked: (surface) => this.selectSurface(surface),
+      surfacePicked: (surface, place) => {
+        if (!store.sheet.peek()?.isPicking) this.selectSurface(surface);
+        else if (place) this.opening.lighting.sheet?.standAt(place);
+      },
       luminairePicked: (luminaire, how) => this.hand.pick(luminaire, how),
       luminaireDragged: (luminaire, site) => this.hand.moveTo(luminaire, site, true),
       luminaireDropped: (luminaire, site) => this.hand.moveTo(luminaire, site, false),

@@ -16,11 +16,16 @@ export interface BuildOptions {
   readonly planeRim: number; // m, that it stays away from the floor's edges
   readonly up: 'y' | 'z'; // axis of the file
   readonly reflectances: readonly (readonly [material: string, value: number])[]; // whatever the file says
+  readonly inside: readonly number[]; // m: x, y, z of a point in the one room of a building that is lit; none: all of it
+  readonly doors: number; // open ones that one may pass from there
+  readonly lid: number; // of `lids`, on what then stays open
   readonly doubleSided: boolean; // faces of every material have two sides
   readonly memory: number; // GB, refused above
   readonly seed: number;
   readonly exchange: boolean; // the operator behind the light, too: what luminaires of photometric files need
 }
+
+export const lids = { none: 0, dark: 1, white: 2 } as const;
 
 /** As the command would do it, within what a browser gives a page. */
 export const usualOptions: BuildOptions = {
@@ -36,6 +41,9 @@ export const usualOptions: BuildOptions = {
   planeRim: 0.5,
   up: 'y',
   reflectances: [],
+  inside: [],
+  doors: 0,
+  lid: 0,
   doubleSided: false,
   memory: 1.5,
   seed: 1,

@@ -14,7 +14,8 @@ export interface ViewerEvents {
     surface: number | null,
     at: { x: number; y: number; lux: number; exitance: number; point: [number, number, number] } | null,
   ): void;
-  surfacePicked(surface: number | null): void;
+  /** A click, on a surface or beside it; `place`: in the air before what was clicked, m (of a preview: units of its file). */
+  surfacePicked(surface: number | null, place: readonly [number, number, number] | null): void;
   /**
    * alone: it and no other is selected from now on; also: it joins the selected ones, or leaves them; held: it is about to be
    * dragged, with all that are selected where it is one of them.

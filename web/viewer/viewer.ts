@@ -136,6 +136,7 @@ class RoomViewer implements Viewer {
       emphasis: this.#emphasis,
       hand: this.#hand,
       solid: () => this.#solid,
+      preview: () => (this.#info ? null : (this.#room?.root ?? null)),
       isFloor: ({ y }) => this.#section.isFloor(y),
     });
     this.#cool = warmUp(this.#stage.renderer, this.#rig.active, this.#light.uniforms);

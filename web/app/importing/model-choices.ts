@@ -6,6 +6,7 @@
 import * as v from 'valibot';
 import {
   facings,
+  lids,
   uses,
   usualOptions,
   type BuildOptions,
@@ -36,6 +37,9 @@ export interface ModelChoices {
   readonly plane: number; // m, of the working plane over the floor; 0: none
   readonly planeRim: number; // m, that it stays away from the floor's edges
   readonly drawn: readonly DrawnPlane[]; // other measuring planes; the only choice that is no option of the command
+  readonly inside: readonly number[]; // m: x, y, z of a point in the only room that is lit; none: all of it
+  readonly doors: number; // open ones that one may pass from there
+  readonly lid: number; // of `lids`, on what then stays open
   readonly doubleSided: boolean;
   readonly reflectances: Readonly<Record<string, number>>; // by material
 }
@@ -51,6 +55,9 @@ export const usualChoices: ModelChoices = {
   plane: 0,
   planeRim: usualOptions.planeRim,
   drawn: [],
+  inside: [],
+  doors: 0,
+  lid: lids.none,
   doubleSided: false,
   reflectances: {},
 };
@@ -62,6 +69,8 @@ const drawnPlane = v.object({
   height: number,
   border: v.pipe(number, v.minValue(0)),
 });
+
+export const mostDoors = 20;
 
 const metres = v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), 0);
 const choicesSchema = v.object({
@@ -75,6 +84,9 @@ const choicesSchema = v.object({
   plane: metres,
   planeRim: v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), usualOptions.planeRim),
   drawn: v.optional(v.array(drawnPlane), []),
+  inside: v.optional(v.union([v.strictTuple([]), v.strictTuple([number, number, number])]), []),
+  doors: v.optional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(mostDoors)), 0),
+  lid: v.optional(v.picklist(Object.values(lids)), lids.none),
   doubleSided: v.optional(v.boolean(), false),
   reflectances: v.optional(v.record(v.string(), v.pipe(v.number(), v.minValue(0), v.maxValue(0.95))), {}),
 });
@@ -114,9 +126,10 @@ interface Gltf {
   meshes?: { primitives?: { material?: number }[] }[];
 }
 
-function colorOf(factor: readonly number[] | undefined): Rgb {
-  const [r = 1, g = 1, b = 1] = factor ?? [];
-  return [r, g, b];
+/** As the pipeline takes it: between 0 and 1, whatever the file says. */
+function colorOf(factor: readonly unknown[] = []): Rgb {
+  const part = (value: unknown) => (typeof value === 'number' ? Math.min(1, Math.max(0, value)) : 1);
+  return [part(factor[0]), part(factor[1]), part(factor[2])];
 }
 
 /** The materials that a mesh has, in the file's order, a name once; none where the file cannot be read. */
@@ -138,6 +151,11 @@ export function materialsOf(glb: Model['bytes']): readonly ModelMaterial[] {
   } catch {
     return [];
   }
+}
+
+/** What a person says of a material; undefined where they say nothing, even of one called "constructor". */
+export function chosenReflectance({ reflectances }: ModelChoices, material: string): number | undefined {
+  return Object.hasOwn(reflectances, material) ? reflectances[material] : undefined;
 }
 
 export function chosenOptions({ unit, reflectances, drawn: _drawn, ...choices }: ModelChoices): BuildOptions {

@@ -9,6 +9,13 @@ import { reasonOf } from '../../document/reason.ts';
 
 const calm = 150; // ms without a change, before a model is looked at anew
 
+/** A point of the file as the builder has it. */
+function inMetres([x, y, z]: readonly [number, number, number], { choices, survey }: SheetState) {
+  const unit = choices.unit || survey?.scale || 1;
+  const [right, up, back] = choices.up === 'z' ? [x, z, -y] : [x, y, z];
+  return [unit * right, unit * up, unit * back];
+}
+
 export class ImportSheet {
   readonly #store: Store;
   readonly #lighting: Lighting;
@@ -28,6 +35,7 @@ export class ImportSheet {
       materials: materialsOf(model.bytes),
       survey: null,
       fault: null,
+      isPicking: false,
     };
     let picked = store.surface.peek();
     this.#forget = effect(() => {
@@ -53,6 +61,21 @@ export class ImportSheet {
     if (!state) return;
     const hung = mountsIn(state);
     this.choose({ mounts: hung.includes(name) ? hung.filter((each) => each !== name) : [...hung, name] });
+  }
+
+  /** From now on, or no longer, a click in the picture says which room of the building is meant. */
+  pickPlace(isPicking: boolean): void {
+    const state = this.#store.sheet.peek();
+    if (state) this.#store.sheet.value = { ...state, isPicking };
+  }
+
+  /** Only the room around a point of the picture is lit; what luminaires hung on elsewhere is no longer there. */
+  standAt(point: readonly [number, number, number]): void {
+    const state = this.#store.sheet.peek();
+    if (!state) return;
+    const isPlain = this.#store.preview.peek() !== null; // the picture is the file's, in its units
+    this.pickPlace(false);
+    this.choose({ inside: isPlain ? inMetres(point, state) : point, mounts: [] });
   }
 
   light(): void {

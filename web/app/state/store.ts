@@ -87,6 +87,7 @@ export interface SheetState {
   readonly materials: readonly ModelMaterial[];
   readonly survey: Survey | null; // before the first look, or where the model cannot be read so
   readonly fault: string | null; // why
+  readonly isPicking: boolean; // a click in the picture says which room is meant
 }
 
 export type Dialog = 'gallery' | 'share' | 'help' | 'palette' | 'presets' | 'luminaires' | 'report' | null;

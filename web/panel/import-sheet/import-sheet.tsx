@@ -15,6 +15,7 @@ import { timeLeft } from '../preview-note.tsx';
 import { LuminairesSection } from './luminaires-section.tsx';
 import { MaterialsSection } from './materials-section.tsx';
 import { MountsSection } from './mounts-section.tsx';
+import { PlaceSection } from './place-section.tsx';
 import { PlaneSection } from './plane-section.tsx';
 import { SizeSection } from './size-section.tsx';
 
@@ -46,6 +47,7 @@ export function ImportSheet() {
             </p>
           )}
           <SizeSection state={state} choose={(part) => sheet.choose(part)} />
+          <PlaceSection state={state} sheet={sheet} />
           <MountsSection state={state} sheet={sheet} />
           <LuminairesSection state={state} choose={(part) => sheet.choose(part)} />
           <PlaneSection choices={state.choices} choose={(part) => sheet.choose(part)} />
@@ -78,7 +80,7 @@ function Foreseen({ survey }: { readonly survey: NonNullable<SheetState['survey'
 
 /** What the sections do not say already, by fields instead of options of the command. */
 function Remarks({ lines }: { readonly lines: readonly string[] }) {
-  const other = lines.filter((line) => !/--(scale|mount|ceiling|double-sided|site-spacing)/.test(line));
+  const other = lines.filter((line) => !/--(scale|doors|mount|ceiling|double-sided|site-spacing)/.test(line));
   if (other.length === 0) return null;
   return (
     <Section title={words.value.sheet.remarks}>

@@ -1,5 +1,9 @@
 /** What the materials reflect: as the file says, by what a surface is where it says nothing, or as a person says. */
-import type { ModelChoices, ModelMaterial } from '../../app/importing/model-choices.ts';
+import {
+  chosenReflectance,
+  type ModelChoices,
+  type ModelMaterial,
+} from '../../app/importing/model-choices.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
 import { NumberField } from '../controls/number-field.tsx';
@@ -22,7 +26,7 @@ export function MaterialsSection({ state: { materials, choices }, choose }: Prop
           <Material
             key={material.key}
             material={material}
-            chosen={choices.reflectances[material.key]}
+            chosen={chosenReflectance(choices, material.key)}
             choose={(value) => choose(withReflectance(choices.reflectances, material.key, value))}
           />
         ))}

@@ -84,6 +84,11 @@ export class Picking {
     return { luminaire, surface: null, point: body.point, lux: 0, exitance: 0 };
   }
 
+  /** Where the latest ray first meets something that is drawn. */
+  pointOn(root: Object3D): Vector3 | null {
+    return this.#caster.intersectObject(root, true)[0]?.point ?? null;
+  }
+
   /** How far a ray goes until it meets the front of something, drawn or not, m; Infinity where it leaves the room. */
   reach(ray: Ray, room: readonly LitMesh[]): number {
     let least = Infinity;

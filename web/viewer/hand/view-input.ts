@@ -1,5 +1,5 @@
 /** What the person does on the picture: picking, hovering, dragging and keys, as events of the app and moves of the eye. */
-import type { Vector3 } from 'three';
+import type { Object3D, Vector3 } from 'three';
 import type { CameraRig } from '../eye/camera-rig.ts';
 import type { Emphasis } from './emphasis.ts';
 import type { LuminaireHand } from './luminaire-hand.ts';
@@ -14,6 +14,7 @@ import type { ViewerEvents } from '../types.ts';
 /** A press by hand asks for no focus ring (the option is ignored where unknown). */
 const quietly = { preventScroll: true, focusVisible: false } as FocusOptions;
 const turnStep = (5 * Math.PI) / 180;
+const backwards = 0.3; // m, from what is clicked to the air before it
 const panStep = 0.05; // of the picture's height
 
 export interface InputParts {
@@ -28,6 +29,8 @@ export interface InputParts {
   readonly events: ViewerEvents;
   /** What can be hit now; nothing while no room with light is open. */
   readonly solid: () => readonly LitMesh[];
+  /** What is shown without light; null while a room with light is open. */
+  readonly preview: () => Object3D | null;
   /** Whether a point is of the floor of a storey above the lowest. */
   readonly isFloor: (point: Vector3) => boolean;
 }
@@ -79,6 +82,17 @@ export class ViewInput {
     return picking.pick(x, y, rig.active, room, own, there, light.reflectance);
   }
 
+  /** A step back towards the eye from what is seen there; of a preview nothing else is known. */
+  #placeBefore(x: number, y: number, hit: Hit | null): readonly [number, number, number] | null {
+    const { picking, rig, preview } = this.#parts;
+    const { origin, direction } = picking.ray(x, y, rig.active);
+    const plain = preview();
+    const point = hit?.point ?? (plain && picking.pointOn(plain));
+    if (!point) return null;
+    const step = Math.min(backwards, 0.5 * origin.distanceTo(point));
+    return point.clone().addScaledVector(direction, -step).toArray();
+  }
+
   #hover(at: { x: number; y: number } | null): void {
     const { canvas, emphasis, events, hand } = this.#parts;
     if (hand.busy) return;
@@ -102,7 +116,9 @@ export class ViewInput {
     return new PointerInput(canvas, {
       hover: (at) => this.#hover(at),
       click: (x, y) => {
-        if (!this.#isLookOnly) events.surfacePicked(this.#pick(x, y)?.surface ?? null);
+        if (this.#isLookOnly) return;
+        const hit = this.#pick(x, y);
+        events.surfacePicked(hit?.surface ?? null, this.#placeBefore(x, y, hit));
       },
       doubleClick: (x, y) => {
         const hit = this.#pick(x, y);
@@ -124,7 +140,7 @@ export class ViewInput {
       zoom: (factor) => rig.zoom(factor),
       escape: () => {
         if (emphasis.luminaires.length > 0) events.luminairePicked(null, 'alone');
-        else events.surfacePicked(null);
+        else events.surfacePicked(null, null);
       },
     });
   }

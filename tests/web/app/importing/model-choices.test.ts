@@ -2,6 +2,7 @@
 import { expect, test } from '@jest/globals';
 import {
   facings,
+  lids,
   uses,
   usualOptions,
   type Survey,
@@ -10,6 +11,7 @@ import {
 import { writeGlb } from '../../../../web/document/gltf-container.ts';
 import {
   chosenOptions,
+  chosenReflectance,
   hangable,
   keptChoices,
   materialsOf,
@@ -43,6 +45,39 @@ test('materials are told with what they reflect, where the file says it', () => 
     { key: 'material 4', index: 4, name: '', hasPicture: false, reflectance: null },
   ]);
   expect(materialsOf(new TextEncoder().encode('no model'))).toEqual([]);
+});
+
+test('colours out of range are told as they count, odd names are names', () => {
+  const factors = [
+    [7, 1e9, 1],
+    [7, -3, 0],
+    ['x', null, {}],
+  ];
+  const materials = factors.map((baseColorFactor, i) => ({
+    name: ['constructor', '__proto__', '<img onerror>'][i]!,
+    pbrMetallicRoughness: { baseColorFactor },
+  }));
+  const primitives = factors.map((_, material) => ({ attributes: {}, material }));
+  const odd = writeGlb({ ...file, meshes: [{ primitives }], materials }, null);
+  expect(materialsOf(odd).map(({ name, reflectance }) => [name, reflectance])).toEqual([
+    ['constructor', null],
+    ['__proto__', expect.closeTo(0.2126, 4)],
+    ['<img onerror>', null],
+  ]);
+  expect(chosenReflectance(usualChoices, 'constructor')).toBeUndefined();
+  expect(chosenReflectance(usualChoices, '__proto__')).toBeUndefined();
+  const reflectances = { ['__proto__']: 0.3 };
+  expect(chosenReflectance({ ...usualChoices, reflectances }, '__proto__')).toBe(0.3);
+  expect(chosenOptions({ ...usualChoices, reflectances }).reflectances).toEqual([['__proto__', 0.3]]);
+  expect({}).not.toHaveProperty('constructor.polluted');
+});
+
+test('of a building one room may be chosen, with what closes its openings', () => {
+  const choices = { ...usualChoices, inside: [1, 1.2, -3], doors: 2, lid: lids.dark };
+  expect(chosenOptions(choices)).toEqual({ ...usualOptions, inside: [1, 1.2, -3], doors: 2, lid: 1 });
+  expect(keptChoices(structuredClone(choices))).toEqual(choices);
+  for (const broken of [{ inside: [1, 2] }, { inside: [1, NaN, 2] }, { doors: 0.5 }, { lid: 9 }])
+    expect(keptChoices({ ...choices, ...broken })).toBeNull();
 });
 
 test('what is chosen is said by options, and the file stays as it is', () => {
