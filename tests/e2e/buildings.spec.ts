@@ -1,4 +1,5 @@
-// A building of several storeys: cut by them, stood in, and lit in one of them. Covers storeys and mounts-section.
+// A building of several storeys: cut by them, stood in, and lit in one of them. Covers storeys, mounts-section
+// and place-section.
 import { makeBuilding } from '../rooms/made-building.mjs';
 import { difference, drop, expect, picture, test, violations } from './app.ts';
 
@@ -40,5 +41,18 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
   await expect(lower).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('checkbox', { name: 'slab/underside' })).toBeChecked();
   await expect(page.getByRole('checkbox', { name: 'roof/underside' })).not.toBeChecked();
+
+  // The room that is clicked alone: it is smaller than the building, and may be closed.
+  const size = page.locator('.sheet-size');
+  await expect(size).toContainText('12.60 × 9.60 m');
+  await page.getByRole('button', { name: 'Choose one room' }).click();
+  await page
+    .locator('canvas')
+    .first()
+    .click({ position: { x: 260, y: 300 } });
+  await expect(page.getByText('Only the room that was clicked is lit.')).toBeVisible();
+  await expect(size).not.toContainText('12.60', { timeout: 60_000 });
+  await page.getByRole('button', { name: 'Dark lid' }).click();
+  await expect(page.getByRole('checkbox', { name: 'roof/underside' })).toHaveCount(0);
   expect(await violations(page)).toEqual([]);
 });

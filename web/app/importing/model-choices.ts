@@ -70,6 +70,7 @@ const drawnPlane = v.object({
   border: v.pipe(number, v.minValue(0)),
 });
 
+export { lids };
 export const mostDoors = 20;
 
 const metres = v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), 0);

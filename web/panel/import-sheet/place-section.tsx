@@ -1,6 +1,5 @@
 /** Which part of a building is lit: all of it, or the room that is clicked, as far as one sees through its doors. */
-import { lids } from '../../builder/builder.ts';
-import { mostDoors, usualChoices } from '../../app/importing/model-choices.ts';
+import { lids, mostDoors, usualChoices } from '../../app/importing/model-choices.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
