@@ -7,6 +7,7 @@ import { candidatesOf, type Candidate } from '../document/candidates.ts';
 import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
 import { hasLuminousArea, type PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
+import { withTaskAreas } from '../document/task-areas.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
 import { unknown, type Candidates, type CoreModule, type OrError, type Session } from './core.ts';
@@ -303,7 +304,8 @@ export class Mounts {
   #adopted(scene: Candidates, plan: Plan, wanted: Wanted): Omit<Made, 'key'> {
     const { asked } = wanted;
     const session = new this.#core.Session();
-    const error = session.adopt(scene, coreIntentions(asked, this.#scene?.surfaces ?? []));
+    const room = this.#scene && withTaskAreas(this.#scene, asked.taskAreas);
+    const error = session.adopt(scene, coreIntentions(asked, room?.surfaces ?? []));
     if (error) {
       session.delete();
       throw new Error(error);

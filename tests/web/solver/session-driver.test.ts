@@ -11,6 +11,7 @@ import { SessionDriver } from '../../../web/solver/session-driver.ts';
 import { asked, FakeCandidates, FakeClock, FakeColoredLight, FakeSession } from './fake-session.ts';
 import type { Intentions, LuminaireType } from '../../../web/document/types.ts';
 import { described } from '../described.ts';
+import { outlineOf } from '../../../web/document/areas.ts';
 import { luminaireType } from '../document/luminaire-type.ts';
 
 /** Reads files of one byte: their luminous intensity. */
@@ -277,6 +278,20 @@ async function openedForTypes(): Promise<void> {
   await opened();
   await driver.receive({ type: 'bring', hash: type.hash, file: Uint8Array.of(7).buffer });
 }
+
+test('of a task area, too, light may be asked of types', async () => {
+  await openedForTypes();
+  const outline = outlineOf([-9, -9, 9, 9]);
+  const intentions: Intentions = {
+    ...ofTypes(),
+    taskAreas: [{ name: 'task 1', surface: 'floor', outline }],
+    constraints: [{ statistic: 'mean', min: 60, surfaces: ['task 1'] }],
+  };
+  await driver.receive(solve(2, { intentions }));
+  settle();
+  expect(answers.filter(({ type: kind }) => kind === 'failed')).toEqual([]);
+  expect(kinds().at(-1)).toBe('settled 2');
+});
 
 test('types are asked about before the statistics are there, squares are not', async () => {
   let end!: () => void;
