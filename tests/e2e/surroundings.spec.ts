@@ -203,7 +203,9 @@ test('a browser without 3D graphics is told what to do', async ({ page, watched 
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto('./');
-  await expect(page.getByRole('alert')).toContainText(/no 3D graphics.*hardware acceleration/);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText(/no 3D graphics.*hardware acceleration/);
+  await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
   watched.faults.length = 0; // three reports it to the console, too
 });
 
@@ -238,4 +240,25 @@ plain('a start without the app says so and offers to try again', async ({ page }
   await page.unroute(app);
   await page.getByRole('link', { name: 'Try again' }).click();
   await settled(page);
+});
+
+plain('a start where the server never answers is not waited for without end', async ({ page }) => {
+  await page.clock.install();
+  await page.route('**/*.flux', () => undefined);
+  await page.goto('./');
+  const waiting = page.getByRole('status').filter({ hasText: 'Opening the room' });
+  await expect(waiting).toBeVisible();
+  await expect(waiting.getByRole('button')).toHaveCount(0);
+  await page.clock.fastForward(21_000);
+  await page.unroute('**/*.flux');
+  await waiting.getByRole('button', { name: 'Try again' }).click();
+  await settled(page);
+});
+
+plain('without scripts the page says that it needs them', async ({ browser, baseURL }) => {
+  const page = await browser.newPage({ javaScriptEnabled: false });
+  await page.goto(baseURL ?? '');
+  await expect(page.getByText(/by JavaScript: switch it on/)).toBeVisible();
+  await expect(page.getByRole('link', { name: 'Open it again' })).toBeVisible();
+  await page.close();
 });
