@@ -198,10 +198,10 @@ class OpennessOfRoom {
     return [begin, cells];
   }
 
-  /** V at a lattice of so many cells an edge; 1 at the corners of none. */
+  /** V at a lattice of so many cells an edge; of none: 0 for what lies wholly within a solid, else 1. */
   #lattice(face: Face, cells: number): Float32Array {
-    const found = new Float32Array(latticeSize(Math.max(1, cells))).fill(1);
-    if (cells === 0) return found;
+    const found = new Float32Array(latticeSize(Math.max(1, cells)));
+    if (cells === 0) return found.fill(this.#isWithin(face) ? 0 : 1);
     let k = 0;
     for (let j = 0; j <= cells; j++)
       for (let i = 0; i <= cells - j; i++) found[k++] = this.#at(face, i / cells, j / cells);
@@ -285,6 +285,12 @@ class OpennessOfRoom {
       }
     }
     return 1 - around * (1 - sum / directions);
+  }
+
+  /** Whether a face before which nothing ends is covered nevertheless: by a solid that is larger. */
+  #isWithin(face: Face): boolean {
+    const [x, y, z] = pointOf(face, 1 / 3, 1 / 3).map((value, axis) => value + lift * face.normal[axis]!);
+    return this.#isCovered(x!, y!, z!, face.normal);
   }
 
   /** Whether a place lies within a solid: from there all that is before the surface is seen from behind. */

@@ -155,7 +155,7 @@ float openness() {
 
 // The patches' light, spread within them.
 float litHere() {
-  const float most = 2.5; // times its patches' light: beyond, their mean is mostly noise
+  const float most = 6.0; // times its patches' light: beyond, their mean is mostly noise
   if (contact <= 0.0) return vLight;
   return vLight * mix(1.0, min(most, openness() / max(vMeanOpenness, 1e-3)), contact);
 }

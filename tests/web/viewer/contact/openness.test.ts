@@ -94,6 +94,14 @@ describe('how open a place is', () => {
     expect(openness({ parts: [floor, sheet], patchCenter, edge: 0.2 }).means[0]).toBeGreaterThan(0.75);
   });
 
+  test('of a patch that lies wholly under a box nothing is seen', () => {
+    const wide = box.map((part) => ({
+      ...part,
+      positions: part.positions.map((x, i) => (i % 3 === 1 ? x : 0.1 + 4 * (x - 0.1))),
+    }));
+    expect(openness({ parts: [floor, ...wide], patchCenter, edge: 0.2 }).means[0]).toBe(0);
+  });
+
   test('what a box covers does not depend on how it lies to the lattice: its foot has no scallops', () => {
     const moved = (by: number) =>
       box.map((part) => ({ ...part, positions: part.positions.map((x, i) => (i % 3 === 1 ? x : x + by)) }));
