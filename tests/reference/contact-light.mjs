@@ -104,7 +104,7 @@ function placesOf(parts, found, light) {
         }, 0);
       const openness = opennessAt(found, first, cells, u, v);
       const before = ofPatches(light);
-      const ratio = Math.min(2.5, openness / Math.max(1e-3, ofPatches(found.means)));
+      const ratio = Math.min(mostBrightening, openness / Math.max(1e-3, ofPatches(found.means)));
       const normal = blended(corners.map((corner) => at(part.normals, corner)));
       all.push({ point: blended(points), normal, before, after: before * ratio, order: random() });
     }
@@ -154,6 +154,7 @@ function errorOf(places, key) {
 }
 
 const { openness } = await pageModule('web/viewer/contact/openness.ts');
+const { mostBrightening } = await pageModule('web/viewer/contact/brightening.ts');
 
 async function rowsOf(room, folder) {
   // What the page works out once the room is drawn.

@@ -199,7 +199,7 @@ class PathTracer {
 class PixelLight {
  public:
   PixelLight(const PathTracer& tracer, const View& view)
-      : tracer_(tracer), view_(view), sequence_(view.paths) {}
+      : tracer_(tracer), view_(view), sequence_(view.paths / 2) {}
 
   /// kFields numbers.
   void read(std::uint32_t column, std::uint32_t row, float* out) const {
@@ -230,27 +230,27 @@ class PixelLight {
     return sum;
   }
 
+  /// note: halves of one sequence fill each other's gaps; of two, they differ by chance.
   void gather(const Meeting& at, std::uint64_t seed, float* out) const {
-    const auto scramble = RaySequence::scramble(seed);
     const Frame frame(at.normal);
     Random random(seed);
     double nearest = kNear;
     std::uint32_t near = 0;
+    const std::uint32_t count = sequence_.count();
     Color half[2] = {};
-    for (std::uint32_t i = 0; i < sequence_.count(); ++i) {
-      const auto s = sequence_.point(i, scramble);
+    for (std::uint32_t i = 0; i < 2 * count; ++i) {
+      const auto s = sequence_.point(i % count, RaySequence::scramble(mixBits(seed + i / count)));
       std::optional<Meeting> first;
       const Color light = tracer_.pathLight(at, cosineDirection(frame, s[0], s[1]), random, first);
-      for (int k = 0; k < 3; ++k) half[2 * i / sequence_.count()][k] += light[k];
+      for (int k = 0; k < 3; ++k) half[i / count][k] += light[k];
       if (!first || first->distance >= kNear) continue;
       ++near;
       if (first->distance >= nearest) continue;
       nearest = first->distance;
       out[12] = static_cast<float>(tracer_.surfaceOf(*first));
     }
-    for (int k = 0; k < 6; ++k)
-      out[1 + k] = static_cast<float>(half[k / 3][k % 3] / (0.5 * sequence_.count()));
-    out[10] = static_cast<float>(near) / static_cast<float>(sequence_.count());
+    for (int k = 0; k < 6; ++k) out[1 + k] = static_cast<float>(half[k / 3][k % 3] / count);
+    out[10] = static_cast<float>(near) / static_cast<float>(2 * count);
   }
 
   const PathTracer& tracer_;

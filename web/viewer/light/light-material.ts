@@ -19,6 +19,7 @@ import {
   type Matrix3,
   type Texture,
 } from 'three';
+import { mostBrightening } from '../contact/brightening.ts';
 import { isoluxShader } from './isolux.ts';
 
 const vertexShader = /* glsl */ `
@@ -155,7 +156,7 @@ float openness() {
 
 // The patches' light, spread within them.
 float litHere() {
-  const float most = 6.0; // times its patches' light: beyond, their mean is mostly noise
+  const float most = ${mostBrightening.toFixed(1)};
   if (contact <= 0.0) return vLight;
   return vLight * mix(1.0, min(most, openness() / max(vMeanOpenness, 1e-3)), contact);
 }
