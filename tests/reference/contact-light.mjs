@@ -154,7 +154,7 @@ function errorOf(places, key) {
 }
 
 const { openness } = await pageModule('web/viewer/contact/openness.ts');
-const { mostBrightening } = await pageModule('web/viewer/contact/brightening.ts');
+const { mostBrightening } = await pageModule('web/viewer/light/brightening.ts');
 
 async function rowsOf(room, folder) {
   // What the page works out once the room is drawn.

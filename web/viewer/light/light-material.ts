@@ -19,7 +19,7 @@ import {
   type Matrix3,
   type Texture,
 } from 'three';
-import { mostBrightening } from '../contact/brightening.ts';
+import { mostBrightening } from './brightening.ts';
 import { isoluxShader } from './isolux.ts';
 
 const vertexShader = /* glsl */ `
