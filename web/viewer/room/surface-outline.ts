@@ -6,11 +6,9 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  CustomBlending,
   Group,
   LineBasicMaterial,
   LineSegments,
-  MinEquation,
   type Material,
   type Object3D,
   type Plane,
@@ -67,14 +65,11 @@ function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
 
 /**
  * Lines over the light on a measuring plane: no darker where many cross, and lighter than isolux lines, so that a chair is
- * no black spot on what is read there.
+ * no black spot on what is read there; lighter than little light, so that a sofa in the dark is seen.
  */
 export function outlineOver(): LineBasicMaterial {
-  const material = new LineBasicMaterial({ color: 0x62676f, depthTest: false, toneMapped: false });
-  material.transparent = true; // drawn after the plane
-  material.blending = CustomBlending;
-  material.blendEquation = MinEquation;
-  return material;
+  // note: "transparent", though it is not, so that it is drawn after the plane
+  return new LineBasicMaterial({ color: 0x62676f, transparent: true, depthTest: false, toneMapped: false });
 }
 
 export class SurfaceOutlines {

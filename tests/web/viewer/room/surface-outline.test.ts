@@ -1,11 +1,14 @@
 /** Outlines of furniture over a measuring plane that is read. */
 import { expect, test } from '@jest/globals';
-import { MinEquation } from 'three';
+import { Color } from 'three';
 import { outlineOver } from '../../../../web/viewer/room/surface-outline.ts';
 
-test('lines over a plane are no darker where many cross', () => {
-  const { blendEquation, color, toneMapped, depthTest } = outlineOver();
-  expect(blendEquation).toBe(MinEquation);
-  expect(Math.min(...color.toArray())).toBeGreaterThan(0.1); // isolux lines are darker
+test('lines over a plane are no darker where many cross, and seen on much light and on little', () => {
+  const { opacity, color, toneMapped, depthTest } = outlineOver();
+  expect(opacity).toBe(1);
+  const brightness = ({ r, g, b }: Color) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  const [least, most] = [new Color('#440154'), new Color('#fde725')]; // the ends of viridis
+  expect(brightness(color)).toBeGreaterThan(5 * brightness(least));
+  expect(brightness(color)).toBeLessThan(brightness(most) / 5);
   expect([toneMapped, depthTest]).toEqual([false, false]);
 });
