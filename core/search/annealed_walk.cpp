@@ -58,6 +58,7 @@ bool AnnealedWalk::openSwap(const Surroundings& at, Scan& scan) const {
   const std::uint32_t to = at.freeSites.exchanged(sites[scan.luminaire], sites[scan.partner]),
                       partnerTo = at.freeSites.exchanged(sites[scan.partner], sites[scan.luminaire]);
   if (scan.partner == scan.luminaire || to == kNone || partnerTo == kNone) return false;
+  if (!at.freeSites.mayExchange(sites[scan.luminaire], to, sites[scan.partner], partnerTo)) return false;
   scan.candidates.clear();
   scan.partnerCandidates = {to, partnerTo};
   scan.size = 1;

@@ -51,6 +51,14 @@ class FreeSites {
     const std::uint32_t to = prepared_.inWayOf(luminaireOn, there);
     return to == kNone || excluded_[to] ? kNone : to;
   }
+  /// Do these two then hang in no other's way? Of what has no body: yes, others hang where they hung.
+  bool mayExchange(std::uint32_t fromA, std::uint32_t toA, std::uint32_t fromB, std::uint32_t toB) const {
+    if (!prepared_.hasBodies()) return true;
+    const auto isClear = [&](std::uint32_t to) {
+      return blocked_[to] == (conflict(fromA, to) ? 1u : 0u) + (conflict(fromB, to) ? 1u : 0u);
+    };
+    return isClear(toA) && isClear(toB) && !conflict(toA, toB);
+  }
   /// The most candidates that a place has.
   std::uint32_t waysPerPlace() const { return prepared_.waysPerPlace(); }
   /// Do candidates differ in weight, or layouts in their count?

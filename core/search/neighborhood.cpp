@@ -62,6 +62,7 @@ std::uint32_t trySwaps(const Surroundings& at, Scan& scan, std::uint32_t limit) 
                         partnerTo = at.freeSites.exchanged(sites[j], sites[i]);
     if (to == kNone || partnerTo == kNone) continue;  // one of the two does not fit there
     if (at.evaluator.flux()[i] == at.evaluator.flux()[j] && to == sites[j]) continue;
+    if (!at.freeSites.mayExchange(sites[i], to, sites[j], partnerTo)) continue;
     at.evaluator.tryPair({i, to}, {j, partnerTo}, scan.found);
     ++tried;
   }

@@ -77,6 +77,23 @@ TEST(Bodies, NoRuleHangsOneIntoAnother) {
     }
 }
 
+TEST(Bodies, ThoseThatTradeTheirWaysFitAfterwards) {
+  const Scene scene = battens();
+  Intentions intentions;
+  intentions.luminaires.flux = {1};
+  intentions.luminaires.minDistance = 1e-3;
+  intentions.goals = {{Statistic::kSigma, Sense::kMaximize, 1, {0}, {}}};
+  PreparedScene prepared(scene);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (intentions.luminaires.count = 4; intentions.luminaires.count <= 7; ++intentions.luminaires.count) {
+      LayoutSearch search(prepared, intentions, seed);
+      for (int slice = 0; slice < 20; ++slice) {
+        search.advance(300);
+        EXPECT_EQ(collisions(scene, search.incumbent().sites), 0u) << seed;
+      }
+    }
+}
+
 TEST(Bodies, TakeRoomThatOthersCannotHave) {
   const Scene scene = battens();
   Intentions intentions;
