@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
@@ -222,20 +223,77 @@ void closeSlice(const Slice& slice, SourceMesh& lid) {
   }
 }
 
-void addLid(const Spaces& spaces, const Kept& kept, bool isWhite, SourceScene& source) {
-  SourceMesh lid;
-  lid.node = lid.extras.surface = "lid";
-  for (const SourceMesh& mesh : source.meshes) lid.nodeIndex = std::max(lid.nodeIndex, mesh.nodeIndex + 1);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int at = 0; at < spaces.grid().count[axis]; ++at)
-      for (const bool isUpper : {false, true}) closeSlice({spaces, kept.air, axis, isUpper, at}, lid);
-  if (lid.triangles.empty()) return;
-  SourceMaterial paint;
-  paint.name = "lid";
-  for (std::size_t c = 0; c < 3; ++c) paint.baseColor[c] = isWhite ? kWhiteLid : 0;
-  lid.material = static_cast<int>(source.materials.size());
-  source.materials.push_back(std::move(paint));
-  source.meshes.push_back(std::move(lid));
+/// What closes a place: rectangles where its air goes on, and the panes of its windows, through which light
+/// would leave it.
+class Lid {
+ public:
+  Lid(const Spaces& spaces, const Kept& kept) : spaces_(spaces), kept_(kept) {
+    mesh_.node = mesh_.extras.surface = "lid";
+    std::vector<std::uint8_t> other(spaces.grid().size());
+    for (std::size_t cube = 0; cube < other.size(); ++cube)
+      other[cube] = !kept.air[cube] && !spaces.isSolid(cube);
+    nearOther_ = widened(spaces.grid(), std::move(other), 1);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int at = 0; at < spaces.grid().count[axis]; ++at)
+        for (const bool isUpper : {false, true}) closeSlice({spaces, kept.air, axis, isUpper, at}, mesh_);
+  }
+
+  /// Takes a triangle of something transparent, turned into the place; false where it does not part it from
+  /// what is left out.
+  bool takePane(Vec3 a, Vec3 b, Vec3 c) {
+    const CubeGrid& grid = spaces_.grid();
+    if (!anyCube(grid, a, b, c, [&](std::size_t cube) { return nearOther_[cube] != 0; })) return false;
+    const Vec3 before = 1.5 * grid.edge * normalized(cross(b - a, c - a));
+    const Vec3 middle = (1.0 / 3) * (a + b + c);
+    if (!kept_.air[grid.indexOf(grid.stepsTo(middle + before))]) std::swap(b, c);
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+    mesh_.positions.insert(mesh_.positions.end(), {a, b, c});
+    mesh_.triangles.push_back({first, first + 1, first + 2});
+    return true;
+  }
+
+  void addTo(SourceScene& source, bool isWhite) {
+    if (mesh_.triangles.empty()) return;
+    for (const SourceMesh& mesh : source.meshes)
+      mesh_.nodeIndex = std::max(mesh_.nodeIndex, mesh.nodeIndex + 1);
+    SourceMaterial paint;
+    paint.name = "lid";
+    for (std::size_t c = 0; c < 3; ++c) paint.baseColor[c] = isWhite ? kWhiteLid : 0;
+    mesh_.material = static_cast<int>(source.materials.size());
+    source.materials.push_back(std::move(paint));
+    source.meshes.push_back(std::move(mesh_));
+  }
+
+ private:
+  const Spaces& spaces_;
+  const Kept& kept_;
+  SourceMesh mesh_;
+  std::vector<std::uint8_t> nearOther_;  // cubes beside air that is left out
+};
+
+/// The meshes of a scene as far as they touch the place; panes go to the lid, where there is one.
+std::vector<SourceMesh> touched(const SourceScene& source, const Spaces& spaces, const Kept& kept, Lid* lid) {
+  const CubeGrid& grid = spaces.grid();
+  const std::vector<std::uint8_t> near = widened(grid, kept.air, 1);
+  const auto isNear = [&](std::size_t cube) { return near[cube] != 0; };
+  const Vec3 more{grid.edge, grid.edge, grid.edge};
+  Bounds box = kept.box;
+  box.low = box.low - more, box.high += more;
+  std::vector<SourceMesh> meshes;
+  for (const SourceMesh& mesh : source.meshes) {
+    const bool isGlass =
+        mesh.material >= 0 &&
+        source.materials[static_cast<std::size_t>(mesh.material)].alpha == SourceMaterial::Alpha::kBlend;
+    Rest rest(mesh, box);
+    for (const auto& t : mesh.triangles) {
+      const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+      if (!anyCube(grid, a, b, c, isNear)) continue;
+      if (!isGlass || !lid || !lid->takePane(a, b, c)) rest.add(t);
+    }
+    meshes.push_back(rest.take());
+    if (meshes.back().triangles.empty()) meshes.pop_back();
+  }
+  return meshes;
 }
 
 }  // namespace
@@ -247,25 +305,10 @@ std::string keepPlace(const PlaceOptions& place, SourceScene& source) {
     throw CommandError("--inside " + textOf(*place.inside) +
                        ": there is no air that belongs to a room; name a point about a metre over its floor");
   const Kept kept = keptOf(spaces, from, place.doors);
-  const CubeGrid& grid = spaces.grid();
-  const std::vector<std::uint8_t> near = widened(grid, kept.air, 1);
-  Bounds box = kept.box;
-  const Vec3 more{grid.edge, grid.edge, grid.edge};
-  box.low = box.low - more, box.high += more;
-
-  std::vector<SourceMesh> meshes;
-  const auto isNear = [&](std::size_t cube) { return near[cube] != 0; };
-  for (const SourceMesh& mesh : source.meshes) {
-    Rest rest(mesh, box);
-    for (const auto& t : mesh.triangles)
-      if (anyCube(grid, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], isNear))
-        rest.add(t);
-    meshes.push_back(rest.take());
-    if (meshes.back().triangles.empty()) meshes.pop_back();
-  }
-  source.meshes = std::move(meshes);
-  if (place.lid != PlaceOptions::Lid::kNone)
-    addLid(spaces, kept, place.lid == PlaceOptions::Lid::kWhite, source);
+  std::optional<Lid> lid;
+  if (place.lid != PlaceOptions::Lid::kNone) lid.emplace(spaces, kept);
+  source.meshes = touched(source, spaces, kept, lid ? &*lid : nullptr);
+  if (lid) lid->addTo(source, place.lid == PlaceOptions::Lid::kWhite);
   const Vec3 size = kept.box.size();
   return "only the place around " + textOf(*place.inside) + " stays, " + shortNumber(size.x) + " x " +
          shortNumber(size.z) + " m and " + shortNumber(size.y) + " m high: " + std::to_string(kept.parts) +

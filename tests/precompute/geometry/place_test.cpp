@@ -18,6 +18,7 @@ namespace fiatlux {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::TestMesh;
 using testing::TrapRoom;
 using Lid = PlaceOptions::Lid;
 
@@ -27,8 +28,13 @@ const Vec3 kInFirst{2, 1, 2.5}, kInMiddle{6, 1, 2.5};
 
 /// Rooms along x with doors between them, and a window without glass at the far end of the first; floor and
 /// ceiling are one slab each.
-SourceScene rooms() {
+SourceScene rooms(bool hasGlass = false) {
   TrapRoom made;
+  if (hasGlass) {
+    TestMesh pane;
+    pane.quad({-kThick / 2, 0.9, 2}, {0, 1, 0}, {0, 0, 1});
+    made.gltf.node("pane", made.gltf.mesh(pane, made.gltf.material("glass", 0.8, {{"alphaMode", "BLEND"}})));
+  }
   const double far = 3 * kWide + 2 * kThick, door = 2;
   const auto across = [&](const std::string& name, double x, double from, double to, double low,
                           double high) {
@@ -111,6 +117,26 @@ TEST(Place, ClosesItsOpeningsWithALid) {
       EXPECT_GT(dot(normal, kInFirst - lid->positions[t[0]]), 0);
     }
   }
+}
+
+TEST(Place, ClosesPanesToo) {
+  for (const bool hasGlass : {false, true}) {
+    SourceScene source = rooms(hasGlass);
+    keepPlace({kInFirst, 0, Lid::kWhite}, source);
+    EXPECT_EQ(meshCalled(source, "pane"), nullptr);
+    const SourceMesh& lid = *meshCalled(source, "lid");
+    double window = 0;  // m2, of the lid in the west
+    for (const auto& t : lid.triangles) {
+      const Vec3 vector = areaVector(lid.positions, t);
+      if (lid.positions[t[0]].x > 0) continue;
+      EXPECT_GT(vector.x, 0);
+      window += vector.x;
+    }
+    EXPECT_NEAR(window, hasGlass ? 1 : 1.4, hasGlass ? 1e-6 : 0.4);
+  }
+  SourceScene open = rooms(true);
+  keepPlace({kInFirst}, open);
+  EXPECT_NE(meshCalled(open, "pane"), nullptr);
 }
 
 TEST(Place, ARoomWithoutACeilingIsNotOutdoors) {
