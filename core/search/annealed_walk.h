@@ -1,8 +1,10 @@
 // The shake of the search: an annealed walk from a layout (Kirkpatrick, Gelatt and Vecchi 1983). A step looks
-// at a few sites for one luminaire and takes the best of them, a worse layout too while it is hot. The
-// temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a penalty,
-// which grows while bounds are broken and shrinks while they are met, so that the walk keeps to their edge.
-// Neither knows any unit.
+// at a few sites for one luminaire and takes the best of them, a worse layout too while it is hot. Where
+// trials may be surveyed (objective.h), it looks at all near ones at once, the luminaire's own too, and takes
+// each with about the chance that the temperature gives it; that counts for as many trials as last as long.
+// The temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a
+// penalty, which grows while bounds are broken and shrinks while they are met, so that the walk keeps to
+// their edge. Neither knows any unit.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +35,7 @@ class AnnealedWalk {
   double penalty() const { return penalty_; }
 
  private:
+  void survey(const Surroundings& at, Scan& scan) const;
   bool openSwap(const Surroundings& at, Scan& scan) const;
 
   bool swaps_, bounded_;

@@ -10,7 +10,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kBlock = 64;
+constexpr std::uint32_t kBlock = kSurveyStride;
 
 /// Candidates in the largest layout: so many may be moved.
 std::uint32_t slotsFor(const PreparedScene& prepared, const LuminaireRules& rules) {
@@ -48,6 +48,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   extremes_.resize(count);
   means_.resize(count * kBlock);
   variances_.resize(count * kBlock);
+  bool isFactored = false;
   for (std::size_t s = 0; s < count; ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
     if (set.needsVariance) {
@@ -57,7 +58,9 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
     if (set.ofPoints) points_[s].emplace(prepared.scene(), *set.ofPoints);
     hasPoints_ |= set.ofPoints.has_value();
     if (set.needsExtremes) patches_[s].emplace(prepared.scene(), set.quantity, set.surfaces);
+    isFactored |= set.needsVariance && set.statistics->factor;
   }
+  maySurvey_ = objective_.maySurvey() && !isFactored;
 }
 
 Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
@@ -198,6 +201,24 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
          judgeWith([&](std::size_t s) { return patches_[s]->changed(changes_.data(), n); });
 }
 
+/// Means and variances with luminaire `i` on each of a block of candidates.
+void Evaluator::momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count) {
+  const std::uint32_t from = sites_[i];
+  const double flux = flux_[i];
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const ObjectiveSet& set = objective_.sets()[s];
+    movedMeans(set.statistics->mean.data(), moments_[s].mean, from, set.counted(flux), block, count,
+               means_.data() + s * kBlock);
+    if (sums_[s])
+      sums_[s]->moved(moments_[s].variance, from, flux, block, count, variances_.data() + s * kBlock);
+  }
+}
+
+void Evaluator::survey(std::uint32_t i, const std::uint32_t* candidates, double* worths) {
+  momentsOfMoves(i, candidates, kSurveyed);
+  objective_.survey(means_.data(), variances_.data(), penalty_, worths);
+}
+
 void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {
   const std::size_t sets = moments_.size();
   const std::uint32_t from = sites_[i];
@@ -205,13 +226,7 @@ void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::
   for (std::uint32_t first = 0; first < count; first += kBlock) {
     const std::uint32_t n = std::min(kBlock, count - first);
     const std::uint32_t* block = candidates + first;
-    for (std::size_t s = 0; s < sets; ++s) {
-      const ObjectiveSet& set = objective_.sets()[s];
-      movedMeans(set.statistics->mean.data(), moments_[s].mean, from, set.counted(flux), block, n,
-                 means_.data() + s * kBlock);
-      if (sums_[s])
-        sums_[s]->moved(moments_[s].variance, from, flux, block, n, variances_.data() + s * kBlock);
-    }
+    momentsOfMoves(i, block, n);
     for (std::uint32_t k = 0; k < n; ++k) {
       for (std::size_t s = 0; s < sets; ++s)
         trialMoments_[s] = {means_[s * kBlock + k], variances_[s * kBlock + k]};
@@ -265,11 +280,12 @@ void Evaluator::tryPair(const Move& a, const Move& b, Trial& best) {
 }
 
 void Evaluator::apply(const Trial& trial) {
-  FluxChange changes[4];
-  const std::uint32_t count = changesOf(trial, changes);
-  for (std::optional<VarianceSums>& sums : sums_)
-    for (std::uint32_t k = 0; sums && k < count; ++k) sums->add(changes[k]);
-  for (std::uint32_t k = 0; k < trial.count; ++k) sites_[trial.moves[k].luminaire] = trial.moves[k].site;
+  for (std::uint32_t k = 0; k < trial.count; ++k) {
+    const auto [i, to] = trial.moves[k];
+    for (std::optional<VarianceSums>& sums : sums_)
+      if (sums) sums->move(sites_[i], to, flux_[i]);
+    sites_[i] = to;
+  }
   refresh();
 #ifdef FIATLUX_CHECK_DELTA
   assert(isExact(trial));

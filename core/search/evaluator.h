@@ -53,6 +53,12 @@ class Evaluator {
   /// than it. One evaluation a candidate.
   void tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best);
 
+  /// May moves be surveyed? (objective.h)
+  bool maySurvey() const { return maySurvey_; }
+  /// What luminaire `i` on each of kSurveyed candidates would be worth, bounds at the penalty; the one that
+  /// it is on may be among them. Precondition: maySurvey().
+  void survey(std::uint32_t i, const std::uint32_t* candidates, double* worths);
+
   /// Tries two moves at once; `best` as above. One evaluation.
   void tryPair(const Move& a, const Move& b, Trial& best);
 
@@ -80,6 +86,7 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  void momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count);
   const double* countedFlux(const ObjectiveSet& set) const {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
   }
@@ -103,7 +110,7 @@ class Evaluator {
   std::vector<std::optional<VarianceInTurn>> inTurn_;  // and of it for layouts that it does not stand at
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
-  bool hasPoints_ = false;
+  bool hasPoints_ = false, maySurvey_ = false;
   std::vector<Extremes> extremes_;                     // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;                  // scratch, one per set
   std::vector<Extremes> trialExtremes_;                // scratch, one per set

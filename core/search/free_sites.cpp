@@ -91,6 +91,15 @@ void FreeSites::drawMoves(std::uint32_t from, std::uint32_t reach, std::uint32_t
   }
 }
 
+void FreeSites::around(std::uint32_t from, std::uint32_t near, std::uint32_t count, Random& random,
+                       std::vector<std::uint32_t>& out) const {
+  const std::uint32_t known = std::min(std::min(near, prepared_.nearCount()), count - 1);
+  out.resize(count);
+  out[0] = from;
+  std::copy_n(prepared_.nearSites(from), known, out.begin() + 1);
+  for (std::uint32_t k = 1 + known; k < count; ++k) out[k] = random.below(prepared_.candidateCount());
+}
+
 void FreeSites::gather(std::vector<std::uint32_t>& sites, std::uint32_t strength, Random& random) {
   const std::uint32_t center = random.below(prepared_.candidateCount());
   const std::uint32_t* near = prepared_.nearSites(center);

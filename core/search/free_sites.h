@@ -59,6 +59,7 @@ class FreeSites {
     };
     return isClear(toA) && isClear(toB) && !conflict(toA, toB);
   }
+  bool isTied() const { return prepared_.isTied(); }
   /// The most candidates that a place has.
   std::uint32_t waysPerPlace() const { return prepared_.waysPerPlace(); }
   /// Do candidates differ in weight, or layouts in their count?
@@ -78,6 +79,11 @@ class FreeSites {
   /// its `reach` nearest, a few anywhere.
   void drawMoves(std::uint32_t from, std::uint32_t reach, std::uint32_t count, Random& random,
                  std::vector<std::uint32_t>& out) const;
+
+  /// `count` candidates, `from` itself first, then its `near` nearest and random ones, free or not: mayMove
+  /// tells.
+  void around(std::uint32_t from, std::uint32_t near, std::uint32_t count, Random& random,
+              std::vector<std::uint32_t>& out) const;
 
   /// Relocates `strength` random movable luminaires of `sites` (drawn with repetition) to the sites nearest
   /// to a random one, and follows. A luminaire that finds no free site stays.

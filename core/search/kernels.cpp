@@ -44,6 +44,13 @@ void addToRow(const float* covariance, std::uint32_t m, std::uint32_t site, doub
   for (std::uint32_t b = 0; b < m; ++b) row[b] += flux * source[b];
 }
 
+void moveInRow(const float* covariance, std::uint32_t m, std::uint32_t from, std::uint32_t to, double flux,
+               double* row) {
+  const float *source = covariance + std::size_t{from} * m, *target = covariance + std::size_t{to} * m;
+  for (std::uint32_t j = 0; j < m; ++j)
+    row[j] += flux * (static_cast<double>(target[j]) - static_cast<double>(source[j]));
+}
+
 double varianceFromRow(const double* row, const std::uint32_t* sites, const double* flux,
                        std::uint32_t count) {
   double sum = 0;

@@ -36,6 +36,10 @@ FIATLUX_KERNEL void fillRow(const float* covariance, std::uint32_t m, const std:
 FIATLUX_KERNEL void addToRow(const float* covariance, std::uint32_t m, std::uint32_t site, double flux,
                              double* row);
 
+/// row += flux (C[to, :] - C[from, :]): one pass for a move.
+FIATLUX_KERNEL void moveInRow(const float* covariance, std::uint32_t m, std::uint32_t from, std::uint32_t to,
+                              double flux, double* row);
+
 /// x^T (C x) from the cached row: N loads.
 FIATLUX_KERNEL double varianceFromRow(const double* row, const std::uint32_t* sites, const double* flux,
                                       std::uint32_t count);

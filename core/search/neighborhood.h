@@ -19,6 +19,7 @@ struct Scan {
   std::vector<std::uint32_t> candidates, partnerCandidates;  // sites for the two
   std::uint32_t position = 0;  // of the trials, those left out included: a row counts it up
   std::uint32_t size = 0;      // trials in all: the scan ends there
+  bool isSurvey = false;       // of a walk: the candidates are looked at all together
   Trial found;                 // the best so far; its count is 0 while nothing better was found
 };
 

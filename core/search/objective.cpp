@@ -32,6 +32,7 @@ Objective::Objective(PreparedScene& prepared, const Intentions& intentions, cons
     addConstraint(prepared, constraint, quantityOf(intentions, constraint));
   bounds_.resize(sides_.size());
   scaleGoals(prepared, intentions, reference);
+  maySurvey_ = isSurveyable();
 }
 
 std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces) {

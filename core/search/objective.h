@@ -39,6 +39,9 @@ struct ObjectiveSet {
   double counted(double flux) const { return row == RowOf::kGlare ? flux * std::fabs(flux) : flux; }
 };
 
+/// Layouts that are surveyed at once, and how far the moments of one set stand from those of the next.
+inline constexpr std::uint32_t kSurveyed = 20, kSurveyStride = 64;
+
 class Objective {
  public:
   /// Goals are measured against their values for `reference` (one site a luminaire, never a tie) at the upper
@@ -53,6 +56,15 @@ class Objective {
   /// `moments` and `extremes`: one per set (extremes are read only where needed). With hoped-for extremes the
   /// result is a bound: no layout with these moments is better.
   Evaluation judge(const Moments* moments, const Extremes* extremes) const;
+
+  /// May trials be surveyed? Where all goals and bounds are of means and sigmas.
+  bool maySurvey() const { return maySurvey_; }
+
+  /// What kSurveyed layouts are worth, bounds at a price: goal + penalty x violation as of judge(), all at
+  /// once and in a fraction of the time. Their moments stand by sets, kSurveyStride entries from one to the
+  /// next; of the variances it makes sigmas. Where no dimming meets all bounds it takes an end of the range,
+  /// not the best t. Precondition: maySurvey().
+  void survey(const double* means, double* variances, double penalty, double* worths) const;
 
   /// What mean and variance alone allow: 0 <= minimum <= mean, maximum >= mean + variance / mean
   /// (Bhatia-Davis).
@@ -95,6 +107,9 @@ class Objective {
   void scaleGoals(PreparedScene& prepared, const Intentions& intentions, const Layout& reference);
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double glareOf(const Bound& bound, const Moments* moments) const;
+  bool isSurveyable() const;
+  void surveyDimming(const double* means, const double* sigmas, const double* slopes, double* dimmings) const;
+  void surveyBound(const Bound& bound, const double* means, const double* sigmas, double* values) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   /// Of the luminaires at full flux: lm, or W of types.
@@ -106,7 +121,7 @@ class Objective {
   std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
-  bool needsExtremes_ = false, powerVaries_ = false;
+  bool needsExtremes_ = false, powerVaries_ = false, maySurvey_ = false;
   std::uint32_t powerSet_ = kNone;           // the set that sums powers, where power is asked for and varies
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
   mutable std::vector<DimmedAim> aims_;      // scratch, one per aim

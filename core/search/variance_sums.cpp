@@ -28,9 +28,11 @@ void VarianceSums::load(const std::uint32_t* sites, const double* flux, std::uin
   for (std::uint32_t i = 0; i < count; ++i) statistics_.factor->add(sites[i], flux[i], sums_.data());
 }
 
-void VarianceSums::add(const FluxChange& change) {
-  if (statistics_.factor) return statistics_.factor->add(change.site, change.flux, sums_.data());
-  addToRow(statistics_.covariance.data(), strideOf(statistics_), change.site, change.flux, sums_.data());
+void VarianceSums::move(std::uint32_t from, std::uint32_t to, double flux) {
+  if (!statistics_.factor)
+    return moveInRow(statistics_.covariance.data(), strideOf(statistics_), from, to, flux, sums_.data());
+  statistics_.factor->add(from, -flux, sums_.data());
+  statistics_.factor->add(to, flux, sums_.data());
 }
 
 double VarianceSums::variance(const std::uint32_t* sites, const double* flux, std::uint32_t count) const {

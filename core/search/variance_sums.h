@@ -17,7 +17,8 @@ class VarianceSums {
 
   /// The sums of a layout, from nothing.
   void load(const std::uint32_t* sites, const double* flux, std::uint32_t count);
-  void add(const FluxChange& change);
+  /// `flux` lm go from one candidate to another.
+  void move(std::uint32_t from, std::uint32_t to, double flux);
   /// Of the layout that the sums are of.
   double variance(const std::uint32_t* sites, const double* flux, std::uint32_t count) const;
   /// After moving `flux` lm from candidate `from` to each of `count`; `current` is variance().

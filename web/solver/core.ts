@@ -253,7 +253,7 @@ export interface Session {
     dimming: number,
     moved: Uint32Array,
   ): string;
-  /** Spends that many evaluations (one = one trial layout). */
+  /** Spends that many evaluations (one = one trial layout; a survey of near ones is four). */
   advance(evaluations: number): Progress;
   /**
    * Where the best layout misses a bound: looks among those that miss it by hardly more for one that serves the goals

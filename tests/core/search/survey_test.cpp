@@ -1,0 +1,99 @@
+// A survey of moves against trials of them, one by one: goal and broken bounds at their price, with dimming
+// and without; and which intentions may be surveyed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/search/evaluator.h"
+#include "core/search/start_layout.h"
+#include "tests/core/corridor_scene.h"
+
+namespace fiatlux {
+namespace {
+
+using fiatlux::testing::longCorridor;
+
+constexpr double kPenalty = 3;
+
+Goal least(Statistic statistic, const SurfaceSet& surfaces, double weight) {
+  return {statistic, Sense::kMinimize, weight, surfaces, {}};
+}
+
+/// Sigma and mean wanted, bounds of every kind that a survey knows at edges that random layouts are near to.
+Intentions asked() {
+  Intentions intentions;
+  intentions.luminaires.count = 6;
+  intentions.luminaires.flux = {1000, 1500, 1000, 700, 1000, 2000};
+  intentions.goals = {least(Statistic::kSigma, {}, 1), least(Statistic::kMean, {2}, 0.5)};
+  intentions.constraints = {{Statistic::kMean, 20, 40, 1, {0, 3}, {}},
+                            {Statistic::kSigma, -kUnbounded, 15, 1, {1}, {}},
+                            {Statistic::kChebyshev, 5, 90, 1.5, {2}, {}}};
+  return intentions;
+}
+
+struct Compared {
+  std::uint32_t broken = 0, met = 0;  // of the moves
+};
+
+/// Moves of random luminaires in random layouts, each surveyed and tried.
+Compared compareWithTrials(const Intentions& intentions) {
+  PreparedScene prepared(longCorridor());
+  Evaluator evaluator(prepared, intentions);
+  EXPECT_TRUE(evaluator.maySurvey());
+  evaluator.setPenalty(kPenalty);
+  Random random(5);
+  Compared compared;
+  for (int round = 0; round < 40; ++round) {
+    evaluator.load(randomSites(prepared, intentions.luminaires, random));
+    const std::uint32_t luminaire = random.below(6);
+    std::uint32_t candidates[kSurveyed] = {evaluator.sites()[luminaire]};
+    for (std::uint32_t k = 1; k < kSurveyed; ++k) candidates[k] = random.below(prepared.candidateCount());
+    double worths[kSurveyed];
+    evaluator.survey(luminaire, candidates, worths);
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) {
+      Trial trial;
+      trial.evaluation = {kUnbounded, kUnbounded, 1};
+      evaluator.tryMoves(luminaire, candidates + k, 1, trial);
+      const auto& [violation, goal, dimming] = trial.evaluation;
+      (violation > 0 ? compared.broken : compared.met) += 1;
+      const double worth = goal + kPenalty * violation;
+      // note: where no dimming meets all bounds, the survey does not look for the best one.
+      if (intentions.luminaires.dimmingLow == 1 || violation == 0)
+        EXPECT_NEAR(worths[k], worth, 1e-9 * std::fabs(worth));
+    }
+  }
+  return compared;
+}
+
+TEST(Survey, SaysWhatTrialsSayOneByOne) {
+  const Compared compared = compareWithTrials(asked());
+  EXPECT_GT(compared.broken, 100u);
+  EXPECT_GT(compared.met, 5u);
+}
+
+TEST(Survey, FindsTheDimmingThatBoundsAllow) {
+  Intentions intentions = asked();
+  intentions.luminaires.dimmingLow = 0.2;
+  EXPECT_GT(compareWithTrials(intentions).met, 100u);
+  for (Goal& goal : intentions.goals) goal.sense = Sense::kMaximize;
+  EXPECT_GT(compareWithTrials(intentions).met, 100u);
+}
+
+TEST(Survey, IsOfMeansAndSigmasOnly) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = asked();
+  intentions.constraints.push_back({Statistic::kMinimum, 1, kUnbounded, 1, {2}, {}});
+  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "patches have to be lit";
+  intentions = asked();
+  intentions.constraints[0].lower = 0;
+  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "an excess over 0 is not relative to it";
+  intentions = asked();
+  intentions.goals[1].sense = Sense::kNear;
+  intentions.goals[1].target = 30;
+  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "an aim is not linear in the dimming";
+  PreparedScene halls(longCorridor(), VarianceForm::kFactor);
+  EXPECT_FALSE(Evaluator(halls, asked()).maySurvey()) << "a factor's variances have no covariance";
+}
+
+}  // namespace
+}  // namespace fiatlux
