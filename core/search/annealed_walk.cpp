@@ -101,7 +101,9 @@ void AnnealedWalk::survey(const Surroundings& at, Scan& scan) const {
     least = worth;
     best = k;
   }
-  if (best > 0) at.evaluator.tryMoves(scan.luminaire, &scan.candidates[best], 1, scan.found);
+  if (best == 0) return;
+  scan.found.moves[0] = {scan.luminaire, scan.candidates[best]};
+  scan.found.count = 1;  // note: judged when it is made; nothing depends on it before
 }
 
 std::uint32_t AnnealedWalk::trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) const {

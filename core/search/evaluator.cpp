@@ -300,8 +300,10 @@ bool Evaluator::isExact(const Trial& trial) {
     return a == b || std::fabs(a - b) <= tolerance * (1 + std::fabs(a));
   };
   const Evaluation full = evaluate(sites_);
-  return same(trial.evaluation.violation, full.violation) && same(trial.evaluation.goal, full.goal) &&
-         same(current_.violation, full.violation) && same(current_.goal, full.goal);
+  const bool isJudged = trial.evaluation.violation < kUnbounded;  // not so the choice of a survey
+  const bool isTrialExact = !isJudged || (same(trial.evaluation.violation, full.violation) &&
+                                          same(trial.evaluation.goal, full.goal));
+  return isTrialExact && same(current_.violation, full.violation) && same(current_.goal, full.goal);
 }
 
 }  // namespace fiatlux

@@ -79,6 +79,11 @@ void Objective::survey(const double* means, double* variances, double penalty,
     const double factor = term.factor;
     for (std::uint32_t k = 0; k < kSurveyed; ++k) slopes[k] += factor * value[k];
   }
+  if (dimmingLow_ == dimmingHigh_ && sides_.empty()) {
+    const double dimming = dimmingHigh_;
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) worths[k] = dimming * slopes[k];
+    return;
+  }
   if (dimmingLow_ == dimmingHigh_)
     for (std::uint32_t k = 0; k < kSurveyed; ++k) dimmings[k] = dimmingHigh_;
   else
