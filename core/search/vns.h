@@ -32,7 +32,8 @@ class Vns {
   Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const TiedStart& start,
       const Layout* reference = nullptr);
 
-  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is four), or none when nothing can move.
+  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is four), or none when
+  /// nothing can move.
   void advance(std::uint32_t evaluations);
 
   /// The best layout so far, always a complete one, and what it is worth.
