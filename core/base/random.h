@@ -8,14 +8,14 @@ namespace fiatlux {
 
 class Random {
  public:
-  constexpr explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : increment_(2 * stream + 1) {
+  explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : increment_(2 * stream + 1) {
     next();
     state_ += seed;
     next();
   }
 
   /// 32 uniform bits.
-  constexpr std::uint32_t next() {
+  std::uint32_t next() {
     const std::uint64_t old = state_;
     state_ = old * 6364136223846793005ull + increment_;
     const auto shifted = static_cast<std::uint32_t>(((old >> 18) ^ old) >> 27);
@@ -24,7 +24,7 @@ class Random {
   }
 
   /// Uniform integer in [0, bound), bound > 0, without bias (Lemire 2019).
-  constexpr std::uint32_t below(std::uint32_t bound) {
+  std::uint32_t below(std::uint32_t bound) {
     std::uint64_t product = std::uint64_t{next()} * bound;
     if (static_cast<std::uint32_t>(product) < bound) {
       const std::uint32_t threshold = (0u - bound) % bound;
@@ -34,7 +34,7 @@ class Random {
   }
 
   /// Uniform double in [0, 1), 32 bits of it.
-  constexpr double unit() { return next() * 0x1p-32; }
+  double unit() { return next() * 0x1p-32; }
 
  private:
   std::uint64_t state_ = 0;

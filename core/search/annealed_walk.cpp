@@ -21,7 +21,7 @@ constexpr double kLeastGoal = 1e-3;  // a goal near 0 is no scale
 
 /// About exponentially distributed, of mean 1: its density halves from step to step. Without a logarithm,
 /// which machines round differently.
-constexpr double exponential(Random& random) {
+double exponential(Random& random) {
   std::uint32_t bits = random.next();
   int halvings = 0;
   for (; halvings < 16 && bits < 0x80000000u; ++halvings) bits <<= 1;
@@ -31,7 +31,7 @@ constexpr double exponential(Random& random) {
 constexpr std::uint32_t kChances = 2048;
 
 /// Draws of it, made beforehand; a survey reads some in a row.
-constexpr auto kChance = [] {
+const auto kChance = [] {
   std::array<float, kChances + kSurveyed> draws{};
   Random random(1);
   for (float& draw : draws) draw = static_cast<float>(exponential(random));
