@@ -260,7 +260,8 @@ What is on the screen under six luminaires of 4000 lm, in ${width} x ${height} p
 lightness (L*, 0 to 100, of which an eye sees about one) from the path-traced picture: root mean square and mean over the pixels near
 contacts, where ${100 * isNear} % of what lies before a place is nearer than 0.15 m and not the shell of the room itself, without and with
 the light within a patch; and over the pixels where nothing is near. They are products of the differences from two pictures of half the
-paths each, so the path tracer's noise is not among them. The pictures show, from the left, without, with, and path-traced. The method's constants were chosen in the box and the office.
+paths each, so the path tracer's noise is not among them. The pictures show, from the left, without, with, and path-traced. The method's constants were chosen in the box and the office. What is left at the desk are the
+shadows that luminaires cast of monitors and keyboards, which are smaller than its patches: the picture has none of these.
 
 | view | room | near | without | with | mean without | mean with | elsewhere |
 | --- | --- | --- | --- | --- | --- | --- | --- |
