@@ -312,7 +312,8 @@ std::string keepPlace(const PlaceOptions& place, SourceScene& source) {
   const Vec3 size = kept.box.size();
   return "only the place around " + textOf(*place.inside) + " stays, " + shortNumber(size.x) + " x " +
          shortNumber(size.z) + " m and " + shortNumber(size.y) + " m high: " + std::to_string(kept.parts) +
-         " of " + std::to_string(spaces.count()) + " rooms; the rest is left out (--doors, --lid)";
+         " of " + std::to_string(spaces.count()) +
+         " rooms, and the rest is left out; --doors N takes in what lies behind so many open doors";
 }
 
 }  // namespace fiatlux
