@@ -30,7 +30,7 @@ export const values: Words['values'] = {
   about: 'Mittelwert etwa',
   onGrid: (what: string) => `${what} (EN-Raster)`,
   direct: (what) => `direktes Licht: ${what}`,
-  glareMost: 'Blendung höchstens',
+  glareMost: 'Blendung (UGR) höchstens',
   types: {
     writing: 'Büro, Schreiben',
     classroom: 'Unterrichtsraum',

@@ -29,7 +29,7 @@ export const values = {
   about: 'mean about',
   onGrid: (what: string) => `${what} (EN grid)`,
   direct: (what: string) => `direct light: ${what}`,
-  glareMost: 'glare at most',
+  glareMost: 'glare (UGR) at most',
   types: {
     writing: 'Office, writing',
     classroom: 'Classroom',
