@@ -178,7 +178,8 @@ export const intentions: Words['intentions'] = {
     darkestTip: 'Die dunkelste Teilfläche',
     brightest: 'Hellst',
     brightestTip: 'Die hellste Teilfläche',
-    atGrid: 'An den Punkten des EN-Rasters; das Histogramm gilt der ganzen Fläche.',
+    atGrid: (rim: string | null) =>
+      `An den Punkten des EN-Rasters${rim ? `, ${rim} m und mehr vom Rand der Fläche` : ''}; das Histogramm gilt der ganzen Fläche.`,
     spread: 'Streuung σ',
     ratio: 'Dunkelste / hellste',
     ratioTip: 'U_d: dunkelste / hellste Stelle',

@@ -8,7 +8,7 @@ import { marginText } from '../../app/words/layout-check.ts';
 import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { keepRange, withOptional } from '../../document/intentions.ts';
-import type { Card, Verb } from '../../document/types.ts';
+import type { Card, SurfaceNames, Verb } from '../../document/types.ts';
 import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
 import { usePaperWords, useScale, type CardProps } from './card-hooks.ts';
@@ -23,6 +23,7 @@ import { SurfacePicker } from './surface-picker.tsx';
 import { useReached, useSample, type Reached } from './use-reached.ts';
 import { verbs } from './verbs.ts';
 import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 export function IntentionCard({ card }: CardProps) {
   const app = useApp();
@@ -173,7 +174,7 @@ function CardBody({ card }: CardProps) {
       {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
       <Histogram {...{ card, axis }} />
       {reached && <Readings of={firstReadings} reached={reached} />}
-      {reached && card.onGrid && <p class="field-note">{words.value.intentions.card.atGrid}</p>}
+      {reached && card.onGrid && <GridNote names={card.surfaces} />}
       <More isUsed={inPaperWords || asksMore(card)}>
         {!isKeep && card.mean && <MeanRange {...{ card, axis }} />}
         <CardGuarantee card={card} />
@@ -220,6 +221,18 @@ const moreReadings: readonly ReadingOf[] = [
   ({ sigma }, text) => [text.spread, compact(sigma)],
   ({ min, max }, text) => [text.ratio, ratio(min / max), text.ratioTip],
 ];
+
+/** What the figures of a card are of that asks at the points of the EN grid, which keep away from the surface's edge. */
+function GridNote({ names }: { names: SurfaceNames }) {
+  const grids = useApp().store.shown.value?.grids ?? [];
+  const rims = grids.filter(({ name }) => names.includes(name)).map(({ rim }) => rim);
+  const rim = rims.length > 0 ? Math.min(...rims) : 0;
+  return (
+    <p class="field-note">
+      {words.value.intentions.card.atGrid(rim > 0 ? shortest(Math.round(100 * rim) / 100) : null)}
+    </p>
+  );
+}
 
 function Readings({ of, reached }: { of: readonly ReadingOf[]; reached: Reached }) {
   return (
