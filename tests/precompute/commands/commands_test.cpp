@@ -382,7 +382,7 @@ TEST_F(Commands, TypesAreRefusedWithACure) {
   wide.width = wide.length = 9;
   writeTextFile(*folder_ / "wide.ies", wide.text());
   EXPECT_THAT(refusal(R"("types": [{"photometry": "wide.ies"}])"), HasSubstr("fits anywhere in this room"));
-  writeTextFile(*folder_ / "good.json", "{\"luminaires\": {" + lamp + "}}");
+  writeTextFile(*folder_ / "good.json", "{\"luminaires\": {\"count\": 1, " + lamp + "}}");
   EXPECT_THAT(failure("solve box.flux --intentions good.json -o lamps/l.json"),
               HasSubstr("must lie beside it"));
 }
