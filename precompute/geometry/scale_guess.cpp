@@ -8,10 +8,10 @@
 
 #include "core/base/short_number.h"
 #include "precompute/geometry/faces.h"
+#include "precompute/geometry/source_bounds.h"
 #include "precompute/rays/area_sampler.h"
 #include "precompute/rays/ray_sequence.h"
 #include "precompute/rays/ray_tracer.h"
-#include "precompute/room/bounds.h"
 
 namespace fiatlux {
 namespace {
@@ -31,13 +31,6 @@ struct Unit {
 constexpr std::array kUnits = {Unit{0.01, "centimetres"},   Unit{0.001, "millimetres"},
                                Unit{0.0254, "inches"},      Unit{10, "units of 10 m"},
                                Unit{100, "units of 100 m"}, Unit{1000, "kilometres"}};
-
-Bounds boundsOf(const SourceScene& source) {
-  Bounds bounds;
-  for (const SourceMesh& mesh : source.meshes)
-    for (const Vec3& p : mesh.positions) bounds.include(p);
-  return bounds;
-}
 
 /// From floors to ceilings, in units of the file; 0 where nothing is above anything.
 double ceilingHeight(const SourceScene& source) {

@@ -6,7 +6,7 @@
 
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
-#include "precompute/room/bounds.h"
+#include "precompute/geometry/source_bounds.h"
 
 namespace fiatlux {
 namespace {
@@ -18,13 +18,6 @@ constexpr double kPassage = 1.1;        // m: what is narrower is an opening bet
 constexpr double kAround = 0.5;         // m, from a point to the air nearest to it
 constexpr double kLeastOpening = 0.3;   // m2: a gap that nobody walks through is none
 constexpr std::size_t kLeastCore = 50;  // cubes: fewer are a corner of something
-
-Bounds boundsOfAll(const SourceScene& source) {
-  Bounds bounds;
-  for (const SourceMesh& mesh : source.meshes)
-    for (const Vec3& p : mesh.positions) bounds.include(p);
-  return bounds;
-}
 
 /// Half a cube more on all sides, so that walls along them lie in the middle of cubes.
 CubeGrid gridOf(const Bounds& bounds) {
@@ -83,7 +76,7 @@ std::vector<std::uint8_t> widened(const CubeGrid& grid, std::vector<std::uint8_t
   return cubes;
 }
 
-Spaces::Spaces(const SourceScene& source, const Vec3& inside) : grid_(gridOf(boundsOfAll(source))) {
+Spaces::Spaces(const SourceScene& source, const Vec3& inside) : grid_(gridOf(boundsOf(source))) {
   solid_.assign(grid_.size(), 0);
   const auto fill = [&](std::size_t cube) {
     solid_[cube] = 1;

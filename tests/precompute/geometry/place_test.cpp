@@ -11,7 +11,7 @@
 
 #include "precompute/base/error.h"
 #include "precompute/geometry/faces.h"
-#include "precompute/room/bounds.h"
+#include "precompute/geometry/source_bounds.h"
 #include "tests/precompute/geometry/trap_rooms.h"
 
 namespace fiatlux {
@@ -53,13 +53,6 @@ SourceScene rooms(bool hasGlass = false) {
   made.block("east", {far, 0, 0}, {kThick, kTall, kDeep});
   made.block("wardrobe", {kWide + kThick + 1, 0, 0}, {1.5, 2.2, 0.6});
   return *made.gltf.read();
-}
-
-Bounds boundsOf(const SourceScene& source) {
-  Bounds bounds;
-  for (const SourceMesh& mesh : source.meshes)
-    for (const Vec3& p : mesh.positions) bounds.include(p);
-  return bounds;
 }
 
 double areaOf(const SourceMesh& mesh) {
