@@ -1,9 +1,8 @@
-// From sources to the command, the Wasm solver and the static site. What does not wait for one another goes side by side.
+// From sources to the command and the Wasm modules. What does not wait for one another goes side by side.
 import { existsSync } from 'node:fs';
 import { cpus } from 'node:os';
 import path from 'node:path';
 import { output, root, runBeside, say } from './processes.mjs';
-import { writeRoomPages } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
 
 export const jobs = String(cpus().length);
@@ -27,13 +26,6 @@ export async function cmake(preset, targets = []) {
   say(`Building ${preset}${targets.length ? `: ${targets.join(' ')}` : ''}`);
   const wanted = targets.length ? ['--target', ...targets] : [];
   await runBeside(preset, 'cmake', ['--build', '--preset', preset, '-j', jobs, ...wanted], { env });
-}
-
-/** dist/ anew: the page, what public/ holds, and, where the address of the site is known, a page a room. */
-export async function site(origin = null) {
-  say('Building the site');
-  await runBeside('site', 'npx', ['vite', 'build', '--logLevel', 'warn']);
-  if (origin) await writeRoomPages(path.join(root, 'dist'), origin);
 }
 
 /** The Wasm module that computes rooms in the page (public/builder), which the page fetches when it is needed. */

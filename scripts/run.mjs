@@ -1,11 +1,12 @@
 // The one script behind `npm start`, `npm test`, `npm run lint`, `npm run build`, `npm run bench`, `npm run bench:search`,
 // `npm run pictures`, `npm run fuzz` and `npm run sanitize`: it does the set-up that is missing, says what it is doing, and skips what is done.
 import { parseArgs } from 'node:util';
-import { builder, cmake, programs, roomMaker, site } from './build.mjs';
+import { builder, cmake, programs, roomMaker } from './build.mjs';
 import { fail, root, run, say } from './processes.mjs';
 import { isFor, makeAll, sampleRooms } from './sample-rooms.mjs';
 import { siteAddress } from './room-pages.mjs';
 import { npmPackages, packages, recentNode, systemPackages } from './set-up.mjs';
+import { site } from './site.mjs';
 import { start } from './start.mjs';
 import { ctest, testSuites } from './test-suites.mjs';
 

@@ -1,5 +1,5 @@
 // What a sample room's scene file comes from, as one key: the room's generator with the modules that it imports, its
-// options, and the folders of C++ that the pipeline links. Nothing else makes a room stale.
+// options, and the folders of C++ that the pipeline links. Nothing else makes a room stale. And the key of the page.
 import { createHash } from 'node:crypto';
 import path from 'node:path';
 import { closureOf, librariesIn } from './libraries.mjs';
@@ -46,4 +46,11 @@ export function roomKeys({ files, read, catalog }) {
       return [id, { model, scene: hashOf(model, precompute.join(' '), method) }];
     }),
   );
+}
+
+/** The key of the page: its folder, the solver's module in it, and what bundles them. */
+export function pageKey({ files, read }) {
+  const names = files.filter((file) => file.startsWith('web/')).sort();
+  const bundling = ['package-lock.json', 'tsconfig.json', 'vite.config.js'];
+  return hashOf(...[...names, ...bundling].flatMap((name) => [name, read(name)]));
 }

@@ -2,11 +2,12 @@
 import { cp } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { builder, cmake, programs, roomMaker, site } from './build.mjs';
+import { builder, cmake, programs, roomMaker } from './build.mjs';
 import { root, say } from './processes.mjs';
 import { RoomsBehind } from './rooms-behind.mjs';
 import { filesOf, makeWatched, sampleRooms, tidyScenes } from './sample-rooms.mjs';
 import { recentNode } from './set-up.mjs';
+import { site } from './site.mjs';
 
 const quickest = 'box'; // takes seconds where others take minutes
 

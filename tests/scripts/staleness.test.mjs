@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { closureOf, librariesOf } from '../../scripts/libraries.mjs';
-import { generatorOf, moduleFiles, roomKeys } from '../../scripts/staleness.mjs';
+import { generatorOf, moduleFiles, pageKey, roomKeys } from '../../scripts/staleness.mjs';
 import { catalog } from '../../rooms/catalog.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -115,4 +115,18 @@ test('imports are followed in all their forms, once each', () => {
     'common/d.mjs': '',
   };
   expect(moduleFiles('rooms/a.mjs', (file) => modules[file])).toEqual(Object.keys(modules).sort());
+});
+
+test('an edit in web/, or of what bundles it, makes the page stale, and no other edit', () => {
+  const bundling = ['package-lock.json', 'tsconfig.json', 'vite.config.js'];
+  for (const file of bundling) texts.set(file, readFileSync(path.join(root, file), 'utf8'));
+  const key = pageKey({ files, read });
+  const isStale = (file) => pageKey({ files, ...edited(file) }) !== key;
+  const oneOfEachFolder = new Map(files.map((file) => [path.posix.dirname(file), file])).values();
+  for (const file of [...oneOfEachFolder, ...bundling])
+    expect({ file, stale: isStale(file) }).toEqual({
+      file,
+      stale: file.startsWith('web/') || bundling.includes(file),
+    });
+  expect(pageKey({ files: [...files, 'web/new.ts'], read: (file) => read(file) ?? '' })).not.toBe(key);
 });
