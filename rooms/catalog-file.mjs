@@ -3,7 +3,6 @@
 // "translations": { "de": { "title", "description" } }.
 import { rename, writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { german } from './catalog-german.mjs';
 import { catalog, experiments } from './catalog.mjs';
 
 /**
@@ -12,11 +11,10 @@ import { catalog, experiments } from './catalog.mjs';
  * `ids`: the rooms that it names.
  */
 export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
-  const entry = ({ id, title, description, opening, view, roomType }, room) => ({
+  const entry = ({ id, said: { en, ...translations }, opening, view, roomType }, room) => ({
     id,
-    title,
-    description,
-    translations: { de: german[id] },
+    ...en,
+    translations,
     file: `${room}.flux`,
     ...states[room],
     opening,

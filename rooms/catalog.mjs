@@ -1,5 +1,6 @@
 // The one list of rooms: what the gallery says about them, how fine the precompute cuts them, and what is asked of them
 // at first. rooms/make.mjs writes it as scenes/catalog.json, which the page reads.
+// said: title and sentence in every language of the page, English first.
 // precompute: command-line options for `fiatlux precompute`; the opening's intentions are added to them.
 // opening: cards as in a project file (`aim`: about this mean), the luminaires, and what differs from { saving: false, quantity: 'illuminance',
 //   seed: 1 }. `types`: luminaires by their files in luminaires/, in the words of intentions.json and with a name. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
@@ -40,8 +41,17 @@ const asStandardAsks = (roomType, luminaires) => ({
 const rooms = [
   {
     id: 'office',
-    title: 'Open office',
-    description: 'Twelve desks under a tiled ceiling; a working plane at 0.75 m, lit evenly.',
+    said: {
+      en: {
+        title: 'Open office',
+        description: 'Twelve desks under a tiled ceiling; a working plane at 0.75 m, lit evenly.',
+      },
+      de: {
+        title: 'Großraumbüro',
+        description:
+          'Zwölf Schreibtische unter einer Rasterdecke; eine gleichmäßig beleuchtete Nutzebene auf 0,75 m.',
+      },
+    },
     // note: after two steps the means of cabinets far from the only lamp are still 0.6 % off
     precompute: ['--patch', '0.2', '--cluster', '4', '--refine', '3'],
     opening: asStandardAsks('writing', {
@@ -54,8 +64,16 @@ const rooms = [
   {
     id: 'e-corridor',
     roomType: 'corridor',
-    title: 'E corridor',
-    description: 'The room of the paper: a corridor with three arms and one yellow wall.',
+    said: {
+      en: {
+        title: 'E corridor',
+        description: 'The room of the paper: a corridor with three arms and one yellow wall.',
+      },
+      de: {
+        title: 'E-Flur',
+        description: 'Der Raum des Artikels: ein Flur mit drei Armen und einer gelben Wand.',
+      },
+    },
     precompute: ['--patch', '0.1875', '--cluster', '4'],
     opening: {
       cards: [{ verb: 'homogenize', surfaces: ['yellow wall'], mean: { min: 30, max: 35 } }],
@@ -64,8 +82,16 @@ const rooms = [
   },
   {
     id: 'classroom',
-    title: 'Classroom',
-    description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
+    said: {
+      en: {
+        title: 'Classroom',
+        description: 'A whiteboard wall, twelve tables and a working plane at 0.75 m.',
+      },
+      de: {
+        title: 'Klassenzimmer',
+        description: 'Eine Tafelwand, zwölf Tische und eine Nutzebene auf 0,75 m.',
+      },
+    },
     precompute: ['--patch', '0.16', '--cluster', '4'],
     opening: asStandardAsks('classroom', {
       count: 12,
@@ -76,8 +102,16 @@ const rooms = [
   },
   {
     id: 'gallery',
-    title: 'Gallery',
-    description: 'Pictures on the walls, a free-standing wall and sculptures on plinths.',
+    said: {
+      en: {
+        title: 'Gallery',
+        description: 'Pictures on the walls, a free-standing wall and sculptures on plinths.',
+      },
+      de: {
+        title: 'Galerie',
+        description: 'Bilder an den Wänden, eine freistehende Wand und Skulpturen auf Sockeln.',
+      },
+    },
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.5'],
     opening: {
       cards: [
@@ -90,8 +124,16 @@ const rooms = [
   {
     id: 'restaurant',
     view: { position: [1.5, 1.65, 6.55], target: [6.2, 0.85, 2.6], exposure: -0.6 },
-    title: 'Restaurant at night',
-    description: 'Each table is an island of light, and the room around it stays in the dark.',
+    said: {
+      en: {
+        title: 'Restaurant at night',
+        description: 'Each table is an island of light, and the room around it stays in the dark.',
+      },
+      de: {
+        title: 'Restaurant bei Nacht',
+        description: 'Jeder Tisch ist eine Insel aus Licht, und der Raum ringsum bleibt im Dunkeln.',
+      },
+    },
     precompute: ['--patch', '0.3', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
     opening: {
       cards: [
@@ -108,8 +150,17 @@ const rooms = [
   {
     id: 'museum',
     view: { position: [11.2, 1.65, 7.3], target: [5.2, 1.35, 1.2] },
-    title: 'Museum',
-    description: 'Works on paper that no spot may light with more than 50 lx, in a dark room.',
+    said: {
+      en: {
+        title: 'Museum',
+        description: 'Works on paper that no spot may light with more than 50 lx, in a dark room.',
+      },
+      de: {
+        title: 'Museum',
+        description:
+          'Arbeiten auf Papier, die an keiner Stelle mehr als 50 lx bekommen dürfen, in einem dunklen Raum.',
+      },
+    },
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.3'],
     opening: {
       cards: [
@@ -127,8 +178,16 @@ const rooms = [
   {
     id: 'home',
     view: { position: [1.25, 1.65, 4.45], target: [5.5, 0.8, 1.45], exposure: -0.3 },
-    title: 'Home',
-    description: 'Light to read by in one corner, and as much as an evening needs in the rest.',
+    said: {
+      en: {
+        title: 'Home',
+        description: 'Light to read by in one corner, and as much as an evening needs in the rest.',
+      },
+      de: {
+        title: 'Wohnung',
+        description: 'Leselicht in einer Ecke, und im Übrigen so viel, wie ein Abend braucht.',
+      },
+    },
     precompute: ['--patch', '0.25', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
     opening: {
       cards: [
@@ -145,8 +204,13 @@ const rooms = [
   },
   {
     id: 'box',
-    title: 'Box',
-    description: 'Two blocks between a red and a green wall, for a first look.',
+    said: {
+      en: { title: 'Box', description: 'Two blocks between a red and a green wall, for a first look.' },
+      de: {
+        title: 'Kasten',
+        description: 'Zwei Quader zwischen einer roten und einer grünen Wand, für den ersten Blick.',
+      },
+    },
     precompute: ['--patch', '0.1', '--cluster', '4'],
     opening: {
       cards: [{ verb: 'homogenize', surfaces: ['floor'], aim: 250 }],
@@ -164,66 +228,139 @@ const paperRange = { min: { illuminate: 0.3 / 0.42 }, max: { illuminate: 0.35 / 
 // The paper's floor (0.1 / 0.42) cannot be met on this wall, where light falls off faster than on the paper's; this can.
 const guarded = (alpha) => ({ by: 'chebyshev', alpha, min: { illuminate: 0.05 } });
 
-const experiment = (id, title, description, card) => ({
+const experiment = (id, said, card) => ({
   id,
   room: 'e-corridor',
-  title,
-  description,
+  said,
   opening: { cards: [card], luminaires: { count: 6, flux: 3000 }, quantity: 'exitance' },
 });
 
+const inGerman = (value) => String(value).replace('.', ',');
+
 /** The experiments of the paper (section 5) on its E corridor. */
 export const experiments = [
-  experiment('5.1-even', '5.1 Most even', 'Least spread over the whole room, six luminaires.', {
-    verb: 'homogenize',
-    surfaces: all,
-  }),
+  experiment(
+    '5.1-even',
+    {
+      en: { title: '5.1 Most even', description: 'Least spread over the whole room, six luminaires.' },
+      de: {
+        title: '5.1 Am gleichmäßigsten',
+        description: 'Kleinste Streuung im ganzen Raum, sechs Leuchten.',
+      },
+    },
+    { verb: 'homogenize', surfaces: all },
+  ),
   // Least spread of the whole room above a step of the ladder between the least and the largest there is.
   ...[0.25, 0.5, 0.75].map((step) =>
     experiment(
       `5.1-ladder-${100 * step}`,
-      `5.1 Spread at least ${100 * step} %`,
-      'A step between the most even and the most varied light.',
+      {
+        en: {
+          title: `5.1 Spread at least ${100 * step} %`,
+          description: 'A step between the most even and the most varied light.',
+        },
+        de: {
+          title: `5.1 Streuung mindestens ${100 * step} %`,
+          description: 'Eine Stufe zwischen dem gleichmäßigsten und dem unruhigsten Licht.',
+        },
+      },
       { verb: 'homogenize', surfaces: all, spread: { min: { homogenize: 1 - step, vary: step } } },
     ),
   ),
-  experiment('5.1-varied', '5.1 Most varied', 'Largest spread over the whole room: they huddle together.', {
-    verb: 'vary',
-    surfaces: all,
-  }),
+  experiment(
+    '5.1-varied',
+    {
+      en: {
+        title: '5.1 Most varied',
+        description: 'Largest spread over the whole room: they huddle together.',
+      },
+      de: {
+        title: '5.1 Am unruhigsten',
+        description: 'Größte Streuung im ganzen Raum: Die Leuchten drängen sich zusammen.',
+      },
+    },
+    { verb: 'vary', surfaces: all },
+  ),
   experiment(
     '5.2-illuminate',
-    '5.2 Illuminate',
-    'As much light on the yellow wall as six luminaires can give.',
+    {
+      en: {
+        title: '5.2 Illuminate',
+        description: 'As much light on the yellow wall as six luminaires can give.',
+      },
+      de: {
+        title: '5.2 Beleuchten',
+        description: 'So viel Licht auf der gelben Wand, wie sechs Leuchten geben können.',
+      },
+    },
     { verb: 'illuminate', surfaces: wall },
   ),
-  experiment('5.2-overshadow', '5.2 Overshadow', 'As little light on the yellow wall as can be.', {
-    verb: 'overshadow',
-    surfaces: wall,
-  }),
+  experiment(
+    '5.2-overshadow',
+    {
+      en: { title: '5.2 Overshadow', description: 'As little light on the yellow wall as can be.' },
+      de: { title: '5.2 Abdunkeln', description: 'So wenig Licht auf der gelben Wand wie möglich.' },
+    },
+    { verb: 'overshadow', surfaces: wall },
+  ),
   experiment(
     '5.2-homogenize',
-    '5.2 Homogenize',
-    'Least spread on the yellow wall, its mean held in a range.',
+    {
+      en: {
+        title: '5.2 Homogenize',
+        description: 'Least spread on the yellow wall, its mean held in a range.',
+      },
+      de: {
+        title: '5.2 Angleichen',
+        description: 'Kleinste Streuung auf der gelben Wand, ihr Mittelwert in einem festen Bereich.',
+      },
+    },
     { verb: 'homogenize', surfaces: wall, mean: paperRange },
   ),
-  experiment('5.2-vary', '5.2 Vary', 'Largest spread on the yellow wall, its mean held in the same range.', {
-    verb: 'vary',
-    surfaces: wall,
-    mean: paperRange,
-  }),
+  experiment(
+    '5.2-vary',
+    {
+      en: {
+        title: '5.2 Vary',
+        description: 'Largest spread on the yellow wall, its mean held in the same range.',
+      },
+      de: {
+        title: '5.2 Variieren',
+        description: 'Größte Streuung auf der gelben Wand, ihr Mittelwert im selben Bereich.',
+      },
+    },
+    { verb: 'vary', surfaces: wall, mean: paperRange },
+  ),
   ...[0.5, 0.75, 1].map((alpha) =>
     experiment(
       `5.3-alpha-${alpha}`,
-      `5.3 Guarantee, α = ${alpha}`,
-      `Least light on the yellow wall with μ − ${alpha === 1 ? '' : alpha}σ above a bound.`,
+      {
+        en: {
+          title: `5.3 Guarantee, α = ${alpha}`,
+          description: `Least light on the yellow wall with μ − ${alpha === 1 ? '' : alpha}σ above a bound.`,
+        },
+        de: {
+          title: `5.3 Garantie, α = ${inGerman(alpha)}`,
+          description: `Am wenigsten Licht auf der gelben Wand, mit μ − ${alpha === 1 ? '' : inGerman(alpha)}σ über einer Grenze.`,
+        },
+      },
       { verb: 'overshadow', surfaces: wall, guarantee: guarded(alpha) },
     ),
   ),
   experiment(
     '5.4-find-alpha',
-    '5.4 Find alpha',
-    'The smallest alpha that keeps every patch of the wall above the bound: press “Find alpha”.',
+    {
+      en: {
+        title: '5.4 Find alpha',
+        description:
+          'The smallest alpha that keeps every patch of the wall above the bound: press “Find alpha”.',
+      },
+      de: {
+        title: '5.4 Alpha suchen',
+        description:
+          'Das kleinste Alpha, das jede Teilfläche der Wand über der Grenze hält: „Alpha suchen“ drücken.',
+      },
+    },
     { verb: 'overshadow', surfaces: wall, guarantee: guarded(1) },
   ),
 ];

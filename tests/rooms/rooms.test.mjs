@@ -45,9 +45,12 @@ function siteCount(mount) {
 test('the catalogue names every room once, with words for people and options for the command', () => {
   expect(ids).toEqual([...new Set(ids)]);
   expect(ids).toContain('box');
-  for (const { title, description, precompute } of catalog) {
-    expect(title).toMatch(/^[A-Z]/);
-    expect(description).toMatch(/\.$/);
+  for (const { said, precompute } of catalog) {
+    expect(Object.keys(said)).toEqual(['en', 'de']);
+    for (const { title, description } of Object.values(said)) {
+      expect(title).toMatch(/^[A-Z]/);
+      expect(description).toMatch(/\.$/);
+    }
     expect(precompute.length % 2).toBe(0);
     for (let i = 0; i < precompute.length; i += 2) {
       expect(precompute[i]).toMatch(/^--(patch|cluster|rays|refine|site-size|opening)$/);
