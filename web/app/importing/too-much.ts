@@ -48,7 +48,7 @@ function counted(
     if (depth > deepest) return nodes.length > deepest ? text.deep(fixed(deepest, 0)) : null; // else a cycle
     const next: number[] = [];
     for (const index of level) {
-      const { name = `node ${index}`, mesh, children = [] } = nodes[index] ?? {};
+      const { name = text.node(index), mesh, children = [] } = nodes[index] ?? {};
       if (next.length < nodes.length) next.push(...children.slice(0, nodes.length));
       if (mesh === undefined) continue;
       const own = triangles[mesh] ?? 0;

@@ -19,6 +19,7 @@ export const opening: Words['opening'] = {
   tooLarge: (name) => `„${name}“ ist größer als 256 MB; mehr kann der Browser nicht halten.`,
   damagedMesh: 'ein komprimiertes Netz darin ist beschädigt: noch einmal exportieren, oder ohne Kompression',
   tooMuch: {
+    node: (index) => `Knoten ${index}`,
     parts: (count, most) =>
       `es hat ${count} Teile, zeigen lassen sich hier ${most}: die eines Materials vereinen oder fiatlux precompute verwenden`,
     triangles: (count, most, name, percent) =>

@@ -15,6 +15,7 @@ export const opening = {
   tooLarge: (name: string) => `“${name}” is larger than 256 MB, which is more than the browser can hold.`,
   damagedMesh: 'a compressed mesh of it is damaged: export it again, or without compression',
   tooMuch: {
+    node: (index: number) => `node ${index}`, // one without a name
     parts: (count: string, most: string) =>
       `it has ${count} parts, and a page can show ${most}: join those of one material, or use fiatlux precompute`,
     triangles: (count: string, most: string, name: string, percent: string) =>

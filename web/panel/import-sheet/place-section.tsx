@@ -41,6 +41,9 @@ export function PlaceSection({ state: { choices, isPicking }, sheet }: Props) {
             whole
             onInput={(doors) => sheet.choose({ doors })}
           />
+          <p class="fine-print" aria-hidden="true">
+            {text.lid}
+          </p>
           <Choice
             label={text.lid}
             choices={kinds.map((kind) => [kind, () => text.lids[kind]] as const)}

@@ -1,6 +1,7 @@
 // What would freeze the page is told before it is shown. Covers too-much.
 import { expect, test } from '@jest/globals';
 import { tooMuchIn } from '../../../../web/app/importing/too-much.ts';
+import { speak } from '../../../../web/language/language.ts';
 import { writeGlb } from '../../../../web/document/gltf-container.ts';
 import { changed, refused } from '../../hostile-models.ts';
 
@@ -26,6 +27,20 @@ test('of too many triangles the node that holds most of them is named', () => {
   expect(tooMuchIn(writeGlb(json, new Uint8Array(6e6)))).toMatch(
     /^it has 2.400.000 triangles, and a page can light 2.000.000: 83 % of them are in “chandelier”/,
   );
+});
+
+test('one without a name is told in the language of the page', async () => {
+  const json = {
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ indices: 0 }] }],
+    accessors: [{ count: 6_300_000 }],
+  };
+  await speak('de');
+  try {
+    expect(tooMuchIn(writeGlb(json, new Uint8Array(7e6)))).toMatch(/100 % davon liegen in „Knoten 0“/);
+  } finally {
+    await speak('en');
+  }
 });
 
 test('a sound room is not too much; what is broken is told by others', () => {
