@@ -1,8 +1,10 @@
 /** Changes of a plan by hand: pure functions, a new plan each. Where a change would break the outline it is null. */
-import { distance, isSimple } from './polygon.mjs';
+import { contains, distance, holds, isSimple } from './polygon.mjs';
 import { mostCorners, mostItems, type Item, type Opening, type Point, type RoomPlan } from './room-plan.mjs';
 
 const leastWall = 0.05; // m
+const wallGap = 0.02; // m between a wall and rows that had to move
+const mostSteps = 40; // each way, of the places that are tried for them
 
 const at = <T>(list: readonly T[], index: number): T => list[(index + list.length) % list.length] as T;
 
@@ -114,19 +116,51 @@ export interface Rows {
   readonly downPitch: number; // m
 }
 
-/** An item repeated in rows that begin with it, turned as it is. */
+/** An item repeated in rows that begin with it, turned as it is; rows that would leave the room move into it as one. */
 export function withRows(plan: RoomPlan, index: number, rows: Rows): RoomPlan {
-  const first = plan.items[index];
-  if (!first) return plan;
-  const [c, s] = [Math.cos((first.turn * Math.PI) / 180), Math.sin((first.turn * Math.PI) / 180)];
+  const begin = plan.items[index];
+  if (!begin) return plan;
+  const turned = turnedBy(begin.turn);
+  const [dx, dz] = wayIntoRoom(plan, begin, rows);
+  const first: Item = { ...begin, x: toMillimetres(begin.x + dx), z: toMillimetres(begin.z + dz) };
   const more: Item[] = [];
   for (let j = 0; j < rows.down; j++)
     for (let i = 0; i < rows.across; i++) {
-      const [u, v] = [i * rows.acrossPitch, j * rows.downPitch];
-      const [x, z] = [toMillimetres(first.x + c * u + s * v), toMillimetres(first.z - s * u + c * v)];
-      if (i + j > 0) more.push({ ...first, x, z });
+      const [x, z] = turned([i * rows.acrossPitch, j * rows.downPitch]);
+      if (i + j > 0) more.push({ ...first, x: toMillimetres(first.x + x), z: toMillimetres(first.z + z) });
     }
-  return { ...plan, items: [...plan.items, ...more].slice(0, mostItems) };
+  const items = plan.items.map((item, i) => (i === index ? first : item));
+  return { ...plan, items: [...items, ...more].slice(0, mostItems) };
+}
+
+/** From an item's own axes to the plan's. */
+function turnedBy(turn: number): (point: Point) => Point {
+  const [c, s] = [Math.cos((turn * Math.PI) / 180), Math.sin((turn * Math.PI) / 180)];
+  return ([u, v]) => [c * u + s * v, -s * u + c * v];
+}
+
+/** The shortest way by which rows come to stand in the room; none where they do, or cannot. */
+function wayIntoRoom({ outline }: RoomPlan, { x, z, turn, size: [w, d] }: Item, rows: Rows): Point {
+  const [left, far] = [-w / 2, -d / 2];
+  const right = (rows.across - 1) * rows.acrossPitch + w / 2;
+  const near = (rows.down - 1) * rows.downPitch + d / 2;
+  const corners: Point[] = [[left, far], [right, far], [right, near], [left, near]]; // prettier-ignore
+  const block = corners.map(turnedBy(turn));
+  if (block.every(([u, v]) => contains(outline, [x + u, z + v]))) return [0, 0];
+  const fits = ([dx, dz]: Point) => {
+    const moved = block.map(([u, v]): Point => [x + u + dx, z + v + dz]);
+    return holds(outline, moved, wallGap);
+  };
+  const reach = [0, 1].map((axis) =>
+    Math.max(...outline.map((corner) => Math.abs(corner[axis]! - [x, z][axis]!))),
+  );
+  const steps = (most: number) => {
+    const step = Math.max(0.05, snapped(most / mostSteps, 0.05));
+    const count = Math.ceil(most / step);
+    return Array.from({ length: 2 * count + 1 }, (_, i) => toMillimetres((i - count) * step));
+  };
+  const ways = steps(reach[0]!).flatMap((dx) => steps(reach[1]!).map((dz): Point => [dx, dz]));
+  return ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b)).find(fits) ?? [0, 0];
 }
 
 /** With one more measuring plane around a point, as high as the working plane. */

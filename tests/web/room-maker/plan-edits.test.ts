@@ -1,0 +1,35 @@
+/** Rows of furniture, as the room maker places them. */
+import { expect, test } from '@jest/globals';
+import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
+import { planFaults } from '../../../web/room-maker/plan-faults.mjs';
+import { withRows } from '../../../web/room-maker/plan-edits.ts';
+import { planOf, usualItem, type Point } from '../../../web/room-maker/room-plan.mjs';
+
+const fourDesks = { across: 2, down: 2, acrossPitch: 2, downPitch: 2 };
+
+function rowsFrom(at: Point, turn = 0, outline = outlines.rectangle(6, 4)) {
+  const desk = { ...usualItem('desk', at, 2.8), turn };
+  return withRows({ ...planOf(outline, 2.8), items: [desk] }, 0, fourDesks);
+}
+const places = ({ items }: ReturnType<typeof rowsFrom>) => items.map(({ x, z }): Point => [x, z]);
+
+test('rows begin with the piece that is repeated', () => {
+  expect(places(rowsFrom([1, 1]))).toEqual([[1, 1], [3, 1], [1, 3], [3, 3]]); // prettier-ignore
+  expect(places(rowsFrom([0.8, 0.4]))[0]).toEqual([0.8, 0.4]); // at the walls
+});
+
+test('rows from the middle of a room move into it as one, no further than they must', () => {
+  const plan = rowsFrom([2, 2]);
+  expect(planFaults(plan)).toEqual([]);
+  expect(places(plan)).toEqual([
+    [2, 1.55],
+    [4, 1.55],
+    [2, 3.55],
+    [4, 3.55],
+  ]); // 0.05 m from the wall
+  expect(planFaults(rowsFrom([2.5, 2], 90, outlines.L(9, 8)))).toEqual([]);
+});
+
+test('rows for which the room is too small stay where they were asked for', () => {
+  expect(places(rowsFrom([1, 1], 0, outlines.rectangle(3, 2)))[0]).toEqual([1, 1]);
+});
