@@ -118,8 +118,8 @@ export const usualLuminaires: Luminaires = {
 };
 
 /**
- * What is asked at first of a room that nobody has described: light on what its file names for it, the floor below the
- * places or a measuring plane; of a file that names nothing, light on the first of these that it has.
+ * What is asked at first of a room that nobody has described: enough light, as even as it goes, on what its file names for
+ * it, the floor below the places or a measuring plane; of a file that names nothing, light on the first of these that it has.
  */
 export function askedOfUnknown(
   surfaces: readonly { name: string; measuring: boolean }[],
@@ -134,7 +134,7 @@ export function askedOfUnknown(
   const card: Card = {
     id: 'c-first',
     surfaces: [told?.surface ?? likely?.name ?? 'all'],
-    verb: 'illuminate',
+    verb: told ? 'homogenize' : 'illuminate',
     weight: 1,
     ...(told && { mean: { min: told.mean } }),
   };

@@ -60,7 +60,7 @@ test('a room that nobody has described is lit where its file says, else on its m
   ];
   const ask = { surface: 'house/floor', mean: 240, count: 24 };
   expect(askedOfUnknown(surfaces, 100, { ask })).toMatchObject({
-    cards: [{ surfaces: ['house/floor'], verb: 'illuminate', mean: { min: 240 } }],
+    cards: [{ surfaces: ['house/floor'], verb: 'homogenize', mean: { min: 240 } }],
     luminaires: { count: 24 },
   });
   expect(askedOfUnknown(surfaces, 4, { ask }).luminaires.count).toBe(4);
