@@ -12,7 +12,7 @@ import { beginCandidates } from '../../web/solver/mounted-session.ts';
 import { openScene } from '../../web/solver/open-scene.ts';
 import { wholeFile } from '../../web/solver/scene-stream.ts';
 import { facings, uses, usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
-import { Stopped, type BuildProgress } from '../../web/builder/pool.ts';
+import { Stopped, TooLarge, type BuildProgress } from '../../web/builder/pool.ts';
 import { intentionsOf } from '../../web/document/intentions.ts';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import type { Model } from '../../web/builder/protocol.ts';
@@ -226,6 +226,9 @@ describe('what is wrong with a model is told in one line', () => {
 
   test('more memory than a page has', async () => {
     const options = { ...usualOptions, patch: 0.01 };
-    await expect(build(1, options)).rejects.toThrow(/GB/);
+    const fault = await build(1, options).catch((error: unknown) => error);
+    expect(fault).toBeInstanceOf(TooLarge);
+    expect((fault as Error).message).toMatch(/GB.*take larger patches/);
+    expect((fault as Error).message).not.toContain('--');
   });
 });

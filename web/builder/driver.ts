@@ -28,7 +28,7 @@ export class BuilderDriver {
       if (!builder) throw new Error('the builder was not started');
       this.#answer(builder, message);
     } catch (error) {
-      this.#post({ type: 'failed', message: lineOf(error) }, []);
+      this.#post({ type: 'failed', message: lineOf(error), isTooLarge: isTooLarge(error) }, []);
     }
   }
 
@@ -99,14 +99,26 @@ function valid<T extends object | number>(value: T | string): T {
   return value;
 }
 
+const tellsOfMemory = '--memory allows'; // in a refusal of the pipeline
+
+/** Whether memory is what is missing, so that larger patches would help. */
+function isTooLarge(error: unknown): boolean {
+  const what = reasonOf(error);
+  return error instanceof Refusal ? what.includes(tellsOfMemory) : ranOut(what);
+}
+
+const ranOut = (what: string) =>
+  /memory|allocation|OOM|bad_alloc/i.test(what) && !/out of bounds/i.test(what);
+
 /** One line for a person. The pipeline speaks of the command's options, which a page does not have. */
 function lineOf(error: unknown): string {
   if (error instanceof Refusal)
-    return error.message
-      .replace('--memory allows', 'a page may use')
-      .replace(/pass (.*a larger --patch.*|fewer --rays)/, 'make the room smaller, or use the command');
+    return error.message.includes(tellsOfMemory)
+      ? error.message
+          .replace(tellsOfMemory, 'a page may use')
+          .replace(/pass [^;]*$/, 'take larger patches, make the room smaller, or use the command')
+      : error.message.replace(/pass fewer --rays/, 'make the room smaller, or use the command');
   const what = reasonOf(error);
-  if (/memory|allocation|OOM/i.test(what) && !/out of bounds/i.test(what))
-    return 'not enough memory in this browser: close other pages, or make the room smaller';
+  if (ranOut(what)) return 'not enough memory in this browser: close other pages, or take larger patches';
   return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
 }

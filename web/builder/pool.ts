@@ -58,6 +58,9 @@ export class Stopped extends Error {
   }
 }
 
+/** Memory is missing: larger patches need less. */
+export class TooLarge extends Error {}
+
 export class BuilderPool {
   readonly #startWorker: () => BuilderWorker;
   readonly #compiled: () => Promise<Compiled>;
@@ -260,8 +263,9 @@ class Member {
       if (this.#death) return reject(this.#death);
       const answer = (given: FromBuilder) => {
         if (given.type === type) resolve(given as Answer<Type>);
-        else
-          reject(new Error(given.type === 'failed' ? given.message : 'the builder answers something else'));
+        else if (given.type === 'failed')
+          reject(given.isTooLarge ? new TooLarge(given.message) : new Error(given.message));
+        else reject(new Error('the builder answers something else'));
       };
       this.#questions.push({ answer, fail: reject });
       this.#worker.postMessage(message, transfer);

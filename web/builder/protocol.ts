@@ -28,5 +28,5 @@ export type FromBuilder =
   | { readonly type: 'solved'; readonly part: Uint8Array<ArrayBuffer> }
   | { readonly type: 'joined' }
   | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer> }
-  | { readonly type: 'failed'; readonly message: string } // instead of an answer
+  | { readonly type: 'failed'; readonly message: string; readonly isTooLarge: boolean } // instead of an answer; for its memory
   | { readonly type: 'told'; readonly stage: string; readonly share: number }; // at any time

@@ -27,17 +27,31 @@ export function PreviewNote() {
   const state = store.lighting.value;
   if (store.making.value || (!name && !state)) return null;
   if (state && !state.fault) return <Working state={state} />;
+  const isDraftShown = state?.pass === 'full' && name === null;
   return (
     <section class="preview-note" aria-label={words.value.opening.preview.name}>
       <header>
-        <h2>{words.value.opening.preview.failed(state ? titleOf(state.name) : (name ?? ''))}</h2>
+        <h2>
+          {(isDraftShown ? words.value.opening.preview.notFull : words.value.opening.preview.failed)(
+            state ? titleOf(state.name) : (name ?? ''),
+          )}
+        </h2>
         <Close />
       </header>
       <p>
-        {state?.fault ?? words.value.opening.preview.stopped} {words.value.opening.preview.notUploaded}
+        {state?.fault ?? words.value.opening.preview.stopped}{' '}
+        {isDraftShown ? words.value.opening.preview.staysPreview : words.value.opening.preview.notUploaded}
       </p>
       <div class="row">
-        <button class="button small primary" onClick={() => opening.lighting.again()}>
+        {state?.isTooLarge && (
+          <button class="button small primary" onClick={() => void opening.lighting.coarser()}>
+            {words.value.opening.preview.coarser}
+          </button>
+        )}
+        <button
+          class={state?.isTooLarge ? 'button small' : 'button small primary'}
+          onClick={() => opening.lighting.again()}
+        >
           {words.value.opening.again}
         </button>
         <EditRoom />

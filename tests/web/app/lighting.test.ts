@@ -5,7 +5,7 @@ import { readContainer, writeGlb } from '../../../web/document/gltf-container.ts
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
 import type { BuildOptions } from '../../../web/builder/builder.ts';
-import type { BuilderPool } from '../../../web/builder/pool.ts';
+import { TooLarge, type BuilderPool } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
 import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
 import type { Placement, Placing } from '../../../web/app/opening/placing.ts';
@@ -68,7 +68,7 @@ function rememberingShelf(): Shelf {
 function lightingOf(first: SceneInfo) {
   const store = new Store();
   const placed: FiatLuxDocument[] = [];
-  const room = { next: first };
+  const room = { next: first, isFullTooLarge: false };
   const place = async (_: unknown, title: string, __: unknown, make: (scene: SceneInfo) => Placement) => {
     const { document: made } = make(room.next);
     placed.push(made);
@@ -84,9 +84,11 @@ function lightingOf(first: SceneInfo) {
   const built: BuildOptions[] = [];
   const models: Model[] = [];
   const pool = {
-    survey: async () => ({ scale: 0.5 }),
+    survey: async () => ({ scale: 0.5, patch: 0.1 }),
     build: async ({ options, model }: { options: BuildOptions; model: Model }) => {
       built.push(options);
+      if (options.exchange && room.isFullTooLarge && options.patch < 0.2)
+        throw new TooLarge('not enough memory');
       models.push(model);
       return { file: new ArrayBuffer(0), room: { source: '', warnings: [] } };
     },
@@ -170,6 +172,25 @@ describe('a model that is understood in another way', () => {
     expect(nodes).toEqual([{ name: 'plane 1', mesh: 0, extras: { fiatlux: { measure: true } } }]);
     expect(placed[1]).toMatchObject({ room: 'a.flux', scene: 'c'.repeat(16), cards: wish });
   });
+});
+
+test('where memory runs out the preview stays, and larger patches are offered until they fit', async () => {
+  const { store, placed, room, built, lighting } = lightingOf(draft);
+  room.isFullTooLarge = true;
+  const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  await lighting.light(model);
+  expect(placed).toHaveLength(1);
+  expect(store.lighting.value).toMatchObject({
+    pass: 'full',
+    fault: 'Not enough memory.',
+    isTooLarge: true,
+  });
+  await lighting.coarser();
+  expect(built.at(-1)?.patch).toBe(0.16);
+  expect(store.lighting.value?.isTooLarge).toBe(true);
+  await lighting.coarser();
+  expect(built.at(-1)?.patch).toBe(0.26);
+  expect(store.lighting.value).toBeNull();
 });
 
 test('the work is foreseen about as long as sample rooms took', () => {

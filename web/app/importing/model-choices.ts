@@ -31,6 +31,7 @@ export interface ModelChoices {
   readonly up: 'y' | 'z';
   readonly mounts: readonly string[]; // surfaces; none: those that are proposed
   readonly ceiling: number; // m, of a plane over the largest floor; 0: only where there is no ceiling
+  readonly patch: number; // m, edge of a patch; 0: as proposed
   readonly siteSpacing: number; // m, from luminaire to luminaire; 0: as proposed
   readonly siteSize: number; // m, side of a luminaire; 0: the spacing
   readonly drop: number; // m, below where they hang; 0: what the file says
@@ -49,6 +50,7 @@ export const usualChoices: ModelChoices = {
   up: 'y',
   mounts: [],
   ceiling: 0,
+  patch: 0,
   siteSpacing: 0,
   siteSize: 0,
   drop: 0,
@@ -79,6 +81,7 @@ const choicesSchema = v.object({
   up: v.optional(v.picklist(['y', 'z']), 'y'),
   mounts: v.optional(v.array(v.string()), []),
   ceiling: metres,
+  patch: metres,
   siteSpacing: metres,
   siteSize: metres,
   drop: metres,

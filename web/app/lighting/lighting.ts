@@ -3,7 +3,7 @@
  * full pass takes its place, with everything that was asked meanwhile. One room at a time: the latest wish wins.
  */
 import { usualOptions } from '../../builder/builder.ts';
-import { Stopped, type BuilderPool, type Built } from '../../builder/pool.ts';
+import { Stopped, TooLarge, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
 import {
   chosenOptions,
@@ -30,6 +30,8 @@ import { reasonOf } from '../../document/reason.ts';
 
 /** The draft: patches so many times as long, and so many rays from each; light of squares only. */
 const draft = { coarseness: 2.5, rays: 256, exchange: false };
+
+const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
 
 const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
 
@@ -102,7 +104,7 @@ export class Lighting {
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
         return;
-      this.#fail(reasonOf(error));
+      this.#fail(reasonOf(error), error instanceof TooLarge);
     } finally {
       if (this.#running === running) this.#running = null;
     }
@@ -111,6 +113,25 @@ export class Lighting {
   /** Once more, after it has failed. */
   again(): void {
     if (this.#model) void this.light(this.#model, this.#choices);
+  }
+
+  /** Once more with larger patches, after memory ran out. */
+  async coarser(): Promise<void> {
+    const model = this.#model;
+    if (!model) return;
+    const usual = this.#choices.patch || (await this.#usualPatch(model));
+    const patch = Number((coarser * usual).toPrecision(2));
+    if (model === this.#model && usual > 0) await this.light(model, { ...this.#choices, patch });
+  }
+
+  /** m; 0 where even that cannot be told, which is. */
+  async #usualPatch(model: Model): Promise<number> {
+    try {
+      return (await (await this.#createPool()).survey(model, chosenOptions(this.#choices))).patch;
+    } catch (error) {
+      this.#fail(reasonOf(error), false);
+      return 0;
+    }
   }
 
   /** Why a model cannot be lit, as far as that is known before anything is computed; null where it can. */
@@ -169,9 +190,9 @@ export class Lighting {
   }
 
   /** The state of a failure stays until it is closed; the preview or the draft stays with it. */
-  #fail(why: string): void {
+  #fail(why: string, isTooLarge: boolean): void {
     const state = this.#store.lighting.peek();
-    if (state) this.#store.lighting.value = { ...state, fault: sentence(why), secondsLeft: null };
+    if (state) this.#store.lighting.value = { ...state, fault: sentence(why), isTooLarge, secondsLeft: null };
   }
 
   #build(

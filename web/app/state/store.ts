@@ -71,6 +71,7 @@ export interface LightingState {
   readonly share: number; // 0..1 of this pass
   readonly secondsLeft: number | null; // of this pass, once that can be told
   readonly fault: string | null; // why it has ended without light
+  readonly isTooLarge?: boolean; // for the memory: larger patches would do
 }
 
 /** A building of which one place is to be lit. */

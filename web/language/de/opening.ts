@@ -143,6 +143,9 @@ export const opening: Words['opening'] = {
       'Der Befehl schafft es mit dem ganzen Speicher dieses Rechners; danach die .flux-Datei hier ablegen.',
     copy: 'Befehl kopieren',
     failed: (title) => `„${title}“ bekam kein Licht`,
+    notFull: (title) => `„${title}“ bleibt eine Vorschau`,
+    staysPreview: 'Zu sehen ist die Vorschau.',
+    coarser: 'Mit größeren Teilflächen',
   },
   view: {
     notShown: (reason) => `Die Geometrie des Raums kann nicht gezeigt werden: ${reason}`,

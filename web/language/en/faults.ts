@@ -34,6 +34,9 @@ export const faults = {
     'no surfaces: everything is transparent or a measuring plane; give the walls an opaque material',
   manyTriangles: (count: string, most: string) =>
     `${count} triangles after instancing, and ${most} million are accepted; simplify the meshes`,
+  pageMemory: 'not enough memory in this browser: close other pages, or take larger patches',
+  pageTooSmall: (needed: string, most: string, what: string) =>
+    `this would need ${needed} GB, and a page may use ${most}: too many are ${what}; take larger patches, make the room smaller, or use the command`,
   noMemory: 'needs more memory than there is; make the model smaller',
   narrow: (width: string) =>
     `the room is only ${width} m wide: pass --scale with the metres of one unit of the file`,

@@ -135,6 +135,9 @@ export const opening = {
     command: "The command does it with all of this computer's memory; then drop the .flux file here.",
     copy: 'Copy the command',
     failed: (title: string) => `“${title}” could not be lit`,
+    notFull: (title: string) => `“${title}” stays a preview`,
+    staysPreview: 'What is shown is the preview.',
+    coarser: 'With larger patches',
   },
   view: {
     notShown: (reason: string) => `The room's geometry cannot be displayed: ${reason}`,
