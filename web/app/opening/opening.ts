@@ -286,6 +286,7 @@ export class Opening {
       const { goals } = await this.#solving.probe(intentionsOf(probe).intentions);
       return goals[0]?.value ?? 0;
     });
+    if (this.#store.scene.peek() !== scene) return;
     const { past, future } = this.#store.history.peek();
     this.#store.reset(documentFrom(asked, scene.identity, room), { past, future });
     this.#store.card.value = asked.cards[0]?.id ?? null;

@@ -119,6 +119,7 @@ export class Placing {
     let placement: Placement;
     try {
       placement = await make(scene);
+      if (!isCurrent()) return; // else it would take the place of a preview that is there by now
       this.#viewer.setAims(aimsOf(placement.document, scene));
       await this.#viewer.open(room, scene);
       if (options.isReplacement) placement = await make(scene); // what was edited meanwhile comes along
