@@ -175,6 +175,6 @@ export function makeRoom() {
   pupils(room);
   teacherAndStorage(room);
   const plane = slab('measuring plane', [rim, rim, width - rim, depth - rim], 0.75);
-  room.place('working plane', plane, { fiatlux: { measure: true } });
+  room.place('working plane', plane, { fiatlux: { measure: true, border: rim } });
   return room;
 }

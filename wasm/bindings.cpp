@@ -182,6 +182,7 @@ val surfacesOf(const Scene& scene) {
     line.set("patches", surface.patches);
     line.set("reflectance", surface.reflectance);
     line.set("measuring", surface.measuring);
+    line.set("border", surface.border);
     line.set("lost", surface.lost);
     surfaces.set(s, line);
   }

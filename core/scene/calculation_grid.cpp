@@ -89,10 +89,11 @@ PatchLattice latticeOf(const Patches& patches, const std::vector<std::uint32_t>&
 
 }  // namespace
 
-GridRule gridRule(double length, double width, bool hasRim) {
-  assert(length > 0 && width > 0);
+GridRule gridRule(double length, double width, double border, bool hasRim) {
+  assert(length > 0 && width > 0 && border >= 0);
   GridRule rule;
-  if (hasRim) rule.rim = std::min(kWidestRim, kRimShare * std::min(length, width));
+  const double whole = std::min(length, width) + 2 * border;  // the shorter side of what is measured
+  if (hasRim) rule.rim = std::max(0.0, std::min(kWidestRim, kRimShare * whole) - border);
   const double inner = length - 2 * rule.rim, across = width - 2 * rule.rim;
   const double longer = std::max(inner, across), shorter = std::min(inner, across);
   const double d = longer >= 2 * shorter ? shorter : longer;
@@ -114,7 +115,7 @@ std::uint32_t PatchLattice::patchAt(double u, double v) const {
 CalculationGrid calculationGridOn(const PatchLattice& lattice, const Patches& patches, const Surface& surface,
                                   bool hasRim) {
   const double along = lattice.columns * lattice.cellU, across = lattice.rows * lattice.cellV;
-  CalculationGrid grid{gridRule(along, across, hasRim), {}};
+  CalculationGrid grid{gridRule(along, across, surface.border, hasRim), {}};
   if (!surface.measuring && std::min(along, across) < kNarrowestFloor) return grid;
   const double rim = grid.rule.rim, r = 0.999 * rim;
   const std::uint32_t columns = grid.rule.columns, rows = grid.rule.rows;
@@ -180,10 +181,11 @@ std::vector<PatchShare> sharesAt(const PatchLattice& lattice, const Patches& pat
   return shares;
 }
 
-GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
+GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid, double border,
                         const std::vector<double>& values) {
   assert(!values.empty() && values.size() == grid.points.size());
-  GridReading reading{surface, static_cast<std::uint32_t>(values.size()), grid.rule.spacing, grid.rule.rim};
+  GridReading reading{surface, static_cast<std::uint32_t>(values.size()), grid.rule.spacing,
+                      border + grid.rule.rim};
   reading.least = reading.most = values[0];
   for (const double value : values) {
     reading.mean += value / static_cast<double>(values.size());
@@ -215,7 +217,8 @@ CalculationGrids CalculationGrids::ofZones(const Scene& scene) {
 void CalculationGrids::add(const Scene& scene, const std::vector<PatchLattice>& lattices, bool hasRim) {
   for (const PatchLattice& lattice : lattices) {
     const Surface& surface = scene.surfaces[lattice.surface];
-    Grid grid{lattice.surface, calculationGridOn(lattice, scene.patches, surface, hasRim), {}};
+    Grid grid{
+        lattice.surface, surface.border, calculationGridOn(lattice, scene.patches, surface, hasRim), {}};
     for (const auto& point : grid.of.points) grid.points.push_back(sharesAt(lattice, scene.patches, point));
     if (!grid.points.empty()) grids_.push_back(std::move(grid));
   }
@@ -230,7 +233,7 @@ std::vector<GridReading> CalculationGrids::read(const std::vector<float>& light)
       for (const PatchShare& share : point) sum += share.share * light[share.row];
       values.push_back(sum);
     }
-    result.push_back(gridReading(grid.surface, grid.of, values));
+    result.push_back(gridReading(grid.surface, grid.of, grid.border, values));
   }
   return result;
 }

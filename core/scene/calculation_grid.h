@@ -1,8 +1,9 @@
 // The calculation grid of EN 12464-1 on floors and level measuring planes: a rim is left out (0.5 m, or 15 %
 // of the shorter side where that is less), and points are at most p = 0.2 x 5^log10(d) m apart, at most 10 m,
-// d the longer side of what is left, or the shorter one where they differ by a factor of two or more. Read
-// off the patches of a scene; `fiatlux light` takes the same points to its rays. A task area (a zone) has a
-// grid of its own, without a rim.
+// d the longer side of what is left, or the shorter one where they differ by a factor of two or more. A plane
+// that stays away from the walls by itself (Surface::border) has left out as much of the rim. Read off the
+// patches of a scene; `fiatlux light` takes the same points to its rays. A task area (a zone) has a grid of
+// its own, without a rim.
 #pragma once
 
 #include <array>
@@ -15,12 +16,12 @@ namespace fiatlux {
 
 /// What the rule makes of a rectangle.
 struct GridRule {
-  double rim = 0, spacing = 0;  // m; the spacing is the largest allowed
+  double rim = 0, spacing = 0;  // m; the rim is left out of the rectangle, the spacing is the largest allowed
   std::uint32_t columns = 0, rows = 0;
 };
 
-/// Of `length` x `width` metres, both above 0.
-GridRule gridRule(double length, double width, bool hasRim = true);
+/// Of `length` x `width` metres, both above 0, within a border (m) that is left out already.
+GridRule gridRule(double length, double width, double border = 0, bool hasRim = true);
 
 /// A plane piece of a surface, cut into cells of which each holds one patch or none.
 struct PatchLattice {
@@ -68,13 +69,13 @@ std::vector<std::vector<PatchShare>> gridPointsOf(const Scene& scene, std::uint3
 /// What a layout does to a grid.
 struct GridReading {
   std::uint32_t surface = 0, points = 0;
-  double spacing = 0, rim = 0;                                       // m
-  double mean = 0, least = 0, most = 0;                              // lx: E_m, E_min and E_max
+  double spacing = 0, rim = 0;           // m; all of the rim: the surface's own border, too
+  double mean = 0, least = 0, most = 0;  // lx: E_m, E_min and E_max
   double uniformity() const { return mean > 0 ? least / mean : 0; }  // U_o
 };
 
-/// Of values (lx) at the points of a grid, of which there is one at least.
-GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid,
+/// Of values (lx) at the points of a grid, of which there is one at least, within a border (m).
+GridReading gridReading(std::uint32_t surface, const CalculationGrid& grid, double border,
                         const std::vector<double>& values);
 
 /// Every grid of a scene, made once to be read of any light.
@@ -91,6 +92,7 @@ class CalculationGrids {
  private:
   struct Grid {
     std::uint32_t surface = 0;
+    double border = 0;  // m, of the surface
     CalculationGrid of;
     std::vector<std::vector<PatchShare>> points;
   };

@@ -43,6 +43,7 @@ struct Surface {
   double reflectance = 0;     // area-weighted mean of its patches
   std::uint32_t patches = 0;  // how many
   bool measuring = false;     // a measuring plane: outside "all", no exitance
+  double border = 0;          // m, of a measuring plane: what it leaves out along what it measures' edges
   double lost = 0;            // share 0..1 of the rays cast from it that met a back face or left the room
 };
 

@@ -25,6 +25,7 @@ constexpr double kHuge = 1e30;  // of anything physical in a file
 constexpr double kLargestWeight = 1e6;
 constexpr double kBrightestPatch = kBrightestMean * (1 << 24);  // responses count up to 2^24 steps
 constexpr std::size_t kLongestName = 1000;                      // bytes; the writer cuts names far below
+constexpr double kWidestBorder = 1e6;                           // m
 
 void readSurfaces(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
   const std::vector<std::uint8_t> names =
@@ -51,6 +52,17 @@ void readSurfaces(CheckedSections& in, const SceneCounts& counts, Scene& scene) 
     from = to + 1;
   }
   if (from != names.end()) in.fail("surfaceNames", "there are more names than surfaces");
+}
+
+/// Absent in files whose measuring planes have none.
+void readBorders(CheckedSections& in, const SceneCounts& counts, Scene& scene) {
+  if (!in.has("planeBorders")) return;
+  const std::vector<double> borders = in.doubles("planeBorders", counts.surfaces, 1, 0, kWidestBorder);
+  for (std::uint32_t s = 0; in.ok() && s < counts.surfaces; ++s) {
+    if (borders[s] > 0 && !scene.surfaces[s].measuring)
+      return in.fail("planeBorders", "a surface that is no measuring plane has a border");
+    scene.surfaces[s].border = borders[s];
+  }
 }
 
 /// Absent in files where everything counts.
@@ -262,9 +274,9 @@ Result<SceneReader> SceneReader::openHead(std::span<const std::uint8_t> head, st
 
 bool SceneReader::early(std::uint32_t section) const {
   constexpr std::string_view kEarly[] = {
-      "surfaceNames",  "surfaces",      "patchCenters",    "patchNormals", "patchAreas", "patchReflectances",
-      "patchSurfaces", "patchClusters", "patchNeighbours", "patchCovered", "sites",      "openingLayout",
-      "openingScales", "openingLight"};
+      "surfaceNames",      "surfaces",      "planeBorders",  "patchCenters",    "patchNormals", "patchAreas",
+      "patchReflectances", "patchSurfaces", "patchClusters", "patchNeighbours", "patchCovered", "sites",
+      "openingLayout",     "openingScales", "openingLight"};
   const std::string_view name = table_.sections[section].name;
   return std::find(std::begin(kEarly), std::end(kEarly), name) != std::end(kEarly);
 }
@@ -323,6 +335,7 @@ Result<Done> SceneReader::readOutline() {
   Scene scene;
   scene.identity = table_.identity;
   readSurfaces(in, counts, scene);
+  readBorders(in, counts, scene);
   if (in.ok()) readPatches(in, counts, scene);
   if (in.ok()) readSites(in, counts, scene);
   if (in.ok() && in.has("openingLight"))

@@ -85,6 +85,10 @@ void addSurfaces(const Scene& scene, const std::vector<float>& errorBound, std::
   out.push_back(
       plainSection("surfaceNames", ElementType::kUint8, Encoding::kPlain, length, 1, std::move(names)));
   out.push_back(doubles("surfaces", numbers, kSurfaceColumns));
+  std::vector<double> borders;
+  for (const Surface& surface : scene.surfaces) borders.push_back(surface.border);
+  if (std::any_of(borders.begin(), borders.end(), [](double border) { return border > 0; }))
+    out.push_back(doubles("planeBorders", borders, 1));
 }
 
 void addPatches(const Patches& patches, std::vector<PlainSection>& out) {

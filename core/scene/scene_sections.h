@@ -4,6 +4,7 @@
 //   surfaceNames            bytes     UTF-8, a zero after each
 //   surfaces                S x 5     area (m2), reflectance, share of lost rays, measuring (0 or 1),
 //                                     error bound
+//   planeBorders            S x 1     m, of measuring planes (Surface::border); not there where all are 0
 //   patchCenters            rows x 3  kPositionUnit metres
 //   patchNormals            rows x 3  kDirectionUnit
 //   patchAreas              rows      m2

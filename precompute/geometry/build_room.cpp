@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
@@ -86,6 +87,19 @@ void addTriangles(const WeldedMesh& mesh, const std::vector<ChartDraft>& drafts,
       (face.back ? room.triangles[face.triangle].backChart : room.triangles[face.triangle].chart) = d;
 }
 
+/// The border of a plane of several nodes is one that each of them has.
+void takeBorders(const SourceScene& source, const WeldedMesh& mesh, const std::vector<ChartDraft>& charts,
+                 Room& room) {
+  std::map<std::uint32_t, double> borderOf;
+  for (const ChartDraft& chart : charts)
+    for (const Face& face : chart.faces) {
+      const double border = source.meshes[mesh.triangles[face.triangle].mesh].extras.border.value_or(0);
+      const auto known = borderOf.emplace(chart.chart.surface, border).first;
+      known->second = std::min(known->second, border);
+    }
+  for (const auto& [surface, border] : borderOf) room.surfaces[surface].border = border;
+}
+
 /// Measuring planes: what lies looks up, whichever way it was drawn.
 void addMeasuringPlanes(const SourceScene& source, const std::vector<std::uint32_t>& meshes,
                         const RoomOptions& options, UniqueNames& names, Room& room) {
@@ -102,6 +116,7 @@ void addMeasuringPlanes(const SourceScene& source, const std::vector<std::uint32
   addSurfaces(tree, true, room);
   std::vector<ChartDraft> charts = makeCharts(mesh, tree, patch, first);
   checkGrids(charts, options, patch, kMostClusters);
+  takeBorders(source, mesh, charts, room);
   appendPatches(mesh, charts, patch, nullptr, room);
 }
 

@@ -217,6 +217,7 @@ SourceScene workingPlane(const WeldedMesh& mesh, const Inside& inside, const Roo
   SourceMesh plane;
   plane.node = "working plane";
   plane.extras.measure = true;
+  plane.extras.border = options.planeRim;
   for (const std::vector<Face>& floor : floors) addPlane(planOf(mesh, floor), options, plane);
   if (plane.triangles.empty())
     throw CommandError("no working plane: the floor is narrower than two rims of " +

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLeastSpacing = 1e-3, kMostSpacing = 1e3;  // m, of sites
 constexpr double kMostDrop = 1e3;                           // m
+constexpr double kMostBorder = 1e3;                         // m
 
 /// The nodes below `roots`, parents first, each once; without recursion.
 std::vector<int> nodesBelow(const Model& model, const std::vector<int>& roots) {
@@ -74,6 +75,7 @@ NodeExtras readExtras(const tinygltf::Node& node, const std::string& name,
   extras.siteSpacing = number("siteSpacing", kLeastSpacing, kMostSpacing, "write metres");
   extras.siteSize = number("siteSize", kLeastSpacing, kMostSpacing, "write metres");
   extras.drop = number("drop", 0, kMostDrop, "write metres");
+  extras.border = number("border", 0, kMostBorder, "write metres");
   const std::string most = shortNumber(kMostReflectance);
   extras.reflectance = number("reflectance", 0, 1, ("write a number from 0 to " + most).c_str());
   if (extras.reflectance && *extras.reflectance > kMostReflectance) {

@@ -44,6 +44,7 @@ struct NodeExtras {
   std::optional<double> siteSpacing;  // m
   std::optional<double> siteSize;     // m
   std::optional<double> drop;         // m, that luminaires hang below the mount
+  std::optional<double> border;       // m, that a measuring plane stays away from what it measures' edges
 };
 
 /// One primitive of one node instance, in world space (metres after --scale), triangulated, mirrored

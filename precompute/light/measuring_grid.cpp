@@ -31,7 +31,7 @@ std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
     std::vector<double> values;
     for (const PointReading& reading : readPoints(room, tracer, grid.points, luminaires, radiosity, options))
       values.push_back(reading.total);
-    readings.push_back(gridReading(grid.surface, grid.grid, values));
+    readings.push_back(gridReading(grid.surface, grid.grid, room.surfaces[grid.surface].border, values));
   }
   return readings;
 }

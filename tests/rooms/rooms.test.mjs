@@ -103,7 +103,7 @@ describe.each(ids)('%s', (id) => {
     expect(new Set(names).size).toBe(names.length);
     for (const { name, fiatlux } of room.nodes) {
       expect(name).toMatch(/^[a-z][a-z0-9 -]*$/);
-      const { surface: group, reflectance, mount, siteSpacing, drop, measure, ...rest } = fiatlux;
+      const { surface: group, reflectance, mount, siteSpacing, drop, measure, border, ...rest } = fiatlux;
       expect(rest).toEqual({});
       if (group !== undefined) expect(group).toMatch(/^[a-z][a-z0-9 -]*$/);
       if (reflectance !== undefined) expect(reflectance).toBeGreaterThan(0);
@@ -111,6 +111,7 @@ describe.each(ids)('%s', (id) => {
       expect(mount === true).toBe(siteSpacing > 0);
       if (drop !== undefined) expect(mount && drop > 0).toBe(true);
       if (measure !== undefined) expect(measure).toBe(true);
+      if (border !== undefined) expect(measure && border > 0).toBe(true);
     }
   });
 
@@ -131,6 +132,21 @@ describe.each(ids)('%s', (id) => {
       if (fiatlux.surface === undefined)
         expect([name, Math.max(...off)]).toEqual([name, expect.closeTo(0, 5)]);
     }
+  });
+
+  test('a measuring plane that stays away from the walls says how far', () => {
+    const edgesOf = (node) => {
+      const points = node.triangles.flatMap((triangle) => triangle.points);
+      return [0, 2].flatMap((axis) => {
+        const values = points.map((point) => point[axis]);
+        return [Math.min(...values), Math.max(...values)];
+      });
+    };
+    const floor = edgesOf(room.nodes.find(({ name }) => name === 'floor'));
+    for (const plane of room.nodes.filter(({ name }) => name === 'working plane'))
+      edgesOf(plane).forEach((edge, i) =>
+        expect(Math.abs(edge - floor[i])).toBeCloseTo(plane.fiatlux.border, 6),
+      );
   });
 
   test('measuring planes face up at 0.75 m', () => {

@@ -228,6 +228,7 @@ export interface SceneInfo {
     readonly patches: number;
     readonly reflectance: number;
     readonly measuring: boolean;
+    readonly border?: number; // m, of a measuring plane: what it leaves out along the edges of what it measures
     readonly lost: number; // share 0..1
     readonly part?: { readonly leaf: number; readonly rows: Uint32Array }; // of no file: a task area, of that leaf
   }[];

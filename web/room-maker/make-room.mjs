@@ -179,7 +179,7 @@ function placePlanes(room, plan, holes) {
   if (outline) {
     const within = holes.filter((hole) => holds(outline, hole, columnClearance));
     const shape = flat('measuring plane', outline, within, plan.plane.height);
-    room.place('working plane', shape, { fiatlux: { measure: true } });
+    room.place('working plane', shape, { fiatlux: { measure: true, border: plan.plane.rim } });
   }
   plan.tasks.forEach(({ x, z, width: w, depth: d, height, turn }, i) => {
     const corners = [[-w / 2, -d / 2], [w / 2, -d / 2], [w / 2, d / 2], [-w / 2, d / 2]]; // prettier-ignore

@@ -31,6 +31,41 @@ TEST(CalculationGrid, TheRuleIsThatOfTheStandard) {
   EXPECT_EQ(gridRule(1e5, 9e4).spacing, 10);
 }
 
+TEST(CalculationGrid, ABorderThatAPlaneLeavesOutIsNotLeftOutAgain) {
+  // A room of 5 x 4 m, measured to its walls, half a metre off them, and a fifth of one off them.
+  const GridRule whole = gridRule(5, 4), within = gridRule(4, 3, 0.5), between = gridRule(4.6, 3.6, 0.2);
+  EXPECT_EQ(within.rim, 0);
+  EXPECT_NEAR(between.rim, 0.3, 1e-12);
+  for (const GridRule& rule : {within, between}) {
+    EXPECT_NEAR(rule.spacing, whole.spacing, 1e-12);
+    EXPECT_EQ(rule.columns, whole.columns);
+    EXPECT_EQ(rule.rows, whole.rows);
+  }
+  // Two metres of a passage ask for 15 %, which is of the passage and not of what is measured in it.
+  EXPECT_NEAR(gridRule(9.6, 1.6, 0.2).rim, 0.1, 1e-12);
+  EXPECT_EQ(gridRule(9, 1, 0.5).rim, 0);  // more is left out already than need be
+}
+
+TEST(CalculationGrid, APlaneWithinABorderHasThePointsOfTheWholeOne) {
+  // The cells between 0.5 m from the edges of a plane of 5 x 4 m, and that plane.
+  Scene inner, outer;
+  addGrid(outer, "plane", {1, 0.75, 2}, {0, 0, 1}, {1, 0, 0}, 16, 20, 0.25, 0, true);
+  addGrid(inner, "plane", {1.5, 0.75, 2.5}, {0, 0, 1}, {1, 0, 0}, 12, 16, 0.25, 0, true);
+  inner.surfaces[0].border = 0.5;
+  const auto readingOf = [](const Scene& scene) {
+    std::vector<float> light;
+    for (const Vec3& c : scene.patches.center) light.push_back(static_cast<float>(100 * c.x + 7 * c.z));
+    return readGrids(scene, light).at(0);
+  };
+  const GridReading a = readingOf(inner), b = readingOf(outer);
+  EXPECT_EQ(a.points, 48u);
+  EXPECT_EQ(b.points, 48u);
+  EXPECT_NEAR(a.rim, b.rim, 1e-12);  // all that is left out, by whomever
+  EXPECT_NEAR(a.mean, b.mean, 1e-3);
+  EXPECT_NEAR(a.uniformity(), b.uniformity(),
+              0.01);  // the outermost points of the inner one lie between fewer cells
+}
+
 TEST(CalculationGrid, PointsLieInsideTheRimAndOnWhatIsThere) {
   Scene scene = floorScene(16, 20);
   const std::vector<PatchLattice> lattices = measuredLattices(scene);

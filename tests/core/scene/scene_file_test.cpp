@@ -128,6 +128,21 @@ TEST(SceneFile, StatisticsSurviveToATenThousandth) {
       }
 }
 
+TEST(SceneFile, TheBorderOfAMeasuringPlaneIsKept) {
+  Scene scene = syntheticScene(40, 9);
+  EXPECT_FALSE(SceneReader::open(fileOf(scene))->table().find("planeBorders"));  // files without are as ever
+  const auto plane = std::find_if(scene.surfaces.begin(), scene.surfaces.end(),
+                                  [](const Surface& surface) { return surface.measuring; });
+  plane->border = 0.35;
+  const Result<Scene> back = read(fileOf(scene));
+  ASSERT_TRUE(back) << back.error().message;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    EXPECT_EQ(back->surfaces[s].border, scene.surfaces[s].border);
+  plane->border = 0;
+  scene.surfaces[0].border = 0.35;
+  EXPECT_NE(errorOf(fileOf(scene)).find("no measuring plane has a border"), std::string::npos);
+}
+
 TEST(SceneFile, WhatIsCoveredIsKeptAndLeftOutOfStatistics) {
   Scene scene = syntheticScene(40, 9);
   EXPECT_EQ(errorWith(scene, "patchCovered", [](PlainSection&) {}), "no error");

@@ -47,6 +47,7 @@ double areaOfPlane(TestGltf gltf, const RoomOptions& options) {
   if (!room) return 0;
   const Surface& plane = room->surfaces[surfaceIndex(*room, "working plane")];
   EXPECT_TRUE(plane.measuring);
+  EXPECT_EQ(plane.border, options.planeRim);
   for (std::uint32_t p = room->patches.count; p < room->patches.rows(); ++p) {
     EXPECT_NEAR(room->patches.center[p].y, options.plane, 1e-5);
     EXPECT_NEAR(room->patches.normal[p].y, 1, 1e-5);

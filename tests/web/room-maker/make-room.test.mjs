@@ -185,6 +185,18 @@ describe('the working plane', () => {
     expect(distance(outline[0], [0.5, 0.5])).toBeLessThan(1e-9);
   });
 
+  test('says how far it stays away from the walls, so that no rim is left out twice', async () => {
+    const plan = { ...rectangle(), plane: { height: 0.75, rim: 0.35 } };
+    plan.tasks = [{ x: 2, z: 2, width: 1.2, depth: 0.6, height: 0.75, turn: 0 }];
+    const borders = (await read(plan)).nodes
+      .filter(({ fiatlux }) => fiatlux.measure)
+      .map(({ name, fiatlux }) => [name, fiatlux.border]);
+    expect(borders).toEqual([
+      ['working plane', 0.35],
+      ['task area 1', undefined],
+    ]);
+  });
+
   test('is left out where the room is too narrow for its rim', async () => {
     const plan = planOf(outlines.rectangle(6, 0.9), 2.8);
     expect(inset(plan.outline, 0.5)).toBeNull();

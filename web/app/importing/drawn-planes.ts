@@ -45,7 +45,7 @@ interface Gltf {
 /** The index of what is added to a list of the file. */
 const added = (list: object[], part: object): number => list.push(part) - 1;
 
-function addPlane(gltf: Gltf, name: string, corners: readonly number[]): void {
+function addPlane(gltf: Gltf, { name, border }: DrawnPlane, corners: readonly number[]): void {
   const bytes = new Uint8Array(Float32Array.from(corners).buffer);
   const range = [0, 1, 2].map((axis) => corners.filter((_, i) => i % 3 === axis));
   const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...bytes))}`;
@@ -60,7 +60,7 @@ function addPlane(gltf: Gltf, name: string, corners: readonly number[]): void {
     max: range.map((values) => Math.max(...values)),
   });
   const mesh = added((gltf.meshes ??= []), { name, primitives: [{ attributes: { POSITION } }] });
-  const node = added((gltf.nodes ??= []), { name, mesh, extras: { fiatlux: { measure: true } } });
+  const node = added((gltf.nodes ??= []), { name, mesh, extras: { fiatlux: { measure: true, border } } });
   gltf.scenes ??= [{}];
   const scene = gltf.scenes[gltf.scene ?? 0];
   if (scene) scene.nodes = [...(scene.nodes ?? []), node];
@@ -73,7 +73,7 @@ export function withPlanes(model: Model, planes: readonly DrawnPlane[], axes: Fi
   const gltf = JSON.parse(text) as Gltf;
   for (const plane of planes) {
     const outline = measuredOutline(plane);
-    if (outline) addPlane(gltf, plane.name, cornersIn(axes, outline, plane.height));
+    if (outline) addPlane(gltf, plane, cornersIn(axes, outline, plane.height));
   }
   return { ...model, bytes: writeGlb(gltf, bin) };
 }

@@ -178,8 +178,8 @@ export const intentions: Words['intentions'] = {
     darkestTip: 'Die dunkelste Teilfläche',
     brightest: 'Hellst',
     brightestTip: 'Die hellste Teilfläche',
-    atGrid: (rim: string | null) =>
-      `An den Punkten des EN-Rasters${rim ? `, ${rim} m und mehr vom Rand der Fläche` : ''}; das Histogramm gilt der ganzen Fläche.`,
+    atGrid: (rim: string | null, border: string | null) =>
+      `An den Punkten des EN-Rasters${rim ? (border ? `, ${rim} m und mehr vom Rand des Bereichs, von dem die Ebene selbst ${border} m weglässt` : `, ${rim} m und mehr vom Rand der Fläche`) : ''}; das Histogramm gilt der ganzen ${border ? 'Ebene' : 'Fläche'}.`,
     spread: 'Streuung σ',
     ratio: 'Dunkelste / hellste',
     ratioTip: 'U_d: dunkelste / hellste Stelle',

@@ -222,16 +222,18 @@ const moreReadings: readonly ReadingOf[] = [
   ({ min, max }, text) => [text.ratio, ratio(min / max), text.ratioTip],
 ];
 
-/** What the figures of a card are of that asks at the points of the EN grid, which keep away from the surface's edge. */
+/**
+ * What the figures of a card are of that asks at the points of the EN grid, which keep away from the edges of what is
+ * measured: within the surface, or because it does so itself.
+ */
 function GridNote({ names }: { names: SurfaceNames }) {
-  const grids = useApp().store.shown.value?.grids ?? [];
-  const rims = grids.filter(({ name }) => names.includes(name)).map(({ rim }) => rim);
-  const rim = rims.length > 0 ? Math.min(...rims) : 0;
-  return (
-    <p class="field-note">
-      {words.value.intentions.card.atGrid(rim > 0 ? shortest(Math.round(100 * rim) / 100) : null)}
-    </p>
-  );
+  const { store } = useApp();
+  const least = (values: readonly number[]) => (values.length > 0 ? Math.min(...values) : 0);
+  const isOf = ({ name }: { name: string }) => names.includes(name);
+  const rim = least((store.shown.value?.grids ?? []).filter(isOf).map((grid) => grid.rim));
+  const border = least((store.scene.value?.surfaces ?? []).filter(isOf).map((each) => each.border ?? 0));
+  const metres = (value: number) => (value > 0 ? shortest(Math.round(100 * value) / 100) : null);
+  return <p class="field-note">{words.value.intentions.card.atGrid(metres(rim), metres(border))}</p>;
 }
 
 function Readings({ of, reached }: { of: readonly ReadingOf[]; reached: Reached }) {

@@ -22,7 +22,11 @@ function cornersOf(scale: number, up: 'y' | 'z'): number[][] {
   const read = JSON.parse(text);
   expect([...kept!]).toEqual([...bin]);
   expect(read.scenes).toEqual([{ nodes: [7] }, { nodes: [0, 1] }]);
-  expect(read.nodes[1]).toEqual({ name: 'plane 1', mesh: 0, extras: { fiatlux: { measure: true } } });
+  expect(read.nodes[1]).toEqual({
+    name: 'plane 1',
+    mesh: 0,
+    extras: { fiatlux: { measure: true, border: plane.border } },
+  });
   const bytes = Buffer.from(read.buffers[1].uri.split(',')[1], 'base64');
   expect(bytes.length).toBe(read.buffers[1].byteLength);
   const numbers = [...new Float32Array(Uint8Array.from(bytes).buffer)];
