@@ -134,21 +134,6 @@ describe.each(ids)('%s', (id) => {
     }
   });
 
-  test('a measuring plane that stays away from the walls says how far', () => {
-    const edgesOf = (node) => {
-      const points = node.triangles.flatMap((triangle) => triangle.points);
-      return [0, 2].flatMap((axis) => {
-        const values = points.map((point) => point[axis]);
-        return [Math.min(...values), Math.max(...values)];
-      });
-    };
-    const floor = edgesOf(room.nodes.find(({ name }) => name === 'floor'));
-    for (const plane of room.nodes.filter(({ name }) => name === 'working plane'))
-      edgesOf(plane).forEach((edge, i) =>
-        expect(Math.abs(edge - floor[i])).toBeCloseTo(plane.fiatlux.border, 6),
-      );
-  });
-
   test('measuring planes face up at 0.75 m', () => {
     for (const plane of room.nodes.filter((node) => node.fiatlux.measure))
       for (const { points } of plane.triangles) {
@@ -157,6 +142,26 @@ describe.each(ids)('%s', (id) => {
       }
   });
 });
+
+/** Least and largest x, then z, of a node. */
+function edgesOf({ triangles }) {
+  const points = triangles.flatMap((triangle) => triangle.points);
+  return [0, 2].flatMap((axis) => {
+    const values = points.map((point) => point[axis]);
+    return [Math.min(...values), Math.max(...values)];
+  });
+}
+
+test.each(['office', 'classroom'])(
+  'the working plane of the %s says how far it is from the walls',
+  async (id) => {
+    const { nodes } = await read(id);
+    const [floor, plane] = ['floor', 'working plane'].map((name) => nodes.find((node) => node.name === name));
+    const outer = edgesOf(floor);
+    const off = edgesOf(plane).map((edge, i) => Math.abs(edge - outer[i]));
+    off.forEach((way) => expect(way).toBeCloseTo(plane.fiatlux.border, 6));
+  },
+);
 
 describe('E corridor', () => {
   const cellArea = 0.75 ** 2; // m2
