@@ -13,14 +13,16 @@ namespace {
 constexpr double kTouching = 0.02;     // m: what stands closer touches
 constexpr double kLiesOn = 0.1;        // m above a measuring plane: something lies on it
 constexpr double kConfined = 0.25;     // m: a hollow that is nowhere wider is closed
+constexpr double kSlit = 0.15;         // m, and what is not higher is a slit
+constexpr double kSlitEnds = 0.5;      // m: in a slit of 0.15 m nine tenths of the looks end nearer
 constexpr double kMostly = 0.5;        // share of the points
+constexpr double kClosed = 2.0 / 3;    // share of the looks, as between a sofa and the wall a hand behind it
 constexpr std::uint32_t kPoints = 32;  // on a patch, a whole number of packets
 
-/// What the rays from one patch have told.
+/// What the rays from one patch have told: of how many points.
 struct Seen {
-  std::uint32_t touched = 0;  // points with something right in front of them
-  std::uint32_t inside = 0;   // points that look at the inside of a body
-  std::uint32_t near = 0;     // looks that end within kConfined
+  std::uint32_t hidden = 0;  // something is right in front of them, or they are inside a body
+  std::uint32_t closed = 0;  // hidden, or their look ends in a hollow or a slit
 };
 
 class Looker {
@@ -30,39 +32,51 @@ class Looker {
   bool isCovered(std::uint32_t p) const {
     const bool measuring = p >= room_.patches.count;
     const Seen seen = lookFrom(p, measuring ? kLiesOn : kTouching);
-    const auto share = [](std::uint32_t count) { return static_cast<double>(count) / kPoints; };
-    if (share(seen.touched) >= kMostly) return true;
-    return measuring ? share(seen.inside) >= kMostly : seen.near == kPoints || seen.inside == kPoints;
+    return seen.hidden >= kMostly * kPoints || (!measuring && seen.closed >= kClosed * kPoints);
   }
 
  private:
-  /// One ray along the normal and one by the cosine from every point.
+  /// One ray along the normal and one by the cosine from every point. A point is inside a body where both end
+  /// at insides: a single sheet that is seen from behind is met by few such pairs.
   Seen lookFrom(std::uint32_t p, double reach) const {
     const PatchSampler sampler(room_, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
     Seen seen;
     for (std::uint32_t first = 0; first < kPoints; first += RayPacket::kSize) {
       RayPacket straight, spread;
-      Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
+      Vec3 origin[RayPacket::kSize], normal[RayPacket::kSize], direction[RayPacket::kSize];
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
         const auto random = sequence_.point(first + i, scramble);
         const PatchPoint point = sampler.at(random[0], random[1]);
+        normal[i] = point.normal;
         origin[i] = point.position + tracer_.offset() * point.normal;
         direction[i] = cosineDirection(Frame(point.normal), random[2], random[3]);
-        tracer_.aim(straight, origin[i], point.normal, reach);
+        tracer_.aim(straight, origin[i], normal[i], kFar);
         tracer_.aim(spread, origin[i], direction[i], kFar);
       }
-      HitPacket touched, met;
-      tracer_.intersect(straight, touched);
+      HitPacket before, met;
+      tracer_.intersect(straight, before);
       tracer_.intersect(spread, met);
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
-        seen.touched += touched.triangle[i] != kNone;
-        if (met.triangle[i] == kNone) continue;
-        seen.near += met.distance[i] < kConfined;
-        seen.inside += room_.patchMet(origin[i], direction[i], met.triangle[i], met.distance[i]) == kNone;
+        const bool touched = ends(before, i, reach);
+        const bool inside =
+            isInside(origin[i], normal[i], before, i) && isInside(origin[i], direction[i], met, i);
+        const bool hidden = touched || inside;
+        seen.hidden += hidden;
+        seen.closed +=
+            hidden || ends(met, i, kConfined) || (ends(before, i, kSlit) && ends(met, i, kSlitEnds));
       }
     }
     return seen;
+  }
+
+  static bool ends(const HitPacket& hits, std::uint32_t i, double within) {
+    return hits.triangle[i] != kNone && hits.distance[i] < within;
+  }
+
+  bool isInside(const Vec3& origin, const Vec3& direction, const HitPacket& hits, std::uint32_t i) const {
+    return hits.triangle[i] != kNone &&
+           room_.patchMet(origin, direction, hits.triangle[i], hits.distance[i]) == kNone;
   }
 
   static constexpr double kFar = 1e6;  // m
