@@ -60,6 +60,22 @@ export function roomWarnings(scene: SceneInfo): string[] {
   return [...warnings.map(inOurWords), ...losing];
 }
 
+/** What the mask of hidden area leaves out of every figure, m2: a number a surface that has any, most first. */
+export function hiddenAreas(
+  scene: Pick<SceneInfo, 'surfaces' | HiddenRows>,
+): { name: string; area: number }[] {
+  const areas = scene.surfaces.map(() => 0);
+  scene.patchCovered.forEach((covered, row) => {
+    if (covered === 1) areas[scene.surfaceOfPatch[row]!]! += scene.patchArea[row]!;
+  });
+  return scene.surfaces
+    .map(({ name }, leaf) => ({ name, area: areas[leaf]! }))
+    .filter(({ area }) => area > 0)
+    .sort((a, b) => b.area - a.area);
+}
+
+type HiddenRows = 'patchCovered' | 'surfaceOfPatch' | 'patchArea';
+
 /** Sizes, rays and errors as pairs of a name and a value. */
 export function roomFacts(scene: SceneInfo): [string, string][] {
   const { source, options, lost, lostLight, residuals, errors, fewPatches } = readProvenance(
@@ -73,6 +89,7 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
       words.value.results.room.facts.patchesOf(shortest(scene.patches), fixed(patchSize(scene), 2)),
     ],
     [words.value.results.room.facts.planes, scene.receivers > 0 ? shortest(scene.receivers) : null],
+    [words.value.results.room.facts.hidden, hiddenText(scene)],
     [words.value.results.room.facts.clusters, shortest(scene.clusters)],
     [words.value.results.room.facts.places, shortest(scene.sites.size.length)],
     [
@@ -91,6 +108,11 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
   ];
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }
+
+const hiddenText = (scene: SceneInfo) =>
+  hiddenAreas(scene)
+    .map(({ name, area }) => `${surfaceText(name)} ${shortest(Number(area.toPrecision(2)))} m²`)
+    .join(', ');
 
 /** A small share in percent, to two digits. */
 export function fine(value: number): string {

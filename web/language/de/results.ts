@@ -22,6 +22,8 @@ export const results: Words['results'] = {
     unsaved: 'noch nichts gesichert',
     patches: (size) =>
       `Dunkelste und hellste Stelle gelten für Teilflächen von ${size} m, Gleichmäßigkeit ist dunkelste Stelle / Mittelwert: Kleinere Teilflächen zeigten mehr Kontrast.`,
+    hidden: (area) =>
+      `${area} m² sind unter und hinter Möbeln verborgen und zählen in keinem Wert: Niemand beleuchtet, sieht oder misst sie.`,
     more: (count) => `${count} weitere`,
     limits: (saving) =>
       `Flächen sind matt; Glanz und Tageslicht werden nicht berechnet. Automatisch sichern: ${saving}.`,
@@ -32,6 +34,7 @@ export const results: Words['results'] = {
       patches: 'Teilflächen',
       patchesOf: (count, size) => `${count} von ${size} m`,
       planes: 'Auf Messebenen',
+      hidden: 'Verborgen, in keinem Wert',
       clusters: 'Cluster',
       places: 'Plätze für Leuchten',
       rays: 'Strahlen je Teilfläche',

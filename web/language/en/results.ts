@@ -21,6 +21,8 @@ export const results = {
     unsaved: 'nothing kept yet',
     patches: (size: string) =>
       `Darkest and brightest are of patches of ${size} m, and evenness is darkest / mean: smaller patches would show more contrast.`,
+    hidden: (area: string) =>
+      `${area} m² are hidden under and behind furniture and count in no figure: nobody lights, sees or measures them.`,
     more: (count: number) => `${count} more`,
     limits: (saving: string) =>
       `Surfaces are matt; shine and daylight are not computed. Autosave: ${saving}.`,
@@ -31,6 +33,7 @@ export const results = {
       patches: 'Patches',
       patchesOf: (count: string, size: string) => `${count} of ${size} m`,
       planes: 'On measuring planes',
+      hidden: 'Hidden, in no figure',
       clusters: 'Clusters',
       places: 'Places for luminaires',
       rays: 'Rays from each patch',

@@ -1,7 +1,7 @@
 /** What the numbers rest on: how the room was cut and computed, what went wrong on the way, what is out of scope. */
 import { TriangleAlert } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { patchSize, roomFacts, roomWarnings } from '../../app/words/provenance.ts';
+import { hiddenAreas, patchSize, roomFacts, roomWarnings } from '../../app/words/provenance.ts';
 import type { Saving } from '../../app/state/store.ts';
 import { OpenSheet } from '../import-sheet-panel.tsx';
 import { words } from '../../language/language.ts';
@@ -14,9 +14,11 @@ export function AboutRoom() {
   const scene = store.scene.value;
   if (!scene) return null;
   const warnings = roomWarnings(scene);
+  const hidden = hiddenAreas(scene).reduce((sum, { area }) => sum + area, 0);
   return (
     <>
       <p class="fine-print">{words.value.results.room.patches(fixed(patchSize(scene), 2))}</p>
+      {hidden > 0 && <p class="fine-print">{words.value.results.room.hidden(fixed(hidden, 1))}</p>}
       <OpenSheet />
       <details class="about-room">
         <summary>

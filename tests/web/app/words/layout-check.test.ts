@@ -2,7 +2,13 @@
 import { describe, expect, test } from '@jest/globals';
 import { Store } from '../../../../web/app/state/store.ts';
 import { checkText, marginText } from '../../../../web/app/words/layout-check.ts';
-import { patchSize, readProvenance, roomFacts, roomWarnings } from '../../../../web/app/words/provenance.ts';
+import {
+  hiddenAreas,
+  patchSize,
+  readProvenance,
+  roomFacts,
+  roomWarnings,
+} from '../../../../web/app/words/provenance.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
 import { fakeScene } from '../../fake-solver.ts';
 
@@ -79,6 +85,18 @@ describe('the room', () => {
       'no mount is marked',
       expect.stringMatching(/^30 % .*“wall”/),
     ]);
+  });
+  test('tells how much of which surface is hidden and in no figure', () => {
+    expect(hiddenAreas(scene)).toEqual([]);
+    expect(new Map(roomFacts(scene)).has('Hidden, in no figure')).toBe(false);
+    const [first, ...others] = scene.surfaceOfPatch;
+    const covered = Uint8Array.from([first, ...others], (surface, row) =>
+      Number(surface === first && row < 2),
+    );
+    const hidden = { ...scene, patchCovered: covered };
+    const { name } = scene.surfaces[first!]!;
+    expect(hiddenAreas(hidden)).toEqual([{ name, area: scene.patchArea[0]! + scene.patchArea[1]! }]);
+    expect(new Map(roomFacts(hidden)).get('Hidden, in no figure')).toBe(`${name} 2 m²`);
   });
   test('without a word on how it was made has the patches that it has', () => {
     for (const provenance of [null, 'x', [], {}, { patchSize: -1 }, { patchSize: NaN }]) {
