@@ -86,6 +86,18 @@ test('nothing is wider than the screen, and the toolbar covers nothing of the ro
   }
 });
 
+test('the narrowest screen shows tags below the toolbar and no half of a figure', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 640 });
+  await openRoom(page, 'Box');
+  const bar = (await page.getByRole('toolbar', { name: 'View' }).boundingBox())!;
+  const tags = await page.locator('[data-luminaire]').all();
+  for (const tag of tags) expect((await tag.boundingBox())!.y).toBeGreaterThanOrEqual(bar.y + bar.height);
+  const figures = page.locator('.status-figures');
+  const [frame, text] = [(await figures.boundingBox())!, (await figures.locator('span').boundingBox())!];
+  const isWhole = text.x + text.width <= frame.x + frame.width + 1;
+  expect(isWhole || text.y >= frame.y + frame.height).toBe(true);
+});
+
 test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet', async ({
   page,
   context,

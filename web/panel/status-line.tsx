@@ -25,8 +25,10 @@ export function StatusLine() {
       <span class="status-state">{words.value.panel.status[state]}</span>
       {evaluations > 0 && (
         <span class="status-figures" title={words.value.panel.status.took(took)}>
-          {words.value.panel.status.layouts(evaluations, count(evaluations))}
-          {!proved && !isMissing && ` · ${took}`}
+          <span>
+            {words.value.panel.status.layouts(evaluations, count(evaluations))}
+            {!proved && !isMissing && ` · ${took}`}
+          </span>
         </span>
       )}
       {isMissing && <span class="status-unmet">{words.value.panel.status.unmet(unmet)}</span>}

@@ -17,7 +17,7 @@ import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
 /** Of the picture's height: a low picture is used to its edge, a plan as far as something is left of it. */
-const mostCovered = 0.25;
+const mostCovered = 0.27;
 const mostOfPlan = 0.3;
 
 /**
