@@ -298,9 +298,9 @@ Constraint constraintOf(const val& v) {
 }
 
 /// Who looks: nobody where `asked` is null; those of the room, or six numbers each: eye and direction.
-std::vector<Observer> observersOf(const val& asked, const Patches& patches) {
+std::vector<Observer> observersOf(const val& asked, Session& room) {
   if (asked.isNull()) return {};
-  if (asked["inRoom"].as<bool>()) return observersInRoom(patches);
+  if (asked["inRoom"].as<bool>()) return *room.observers();
   const std::vector<double> numbers = vectorOf<double>(asked["observers"]);
   std::vector<Observer> observers;
   for (std::size_t i = 0; i + 6 <= numbers.size(); i += 6) {
@@ -338,7 +338,7 @@ LuminaireRules rulesOf(const val& v) {
   return rules;
 }
 
-Intentions intentionsOf(const val& asked, const Scene* scene) {
+Intentions intentionsOf(const val& asked, Session& session) {
   Intentions intentions;
   intentions.quantity = enumOf<Quantity>(asked, "quantity");
   intentions.luminaires = rulesOf(asked["luminaires"]);
@@ -348,14 +348,14 @@ Intentions intentionsOf(const val& asked, const Scene* scene) {
   for (unsigned i = 0, count = constraints["length"].as<unsigned>(); i < count; ++i)
     intentions.constraints.push_back(constraintOf(constraints[i]));
   intentions.zones = zonesOf(asked["zones"]);
-  if (scene) intentions.observers = observersOf(asked["glare"], scene->patches);
+  if (session.scene()) intentions.observers = observersOf(asked["glare"], session);
   return intentions;
 }
 
 void setPowers(Session& session, val watts) { session.setPowers(vectorOf<double>(watts)); }
 
 std::string setIntentions(Session& session, val asked) {
-  return errorOf(session.setIntentions(intentionsOf(asked, session.scene())));
+  return errorOf(session.setIntentions(intentionsOf(asked, session)));
 }
 
 // --- search
@@ -387,7 +387,7 @@ val settle(Session& session, std::uint32_t evaluations) { return valueOf(session
 
 val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::uint32_t evaluations) {
   const Layout start{vectorOf<std::uint32_t>(sites), {}, 1};
-  const Result<Found> found = session.tryAside(intentionsOf(asked, session.scene()), seed,
+  const Result<Found> found = session.tryAside(intentionsOf(asked, session), seed,
                                                start.sites.empty() ? nullptr : &start, evaluations);
   if (!found) return val(found.error().message);
   val result = val::object();
@@ -515,7 +515,7 @@ bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
 /// measuring planes; there is nothing left of it.
 std::string adopt(Session& session, Candidates& candidates, val asked) {
   Session& room = *candidates.session;
-  const Intentions intentions = intentionsOf(asked, &candidates.scene->room());
+  const Intentions intentions = intentionsOf(asked, room);
   std::vector<ObserverRows> rows = candidates.scene->seenBy(intentions.observers);
   Result<std::vector<PlaneLight>> planes = candidates.scene->planesOf(planesAskedOf(intentions));
   if (!planes) return planes.error().message;
@@ -526,7 +526,7 @@ std::string adopt(Session& session, Candidates& candidates, val asked) {
   scene.direct = std::move(direct);
   scene.observers = std::move(rows);
   scene.planes = std::move(*planes);
-  session.adopt(std::move(scene), room.grids());
+  session.adopt(std::move(scene), &room);
   candidates.scene.reset();
   return {};
 }
@@ -565,7 +565,7 @@ val paintGainsOf(Session& lit, Session& room, val asked, val paint, val sites, v
   if (!painted) return val(painted.error().message);
   const Result<std::vector<PaintGain>> gains =
       paintGains(*room.scene(), *room.photometricLight(), **painted,
-                 {*lit.scene(), layoutOf(sites, flux, dimming)}, intentionsOf(asked, lit.scene()));
+                 {*lit.scene(), layoutOf(sites, flux, dimming)}, intentionsOf(asked, lit));
   if (!gains) return val(gains.error().message);
   std::vector<double> numbers;
   for (const PaintGain& gain : *gains) {

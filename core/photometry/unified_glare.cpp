@@ -64,28 +64,36 @@ double placesWithin(int count, double shift) {
   return std::clamp(std::floor(count - std::abs(shift) / kStep + 0.5), 0.0, static_cast<double>(count));
 }
 
-/// Share of the luminaires' flux that falls on the floor directly, mean over the grid: each direction leads
-/// from a luminaire to the floor, or, where that point lies outside the room, to a wall.
-double floorShare(const Photometry& photometry, int turn, double flux) {
-  constexpr int kGammas = 180, kPlanes = 360;
-  std::array<double, kPlanes> angles, cosines, sines;
+/// Share of the luminaires' flux that falls on the floor directly, mean over the grid, for a luminaire as it
+/// is and turned by a quarter: each direction leads from a luminaire to the floor, or, where that point lies
+/// outside the room, to a wall. The grid is symmetric, so light is gathered from four mirrored directions at
+/// once.
+std::array<double, 2> floorShares(const Photometry& photometry, double flux, bool mirrored) {
+  constexpr int kGammas = 180;
+  constexpr std::size_t kPlanes = 90;  // of a quadrant
+  std::array<double, kPlanes> angles, cosines, sines, candela;
   for (std::size_t c = 0; c < kPlanes; ++c) {
-    angles[c] = (static_cast<double>(c) + 0.5) * 2 * kPi / kPlanes;
-    cosines[c] = std::cos(angles[c]), sines[c] = std::sin(angles[c]);
+    angles[c] = (static_cast<double>(c) + 0.5) * 90 / kPlanes;
+    cosines[c] = std::cos(angles[c] * kDegree), sines[c] = std::sin(angles[c] * kDegree);
   }
-  double onFloor = 0;
+  std::array<double, 2> shares{};
   for (int g = 0; g < kGammas; ++g) {
-    const double gamma = (g + 0.5) * kPi / 2 / kGammas, half = kPi / 4 / kGammas;
-    const double weight = (std::cos(gamma - half) - std::cos(gamma + half)) * 2 * kPi / kPlanes;
-    const double reach = kHeight * std::tan(gamma);
+    const double gamma = (g + 0.5) * 90 / kGammas, half = 45.0 / kGammas;
+    const double reach = kHeight * std::tan(gamma * kDegree);
+    for (std::size_t c = 0; c < kPlanes; ++c) {
+      const auto at = [&](double plane) { return intensityAt(photometry, plane, gamma); };
+      candela[c] = mirrored ? 4 * at(angles[c])
+                            : at(angles[c]) + at(180 - angles[c]) + at(180 + angles[c]) + at(-angles[c]);
+    }
+    const double weight = (std::cos((gamma - half) * kDegree) - std::cos((gamma + half) * kDegree)) * kPi /
+                          2 / kPlanes / (flux * kColumns * kRows);
     for (std::size_t c = 0; c < kPlanes; ++c) {
       const double stay = placesWithin(kColumns, reach * cosines[c]) * placesWithin(kRows, reach * sines[c]);
-      if (stay == 0) continue;
-      const double candela = intensityAt(photometry, angles[c] / kDegree - 90.0 * turn, gamma / kDegree);
-      onFloor += candela * weight * stay / (kColumns * kRows);
+      shares[0] += candela[c] * weight * stay;
+      shares[1] += candela[kPlanes - 1 - c] * weight * stay;
     }
   }
-  return onFloor / flux;
+  return shares;
 }
 
 /// Form factor between opposed equal rectangles a x b at the distance 1.
@@ -130,13 +138,14 @@ double positionWeight(double above, double beside, double ahead) {
 std::optional<double> ugr4h8h(const Photometry& photometry) {
   const double flux = integratedFlux(photometry), up = upwardShare(photometry);
   const bool mirrored = photometry.symmetry <= PhotometricSymmetry::kQuadrant;
-  std::optional<double> worst;
+  const std::array<double, 2> onFloor = floorShares(photometry, flux, mirrored);
   std::array<double, 2> background{};  // cd/m2; the room looks the same from both its ends
+  for (std::size_t turn = 0; turn < 2; ++turn) {
+    const double floor = onFloor[turn], total = flux * kColumns * kRows;
+    background[turn] = wallIndirect(total * floor, total * std::max(0.0, 1 - up - floor), total * up) / kPi;
+  }
+  std::optional<double> worst;
   for (int turn = 0; turn < (mirrored ? 2 : 4); ++turn) {
-    if (turn < 2) {
-      const double floor = floorShare(photometry, turn, flux), total = flux * kColumns * kRows;
-      background[turn] = wallIndirect(total * floor, total * std::max(0.0, 1 - up - floor), total * up) / kPi;
-    }
     const double glare = glareSum(photometry, turn);
     if (!(glare > 0) || !std::isfinite(glare)) continue;  // nothing shines there, or from no area
     const double ugr = 8 * std::log10(0.25 / background[turn % 2] * glare);

@@ -121,11 +121,9 @@ Result<Done> Session::finishStatistics() {
   return Done{};
 }
 
-void Session::adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids) {
-  adopt(std::make_unique<Scene>(std::move(scene)), std::move(grids));
-}
+void Session::adopt(Scene scene, Session* room) { adopt(std::make_unique<Scene>(std::move(scene)), room); }
 
-void Session::adopt(std::unique_ptr<Scene> scene, std::shared_ptr<const CalculationGrids> grids) {
+void Session::adopt(std::unique_ptr<Scene> scene, Session* room) {
   search_.reset();
   eased_.reset();
   alpha_.reset();
@@ -134,7 +132,8 @@ void Session::adopt(std::unique_ptr<Scene> scene, std::shared_ptr<const Calculat
   prepared_.reset();
   repaint_.reset();
   light_.reset();
-  grids_ = std::move(grids);
+  grids_ = room ? room->grids() : nullptr;
+  observers_ = room ? room->observers() : nullptr;
   asked_ = false;
   intentions_ = {};
   scene_ = std::move(scene);
@@ -335,6 +334,12 @@ Result<Shown> Session::show(const Layout& layout) {
 std::shared_ptr<const CalculationGrids> Session::grids() {
   if (!grids_) grids_ = std::make_shared<const CalculationGrids>(*scene_);
   return grids_;
+}
+
+std::shared_ptr<const std::vector<Observer>> Session::observers() {
+  if (!observers_)
+    observers_ = std::make_shared<const std::vector<Observer>>(observersInRoom(scene_->patches));
+  return observers_;
 }
 
 std::vector<GridReading> Session::gridsOf(const std::vector<float>& light) {

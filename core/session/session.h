@@ -75,9 +75,9 @@ class Session {
   /// be set before finishStatistics() has completed the scene; the file is then done with.
   Result<Done> finishLight();
   Result<Done> finishStatistics();
-  /// Takes a scene that did not come from a file. `grids`: of the room that its candidates hang in; nullptr:
-  /// the scene has its own.
-  void adopt(Scene scene, std::shared_ptr<const CalculationGrids> grids = nullptr);
+  /// Takes a scene that did not come from a file. `room`: whose candidates it has, with the same grids and
+  /// observers; nullptr: the scene is a room itself.
+  void adopt(Scene scene, Session* room = nullptr);
   const Scene* scene() const { return scene_.get(); }
   /// The light of luminaires on the sites of the scene, which keeps what it finds out about them.
   /// Precondition: the scene has a light operator.
@@ -128,6 +128,8 @@ class Session {
   Result<Shown> show(const Layout& layout);
   /// The calculation grids of the room. Precondition: the scene is open.
   std::shared_ptr<const CalculationGrids> grids();
+  /// Those who look in the room by themselves (observersInRoom). Likewise.
+  std::shared_ptr<const std::vector<Observer>> observers();
   /// What they, and those of the task areas that are asked about, read of a light (lx, one a row). Likewise.
   std::vector<GridReading> gridsOf(const std::vector<float>& light);
 
@@ -153,7 +155,7 @@ class Session {
   Result<Done> ready() const;
   Result<Done> lightFor(const Intentions& intentions);
   void pinAsIn(const Layout& layout);
-  void adopt(std::unique_ptr<Scene> scene, std::shared_ptr<const CalculationGrids> grids);
+  void adopt(std::unique_ptr<Scene> scene, Session* room);
 
   std::optional<SceneReader> reader_;
   // note: in the order of who refers to whom; the prepared scene refers to the scene, searches to both.
@@ -168,8 +170,9 @@ class Session {
   std::vector<KnownType> types_;     // the latest one last
   std::vector<SurfacePaint> paint_;  // of repaint_
   std::shared_ptr<const Repaint> repaint_;
-  std::unique_ptr<PreparedScene> prepared_;        // nullptr while the scene has no statistics
-  std::shared_ptr<const CalculationGrids> grids_;  // once somebody wants them
+  std::unique_ptr<PreparedScene> prepared_;                 // nullptr while the scene has no statistics
+  std::shared_ptr<const CalculationGrids> grids_;           // once somebody wants them
+  std::shared_ptr<const std::vector<Observer>> observers_;  // likewise
   bool asked_ = false;
   Intentions intentions_;
   std::optional<Layout> before_;                  // that the search started from,

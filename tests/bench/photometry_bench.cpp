@@ -1,7 +1,8 @@
 // photometry_bench ROOM.glb ROOM.flux [single layouts] [sums of six]: light by the scene file's operator
 // against the whole solution in the room, for four types of luminaires. What `fiatlux evaluate` and `fiatlux
 // light` do, with the form factors cast once for all layouts. Prints one JSON array: for each type the
-// relative errors of means and sigmas, per surface.
+// relative errors of means and sigmas, per surface; of means also what is the stored direct light's, and
+// what is left where direct light is true.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -118,14 +119,20 @@ class WholeSolution {
         factors_(castFormFactors(room, tracer, {})),
         lowRank_(orThrow(LowRankRadiosity::factorize(factors_, room.patches))) {}
 
-  std::vector<float> light(const std::vector<PhotometricCandidate>& layout) const {
+  /// A column each.
+  std::vector<float> direct(const std::vector<PhotometricCandidate>& layout) const {
     std::vector<Luminaire> luminaires;
     for (const PhotometricCandidate& candidate : layout) luminaires.push_back(candidate.luminaire);
     DirectLightOptions options;
     options.split = 4;
+    return directLight(room_, tracer_, luminaires, options);
+  }
+
+  /// Of direct light.
+  std::vector<float> light(const std::vector<float>& direct) const {
     ResponseBlock block;
     block.width = 1;
-    block.direct = sumOf(directLight(room_, tracer_, luminaires, options), room_.patches.rows());
+    block.direct = direct;
     solveResponses(factors_, room_.patches, lowRank_, kMostSteps, kTolerance, block);
     return block.irradiance;
   }
@@ -137,15 +144,36 @@ class WholeSolution {
   LowRankRadiosity lowRank_;
 };
 
-Json errorsOf(const Scene& scene, const std::vector<float>& whole, const std::vector<float>& exchanged) {
+/// One layout's light: the whole solution, what the scene file's operator makes of it, and this of true
+/// direct light; with the direct light of both.
+struct Light {
+  std::vector<float> whole, exchanged, spread, direct, stored;
+};
+
+Light lightOf(const WholeSolution& whole, const PhotometricLight& exchange,
+              const std::vector<PhotometricCandidate>& layout, std::size_t rows) {
+  const std::vector<float> direct = whole.direct(layout), stored = exchange.direct(layout);
+  Light light;
+  light.direct = sumOf(direct, rows), light.stored = sumOf(stored, rows);
+  light.whole = whole.light(light.direct);
+  light.exchanged = sumOf(exchange.total(layout, stored), rows);
+  light.spread = sumOf(exchange.total(layout, direct), rows);
+  return light;
+}
+
+Json errorsOf(const Scene& scene, const Light& light) {
   Json json = Json::array();
+  const auto& [whole, exchanged, spread, direct, stored] = light;
   const double least = kLit * explicitStatistics(scene, whole, {}).mean;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const ExplicitStatistics a = explicitStatistics(scene, whole, {s}),
                              b = explicitStatistics(scene, exchanged, {s});
     if (a.mean < least) continue;
+    const auto meanOf = [&](const std::vector<float>& of) { return explicitStatistics(scene, of, {s}).mean; };
     json.push_back({{"surface", scene.surfaces[s].name},
                     {"mean", std::abs(b.mean - a.mean) / a.mean},
+                    {"direct", std::abs(meanOf(stored) - meanOf(direct)) / a.mean},
+                    {"exchange", std::abs(meanOf(spread) - a.mean) / a.mean},
                     {"sigma", a.sigma > 0 ? std::abs(b.sigma - a.sigma) / a.sigma : 0}});
   }
   return json;
@@ -178,9 +206,8 @@ Json measure(const std::string& model, const std::string& file, std::uint32_t si
   for (const Type& type : types()) {
     Json errors = Json::array();
     for (const auto& layout : layoutsOf(scene, type, singles, sums)) {
-      const std::vector<float> exchanged =
-          sumOf(exchange.total(layout, exchange.direct(layout)), scene.patches.rows());
-      for (Json& error : errorsOf(scene, whole.light(layout), exchanged)) errors.push_back(std::move(error));
+      const Light light = lightOf(whole, exchange, layout, scene.patches.rows());
+      for (Json& error : errorsOf(scene, light)) errors.push_back(std::move(error));
     }
     json.push_back({{"type", type.name}, {"errors", std::move(errors)}});
   }

@@ -173,6 +173,20 @@ TEST(UnifiedGlare, TurningTheTableChangesNothing) {
   EXPECT_NEAR(ugr4h8h(read(file.text()).value()).value(), straight, 0.02);
 }
 
+TEST(UnifiedGlare, OfMirroredLightAQuadrantSaysAll) {
+  const auto batwing = [](double c, double gamma) {
+    return std::max(0.0, gamma < 90 ? (400 + 150 * cosine(2 * c)) * cosine(gamma) : -30 * cosine(gamma));
+  };
+  IesFile file;
+  file.width = 0.3, file.length = 1.2;
+  file.gamma = angles(0, 180, 5);
+  file.candela = batwing;
+  file.c = angles(0, 90, 15);
+  const double quadrant = ugr4h8h(read(file.text()).value()).value();
+  file.c = angles(0, 360, 15);
+  EXPECT_NEAR(ugr4h8h(read(file.text()).value()).value(), quadrant, 1e-9);
+}
+
 TEST(UnifiedGlare, NeedsALuminousArea) {
   const auto lambert = [](double, double gamma) { return gamma < 90 ? 1000 * cosine(gamma) : 0; };
   EXPECT_FALSE(ugr4h8h(panel(lambert, 0, 0)));

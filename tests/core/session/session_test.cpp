@@ -30,6 +30,17 @@ TEST(Session, SaysWhatIsMissing) {
   EXPECT_EQ(session.advance(100).evaluations, 0u);
 }
 
+TEST(Session, CandidatesHaveTheGridsAndObserversOfTheirRoom) {
+  Session room, hung;
+  room.adopt(syntheticScene(16, 8));
+  hung.adopt(syntheticScene(16, 4), &room);
+  EXPECT_EQ(hung.observers(), room.observers());
+  EXPECT_EQ(hung.grids(), room.grids());
+  const auto before = room.observers();
+  room.adopt(syntheticScene(16, 8));
+  EXPECT_NE(room.observers(), before);  // another room is looked at anew
+}
+
 TEST(Session, IntentionsThatCannotBeLeaveTheOldOnes) {
   Session session;
   session.adopt(syntheticScene(16, 8));
