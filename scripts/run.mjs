@@ -35,7 +35,13 @@ function originAsked() {
 /** All that the tests, or the benchmarks, run. */
 async function buildAll(use) {
   recentNode();
-  await systemPackages([...packages.native, ...packages.wasm, ...packages.browser, ...packages.sizes]);
+  await systemPackages([
+    ...packages.native,
+    ...packages.wasm,
+    ...packages.browser,
+    ...packages.sizes,
+    ...packages.folders,
+  ]);
   await build(null, isFor(use));
   await Promise.all([cmake('native'), cmake('wasm')]);
 }

@@ -12,6 +12,7 @@ export const packages = {
       ' ',
     ),
   wasm: ['emscripten'],
+  folders: ['parallel'], // of models
   browser: ['chromium', 'fonts-dejavu-core'],
   sizes: ['clang-tidy'],
   fuzz: ['clang-14', 'libclang-rt-14-dev'],
