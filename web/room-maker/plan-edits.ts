@@ -81,6 +81,22 @@ export function withoutCorner(plan: RoomPlan, corner: number): RoomPlan | null {
   );
 }
 
+/** Width and depth, m. */
+export function extentOf(outline: RoomPlan['outline']): Point {
+  const along = (axis: 0 | 1) => outline.map((corner) => corner[axis]);
+  return [Math.max(...along(0)) - Math.min(...along(0)), Math.max(...along(1)) - Math.min(...along(1))];
+}
+
+/** The same shape, so wide and deep, m. */
+export function resized(outline: RoomPlan['outline'], [width, depth]: Point): Point[] {
+  const [w, d] = extentOf(outline);
+  const [x0, z0] = [Math.min(...outline.map(([x]) => x)), Math.min(...outline.map(([, z]) => z))];
+  return outline.map(([x, z]) => [
+    toMillimetres(x0 + ((x - x0) * width) / w),
+    toMillimetres(z0 + ((z - z0) * depth) / d),
+  ]);
+}
+
 /** Another outline: openings whose wall is gone go, too. */
 export function withNewOutline(plan: RoomPlan, outline: readonly Point[]): RoomPlan {
   return { ...plan, outline, openings: plan.openings.filter(({ wall }) => wall < outline.length) };

@@ -1,8 +1,8 @@
-/** Rows of furniture, as the room maker places them. */
+/** Rows of furniture and typed sizes, as the room maker takes them. */
 import { expect, test } from '@jest/globals';
 import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
 import { planFaults } from '../../../web/room-maker/plan-faults.mjs';
-import { withRows } from '../../../web/room-maker/plan-edits.ts';
+import { extentOf, resized, withRows } from '../../../web/room-maker/plan-edits.ts';
 import { planOf, usualItem, type Point } from '../../../web/room-maker/room-plan.mjs';
 
 const fourDesks = { across: 2, down: 2, acrossPitch: 2, downPitch: 2 };
@@ -32,4 +32,12 @@ test('rows from the middle of a room move into it as one, no further than they m
 
 test('rows for which the room is too small stay where they were asked for', () => {
   expect(places(rowsFrom([1, 1], 0, outlines.rectangle(3, 2)))[0]).toEqual([1, 1]);
+});
+
+test('a typed size keeps the shape of the room', () => {
+  const l = resized(outlines.L(6, 4, 2, 1), [12, 9]);
+  expect(extentOf(l)).toEqual([12, 9]);
+  expect(l).toEqual(outlines.L(12, 9, 4, 2.25));
+  expect(resized([[1, 1], [4, 1], [2, 3]], [6, 4])).toEqual([[1, 1], [7, 1], [3, 5]]); // prettier-ignore
+  expect(resized(outlines.rectangle(6, 4), [7, 3])).toEqual(outlines.rectangle(7, 3));
 });

@@ -3,7 +3,8 @@ import type { SVGAttributes } from 'preact';
 import { useRef, useState } from 'preact/hooks';
 import type { Selected } from '../../app/making.ts';
 import { footprint, isColumn } from '../../room-maker/items.mjs';
-import { builtOpenings, planeOutline } from '../../room-maker/make-room.mjs';
+import { builtOpenings, clearColumns, planeOutline } from '../../room-maker/make-room.mjs';
+import { railLines } from '../../room-maker/mounts.mjs';
 import { toMillimetres, wallLength, withWallLength } from '../../room-maker/plan-edits.ts';
 import { distance, rotated } from '../../room-maker/polygon.mjs';
 import { type Item, type Point, type RoomPlan } from '../../room-maker/room-plan.mjs';
@@ -194,8 +195,10 @@ function Grid({ view }: { view: PlanView }) {
   );
 }
 
-/** The grid of the ceiling's tiles. */
-function Ceiling({ plan: { mount, outline } }: { plan: RoomPlan }) {
+/** Where luminaires hang, as far as one would draw it: the grid of the ceiling's tiles, rails. */
+function Ceiling({ plan }: { plan: RoomPlan }) {
+  const { mount, outline } = plan;
+  if (mount.kind === 'rails') return <Rails plan={plan} />;
   if (mount.kind !== 'tiles') return null;
   const [x, z] = mount.origin;
   return (
@@ -210,6 +213,17 @@ function Ceiling({ plan: { mount, outline } }: { plan: RoomPlan }) {
         <path class="plan-tile" d={`M0 ${mount.spacing}V0H${mount.spacing}`} />
       </pattern>
       <polygon points={pointsOf(outline)} fill="url(#plan-tiles)" />
+    </g>
+  );
+}
+
+function Rails({ plan }: { plan: RoomPlan }) {
+  const columns = clearColumns(plan).map(({ base }) => base);
+  return (
+    <g aria-hidden="true" transform={`rotate(${-plan.mount.turn})`}>
+      {railLines(plan, columns).map(({ from, to, at }) => (
+        <line key={`${at} ${from}`} class="plan-rail" x1={from} x2={to} y1={at} y2={at} />
+      ))}
     </g>
   );
 }

@@ -1,7 +1,7 @@
 /** Where a room begins: its size as one types it, the shape of its plan, its height and its name. */
 import { PencilRuler } from 'lucide-preact';
 import { useState } from 'preact/hooks';
-import { withNewOutline } from '../../room-maker/plan-edits.ts';
+import { extentOf, resized, withNewOutline } from '../../room-maker/plan-edits.ts';
 import { outlines, readSize, type ShapeName } from '../../room-maker/plan-shapes.mjs';
 import { signedArea } from '../../room-maker/polygon.mjs';
 import type { RoomPlan } from '../../room-maker/room-plan.mjs';
@@ -35,16 +35,11 @@ function shapeOf({ outline }: RoomPlan): ShapeName | null {
   return inner.some((each, i) => each && inner[(i + 1) % 8]) ? 'U' : 'T';
 }
 
-function extentOf({ outline }: RoomPlan): [number, number] {
-  const along = (axis: 0 | 1) => outline.map((corner) => corner[axis]);
-  return [Math.max(...along(0)) - Math.min(...along(0)), Math.max(...along(1)) - Math.min(...along(1))];
-}
-
 export function ShapeSection({ draw }: { draw: () => void }) {
   const making = useMaking();
   const plan = making.plan.value;
   const choose = (shape: ShapeName) => {
-    const [width, depth] = extentOf(plan);
+    const [width, depth] = extentOf(plan.outline);
     making.edit((before) => withNewOutline(before, outlines[shape](width, depth)));
     making.selected.value = null;
   };
@@ -93,15 +88,18 @@ export function ShapeSection({ draw }: { draw: () => void }) {
 function SizeField() {
   const making = useMaking();
   const [text, setText] = useState('');
+  const [shape, setShape] = useState<RoomPlan['outline'] | null>(null); // as it was before anything was typed
   const isWrong = text.trim() !== '' && readSize(text) === null;
   const take = (typed: string) => {
     setText(typed);
     const size = readSize(typed);
     if (!size) return;
-    making.edit((plan) => {
-      const outline = outlines.rectangle(size.width, size.depth);
-      return { ...withNewOutline(plan, outline), height: size.height };
-    }, 'size');
+    const before = shape ?? making.plan.peek().outline;
+    setShape(before);
+    making.edit(
+      (plan) => ({ ...plan, outline: resized(before, [size.width, size.depth]), height: size.height }),
+      'size',
+    );
   };
   return (
     <label class="maker-field wide">
@@ -116,7 +114,10 @@ function SizeField() {
         aria-invalid={isWrong}
         value={text}
         onInput={(event) => take(event.currentTarget.value)}
-        onBlur={() => making.endGesture()}
+        onBlur={() => {
+          setShape(null);
+          making.endGesture();
+        }}
       />
     </label>
   );
