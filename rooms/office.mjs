@@ -11,6 +11,7 @@ import { door, gridFrame, panel, slab, wall, wallFrames } from '../web/room-make
 const [width, height, depth] = [12, 2.8, 7.8];
 const rim = 0.5; // m left out of the working plane along the walls
 const deskHeight = 0.73;
+const deskMiddle = 2.44; // m from the windows: no point of the plane's EN 12464-1 grid between a monitor and its screen
 
 function shell(room) {
   const frames = wallFrames(width, depth);
@@ -86,7 +87,7 @@ function desks(room) {
       for (const along of [-1, 1]) {
         number++;
         const turn = (side * Math.PI) / 2;
-        const at = [x + side * (deskDepth / 2 + 0.02), 0, 2.6 + along * (deskWidth / 2 + 0.001)];
+        const at = [x + side * (deskDepth / 2 + 0.02), 0, deskMiddle + along * (deskWidth / 2 + 0.001)];
         room.place(`desk ${number}`, top, { at, turn });
         room.place(`desk ${number} frame`, body, { at, turn, fiatlux: { surface: 'desk frames' } });
         const monitorAt = [x + side * 0.26, deskHeight, at[2] + random.between(-0.08, 0.08)];
@@ -95,7 +96,7 @@ function desks(room) {
         const away = -turn + random.between(-0.5, 0.5);
         room.place(`chair ${number}`, chair, { at: chairAt, turn: away, fiatlux: { surface: 'chairs' } });
       }
-    const at = [x, 0, 2.6];
+    const at = [x, 0, deskMiddle];
     room.place(`screen ${block + 1}`, screen, { at, turn: Math.PI / 2, fiatlux: { surface: 'screens' } });
   });
 }
@@ -103,7 +104,7 @@ function desks(room) {
 function meetingCorner(room) {
   const { top, body } = roundTable(0.6, deskHeight, { board: 'white lacquer', metal: 'dark steel' });
   const chair = shellChair('beech veneer', 'dark steel');
-  const [x, z] = [10.3, 6.0];
+  const [x, z] = [10, 5.8];
   room.place('meeting table', top, { at: [x, 0, z] });
   room.place('meeting table frame', body, { at: [x, 0, z], fiatlux: { surface: 'desk frames' } });
   for (let i = 0; i < 4; i++) {
