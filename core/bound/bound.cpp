@@ -25,8 +25,10 @@ std::vector<double> weightsOf(const PreparedScene& prepared) {
 
 OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions, const Evaluation& incumbent,
                            const Layout* reference)
-    : OptimumBound(prepared, intentions, ConvexRelaxation(prepared.candidateCount(), intentions.luminaires),
-                   incumbent, reference) {}
+    : OptimumBound(
+          prepared, intentions,
+          ConvexRelaxation(ExclusiveGroups::of(prepared, intentions.luminaires), intentions.luminaires),
+          incumbent, reference) {}
 
 OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions,
                            const LuminaireRules& tiedRules, const Evaluation& incumbent,

@@ -22,9 +22,16 @@ double termValue(const ConvexTerm& term, double quadratic) {
 
 }  // namespace
 
-ConvexRelaxation::ConvexRelaxation(std::uint32_t sites, const LuminaireRules& rules)
-    : sites_(sites), usable_(sites, 1), low_(rules.dimmingLow), high_(rules.dimmingHigh), x_(sites, 0.0) {
+ConvexRelaxation::ConvexRelaxation(ExclusiveGroups groups, const LuminaireRules& rules)
+    : sites_(static_cast<std::uint32_t>(groups.group.size())),
+      groups_(std::move(groups)),
+      usable_(sites_, 1),
+      low_(rules.dimmingLow),
+      high_(rules.dimmingHigh),
+      x_(sites_, 0.0) {
   for (std::uint32_t site : rules.excluded) usable_[site] = 0;
+  for (std::uint32_t site = 0; site < sites_; ++site)
+    if (groups_.group[site] == kNone) usable_[site] = 0;
   for (std::uint32_t i = 0; i < rules.count; ++i) {
     if (isPinned(rules, i)) {
       pinned_.emplace_back(rules.pinned[i], fluxOf(rules, i));
@@ -92,15 +99,43 @@ void ConvexRelaxation::refreshProducts() {
 }
 
 void ConvexRelaxation::takeSites(const std::vector<double>& gradient, Corner& corner) const {
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t j = 0; j < sites_; ++j)
-    if (usable_[j]) order.push_back(j);
+  if (fluxes_.empty()) return;
+  const bool isOneFlux = fluxes_.front() == fluxes_.back();
+  // Of each group the best candidate, where the groups hold: among luminaires of one flux.
+  std::vector<std::uint32_t> order, best(groups_.groupCount, kNone);
+  for (std::uint32_t j = 0; j < sites_; ++j) {
+    if (!usable_[j]) continue;
+    if (!isOneFlux) order.push_back(j);
+    std::uint32_t& known = best[groups_.group[j]];
+    if (known == kNone || gradient[j] < gradient[known]) known = j;
+  }
+  if (isOneFlux)
+    for (const std::uint32_t j : best)
+      if (j != kNone) order.push_back(j);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
+  });
+  if (isOneFlux) return takeTypes(order, corner);
   const std::size_t count = std::min(fluxes_.size(), order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                    [&](std::uint32_t a, std::uint32_t b) {
-                      return gradient[a] < gradient[b] || (gradient[a] == gradient[b] && a < b);
-                    });
   for (std::size_t i = 0; i < count; ++i) corner.x.emplace_back(order[i], fluxes_[i]);
+}
+
+/// The first of `order`, all of one flux: of each type as many as there must be, then any.
+void ConvexRelaxation::takeTypes(const std::vector<std::uint32_t>& order, Corner& corner) const {
+  std::vector<char> isTaken(sites_, 0);
+  std::vector<std::uint32_t> ofType(groups_.ranges.size(), 0);
+  std::size_t left = fluxes_.size();
+  for (const bool isLeast : {true, false})
+    for (const std::uint32_t j : order) {
+      if (left == 0) return;
+      const std::uint32_t type = groups_.type[j];
+      const TypeRange& range = groups_.ranges[type];
+      if (isTaken[j] || ofType[type] >= (isLeast ? range.least : range.most)) continue;
+      isTaken[j] = 1;
+      ++ofType[type];
+      --left;
+      corner.x.emplace_back(j, fluxes_[0]);
+    }
 }
 
 /// A knapsack whose last tie may be split: those of least gradient a luminaire, to the least count and beyond

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/bound/exclusive_groups.h"
 #include "core/search/intentions.h"
 
 namespace fiatlux {
@@ -27,11 +28,11 @@ struct ConvexObjective {
   std::vector<ConvexTerm> terms;
 };
 
-/// Minimises over the convex hull of all (x, t) that layouts under the rules give; the minimum distance is
-/// let go too.
+/// Minimises over the convex hull of all (x, t) that layouts under the rules give; of the minimum distance
+/// and of ways to hang at one place only the groups are kept, and those only of luminaires of one flux.
 class ConvexRelaxation {
  public:
-  ConvexRelaxation(std::uint32_t sites, const LuminaireRules& rules);
+  ConvexRelaxation(ExclusiveGroups groups, const LuminaireRules& rules);
   /// Over ties with so many luminaires each; the rules' sites are ties.
   ConvexRelaxation(std::vector<double> weights, const LuminaireRules& rules);
 
@@ -54,12 +55,14 @@ class ConvexRelaxation {
   };
   Corner bestCorner(const std::vector<double>& gradient, double perDimming) const;
   void takeSites(const std::vector<double>& gradient, Corner& corner) const;
+  void takeTypes(const std::vector<std::uint32_t>& order, Corner& corner) const;
   void takeTies(const std::vector<double>& gradient, Corner& corner) const;
   double lineSearch(const std::vector<double>& productWithCorner, const std::vector<double>& squares,
                     double slope) const;
   void refreshProducts();
 
   std::uint32_t sites_;
+  ExclusiveGroups groups_;
   std::vector<double> fluxes_;  // movable ones, largest first
   std::vector<std::pair<std::uint32_t, double>> pinned_;
   std::vector<char> usable_;

@@ -1,5 +1,6 @@
-// The bound (convex_relaxation, diagonal_shift; pair_bound, pair_goal, pair_numbers, pair_relaxation) against
-// brute force: never above the optimum of an exhaustive enumeration, and tight where theory says so.
+// The bound (convex_relaxation, diagonal_shift, exclusive_groups; pair_bound, pair_goal, pair_numbers,
+// pair_relaxation) against brute force: never above the optimum of an exhaustive enumeration, and tight where
+// theory says so.
 #include "core/bound/bound.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +11,16 @@
 
 #include "core/bound/pair_numbers.h"
 #include "core/search/evaluator.h"
+#include "core/search/type_counts.h"
 #include "core/search/validate_intentions.h"
 #include "tests/core/corridor_scene.h"
 
 namespace fiatlux {
 namespace {
 
+using fiatlux::testing::boxPlan;
 using fiatlux::testing::smallRoom;
+using fiatlux::testing::syntheticScene;
 
 /// Whether three luminaires may hang there, luminaire 0 and so on first.
 bool isAllowed(const PreparedScene& prepared, const LuminaireRules& rules,
@@ -27,7 +31,9 @@ bool isAllowed(const PreparedScene& prepared, const LuminaireRules& rules,
     for (std::size_t k = 0; k < i; ++k)
       if (sites[i] == sites[k] || prepared.distance(sites[i], sites[k]) < rules.minDistance) return false;
   }
-  return true;
+  TypeCounts counts(prepared.scene(), rules);
+  for (const std::uint32_t site : sites) counts.add(prepared.typeOf(site), 1);
+  return counts.areMet();
 }
 
 /// The best of all layouts of three luminaires under the rules.
@@ -171,6 +177,45 @@ TEST(Bound, IsExactForMeans) {
   for (const Goal& goal : {kBrightWall, kDarkWall}) {
     const Evaluation best = exhaustiveOptimum(prepared, three({goal}));
     EXPECT_NEAR(boundOf(prepared, three({goal}), best), best.goal, 1e-6 * std::fabs(best.goal));
+  }
+}
+
+/// The five sites before the wall are for the first of two types, the other fifteen for the second.
+Scene twoTypes() {
+  Scene scene = syntheticScene(boxPlan(5, 4), 3);
+  for (std::uint32_t site = 0; site < scene.sites.size(); ++site)
+    scene.hangings.push_back({site, site < 15 ? 1u : 0u, 0, 1});
+  return scene;
+}
+
+TEST(Bound, KnowsHowManyOfEachTypeThereAre) {
+  const Scene scene = twoTypes();
+  PreparedScene prepared(scene);
+  for (const Goal& goal : {kBrightWall, kDarkWall, kEven, wallNear(45)}) {
+    Intentions asked = three({goal});
+    asked.luminaires.types = {{1, 1}, {2, 2}};
+    const Evaluation best = exhaustiveOptimum(prepared, asked);
+    const double bound = boundOf(prepared, asked, best);
+    EXPECT_LE(bound, best.goal + 1e-9);
+    if (goal.statistic == Statistic::kMean && goal.sense != Sense::kNear) {
+      EXPECT_NEAR(bound, best.goal, 1e-6 * std::fabs(best.goal)) << "a mean is bounded exactly";
+    }
+  }
+}
+
+TEST(Bound, KnowsThatNeighboursKeepTheirDistanceInASum) {
+  PreparedScene prepared(smallRoom());
+  Intentions apart = three({kBrightWall});
+  const Layout reference{{0, 7, 14}, {}, 1};
+  const double anywhere =
+      boundOf(prepared, apart, exhaustiveOptimum(prepared, apart, &reference), &reference);
+  for (const double least : {1.1, 1.6, 2.2}) {
+    apart.luminaires.minDistance = least;
+    apart.luminaires.dimmingLow = 0.5;  // pairs of luminaires know nothing of that
+    const Evaluation best = exhaustiveOptimum(prepared, apart, &reference);
+    const double bound = boundOf(prepared, apart, best, &reference);
+    EXPECT_LE(bound, best.goal + 1e-9) << least;
+    EXPECT_GT(bound, anywhere) << least;
   }
 }
 
