@@ -12,17 +12,16 @@ namespace {
 
 constexpr double kTouching = 0.02;     // m: what stands closer touches
 constexpr double kLiesOn = 0.1;        // m above a measuring plane: something lies on it
-constexpr double kConfined = 0.25;     // m: a hollow that is nowhere wider is closed
-constexpr double kSlit = 0.15;         // m, and what is not higher is a slit
+constexpr double kConfined = 0.25;     // m: looks that end nearer on both sides are of a hollow
+constexpr double kSlit = 0.15;         // m: what is not higher is a slit
 constexpr double kSlitEnds = 0.5;      // m: in a slit of 0.15 m nine tenths of the looks end nearer
 constexpr double kMostly = 0.5;        // share of the points
-constexpr double kClosed = 2.0 / 3;    // share of the looks, as between a sofa and the wall a hand behind it
 constexpr std::uint32_t kPoints = 32;  // on a patch, a whole number of packets
 
 /// What the rays from one patch have told: of how many points.
 struct Seen {
   std::uint32_t hidden = 0;  // something is right in front of them, or they are inside a body
-  std::uint32_t closed = 0;  // hidden, or their look ends in a hollow or a slit
+  std::uint32_t closed = 0;  // hidden, or in a hollow or a slit
 };
 
 class Looker {
@@ -32,18 +31,20 @@ class Looker {
   bool isCovered(std::uint32_t p) const {
     const bool measuring = p >= room_.patches.count;
     const Seen seen = lookFrom(p, measuring ? kLiesOn : kTouching);
-    return seen.hidden >= kMostly * kPoints || (!measuring && seen.closed >= kClosed * kPoints);
+    return (measuring ? seen.hidden : seen.closed) >= kMostly * kPoints;
   }
 
  private:
-  /// One ray along the normal and one by the cosine from every point. A point is inside a body where both end
-  /// at insides: a single sheet that is seen from behind is met by few such pairs.
+  /// From every point one ray along the normal, one by the cosine, and its mirror image on the other side of
+  /// the normal: in a corner of a room one of the two finds a way out, between a sofa and the wall neither
+  /// does. A point is inside a body where the first two end at insides: a single sheet is seen from behind by
+  /// few such pairs.
   Seen lookFrom(std::uint32_t p, double reach) const {
     const PatchSampler sampler(room_, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
     Seen seen;
     for (std::uint32_t first = 0; first < kPoints; first += RayPacket::kSize) {
-      RayPacket straight, spread;
+      RayPacket straight, spread, mirrored;
       Vec3 origin[RayPacket::kSize], normal[RayPacket::kSize], direction[RayPacket::kSize];
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
         const auto random = sequence_.point(first + i, scramble);
@@ -53,18 +54,19 @@ class Looker {
         direction[i] = cosineDirection(Frame(point.normal), random[2], random[3]);
         tracer_.aim(straight, origin[i], normal[i], kFar);
         tracer_.aim(spread, origin[i], direction[i], kFar);
+        tracer_.aim(mirrored, origin[i], 2 * dot(normal[i], direction[i]) * normal[i] - direction[i], kFar);
       }
-      HitPacket before, met;
+      HitPacket before, met, across;
       tracer_.intersect(straight, before);
       tracer_.intersect(spread, met);
+      tracer_.intersect(mirrored, across);
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
-        const bool touched = ends(before, i, reach);
         const bool inside =
             isInside(origin[i], normal[i], before, i) && isInside(origin[i], direction[i], met, i);
-        const bool hidden = touched || inside;
+        const bool hidden = inside || ends(before, i, reach);
+        const double width = ends(before, i, kSlit) ? kSlitEnds : kConfined;
         seen.hidden += hidden;
-        seen.closed +=
-            hidden || ends(met, i, kConfined) || (ends(before, i, kSlit) && ends(met, i, kSlitEnds));
+        seen.closed += hidden || (ends(met, i, width) && ends(across, i, width));
       }
     }
     return seen;

@@ -12,11 +12,10 @@
 namespace fiatlux {
 
 /// One value a row of the patches, 1 = covered; empty where none is. A patch is covered where at least half
-/// of its area is hidden, by whatever hides each place: a body closer than 2 cm in front of it, or around it;
-/// or where two thirds of its looks end within 25 cm, or within 50 cm in a slit not higher than 15 cm, as of
-/// floor under a low sofa or wall behind a shelf. A measuring plane where something lies on it (within 10 cm
-/// above) or where it is inside a body. A surface that would be covered throughout counts as a whole.
-/// Deterministic.
+/// of its area is hidden, by whatever hides each place: a body closer than 2 cm in front of it, or around it,
+/// or things closer than 25 cm on both sides, 50 cm in a slit not higher than 15 cm, as of floor under a low
+/// sofa or wall behind a shelf. A measuring plane where something lies on it (within 10 cm above) or where it
+/// is inside a body. A surface that would be covered throughout counts as a whole. Deterministic.
 std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer);
 
 }  // namespace fiatlux

@@ -48,9 +48,13 @@ double coveredOf(const Room& room, const std::string& name) {
 }
 
 TEST(Covered, AnEmptyRoomHasNothingOfTheKind) {
-  const Result<Room> room = boxRoom(kSize, 1).build(fine());
-  ASSERT_TRUE(room) << room.error().message;
-  EXPECT_TRUE(room->patches.covered.empty());
+  for (const double patch : {0.25, 0.1, 0.05}) {  // small ones lie wholly in corners
+    RoomOptions options;
+    options.patch = patch;
+    const Result<Room> room = boxRoom(kSize, 1).build(options);
+    ASSERT_TRUE(room) << room.error().message;
+    EXPECT_TRUE(room->patches.covered.empty()) << patch;
+  }
 }
 
 TEST(Covered, FloorUnderABodyAndWallBehindIt) {
