@@ -53,12 +53,7 @@ export function IntentionCard({ card }: CardProps) {
           <span class="card-verb">{words.value.intentions.verbs[card.verb].title}</span>
           <span class="card-surface">{namesText(card.surfaces)}</span>
         </button>
-        {reached && (
-          <span class="card-reached">
-            {compact(reached.mean)}
-            {isOff(card.aim, reached.mean) && words.value.intentions.card.ofAim(compact(card.aim))} {unit}
-          </span>
-        )}
+        {reached && <span class="card-reached">{reachedText(reached.mean, card.aim, unit)}</span>}
         <Met status={status} />
         <button
           class="icon-button small"
@@ -76,9 +71,11 @@ export function IntentionCard({ card }: CardProps) {
   );
 }
 
-/** Whether the mean is not quite what is aimed at. */
-const isOff = (aim: number | undefined, mean: number): aim is number =>
-  aim !== undefined && Math.abs(mean - aim) > 0.01 * aim;
+/** The mean, "268 of 400 lx" where it is not quite what is aimed at. */
+export function reachedText(mean: number, aim: number | undefined, unit: string): string {
+  const isOff = aim !== undefined && Math.abs(mean - aim) > 0.01 * aim;
+  return `${compact(mean)}${isOff ? words.value.intentions.card.ofAim(compact(aim)) : ''} ${unit}`;
+}
 
 interface Status {
   readonly met: boolean;
