@@ -56,19 +56,20 @@ struct Look {
 };
 
 /// `all`: as if every material were double-sided. Turns triangles of the mesh that look outward.
-Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& mesh, bool all) {
+Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& mesh, SmallParts& smallParts,
+               bool all) {
   Look look;
   look.faces = frontFaces(mesh);
   const std::vector<Face> backs = backFaces(source, mesh, all);
   look.faces.insert(look.faces.end(), backs.begin(), backs.end());
   UniqueNames firstNames;
-  look.tree = findSurfaces(source, mesh, look.faces, kRegionShare, firstNames);
+  look.tree = findSurfaces(source, mesh, look.faces, kRegionShare, firstNames, &smallParts);
   look.outlook =
       std::make_unique<Outlook>(mesh, tracer, makeCharts(mesh, look.tree, mesh.diagonal / kPieces, 0));
   look.turned = turnOutwardSheets(mesh, look.faces, *look.outlook);
   if (look.turned) {
     // What is turned over has other planes and other names: found anew, which is rare.
-    look.tree = findSurfaces(source, mesh, look.faces, kRegionShare, look.names);
+    look.tree = findSurfaces(source, mesh, look.faces, kRegionShare, look.names, &smallParts);
   } else {
     look.names = std::move(firstNames);
   }
@@ -78,7 +79,8 @@ Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& m
 /// Where luminaires hang: on what is marked, named or looks like a ceiling; where nothing does, on what does
 /// once every face has two sides; else in a plane. `look` and `mesh` become those that are meant.
 std::vector<Mount> hang(const SourceScene& source, const RoomOptions& options, const RayTracer& tracer,
-                        WeldedMesh& mesh, Look& look, std::vector<std::string>& warnings) {
+                        WeldedMesh& mesh, SmallParts& smallParts, Look& look,
+                        std::vector<std::string>& warnings) {
   const auto mountsIn = [&](const WeldedMesh& in, const Look& seen) {
     const FreeSpace space(in, tracer, seen.faces);
     return findMounts(source, in, seen.tree, seen.faces, space, options, warnings);
@@ -86,7 +88,7 @@ std::vector<Mount> hang(const SourceScene& source, const RoomOptions& options, c
   std::vector<Mount> mounts = mountsIn(mesh, look);
   if (mounts.empty() && options.requireSites && options.ceiling == 0 && !options.doubleSided) {
     WeldedMesh drawn = mesh;
-    Look twoSided = lookRound(source, tracer, mesh, true);
+    Look twoSided = lookRound(source, tracer, mesh, smallParts, true);
     mounts = mountsIn(mesh, twoSided);
     if (!mounts.empty()) {
       look = std::move(twoSided);
@@ -164,9 +166,10 @@ std::vector<Face> frontFaces(const WeldedMesh& mesh) {
 
 Inside findInside(const SourceScene& source, const RoomOptions& options, const RayTracer& tracer,
                   WeldedMesh& mesh, std::vector<std::string>& warnings) {
-  Look look = lookRound(source, tracer, mesh, options.doubleSided);
+  SmallParts smallParts(source);
+  Look look = lookRound(source, tracer, mesh, smallParts, options.doubleSided);
   Inside inside;
-  inside.mounts = hang(source, options, tracer, mesh, look, warnings);
+  inside.mounts = hang(source, options, tracer, mesh, smallParts, look, warnings);
   inside.tree = std::move(look.tree);
   inside.names = std::move(look.names);
   inside.space.emplace(mesh, tracer, look.faces);

@@ -26,7 +26,9 @@ constexpr double kLow = 1.8, kHigh = 9;  // m: heights of ceilings worth a word
 constexpr double kHeadroom = 1;          // m, free below a site
 constexpr double kSqueezed = 0.3;        // m, to both sides of it: within a wall
 constexpr double kOnWall = 0.005;        // m: a place as near to a wall is on it
-constexpr int kExact = 17;               // digits of a number in an identity
+constexpr double kUnder = 0.05;   // m: what comes as near to a ceiling stands below it; it may be rough
+constexpr double kWithin = 0.98;  // of a site's square: what touches its edge does not cross it
+constexpr int kExact = 17;        // digits of a number in an identity
 constexpr std::size_t kMostStoreys = 4;  // that are told
 
 // The spacing of sites where none is said.
@@ -212,17 +214,19 @@ std::vector<Site> liftedSites(const WeldedMesh& mesh, const Mount& mount, double
   return sitesOn(plane, faces, spacing, size);
 }
 
-/// Whether anything crosses a site's square.
-bool isCrossed(const RayTracer& tracer, const Site& site) {
+/// Whether anything crosses a site's square, as it lies around `middle`.
+bool isCrossed(const RayTracer& tracer, const Site& site, const Vec3& middle) {
   RayPacket ways;
-  const Vec3 u = 0.5 * site.size * site.axis, v = 0.5 * site.size * cross(site.normal, site.axis);
-  for (const Vec3& way : {u, -u, v, -v, u + v, u - v, v - u, -u - v}) tracer.aim(ways, site.position, way, 1);
+  const double half = 0.5 * kWithin * site.size;
+  const Vec3 u = half * site.axis, v = half * cross(site.normal, site.axis);
+  for (const Vec3& way : {u, -u, v, -v, u + v, u - v, v - u, -u - v}) tracer.aim(ways, middle, way, 1);
   bool blocked[RayPacket::kSize];
   tracer.occluded(ways, blocked);
   return std::any_of(blocked, blocked + ways.count, [](bool b) { return b; });
 }
 
-/// Takes away the sites of a proposal that would shine on what is close, hang within a wall, or outdoors.
+/// Takes away the sites of a proposal that would shine on what is close, hang within a wall, partly even, or
+/// outdoors.
 void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& space, std::vector<Site>& sites) {
   const auto isSqueezed = [&](const Vec3& from, const Vec3& side) {
     RayPacket sides;
@@ -247,7 +251,8 @@ void keepFree(const Mount& mount, const RayTracer& tracer, const FreeSpace& spac
     const Vec3 floor = below - Vec3{0, height - kLuminaireClearance, 0};
     return height < kHeadroom || isSqueezed(below, site.axis) ||
            isSqueezed(below, cross(site.normal, site.axis)) ||
-           (mount.lift > 0 && (isCrossed(tracer, site) || space.isWithinBody(below))) ||
+           isCrossed(tracer, site, site.position + (mount.lift > 0 ? 0 : kUnder) * site.normal) ||
+           (mount.lift > 0 && space.isWithinBody(below)) ||
            (mount.isIndoors && space.skyAbove(floor) >= kOpenSky);
   };
   std::vector<Site> kept;

@@ -15,6 +15,9 @@ constexpr double kFinestEdge = 0.1;     // m
 constexpr double kCoarsestEdge = 0.3;   // m: beyond, a door is no longer seen
 constexpr double kMostCubes = 8e6;      //
 constexpr double kPassage = 1.1;        // m: what is narrower is an opening between spaces
+constexpr double kDoorHeight = 2.25;    // m, at most, of the air in an opening below a lintel
+constexpr double kLintel = 0.2;         // m, at least, that it hangs lower than the ceilings beside it
+constexpr double kDeepest = 0.7;        // m, of the wall that it is in
 constexpr double kAround = 0.5;         // m, from a point to the air nearest to it
 constexpr double kLeastOpening = 0.3;   // m2: a gap that nobody walks through is none
 constexpr std::size_t kLeastCore = 50;  // cubes: fewer are a corner of something
@@ -27,10 +30,6 @@ CubeGrid gridOf(const Bounds& bounds) {
   };
   double edge = kFinestEdge;
   while (cubes(edge) > kMostCubes) edge *= 1.1;
-  if (!(edge <= kCoarsestEdge))
-    throw CommandError("--inside: " + shortNumber(size.x) + " x " + shortNumber(size.z) + " x " +
-                       shortNumber(size.y) +
-                       " m are too much for rooms to be told apart; export a part of it");
   const Vec3 half{0.5 * edge, 0.5 * edge, 0.5 * edge};
   const auto count = [&](double length) { return static_cast<int>(std::floor(length / edge + 0.5)) + 1; };
   return {bounds.low - half, edge, {count(size.x), count(size.y), count(size.z)}};
@@ -76,7 +75,34 @@ std::vector<std::uint8_t> widened(const CubeGrid& grid, std::vector<std::uint8_t
   return cubes;
 }
 
+std::array<int, 3> CubeGrid::stepsOf(std::size_t cube) const {
+  std::array<int, 3> steps{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    steps[k] = static_cast<int>(cube / stride(axis) % static_cast<std::size_t>(count[k]));
+  }
+  return steps;
+}
+
+bool Spaces::canTell(const SourceScene& source) { return gridOf(boundsOf(source)).edge <= kCoarsestEdge; }
+
+Spaces::Spaces(const SourceScene& source) : grid_(gridOf(boundsOf(source))) {
+  fill(source);
+  part(true);
+  if (count() == 0) part(false);
+}
+
 Spaces::Spaces(const SourceScene& source, const Vec3& inside) : grid_(gridOf(boundsOf(source))) {
+  if (const Vec3 size = boundsOf(source).size(); grid_.edge > kCoarsestEdge)
+    throw CommandError("--inside: " + shortNumber(size.x) + " x " + shortNumber(size.z) + " x " +
+                       shortNumber(size.y) +
+                       " m are too much for rooms to be told apart; export a part of it");
+  fill(source);
+  part(true);
+  if (at(inside) == kNowhere) part(false);
+}
+
+void Spaces::fill(const SourceScene& source) {
   solid_.assign(grid_.size(), 0);
   const auto fill = [&](std::size_t cube) {
     solid_[cube] = 1;
@@ -86,9 +112,6 @@ Spaces::Spaces(const SourceScene& source, const Vec3& inside) : grid_(gridOf(bou
     if (!mesh.extras.measure)
       for (const auto& t : mesh.triangles)
         anyCube(grid_, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], fill);
-
-  part(true);
-  if (at(inside) == kNowhere) part(false);
 }
 
 void Spaces::part(bool hasOutdoors) {
@@ -98,10 +121,55 @@ void Spaces::part(bool hasOutdoors) {
   grow();
 }
 
+/// Air that ends lower than on both sides of it, within the depth of a wall, is as narrow as a door: an
+/// opening may be as wide as it likes. Beams are higher, and around lamps one may go.
+void Spaces::narrowBelowLintels(std::vector<std::uint8_t>& narrow) const {
+  const auto cubesIn = [&](double metres) { return static_cast<int>(std::lround(metres / grid_.edge)); };
+  const int most = cubesIn(kDoorHeight), lintel = std::max(1, cubesIn(kLintel)), reach = cubesIn(kDeepest);
+  // Where the air of a cube ends, in steps upward.
+  std::vector<std::uint16_t> top(grid_.size(), 0);
+  std::vector<std::uint8_t> isLow(grid_.size(), 0);
+  const std::size_t up = grid_.stride(1);
+  const int tall = grid_.count[1];
+  for (std::size_t first = 0; first < grid_.size(); ++first) {
+    if (first / up % static_cast<std::size_t>(tall) != 0) continue;
+    for (int from = 0, to; from < tall; from = to + 1) {
+      for (to = from; to < tall && !solid_[first + static_cast<std::size_t>(to) * up]; ++to) {
+      }
+      for (int y = from; y < to; ++y) {
+        top[first + static_cast<std::size_t>(y) * up] = static_cast<std::uint16_t>(to);
+        isLow[first + static_cast<std::size_t>(y) * up] = to - from <= most;
+      }
+    }
+  }
+  for (std::size_t cube = 0; cube < grid_.size(); ++cube) {
+    if (!isLow[cube] || narrow[cube]) continue;
+    for (const int axis : {0, 2}) {
+      const std::size_t stride = grid_.stride(axis);
+      const int at = grid_.stepsOf(cube)[static_cast<std::size_t>(axis)];
+      // Steps to air that ends higher; 0: what is solid comes first, or it is too far.
+      const auto stepsToHigher = [&](int way, int count) {
+        for (int i = 1; i <= std::min(count, reach); ++i) {
+          const std::size_t other = way > 0 ? cube + static_cast<std::size_t>(i) * stride
+                                            : cube - static_cast<std::size_t>(i) * stride;
+          if (solid_[other]) return 0;
+          if (top[other] >= top[cube] + lintel) return i;
+        }
+        return 0;
+      };
+      const int back = stepsToHigher(-1, at);
+      if (back == 0) continue;
+      const int forth = stepsToHigher(1, grid_.count[static_cast<std::size_t>(axis)] - 1 - at);
+      if (forth > 0 && back + forth - 1 <= reach) narrow[cube] = 1;
+    }
+  }
+}
+
 /// What is far enough from all that is solid, in connected pieces; the open sky is one.
 void Spaces::findCores(bool hasOutdoors) {
   const int reach = std::max(1, static_cast<int>((kPassage / grid_.edge - 1) / 2));
   std::vector<std::uint8_t> narrow = widened(grid_, solid_, reach);
+  narrowBelowLintels(narrow);
   if (hasOutdoors)
     for (std::size_t cube = 0; cube < grid_.size(); ++cube) {
       const auto top = static_cast<std::size_t>(grid_.count[1] - 1);

@@ -1,6 +1,7 @@
-// The spaces of a building: its air in cubes, parted where it is no wider than a door. A voxel is solid where
-// a triangle may be; what has more than half a metre of air to all sides is the core of a space, and cores
-// grow at one pace until they meet, in the middle of openings (a watershed of the distance to what is solid).
+// The spaces of a building: its air in cubes, parted where it is no wider than a door, or lower than on both
+// sides of it, as below a lintel. A cube is solid where a triangle may be; what has more than half a metre of
+// air to all sides is the core of a space, and cores grow at one pace until they meet, in the middle of
+// openings (a watershed of the distance to what is solid).
 #pragma once
 
 #include <algorithm>
@@ -31,6 +32,12 @@ struct CubeGrid {
   /// Which cube holds a point, in so many steps along each axis; cut off at the grid's sides.
   std::array<int, 3> stepsTo(const Vec3& point) const;
   std::size_t indexOf(const std::array<int, 3>& steps) const;
+  std::array<int, 3> stepsOf(std::size_t cube) const;
+  /// m, the corner of a cube with the least coordinates.
+  Vec3 cornerAt(const std::array<int, 3>& steps) const {
+    return low + edge * Vec3{static_cast<double>(steps[0]), static_cast<double>(steps[1]),
+                             static_cast<double>(steps[2])};
+  }
 };
 
 class Spaces {
@@ -38,9 +45,13 @@ class Spaces {
   static constexpr std::uint32_t kNowhere = 0;   // solid, or air that no space reaches
   static constexpr std::uint32_t kOutdoors = 1;  // under the open sky; spaces follow
 
+  /// Whether a model is small enough for openings to be told.
+  static bool canTell(const SourceScene& source);
   /// `inside` is to lie in one of the spaces: where it lies under the open sky, the room has no ceiling, and
-  /// nothing counts as outdoors. Throws CommandError where the model is too large for openings to be told.
+  /// nothing counts as outdoors. Throws CommandError where openings cannot be told.
   Spaces(const SourceScene& source, const Vec3& inside);
+  /// Where all lies under the open sky, nothing counts as outdoors. Only where openings can be told.
+  explicit Spaces(const SourceScene& source);
 
   const CubeGrid& grid() const { return grid_; }
   std::uint32_t count() const { return next_ - kOutdoors - 1; }
@@ -63,7 +74,9 @@ class Spaces {
       if (at + 1 < count) tell(cube + stride);
     }
   }
+  void fill(const SourceScene& source);
   void part(bool hasOutdoors);
+  void narrowBelowLintels(std::vector<std::uint8_t>& narrow) const;
   void findCores(bool hasOutdoors);
   void grow();
 
@@ -72,6 +85,9 @@ class Spaces {
   std::vector<std::uint32_t> spaces_;   // by cube
   std::uint32_t next_ = kOutdoors + 1;  // the first number that no space has
 };
+
+/// From a plane, in edges of cubes: so far from it no cube meets it.
+inline constexpr double kClearOfPlane = 1.5;
 
 /// Whether `isMet` says so of a cube that a triangle may meet.
 template <class IsMet>

@@ -29,17 +29,18 @@ struct Draft {
   std::string name;
   std::vector<Face> faces;
   bool back = false;
-  bool splits = true;  // may be cut into regions
+  bool splits = true;     // may be cut into regions
+  bool isShared = false;  // has its leaf together with others of its name
 };
 
 /// Sorts faces into groups: by the surface that extras name, else by node and material, but for the small
-/// nodes of a crowded scene, which are one group.
+/// nodes of a crowded scene, which go by the rooms that see them, or are one group.
 class Grouper {
  public:
   /// Takes the names first that the file's author gave on purpose.
   Grouper(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
-          UniqueNames& names)
-      : source_(source), mesh_(mesh), names_(names) {
+          UniqueNames& names, SmallParts* smallParts)
+      : source_(source), mesh_(mesh), names_(names), smallParts_(smallParts) {
     for (const Face& face : faces) {
       const SourceMesh& from = source.meshes[face.mesh];
       const double area = length(areaVector(mesh.positions, face.vertex));
@@ -72,7 +73,8 @@ class Grouper {
         drafts.push_back({nameOf(key, source_.meshes[face.mesh]),
                           {},
                           key.back,
-                          splits && key.kind == GroupKey::Kind::kNode});
+                          splits && key.kind == GroupKey::Kind::kNode,
+                          smallParts_ && key.kind == GroupKey::Kind::kSmallNodes});
       drafts[found->second].faces.push_back(face);
     }
     std::stable_sort(drafts.begin(), drafts.end(),
@@ -91,7 +93,7 @@ class Grouper {
     std::string name = {};       // unique, "" until it is asked for
   };
 
-  GroupKey keyOf(const Face& face) const {
+  GroupKey keyOf(const Face& face) {
     const SourceMesh& from = source_.meshes[face.mesh];
     GroupKey key;
     key.back = face.back && mesh_.triangles[face.triangle].backMesh == kNone;
@@ -103,6 +105,10 @@ class Grouper {
     const Node& node = nodes_.at(from.nodeIndex);
     if (isCrowded() && node.area < kSmallNode * area_) {
       key.kind = GroupKey::Kind::kSmallNodes;
+      const std::string name = smallParts_ ? smallParts_->nameOf(mesh_, face) : "small things";
+      const auto [found, fresh] = smallIds_.emplace(name, static_cast<std::uint32_t>(smallNames_.size()));
+      if (fresh) smallNames_.push_back(names_.take(name));
+      key.id = found->second;
       return key;
     }
     key.id = from.nodeIndex;
@@ -112,10 +118,7 @@ class Grouper {
 
   std::string nameOf(const GroupKey& key, const SourceMesh& from) {
     if (key.kind == GroupKey::Kind::kNamed) return named_.at(from.extras.surface).name;
-    if (key.kind == GroupKey::Kind::kSmallNodes) {
-      if (smallName_.empty()) smallName_ = names_.take("small things");
-      return smallName_;
-    }
+    if (key.kind == GroupKey::Kind::kSmallNodes) return smallNames_[key.id];
     Node& node = nodes_[from.nodeIndex];
     if (node.name.empty()) node.name = names_.take(from.node);
     if (node.materials.size() == 1) return node.name;
@@ -125,9 +128,11 @@ class Grouper {
   const SourceScene& source_;
   const WeldedMesh& mesh_;
   UniqueNames& names_;
+  SmallParts* smallParts_;
   std::map<std::uint32_t, Node> nodes_;  // those whose extras name no surface
   std::map<std::string, Named> named_;
-  std::string smallName_;
+  std::map<std::string, std::uint32_t> smallIds_;  // by what the small parts are called
+  std::vector<std::string> smallNames_;            // unique
   double area_ = 0;
 };
 
@@ -193,6 +198,13 @@ class Leaves {
     }
   }
 
+  /// All of one name are one leaf, fronts and backs: of a thin wall each side belongs to the room before it.
+  void addShared(const std::string& name, SurfaceGroup& group) {
+    const auto [found, fresh] = shared_.emplace(name, static_cast<std::uint32_t>(tree_.names.size()));
+    if (fresh) tree_.names.push_back(name);
+    group.leafOfRegion.assign(group.regions.size(), found->second);
+  }
+
   void addBacks(SurfaceGroup& group) {
     for (const Region& region : group.regions) {
       const std::uint32_t front = leafOfTriangle_[group.set.faces[region.faces[0]].triangle];
@@ -214,6 +226,7 @@ class Leaves {
   UniqueNames& names_;
   std::vector<std::uint32_t> leafOfTriangle_;  // of its front
   std::map<std::uint32_t, std::uint32_t> backOfLeaf_;
+  std::map<std::string, std::uint32_t> shared_;
 };
 
 /// Whether one plane is all of a group but for crumbs.
@@ -233,12 +246,13 @@ double areaOf(const SurfaceTree& tree) {
 }
 
 SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
-                         double regionShare, UniqueNames& names) {
-  Grouper grouper(source, mesh, faces, names);
+                         double regionShare, UniqueNames& names, SmallParts* smallParts) {
+  Grouper grouper(source, mesh, faces, names, smallParts);
   SurfaceTree tree;
   if (grouper.isCrowded())
-    tree.warnings.push_back(std::to_string(grouper.nodes()) +
-                            " nodes: those below 0.5 % of the area are one surface, 'small things'");
+    tree.warnings.push_back(std::to_string(grouper.nodes()) + " nodes: those below 0.5 % of the area are " +
+                            (smallParts ? "the floor, walls, ceiling or things of the room that they are in"
+                                        : "one surface, 'small things'"));
   Leaves leaves(mesh, tree, names);
   for (Draft& draft : grouper.drafts(faces, regionShare > 0)) {
     SurfaceGroup group;
@@ -247,7 +261,9 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
     std::vector<std::string> words(group.regions.size());
     if (draft.splits && !draft.back && !isOnePlane(group))
       words = regionWords(mesh, group, regionShare * grouper.area());
-    if (draft.back)
+    if (draft.isShared)
+      leaves.addShared(draft.name, group);
+    else if (draft.back)
       leaves.addBacks(group);
     else
       leaves.addFronts(draft.name, words, group);

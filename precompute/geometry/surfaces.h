@@ -8,6 +8,7 @@
 
 #include "precompute/base/names.h"
 #include "precompute/geometry/flat_regions.h"
+#include "precompute/geometry/small_parts.h"
 
 namespace fiatlux {
 
@@ -29,8 +30,9 @@ struct SurfaceTree {
 double areaOf(const SurfaceTree& tree);
 
 /// Groups all `faces` (fronts, and backs of sheets) of a welded mesh. `regionShare` of the whole area makes a
-/// plane a surface of its own; 0 = never (measuring planes). Names are taken from `names`.
+/// plane a surface of its own; 0 = never (measuring planes). Names are taken from `names`; those of the small
+/// nodes of a crowded scene come from `smallParts`, without them they are all one surface.
 SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, const std::vector<Face>& faces,
-                         double regionShare, UniqueNames& names);
+                         double regionShare, UniqueNames& names, SmallParts* smallParts = nullptr);
 
 }  // namespace fiatlux

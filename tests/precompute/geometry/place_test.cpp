@@ -1,5 +1,5 @@
-// One room of a building alone (place, spaces): what stays of three rooms in a row, through how many doors,
-// and what closes it.
+// One room of a building alone (place, spaces, box_cut, lid): what stays of three rooms in a row, through how
+// many doors, and what closes it.
 #include "precompute/geometry/place.h"
 
 #include <gmock/gmock.h>
@@ -23,12 +23,12 @@ using testing::TrapRoom;
 using Lid = PlaceOptions::Lid;
 
 constexpr double kWide = 4, kDeep = 5, kTall = 2.6, kThick = 0.2;  // m, of each room and of what is between
-constexpr double kDoor = 0.9, kDoorTop = 2;
+constexpr double kDoor = 0.9, kWideDoor = 2, kDoorTop = 2;
 const Vec3 kInFirst{2, 1, 2.5}, kInMiddle{6, 1, 2.5};
 
 /// Rooms along x with doors between them, and a window without glass at the far end of the first; floor and
 /// ceiling are one slab each.
-SourceScene rooms(bool hasGlass = false) {
+SourceScene rooms(bool hasGlass = false, double doorWidth = kDoor) {
   TrapRoom made;
   if (hasGlass) {
     TestMesh pane;
@@ -48,8 +48,8 @@ SourceScene rooms(bool hasGlass = false) {
   made.block("north", {-kThick, 0, -kThick}, {far + 2 * kThick, kTall, kThick});
   made.block("south", {-kThick, 0, kDeep}, {far + 2 * kThick, kTall, kThick});
   across("west", -kThick, 2, 3, 0.9, 1.9);
-  across("one", kWide, door, door + kDoor, 0, kDoorTop);
-  across("two", 2 * kWide + kThick, door, door + kDoor, 0, kDoorTop);
+  across("one", kWide, door, door + doorWidth, 0, kDoorTop);
+  across("two", 2 * kWide + kThick, door, door + doorWidth, 0, kDoorTop);
   made.block("east", {far, 0, 0}, {kThick, kTall, kDeep});
   made.block("wardrobe", {kWide + kThick + 1, 0, 0}, {1.5, 2.2, 0.6});
   return *made.gltf.read();
@@ -82,6 +82,14 @@ TEST(Place, KeepsOneRoomAlone) {
   const auto room = buildRoom(source, options);
   ASSERT_TRUE(room) << room.error().message;
   EXPECT_GT(room->sites.size(), 0u);
+  // The ceiling goes on over the walls, luminaires do not.
+  for (const Site& site : room->sites) {
+    const double half = 0.49 * site.size;
+    EXPECT_GE(site.position.x - half, 0);
+    EXPECT_LE(site.position.x + half, kWide);
+    EXPECT_GE(site.position.z - half, 0);
+    EXPECT_LE(site.position.z + half, kDeep);
+  }
 }
 
 TEST(Place, SeesThroughOpenDoorsAsFarAsIsWished) {
@@ -91,6 +99,30 @@ TEST(Place, SeesThroughOpenDoorsAsFarAsIsWished) {
   EXPECT_NE(meshCalled(one, "wardrobe"), nullptr);
   EXPECT_THAT(keepPlace({kInFirst, 2}, two), HasSubstr(": 3 of 3 rooms"));
   EXPECT_NE(meshCalled(two, "east"), nullptr);
+}
+
+TEST(Place, AWideOpeningBelowALintelIsADoor) {
+  SourceScene source = rooms(false, kWideDoor);
+  EXPECT_THAT(keepPlace({kInFirst}, source), HasSubstr(": 1 of 3 rooms"));
+  EXPECT_NEAR(boundsOf(source).high.x, kWide, 0.4);
+}
+
+TEST(Place, ABeamPartsNothing) {
+  TrapRoom made = testing::twoSided();
+  made.block("beam", {2.9, 2.4, 0}, {0.2, 0.4, testing::kPlan.z});
+  SourceScene source = *made.gltf.read();
+  EXPECT_THAT(keepPlace({Vec3{1, 1, 2}}, source), HasSubstr(": 1 of 1 rooms"));
+}
+
+TEST(Place, HasNoFarSidesOfItsWalls) {
+  SourceScene source = rooms();
+  keepPlace({kInFirst, 0, Lid::kWhite}, source);
+  // The walls between end in the doorway, where the place ends; what looks into the next room is left out.
+  const SourceMesh* wall = meshCalled(source, "one after");
+  ASSERT_NE(wall, nullptr);
+  double away = 0;  // m2, that look along x, away from the place
+  for (const auto& t : wall->triangles) away += std::max(0.0, areaVector(wall->positions, t).x);
+  EXPECT_EQ(away, 0);
 }
 
 TEST(Place, ClosesItsOpeningsWithALid) {

@@ -1,6 +1,6 @@
-// Every room that misleads (trap_rooms.h), from its bytes to a scene with nothing chosen: where luminaires
-// are proposed to hang, which unit is guessed, how much is said of it, and whether the result is of use (exit
-// status 0, else 3).
+// Every room that misleads (trap_rooms.h), given to the command with nothing chosen: where luminaires are
+// proposed to hang, which unit is guessed, how much is said of it, and the exit status: 0 where the result is
+// of use, else 3.
 #include "tests/precompute/geometry/trap_rooms.h"
 
 #include <gmock/gmock.h>
@@ -8,16 +8,14 @@
 
 #include <algorithm>
 
+#include "tests/precompute/commands/command_run.h"
 #include "tests/precompute/pipeline/box_model.h"
 
 namespace fiatlux {
 namespace {
 
-using testing::allWarnings;
 using ::testing::HasSubstr;
 using testing::TrapRoom;
-
-constexpr std::size_t kTold = 5;  // remarks without --verbose
 
 struct Trap {
   const char* name;
@@ -25,7 +23,7 @@ struct Trap {
   const char* mount;        // as the remark on it says
   double scale = 1;         // metres per unit of the file
   std::size_t remarks = 0;  // that are told by default
-  bool isOfUse = true;
+  int status = 0;
 };
 
 std::vector<Trap> traps() {
@@ -43,23 +41,27 @@ std::vector<Trap> traps() {
           {"double-sided everything", testing::twoSided(), "hang on 's1", 1, 5}};
 }
 
+/// How many lines say it.
+std::size_t linesWith(const std::string& text, const std::string& said) {
+  std::size_t lines = 0;
+  for (std::size_t at = text.find(said); at != std::string::npos; at = text.find(said, at + 1)) ++lines;
+  return lines;
+}
+
 TEST(TrapRooms, AreUnderstoodWithNothingChosen) {
-  SceneOptions options = testing::quickOptions();
-  options.room.patch = 0.8;
-  options.transport.rays = 16;
-  options.transport.exchange = false;
+  const TemporaryFolder folder;
   std::vector<Trap> all = traps();
   for (Trap& trap : all) {
     SCOPED_TRACE(trap.name);
     const ModelFile model{"trap.glb", trap.room.gltf.glb.bytes()};
-    const auto opened = openRoom(model, options.room, testing::plainHost());
+    const auto opened = openRoom(model, testing::quickOptions().room, testing::plainHost());
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ(opened->room.scale, trap.scale);
-    const auto made = makeScene(model, options, testing::plainHost());
-    ASSERT_TRUE(made) << made.error().message;
-    EXPECT_THAT(allWarnings(made->warnings), HasSubstr(std::string("proposed to ") + trap.mount));
-    EXPECT_EQ(std::min(made->warnings.size(), kTold), trap.remarks) << allWarnings(made->warnings);
-    EXPECT_EQ(made->report.useless.empty(), trap.isOfUse) << made->report.useless;
+    writeTextFile(folder / model.name, {model.bytes.begin(), model.bytes.end()});
+    const CommandRun run = runFiatlux(folder, "precompute trap.glb --patch 0.8 --rays 16 --no-exchange");
+    EXPECT_EQ(run.status, trap.status) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(std::string("proposed to ") + trap.mount));
+    EXPECT_EQ(linesWith(run.err, "warning: "), trap.remarks) << run.err;
   }
 }
 

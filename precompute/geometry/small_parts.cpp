@@ -1,0 +1,121 @@
+#include "precompute/geometry/small_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "precompute/room/bounds.h"
+
+namespace fiatlux {
+namespace {
+
+constexpr const char* kOfNoRoom = "small things";
+constexpr double kLeastPlan = 2, kLeastHeight = 1.5;  // m2, m: what is smaller is no room
+constexpr std::size_t kMostRooms = 64;
+constexpr double kApart = 1;      // m, between floors: another storey
+constexpr double kAbout = 0.15;   // m, and a cube: so near to the floor or the ceiling it belongs to it
+constexpr double kUpright = 0.7;  // sine of 45 degrees
+
+/// The step at which most columns begin, or end.
+int mostOften(const std::vector<int>& counts) {
+  return static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
+}  // namespace
+
+/// Plan, floor and ceiling of each space, by the columns of its cubes.
+void SmallParts::measure(std::vector<OneRoom>& rooms) const {
+  const CubeGrid& grid = spaces_->grid();
+  const auto tall = static_cast<std::size_t>(grid.count[1]);
+  std::vector<std::vector<int>> begins(rooms.size(), std::vector<int>(tall)), ends = begins;
+  std::vector<std::size_t> counted(rooms.size(), std::numeric_limits<std::size_t>::max());
+  const auto isNew = [&](std::uint32_t space, std::size_t column) {
+    return std::exchange(counted[space], column) != column;
+  };
+  for (std::size_t first = 0; first < grid.size(); ++first) {
+    if (first / grid.stride(1) % tall != 0) continue;
+    const auto spaceAt = [&](std::size_t y) { return spaces_->of(first + y * grid.stride(1)); };
+    for (std::size_t y = 0; y < tall; ++y)
+      if (isNew(spaceAt(y), 2 * first))
+        ++begins[spaceAt(y)][y], rooms[spaceAt(y)].area += grid.edge * grid.edge;
+    for (std::size_t y = tall; y-- > 0;)
+      if (isNew(spaceAt(y), 2 * first + 1)) ++ends[spaceAt(y)][y];
+  }
+  for (std::size_t space = 0; space < rooms.size(); ++space) {
+    rooms[space].floor = grid.cornerAt({0, mostOften(begins[space]), 0}).y;
+    rooms[space].ceiling = grid.cornerAt({0, mostOften(ends[space]) + 1, 0}).y;
+  }
+}
+
+void SmallParts::findRooms() {
+  isFound_ = true;
+  if (!Spaces::canTell(source_)) return;
+  spaces_.emplace(source_);
+  const std::uint32_t first = Spaces::kOutdoors + 1;
+  rooms_.resize(first + spaces_->count());
+  measure(rooms_);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t space = first; space < rooms_.size(); ++space)
+    if (const OneRoom& room = rooms_[space];
+        room.area >= kLeastPlan && room.ceiling - room.floor >= kLeastHeight)
+      order.push_back(space);
+  const auto isLarger = [&](std::uint32_t a, std::uint32_t b) { return rooms_[a].area > rooms_[b].area; };
+  std::stable_sort(order.begin(), order.end(), isLarger);
+  if (order.size() > kMostRooms) order.resize(kMostRooms);
+  // By storeys, the lowest first; in each the largest room first.
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return rooms_[a].floor < rooms_[b].floor; });
+  std::vector<std::vector<std::uint32_t>> storeys;
+  for (const std::uint32_t space : order) {
+    if (storeys.empty() || rooms_[space].floor > rooms_[storeys.back()[0]].floor + kApart)
+      storeys.emplace_back();
+    storeys.back().push_back(space);
+  }
+  for (std::size_t s = 0; s < storeys.size(); ++s) {
+    std::stable_sort(storeys[s].begin(), storeys[s].end(), isLarger);
+    for (std::size_t r = 0; r < storeys[s].size(); ++r)
+      rooms_[storeys[s][r]].path = (storeys.size() > 1 ? "storey " + std::to_string(s + 1) + "/" : "") +
+                                   (order.size() > 1 ? "room " + std::to_string(r + 1) : "room");
+  }
+  for (const SourceMesh& mesh : source_.meshes) {
+    const Bounds bounds = boundsOf(mesh.positions);
+    const auto [found, isFresh] = heights_.try_emplace(mesh.nodeIndex, bounds.low.y, bounds.high.y);
+    found->second = {std::min(found->second.first, bounds.low.y),
+                     std::max(found->second.second, bounds.high.y)};
+  }
+}
+
+const SmallParts::OneRoom* SmallParts::roomBefore(const WeldedMesh& mesh, const Face& face,
+                                                  const Vec3& normal) const {
+  const CubeGrid& grid = spaces_->grid();
+  const Vec3 middle = (1.0 / 3) * (mesh.positions[face.vertex[0]] + mesh.positions[face.vertex[1]] +
+                                   mesh.positions[face.vertex[2]]);
+  const Vec3 clear = kClearOfPlane * grid.edge * normal;
+  // Where something stands before its middle, towards its corners. No farther away: beyond is another room.
+  for (const double toCorner : {0.0, 0.5, 0.9})
+    for (const std::uint32_t v : face.vertex) {
+      const Vec3 from = middle + toCorner * (mesh.positions[v] - middle);
+      const std::uint32_t space = spaces_->of(grid.indexOf(grid.stepsTo(from + clear)));
+      if (space != Spaces::kNowhere) return rooms_[space].path.empty() ? nullptr : &rooms_[space];
+    }
+  return nullptr;
+}
+
+std::string SmallParts::nameOf(const WeldedMesh& mesh, const Face& face) {
+  if (!isFound_) findRooms();
+  if (!spaces_) return kOfNoRoom;
+  const Vec3 normal = normalized(areaVector(mesh.positions, face.vertex));
+  const OneRoom* room = roomBefore(mesh, face, normal);
+  if (!room) return kOfNoRoom;
+  const double about = kAbout + spaces_->grid().edge, height = mesh.positions[face.vertex[0]].y;
+  const double low = room->floor + about, high = room->ceiling - about;
+  if (normal.y > kUpright && height <= low) return room->path + "/floor";
+  if (normal.y < -kUpright && height >= high) return room->path + "/ceiling";
+  const auto [from, to] = heights_.at(source_.meshes[face.mesh].nodeIndex);
+  const bool isAsHigh = from <= low && to >= high;
+  if (std::abs(normal.y) <= kUpright && isAsHigh) return room->path + "/walls";
+  return room->path + "/things";
+}
+
+}  // namespace fiatlux
