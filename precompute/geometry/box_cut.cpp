@@ -22,21 +22,21 @@ bool holds(const Bounds& box, const Vec3& p) {
 
 }  // namespace
 
-BoxCut::BoxCut(const SourceMesh& from, const Bounds& box) : from_(from), box_(box) {
+BoxCut::BoxCut(const SourceMesh& from) : from_(from) {
   mesh_.node = from.node, mesh_.nodeIndex = from.nodeIndex;
   mesh_.material = from.material, mesh_.extras = from.extras;
 }
 
-void BoxCut::add(const std::array<std::uint32_t, 3>& triangle) {
+void BoxCut::add(const std::array<std::uint32_t, 3>& triangle, const Bounds& box) {
   if (std::all_of(triangle.begin(), triangle.end(),
-                  [&](std::uint32_t v) { return holds(box_, from_.positions[v]); })) {
+                  [&](std::uint32_t v) { return holds(box, from_.positions[v]); })) {
     mesh_.triangles.push_back({kept(triangle[0]), kept(triangle[1]), kept(triangle[2])});
     return;
   }
   Polygon polygon{cornerOf(triangle[0]), cornerOf(triangle[1]), cornerOf(triangle[2])};
   for (double Vec3::*axis : kAxes) {
-    polygon = cutAt(polygon, axis, -1, box_.low.*axis);
-    polygon = cutAt(polygon, axis, 1, box_.high.*axis);
+    polygon = cutAt(polygon, axis, -1, box.low.*axis);
+    polygon = cutAt(polygon, axis, 1, box.high.*axis);
   }
   if (polygon.size() < 3) return;
   const auto first = static_cast<std::uint32_t>(mesh_.positions.size());

@@ -14,10 +14,10 @@ namespace fiatlux {
 /// A mesh as it is rebuilt, triangle by triangle. `from` must outlive it.
 class BoxCut {
  public:
-  BoxCut(const SourceMesh& from, const Bounds& box);
+  explicit BoxCut(const SourceMesh& from);
 
   /// Takes a triangle of `from` over, as far as it lies in the box.
-  void add(const std::array<std::uint32_t, 3>& triangle);
+  void add(const std::array<std::uint32_t, 3>& triangle, const Bounds& box);
   SourceMesh take() { return std::move(mesh_); }
 
  private:
@@ -35,7 +35,6 @@ class BoxCut {
   void append(const Corner& corner);
 
   const SourceMesh& from_;
-  Bounds box_;
   SourceMesh mesh_;
   std::map<std::uint32_t, std::uint32_t> taken_;  // vertices that stay as they are
 };

@@ -2,6 +2,7 @@
 #include "precompute/geometry/place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/base/short_number.h"
@@ -13,8 +14,15 @@
 namespace fiatlux {
 namespace {
 
+constexpr double kLevelMount = 0.9;  // cos 26 degrees
+
 std::string textOf(const Vec3& p) {
   return shortNumber(p.x) + "," + shortNumber(p.y) + "," + shortNumber(p.z);
+}
+
+void include(const CubeGrid& grid, std::size_t cube, Bounds& box) {
+  const Vec3 corner = grid.cornerAt(grid.stepsOf(cube));
+  box.include(corner), box.include(corner + Vec3{grid.edge, grid.edge, grid.edge});
 }
 
 /// The cubes that stay.
@@ -33,10 +41,7 @@ Kept keptOf(const Spaces& spaces, std::uint32_t from, std::uint32_t openings) {
   for (std::size_t cube = 0; cube < grid.size(); ++cube) {
     kept.air[cube] = reached[spaces.of(cube)];
     if (!kept.air[cube]) continue;
-    auto steps = grid.stepsOf(cube);
-    kept.box.include(grid.cornerAt(steps));
-    for (int& step : steps) ++step;
-    kept.box.include(grid.cornerAt(steps));
+    include(grid, cube, kept.box);
   }
   return kept;
 }
@@ -75,6 +80,24 @@ class AtAir {
   std::vector<std::uint8_t> near_;
 };
 
+/// The box of the air that is kept beside a mesh, up to the middle of what bounds it.
+Bounds airBeside(const SourceMesh& mesh, const CubeGrid& grid, const std::vector<std::uint8_t>& air) {
+  std::vector<std::uint8_t> met(grid.size());
+  const auto meet = [&](std::size_t cube) {
+    met[cube] = 1;
+    return false;
+  };
+  for (const auto& t : mesh.triangles)
+    anyCube(grid, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], meet);
+  met = widened(grid, std::move(met), 1);
+  Bounds box;
+  for (std::size_t cube = 0; cube < grid.size(); ++cube)
+    if (met[cube] && air[cube]) include(grid, cube, box);
+  const Vec3 half = 0.5 * Vec3{grid.edge, grid.edge, grid.edge};
+  if (!box.empty()) box.low = box.low - half, box.high += half;
+  return box;
+}
+
 /// The meshes of a scene as far as they belong to the place; panes go to the lid, where there is one.
 std::vector<SourceMesh> touched(const SourceScene& source, const CubeGrid& grid, const Kept& kept, Lid* lid) {
   const AtAir isAtAir(grid, kept.air);
@@ -85,10 +108,16 @@ std::vector<SourceMesh> touched(const SourceScene& source, const CubeGrid& grid,
     const bool isGlass =
         mesh.material >= 0 &&
         source.materials[static_cast<std::size_t>(mesh.material)].alpha == SourceMaterial::Alpha::kBlend;
-    BoxCut rest(mesh, box);
+    // A ceiling goes on over walls, where no luminaire is to hang.
+    Bounds below = box;
+    if (mesh.extras.mount)
+      if (const Bounds beside = airBeside(mesh, grid, kept.air); !beside.empty())
+        below = {{beside.low.x, box.low.y, beside.low.z}, {beside.high.x, box.high.y, beside.high.z}};
+    BoxCut rest(mesh);
     for (const auto& t : mesh.triangles) {
       const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-      if (isAtAir(a, b, c) && !(isGlass && lid && lid->takePane(a, b, c))) rest.add(t);
+      if (isAtAir(a, b, c) && !(isGlass && lid && lid->takePane(a, b, c)))
+        rest.add(t, std::abs(normalized(cross(b - a, c - a)).y) > kLevelMount ? below : box);
     }
     meshes.push_back(rest.take());
     if (meshes.back().triangles.empty()) meshes.pop_back();

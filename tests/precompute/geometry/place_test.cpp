@@ -125,6 +125,22 @@ TEST(Place, HasNoFarSidesOfItsWalls) {
   EXPECT_EQ(away, 0);
 }
 
+TEST(Place, AMountEndsAtItsWalls) {
+  SourceScene source = rooms();
+  for (SourceMesh& mesh : source.meshes)
+    if (mesh.node == "ceiling") mesh.extras.mount = true;
+  keepPlace({kInFirst}, source);
+  RoomOptions options;
+  options.patch = 0.5, options.siteSpacing = options.siteSize = 1;
+  const auto room = buildRoom(source, options);
+  ASSERT_TRUE(room) << room.error().message;
+  ASSERT_GT(room->sites.size(), 0u);
+  for (const Site& site : room->sites) {
+    EXPECT_GE(site.position.x - 0.5, -1e-6);
+    EXPECT_LE(site.position.x + 0.5, kWide + 1e-6);
+  }
+}
+
 TEST(Place, ClosesItsOpeningsWithALid) {
   for (const Lid kind : {Lid::kDark, Lid::kWhite}) {
     SourceScene source = rooms();
