@@ -13,7 +13,7 @@ test('a name is read in the language of the page, alone, in a family and as a pa
     'working plane background',
     'constructor',
     'Fauteuil 2',
-    'room/floor',
+    'storey 1/room 2/floor',
   ];
   expect(names.map(surfaceText)).toEqual(names);
   await speak('de');
@@ -23,7 +23,7 @@ test('a name is read in the language of the page, alone, in a family and as a pa
     'Nutzebene, Hintergrund',
     'constructor',
     'Fauteuil 2',
-    'room/Fußboden',
+    'Geschoss 1/Raum 2/Fußboden',
   ]);
   expect(isFoundBy('schreib', 'desk 3') && isFoundBy('DESK', 'desk 3')).toBe(true);
   expect(isFoundBy('stuhl', 'desk 3')).toBe(false);

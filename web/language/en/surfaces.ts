@@ -1,4 +1,4 @@
-/** What the rooms of the site and of the room maker call their surfaces, and parts of a plane. */
+/** What the rooms of the site, of the room maker and of buildings call their surfaces, and parts of a plane. */
 const names = [
   'aisle',
   'armchair',
@@ -37,6 +37,7 @@ const names = [
   'free-standing wall back',
   'free-standing wall edges',
   'free-standing wall front',
+  'lid',
   'low block',
   'meeting table',
   'monitors',
@@ -49,6 +50,7 @@ const names = [
   'plinths',
   'posters',
   'reading place',
+  'room',
   'round table',
   'rug',
   'rugs',
@@ -59,9 +61,11 @@ const names = [
   'side table',
   'sideboard',
   'skirting',
+  'small things',
   'sofa',
   'still life',
   'stools',
+  'storey',
   'table',
   'table frames',
   'tables',
