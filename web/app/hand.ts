@@ -108,13 +108,20 @@ export class Hand {
     else this.#store.announcement.value = words.value.steps.noFurther(tag(luminaire));
   }
 
-  /** To the free site nearest to a typed place (m, in the room's axes); says so where that is somewhere else. */
+  /**
+   * To the site nearest to a typed place (m, in the room's axes) where it and all that go with it find free places; says so
+   * where that is somewhere else.
+   */
   moveNear(luminaire: number, place: Point3): void {
     const sites = this.#store.scene.peek()?.sites;
     const layout = this.#layout();
     if (!sites || !layout) return;
-    const taken = this.#taken(layout, luminaire);
-    const { site, distance: away } = nearestSite(sites, place, taken);
+    const refused = this.#taken(layout, luminaire);
+    const nearest = () => nearestSite(sites, place, refused);
+    let found = nearest();
+    for (; found.site >= 0 && !this.#mayGo(layout, luminaire, found.site); found = nearest())
+      refused.add(found.site);
+    const { site, distance: away } = found;
     if (site < 0) return;
     if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
     const apart = words.value.steps.apartFrom(fixed(away, 2));
@@ -249,6 +256,17 @@ export class Hand {
   #taken(layout: Layout, luminaire: number): Set<number> {
     const held = inHand(luminaire, this.#selected(layout));
     return takenSites(layout, held, this.#store.barred.peek());
+  }
+
+  /** Where a luminaire hangs, or would with all that go with it on free places. */
+  #mayGo(layout: Layout, luminaire: number, site: number): boolean {
+    const { scene, document, barred } = this.#store;
+    const positions = scene.peek()?.sites.position;
+    if (!positions || site === layout.sites[luminaire]) return true;
+    const rule = document.peek().luminaires.arrangement?.rule ?? 'free';
+    const sites = movedSites(layout, luminaire, site, rule, positions, this.#selected(layout));
+    const barredSites = new Set(barred.peek());
+    return sites !== null && sites.every((to, i) => to === layout.sites[i] || !barredSites.has(to));
   }
 
   #layout(): Layout | null {

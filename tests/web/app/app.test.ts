@@ -281,6 +281,16 @@ describe('a luminaire under the hand', () => {
     );
   });
 
+  test('that does not hang alone goes where all that go with it find a place, and says so', () => {
+    app.hand.pick(0, 'alone');
+    app.hand.pick(1, 'also');
+    app.hand.moveNear(0, [3, 3, 3]); // L2 would hang beside the room
+    expect(solver.last('solve')?.start?.sites.slice(0, 3)).toEqual([14, 15, 2]);
+    expect(app.store.messages.value.at(-1)?.text).toBe(
+      'L1 hangs at the nearest free place, 1.00 m from there.',
+    );
+  });
+
   test('takes along all that are selected, in one step, and shows where they go', () => {
     const { sites } = app.store.shown.value!.layout;
     expect(sites.slice(0, 3)).toEqual([0, 1, 2]);
