@@ -4,10 +4,10 @@
  */
 import type { Point3 } from '../document/plan-frame.ts';
 import { luminairesIn } from '../document/areas.ts';
-import { nearestSite, siteCount } from '../document/sites.ts';
+import { nearestSite, positionOf, siteCount } from '../document/sites.ts';
 import { renumbered } from '../document/reading-order.ts';
-import { heldTogether, inHand, movedSites, tiedTo } from '../document/ties.ts';
-import type { Layout, PlanArea } from '../document/types.ts';
+import { axisAfter, heldTogether, inHand, movedSites, tiedTo } from '../document/ties.ts';
+import type { Arrangement, Layout, PlanArea } from '../document/types.ts';
 import { nextFreeSite, takenSites } from '../viewer/luminaires/site-snapping.ts';
 import type { Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
@@ -64,10 +64,9 @@ export class Hand {
     const isGoingOn = isNear && this.#before?.luminaire === luminaire;
     const layout = isGoingOn ? this.#before!.layout : now; // who follows is chosen anew with each step
     this.#before = dragging && layout ? { luminaire, layout } : null;
-    const positions = this.#store.scene.peek()?.sites.position;
     const rule = this.#store.document.peek().luminaires.arrangement?.rule ?? 'free';
     const selected = this.#selected(layout);
-    const sites = layout && positions && movedSites(layout, luminaire, site, rule, positions, selected);
+    const sites = layout && this.#moved(layout, luminaire, site);
     this.#store.ghosts.value =
       dragging && sites ? sites.filter((to, i) => i !== luminaire && to !== layout.sites[i]) : [];
     if (!sites) {
@@ -81,16 +80,19 @@ export class Hand {
     const inIt = inHand(luminaire, selected);
     for (const i of inIt) toOf.set(now?.sites[i] ?? site, sites[i] ?? site);
     const held = new Set(heldTogether(layout, inIt, rule).map((i) => sites[i] ?? site));
+    const letGo = this.#letGo(layout.sites[luminaire] ?? site, site);
     this.#store.edit(
       words.value.steps.move(named(inIt)),
       (draft) => {
         const { pinned, excluded } = draft.luminaires;
         draft.luminaires.pinned = [...new Set([...pinned.map((other) => toOf.get(other) ?? other), ...held])];
         draft.luminaires.excluded = excluded.filter((other) => !held.has(other));
+        if (letGo) draft.luminaires.arrangement = letGo;
       },
       `move-${luminaire}`,
       { by: 'search', from: { ...layout, sites }, ...(isNear && { moved: inIt }) },
     );
+    if (letGo) this.#store.say('info', words.value.steps.offMiddle);
     if (dragging) return;
     this.#store.endGesture();
     this.#store.announcement.value = words.value.steps.pinnedNow(named(inIt));
@@ -119,8 +121,8 @@ export class Hand {
     const refused = this.#taken(layout, luminaire);
     const nearest = () => nearestSite(sites, place, refused);
     let found = nearest();
-    for (; found.site >= 0 && !this.#mayGo(layout, luminaire, found.site); found = nearest())
-      refused.add(found.site);
+    const mayGo = (to: number) => to === layout.sites[luminaire] || this.#moved(layout, luminaire, to);
+    for (; found.site >= 0 && !mayGo(found.site); found = nearest()) refused.add(found.site);
     const { site, distance: away } = found;
     if (site < 0) return;
     if (site !== layout.sites[luminaire]) this.moveTo(luminaire, site, false);
@@ -258,15 +260,27 @@ export class Hand {
     return takenSites(layout, held, this.#store.barred.peek());
   }
 
-  /** Where a luminaire hangs, or would with all that go with it on free places. */
-  #mayGo(layout: Layout, luminaire: number, site: number): boolean {
+  /** The sites after a luminaire has gone to one with all that go with it; null where one of these finds no free place. */
+  #moved(layout: Layout, luminaire: number, site: number): number[] | null {
     const { scene, document, barred } = this.#store;
     const positions = scene.peek()?.sites.position;
-    if (!positions || site === layout.sites[luminaire]) return true;
+    if (!positions) return null;
     const rule = document.peek().luminaires.arrangement?.rule ?? 'free';
     const sites = movedSites(layout, luminaire, site, rule, positions, this.#selected(layout));
-    const barredSites = new Set(barred.peek());
-    return sites !== null && sites.every((to, i) => to === layout.sites[i] || !barredSites.has(to));
+    const keptFree = new Set(barred.peek());
+    return sites?.every((to, i) => to === layout.sites[i] || !keptFree.has(to)) ? sites : null;
+  }
+
+  /** What is asked of a field that is put elsewhere: it need no longer be in the middle; null where nothing changes. */
+  #letGo(from: number, to: number): Arrangement | null {
+    const { arrangement } = this.#store.document.peek().luminaires;
+    const sites = this.#store.scene.peek()?.sites;
+    if (arrangement?.rule !== 'field' || !arrangement.axis || !sites) return null;
+    const start = positionOf(sites, from);
+    const way = positionOf(sites, to).map((value, i) => value - start[i]!);
+    const axis = axisAfter(arrangement.axis, way);
+    if (axis === arrangement.axis) return null;
+    return { rule: 'field', ...(axis !== 'found' && { axis }) };
   }
 
   #layout(): Layout | null {

@@ -2,7 +2,7 @@
  * Luminaires that move together: rows and fields as they are, without turning, a mirrored pair in the mirror; and those
  * that are selected together with all that are tied to them.
  */
-import type { Layout, Rule } from './types.ts';
+import type { Layout, PlanAxis, Rule } from './types.ts';
 
 const samePlace = 0.02; // m
 
@@ -58,6 +58,15 @@ export function movedSites(
   }
   if (new Set(next).size < next.length) return null;
   return rule === 'symmetric' ? withImages(layout, held, way, next, positions) : next;
+}
+
+/** About which lines a field in the middle of its places is still mirrored where it has gone some way (x, y, z, m). */
+export function axisAfter(axis: PlanAxis, way: readonly number[]): PlanAxis {
+  const hasGone = (along: 0 | 2) => Math.abs(way[along] ?? 0) > samePlace;
+  const isAboutX = (axis === 'x' || axis === 'both') && !hasGone(2); // a line along x
+  const isAboutZ = (axis === 'z' || axis === 'both') && !hasGone(0);
+  if (isAboutX && isAboutZ) return 'both';
+  return isAboutX ? 'x' : isAboutZ ? 'z' : 'found';
 }
 
 /** Also with the mirror images of those that have gone, where they find places. */

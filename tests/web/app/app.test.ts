@@ -281,7 +281,16 @@ describe('a luminaire under the hand', () => {
     );
   });
 
-  test('that does not hang alone goes where all that go with it find a place, and says so', () => {
+  test('can be told that a place stays free', () => {
+    const site = app.store.shown.value!.layout.sites[0]!;
+    app.hand.exclude(site);
+    settle();
+    expect(app.store.shown.value?.layout.sites).not.toContain(site);
+  });
+});
+
+describe('a luminaire that does not hang alone', () => {
+  test('goes where all that go with it find a place, and says so', () => {
     app.hand.pick(0, 'alone');
     app.hand.pick(1, 'also');
     app.hand.moveNear(0, [3, 3, 3]); // L2 would hang beside the room
@@ -289,6 +298,19 @@ describe('a luminaire under the hand', () => {
     expect(app.store.messages.value.at(-1)?.text).toBe(
       'L1 hangs at the nearest free place, 1.00 m from there.',
     );
+  });
+
+  test('takes a field along, which then need not be in the middle any more, and says so once', () => {
+    app.store.edit('a field in the middle', ({ luminaires }) => {
+      luminaires.arrangement = { rule: 'field', axis: 'both' };
+    });
+    const said = () => app.store.messages.value.filter(({ text }) => text.includes('no longer kept'));
+    for (const site of [12, 13]) viewer.events.luminaireDragged(2, site); // along z, then along x
+    expect(app.store.document.value.luminaires.arrangement).toEqual({ rule: 'field' });
+    viewer.events.luminaireDropped(2, 13);
+    expect(said()).toHaveLength(1);
+    app.undo();
+    expect(app.store.document.value.luminaires.arrangement).toEqual({ rule: 'field', axis: 'both' });
   });
 
   test('takes along all that are selected, in one step, and shows where they go', () => {
@@ -327,13 +349,6 @@ describe('a luminaire under the hand', () => {
     app.undo();
     app.hand.pickIn(null);
     expect(app.store.luminaires.value).toHaveLength(count);
-  });
-
-  test('can be told that a place stays free', () => {
-    const site = app.store.shown.value!.layout.sites[0]!;
-    app.hand.exclude(site);
-    settle();
-    expect(app.store.shown.value?.layout.sites).not.toContain(site);
   });
 });
 

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
+import { axisAfter, heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
 
 // A line of five places, 0.6 m apart, and one of them 2 m beside it.
 const positions = Float32Array.from([0, 1, 2, 3, 4].flatMap((i) => [0.6 * i, 3, 0]).concat([0, 3, 2]));
@@ -39,4 +39,17 @@ test('the image of a mirrored luminaire goes the mirrored way, and stays where t
   expect(movedSites(pair, 1, 3, 'symmetric', positions)).toEqual([1, 3]);
   expect(movedSites(pair, 0, 2, 'symmetric', positions)).toEqual([2, 4]); // both would hang there
   expect(movedSites(pair, 0, 5, 'symmetric', positions)).toEqual([5, 4]);
+});
+
+test('a field in the middle is in the middle still where it has not gone', () => {
+  const [alongX, alongZ] = [
+    [0.6, 0, 0],
+    [0, 0, -0.6],
+  ];
+  expect(axisAfter('both', alongX)).toBe('x'); // mirrored about a line along x as before
+  expect(axisAfter('both', alongZ)).toBe('z');
+  expect(axisAfter('both', [0.6, 0, 0.6])).toBe('found');
+  expect(axisAfter('z', alongX)).toBe('found');
+  expect(axisAfter('z', alongZ)).toBe('z');
+  expect(axisAfter('both', [0, 0, 0.001])).toBe('both');
 });

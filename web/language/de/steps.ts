@@ -69,6 +69,7 @@ export const steps: Words['steps'] = {
   noFurther: (name) => `${name} kann nicht weiter in diese Richtung.`,
   apartFrom: (distance) => `${distance} m davon entfernt`,
   nearest: (name, apart) => `${name} hängt am nächsten freien Platz, ${apart}.`,
+  offMiddle: 'Das Feld hängt, wo es hingesetzt wurde, und wird nicht mehr in der Mitte gehalten.',
   anyType: 'beliebigem Typ',
   typed: (name, type) => `${name} von ${type}`,
   lastStays: 'Die letzte Leuchte bleibt: Ohne sie gibt es kein Licht.',

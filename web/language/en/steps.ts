@@ -68,6 +68,7 @@ export const steps = {
   noFurther: (name: string) => `${name} cannot go further that way.`,
   apartFrom: (distance: string) => `${distance} m from there`,
   nearest: (name: string, apart: string) => `${name} hangs at the nearest free place, ${apart}.`,
+  offMiddle: 'The field is where you put it, and no longer kept in the middle.',
   anyType: 'any type',
   typed: (name: string, type: string) => `${name} of ${type}`,
   lastStays: 'The last luminaire stays: there is no light without one.',
