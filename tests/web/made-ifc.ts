@@ -8,6 +8,8 @@
 export interface IfcWish {
   readonly hasGeometry?: boolean;
   readonly hasSpaces?: boolean;
+  /** The older one puts an assignment between an item and its style, and has walls of a standard kind. */
+  readonly schema?: 'IFC4' | 'IFC2X3';
 }
 
 const height = 2600; // mm, of a space
@@ -22,13 +24,13 @@ class Lines {
     return `#${this.#lines.length}`;
   }
 
-  text(): string {
+  text(schema: string): string {
     const head = [
       'ISO-10303-21;',
       'HEADER;',
       "FILE_DESCRIPTION(('ViewDefinition [CoordinationView]'),'2;1');",
       "FILE_NAME('made.ifc','2024-01-01T00:00:00',(''),(''),'','','');",
-      "FILE_SCHEMA(('IFC4'));",
+      `FILE_SCHEMA(('${schema}'));`,
       'ENDSEC;',
       'DATA;',
     ];
@@ -42,6 +44,7 @@ const listed = (numbers: readonly number[]) => `(${numbers.map((number) => `${nu
 class MadeBuilding {
   readonly #lines = new Lines();
   readonly #wish: Required<IfcWish>;
+  readonly #isOld: boolean;
   readonly #up = this.#lines.add('IFCDIRECTION((0.,0.,1.))');
   readonly #axes = this.#lines.add(`IFCAXIS2PLACEMENT3D(${this.#point([0, 0, 0])},$,$)`);
   readonly #context = this.#lines.add(`IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,${this.#axes},$)`);
@@ -50,7 +53,8 @@ class MadeBuilding {
   #count = 0;
 
   constructor(wish: IfcWish) {
-    this.#wish = { hasGeometry: true, hasSpaces: true, ...wish };
+    this.#wish = { hasGeometry: true, hasSpaces: true, schema: 'IFC4', ...wish };
+    this.#isOld = this.#wish.schema === 'IFC2X3';
   }
 
   text(): string {
@@ -76,14 +80,21 @@ class MadeBuilding {
       lines.add(`IFCRELAGGREGATES(${this.#id()},$,$,$,${parent},(${all.join(',')}))`);
     for (const [parent, all] of this.#contents)
       lines.add(`IFCRELCONTAINEDINSPATIALSTRUCTURE(${this.#id()},$,$,$,(${all.join(',')}),${parent})`);
-    return lines.text();
+    return lines.text(this.#wish.schema);
   }
 
   /** note: solids stand on a storey's floor; z is upwards. */
   #room(own: string, x: number, level: number, paint: string, matt: string, concrete: string): void {
     const z = level * storey;
+    const of = (title: string) => `ID,$,'${title}',$,$,AT,SHAPE,$`;
     const wall = (title: string, from: Vec, size: Vec) =>
-      this.#element(own, `IFCWALL(ID,$,'${title}',$,$,AT,SHAPE,$,$)`, from, size, paint);
+      this.#element(
+        own,
+        this.#isOld ? `IFCWALLSTANDARDCASE(${of(title)})` : `IFCWALL(${of(title)},$)`,
+        from,
+        size,
+        paint,
+      );
     wall('West wall', [x - 200, 0, z], [200, 5000, height]);
     wall('East wall', [x + 4000, 0, z], [200, 5000, height]);
     wall('South wall', [x - 200, -200, z], [4400, 200, height]);
@@ -123,7 +134,9 @@ class MadeBuilding {
     const axes = this.#lines.add(`IFCAXIS2PLACEMENT2D(${middle},$)`);
     const profile = this.#lines.add(`IFCRECTANGLEPROFILEDEF(.AREA.,$,${axes},${wide}.,${deep}.)`);
     const solid = this.#lines.add(`IFCEXTRUDEDAREASOLID(${profile},${this.#axes},${this.#up},${high}.)`);
-    if (style) this.#lines.add(`IFCSTYLEDITEM(${solid},(${style}),$)`);
+    const assigned =
+      style && this.#isOld ? this.#lines.add(`IFCPRESENTATIONSTYLEASSIGNMENT((${style}))`) : style;
+    if (assigned) this.#lines.add(`IFCSTYLEDITEM(${solid},(${assigned}),$)`);
     const body = this.#lines.add(`IFCSHAPEREPRESENTATION(${this.#context},'Body','SweptSolid',(${solid}))`);
     return this.#lines.add(`IFCPRODUCTDEFINITIONSHAPE($,$,(${body}))`);
   }

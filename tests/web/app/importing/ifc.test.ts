@@ -92,6 +92,14 @@ test('names of styles and materials are kept, a reflectance for lighting comes b
   expect(materials.get('Concrete')).toBeNull();
 });
 
+test('a file of the older schema holds the same', () => {
+  const [older, newer] = (['IFC2X3', 'IFC4'] as const).map((schema) => building(madeIfc({ schema })));
+  expect(placesOf(older!)).toEqual(placesOf(newer!));
+  const materials = [older, newer].map((made) => materialsOf(glbOfPlace(made!, placesOf(made!)[2]!)!));
+  expect(materials[0]).toEqual(materials[1]);
+  expect(sizeOf(taken(older!, 'Hall'))).toEqual(sizeOf(taken(newer!, 'Hall')));
+});
+
 test('a space that a file does not have is not asked for', () => {
   const kinds = placesOf(building(madeIfc({ hasSpaces: false }))).map(({ kind }) => kind);
   expect(kinds).toEqual(['building', 'storey', 'storey']);

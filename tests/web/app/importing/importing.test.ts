@@ -41,6 +41,8 @@ describe('a zip', () => {
   test('gives its model with what that names', async () => {
     const files = await unzippedModel(zip({ 'a/room.obj': 'v 0 0 0', 'a/room.mtl': '', 'readme.txt': 'x' }));
     expect(files?.map(({ name }) => name).sort()).toEqual(['room.mtl', 'room.obj']);
+    const ifc = await unzippedModel(zip({ 'house.ifc': 'ISO-10303-21;' })); // an .ifczip
+    expect(ifc?.map(({ name }) => name)).toEqual(['house.ifc']);
   });
 
   test('without a model is none of ours', async () => {
