@@ -4,6 +4,7 @@
 // Only dual values are told, never an unconverged primal one.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -43,7 +44,10 @@ class OptimumBound {
 
   /// Takes away the last and longest stage, PairBound's, to be gone through elsewhere; nothing where there is
   /// none. Precondition: advance() has not come to it.
-  std::optional<PairGoal> takePairs() { return std::exchange(pairGoal_, std::nullopt); }
+  std::optional<PairGoal> takePairs() {
+    assert(!pairs_);
+    return std::exchange(pairGoal_, std::nullopt);
+  }
   /// Takes what PairBound has proved of them there; goal() stays the best that is known.
   void provedByPairs(double goal);
   /// Was goal() proved by pairs of luminaires?

@@ -3,6 +3,7 @@
 // too; of fields all may have been tried.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,7 +34,10 @@ class LayoutBound {
   /// As OptimumBound::takePairs.
   std::optional<PairGoal> takePairs() { return parts_.size() == 1 ? parts_[0]->takePairs() : std::nullopt; }
   /// As OptimumBound's. Precondition: takePairs() has given some.
-  void provedByPairs(double goal) { parts_[0]->provedByPairs(goal); }
+  void provedByPairs(double goal) {
+    assert(parts_.size() == 1);
+    parts_[0]->provedByPairs(goal);
+  }
   /// As OptimumBound::within.
   std::optional<double> within(const Evaluation& evaluation) const;
 

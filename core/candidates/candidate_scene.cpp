@@ -164,6 +164,7 @@ RoomView CandidateScene::view() const {
 }
 
 std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
+  assert(left_.empty());
   if (observers.empty()) return {};
   const auto isOf = [](const ObserverRows& rows, const Observer& observer) {
     return rows.observer == observer;
@@ -194,6 +195,7 @@ std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& ob
 }
 
 Result<std::vector<PlaneLight>> CandidateScene::planesOf(const std::vector<PlaneWish>& wishes) const {
+  assert(left_.empty());
   if (wishes.empty()) return std::vector<PlaneLight>();
   for (const PlaneWish& wish : wishes)
     if (Result<Done> ok = checkPlane(*room_, wish.surface); !ok) return ok.error();

@@ -2,6 +2,7 @@
 #include "core/scene/stored_statistics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -77,6 +78,7 @@ void StatisticsInTurn::addChunk(std::size_t count) {
 }
 
 SurfaceStatistics StatisticsInTurn::take() {
+  assert(taken_ == rows_.size());
   const std::size_t m = responses_.sites;
   statistics_.covariance.resize(m * m);
   for (std::size_t i = 0; i < m; ++i)

@@ -2,9 +2,11 @@
 #include "core/search/near_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/search/identity.h"
+#include "core/search/shown.h"
 #include "core/search/start_layout.h"
 #include "core/search/steady.h"
 
@@ -196,6 +198,7 @@ void exchange(const Choices& choices, const std::vector<std::uint32_t>& neighbou
 std::unique_ptr<LayoutSearch> searchNear(PreparedScene& prepared, const Intentions& intentions,
                                          std::uint64_t seed, const Layout& start,
                                          const std::vector<std::uint32_t>& moved) {
+  assert(!start.sites.empty() && checkLayout(prepared.scene(), start));
   if (intentions.luminaires.arrangement.rule != Rule::kFree ||
       start.sites.size() < intentions.luminaires.count || start.sites.size() > mostOf(intentions.luminaires))
     return nullptr;

@@ -2,6 +2,7 @@
 #include "core/search/prepared_scene.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/search/kernels.h"
@@ -148,6 +149,7 @@ std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quant
 }
 
 bool PreparedScene::prepare(Quantity quantity, const SurfaceSet& surfaces, std::size_t rows) {
+  assert(!isTied());
   const bool hasCovariance = !leafStatistics(scene_, quantity)[0].covariance.empty();
   if (hasCovariance || isFactored(quantity) || entryOf(quantity, surfaces)) return true;
   if (!begun_ || begun_->quantity != quantity || begun_->surfaces != surfaces)
@@ -232,6 +234,7 @@ std::shared_ptr<const KernelStatistics> PreparedScene::rowOf(const std::vector<d
 }
 
 std::uint32_t PreparedScene::inWayOf(std::uint32_t like, std::uint32_t there) const {
+  assert(!isTied() && !scene_.hangings.empty());
   const auto found = inWay_.find(keyOf(scene_.hangings[there].place, scene_.hangings[like].way));
   return found == inWay_.end() ? kNone : found->second;
 }
@@ -242,6 +245,7 @@ double PreparedScene::distance(std::uint32_t a, std::uint32_t b) const {
 }
 
 std::shared_ptr<PreparedScene> PreparedScene::tied(const Ties& ties) {
+  assert(!isTied());
   std::size_t entries = ties.members.size() * ties.members.size();
   for (const std::shared_ptr<PreparedScene>& known : tied_) {
     if (known->ties_.key == ties.key) return known;
@@ -253,6 +257,7 @@ std::shared_ptr<PreparedScene> PreparedScene::tied(const Ties& ties) {
 }
 
 const SiteGrid& PreparedScene::grid() {
+  assert(!isTied());
   if (!grid_) grid_.emplace(scene_);
   return *grid_;
 }

@@ -3,6 +3,7 @@
 // ones.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -124,7 +125,10 @@ class PreparedScene {
     return gap <= 0 || gap < minDistance;
   }
   /// Ties that share a site with one or run into it, itself included. Precondition: isTied().
-  const std::vector<std::uint32_t>& overlapping(std::uint32_t tie) const { return overlapping_[tie]; }
+  const std::vector<std::uint32_t>& overlapping(std::uint32_t tie) const {
+    assert(isTied());
+    return overlapping_[tie];
+  }
   /// The least distance within a candidate, m; infinite for a single site, 0 where its bodies collide.
   double innerDistance(std::uint32_t candidate) const { return innerDistance_[candidate]; }
 

@@ -217,6 +217,7 @@ Shown shownOf(PreparedScene& prepared, const Intentions& intentions, const Layou
 
 std::vector<ConstraintReading> constraintReadings(PreparedScene& prepared, const Intentions& intentions,
                                                   const Layout& layout) {
+  assert(checkLayout(prepared.scene(), layout) && checkIntentions(prepared.scene(), intentions));
   return readConstraints(LitEitherWay(prepared, layout), intentions);
 }
 

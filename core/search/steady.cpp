@@ -2,11 +2,13 @@
 #include "core/search/steady.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/search/evaluator.h"
+#include "core/search/shown.h"
 
 namespace fiatlux {
 namespace {
@@ -94,6 +96,7 @@ class Recall {
 
 Steadied steadied(PreparedScene& prepared, const Intentions& intentions, const Layout& best,
                   const Layout& before) {
+  assert(checkLayout(prepared.scene(), best) && checkLayout(prepared.scene(), before));
   const LuminaireRules& rules = intentions.luminaires;
   Recall recall(prepared, intentions, best, before);
   const bool isFree = rules.arrangement.rule == Rule::kFree && rules.flux.size() == 1;

@@ -2,6 +2,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/alpha/guarantees.h"
@@ -141,6 +142,7 @@ void Session::adopt(std::unique_ptr<Scene> scene, Session* room) {
 }
 
 std::shared_ptr<const PhotometricLight> Session::photometricLight() {
+  assert(scene_ && scene_->lightOperator);
   if (!light_) light_ = std::make_shared<const PhotometricLight>(*scene_);
   return light_;
 }
@@ -332,6 +334,7 @@ Result<Shown> Session::show(const Layout& layout) {
 }
 
 std::shared_ptr<const CalculationGrids> Session::grids() {
+  assert(scene_);
   if (!grids_) grids_ = std::make_shared<const CalculationGrids>(*scene_);
   return grids_;
 }
