@@ -52,7 +52,10 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
     .click({ position: { x: 260, y: 300 } });
   await expect(page.getByText('Only the room that was clicked is lit.')).toBeVisible();
   await expect(size).not.toContainText('12.60', { timeout: 60_000 });
-  await page.getByRole('button', { name: 'Closed, dark' }).click();
+  await page
+    .getByRole('group', { name: 'Close its doors and windows' })
+    .getByRole('button', { name: 'Dark' })
+    .click();
   await expect(page.getByRole('checkbox', { name: 'roof/underside' })).toHaveCount(0);
   expect(await violations(page)).toEqual([]);
 });
