@@ -139,24 +139,67 @@ test('a spot that is aimed is brightest where it is aimed', () => {
   expect(aimed[40]).toBeGreaterThan(3 * shown.illuminance[40]!);
 });
 
-/** How near to its aim the best layout of two luminaires comes, every one of them tried. */
-function bestOfAll(types: readonly LuminaireType[]): number {
-  const session = sessionOf(types);
-  const hung = sites.flatMap((site) => types.map((type) => [site, type] as const));
-  const pairs = hung.flatMap((a, i) => hung.slice(i + 1).map((b) => [a, b] as const));
-  const apart = pairs.filter(([a, b]) => a[0] !== b[0]);
-  return Math.min(...apart.map((pair) => light(session, layoutOf(pair)).goals[0] ?? Infinity));
+/** How near to its aim the best layout of so many luminaires comes, every one of them tried. */
+function bestOfAll(types: readonly LuminaireType[], count: number): number {
+  const session = sessionOf(types, count);
+  const best = (hung: readonly (readonly [number, LuminaireType])[], from: number): number => {
+    if (hung.length === count) return light(session, layoutOf(hung)).goals[0] ?? Infinity;
+    const more = sites
+      .slice(from)
+      .flatMap((site, i) => types.map((type) => best([...hung, [site, type]], from + i + 1)));
+    return Math.min(...more);
+  };
+  return best([], 0);
 }
 
-test('place and type are found together, as well as by trying everything', () => {
-  const [spots, panels, both] = [[spot], [panel], [spot, panel]].map(bestOfAll);
+test.each([1, 2, 3])('place and type of %i are found together, as well as by trying everything', (count) => {
+  const [spots, panels, both] = [[spot], [panel], [spot, panel]].map((types) => bestOfAll(types, count));
   expect(both).toBeLessThanOrEqual(Math.min(spots!, panels!));
-  const session = sessionOf([spot, panel]);
+  const session = sessionOf([spot, panel], count);
   expect(session.start(3)).toBe('');
   session.advance(20_000);
   const found = valid(session.incumbent());
   expect(found.goals[0]).toBeCloseTo(both!, 6);
-  expect(new Set(found.layout.sites).size).toBe(2);
+  expect(new Set(found.layout.sites).size).toBe(count);
+});
+
+test('a slider of paint that comes back to where it was brings back the light, patch by patch', () => {
+  const candidates = candidatesOf([spot], () => undefined, scene).filter(({ site }) => sites.includes(site));
+  const [leaf, wall] = [...scene.surfaces.entries()].find(([, { measuring }]) => !measuring)!;
+  const asked = coreIntentions(
+    {
+      quantity: 'illuminance',
+      luminaires: { count: 2, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 },
+      goals: [],
+      constraints: [],
+    },
+    scene.surfaces,
+  );
+  const lightOf = (paint: readonly number[]) => {
+    const base = new core.Candidates();
+    beginCandidates(base, room, candidates, fileOf);
+    while (!base.advance(5)) continue;
+    const painted = new core.Candidates();
+    expect(painted.beginPainted(base, room, Float64Array.from(paint))).toBe('');
+    while (!painted.advance(5)) continue;
+    const session = new core.Session();
+    expect(session.adopt(painted, asked)).toBe('');
+    for (const each of [base, painted]) each.delete();
+    const mounted = new MountedSession(session, candidates);
+    expect(mounted.setIntentions(asked)).toBe('');
+    return light(
+      mounted,
+      layoutOf([
+        [8, spot],
+        [21, spot],
+      ]),
+    ).illuminance;
+  };
+  const before = lightOf([]);
+  const lighter = lightOf([leaf, 0.9]);
+  const back = lightOf([leaf, wall.reflectance]);
+  expect(Math.max(...lighter.map((value, p) => value / before[p]!))).toBeGreaterThan(1.01);
+  back.forEach((value, p) => expect(Math.abs(value - before[p]!)).toBeLessThanOrEqual(1e-6 * before[p]!));
 });
 
 test('counts of types are kept, and a luminaire is of the type that it must be', () => {
