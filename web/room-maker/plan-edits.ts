@@ -4,6 +4,8 @@ import { mostCorners, mostItems, type Item, type Opening, type Point, type RoomP
 
 const leastWall = 0.05; // m
 const wallGap = 0.02; // m between a wall and rows that had to move
+const midSteps = 50; // mm, and how many of them at most, of the way to the middle
+const mostMidSteps = 400;
 const mostSteps = 40; // each way, of the places that are tried for them
 
 const at = <T>(list: readonly T[], index: number): T => list[(index + list.length) % list.length] as T;
@@ -155,7 +157,19 @@ function turnedBy(turn: number): (point: Point) => Point {
   return ([u, v]) => [c * u + s * v, -s * u + c * v];
 }
 
-/** The shortest way by which rows come to stand in the room; none where they do, or cannot. */
+/** The middle of all that fits along a direction around `from`, which does. */
+function midway(from: Point, [u, v]: Point, fits: (way: Point) => boolean): Point {
+  const at = (step: number): Point => [
+    toMillimetres(from[0] + (step * u * midSteps) / 1000),
+    toMillimetres(from[1] + (step * v * midSteps) / 1000),
+  ];
+  let [low, high] = [0, 0];
+  while (low > -mostMidSteps && fits(at(low - 1))) low--;
+  while (high < mostMidSteps && fits(at(high + 1))) high++;
+  return at(Math.round((low + high) / 2));
+}
+
+/** The shortest way by which rows come to stand in the room, midway between its walls; none where they do, or cannot. */
 function wayIntoRoom({ outline }: RoomPlan, { x, z, turn, size: [w, d] }: Item, rows: Rows): Point {
   const [left, far] = [-w / 2, -d / 2];
   const right = (rows.across - 1) * rows.acrossPitch + w / 2;
@@ -176,7 +190,10 @@ function wayIntoRoom({ outline }: RoomPlan, { x, z, turn, size: [w, d] }: Item, 
     return Array.from({ length: 2 * count + 1 }, (_, i) => toMillimetres((i - count) * step));
   };
   const ways = steps(reach[0]!).flatMap((dx) => steps(reach[1]!).map((dz): Point => [dx, dz]));
-  return ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b)).find(fits) ?? [0, 0];
+  const shortest = ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b)).find(fits);
+  if (!shortest) return [0, 0];
+  const across = shortest[0] === 0 ? shortest : midway(shortest, [1, 0], fits);
+  return shortest[1] === 0 ? across : midway(across, [0, 1], fits);
 }
 
 /** With one more measuring plane around a point, as high as the working plane. */
