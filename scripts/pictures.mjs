@@ -124,12 +124,12 @@ try {
       await jpeg(page, `public/thumbnails/${colorScheme}/${id}.jpg`, width, height, largest);
     }
   };
-  for (const { id, title } of catalog.filter((entry) => wanted(entry.id))) {
-    await openEntry(page, title);
+  for (const { id, said } of catalog.filter((entry) => wanted(entry.id))) {
+    await openEntry(page, said.en.title);
     await inBothSchemes(id, 480, 300, 30_000);
   }
-  for (const { id, title } of experiments.filter((entry) => wanted(entry.id))) {
-    await openEntry(page, title);
+  for (const { id, said } of experiments.filter((entry) => wanted(entry.id))) {
+    await openEntry(page, said.en.title);
     if (id === '5.4-find-alpha') await findAlpha(page);
     await inBothSchemes(id, 320, 200, 12_000);
     await jpeg(page, `docs/experiments/${id}.jpg`, 960, 600, 80_000); // dark, as the last of the two

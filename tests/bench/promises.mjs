@@ -200,7 +200,7 @@ function section(result) {
     );
   const rest = misses.length > 12 ? [`- and ${misses.length - 12} more, each missing less often`] : [];
   return [
-    `## ${result.room.title}`,
+    `## ${result.room.said.en.title}`,
     '',
     `${result.info.patches} patches, ${result.info.sites} sites, ${result.info.surfaces.length} surfaces; ` +
       `\`${result.room.precompute.join(' ')}\`.`,
@@ -231,9 +231,9 @@ does the app under "About this room".
 `;
 
 const document = path.join(root, 'docs/fidelity.md');
-const heading = (room) => `## ${room.title}\n`;
+const heading = (room) => `## ${room.said.en.title}\n`;
 /** Made by photometry-fidelity.mjs. */
-const photometry = { title: 'Luminaires of photometric files' };
+const photometry = { said: { en: { title: 'Luminaires of photometric files' } } };
 
 /** A room's section as the document has it. */
 function written(text, room) {
