@@ -99,26 +99,28 @@ function valid<T extends object | number>(value: T | string): T {
   return value;
 }
 
-const tellsOfMemory = '--memory allows'; // in a refusal of the pipeline
+const tellsOfMemory = '--memory allows'; // in a refusal of the pipeline, before anything is computed
 
 /** Whether memory is what is missing, so that larger patches would help. */
 function isTooLarge(error: unknown): boolean {
   const what = reasonOf(error);
-  return error instanceof Refusal ? what.includes(tellsOfMemory) : ranOut(what);
+  return ranOut(what) || (error instanceof Refusal && what.includes(tellsOfMemory));
 }
 
+/** Of the module's own refusals as of the browser's. */
 const ranOut = (what: string) =>
-  /memory|allocation|OOM|bad_alloc/i.test(what) && !/out of bounds/i.test(what);
+  /not enough memory|out of memory|allocat|OOM|bad_alloc|grow memory/i.test(what) &&
+  !/out of bounds/i.test(what);
 
 /** One line for a person. The pipeline speaks of the command's options, which a page does not have. */
 function lineOf(error: unknown): string {
-  if (error instanceof Refusal)
-    return error.message.includes(tellsOfMemory)
-      ? error.message
-          .replace(tellsOfMemory, 'a page may use')
-          .replace(/pass [^;]*$/, 'take larger patches, make the room smaller, or use the command')
-      : error.message.replace(/pass fewer --rays/, 'make the room smaller, or use the command');
   const what = reasonOf(error);
   if (ranOut(what)) return 'not enough memory in this browser: close other pages, or take larger patches';
-  return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
+  if (!(error instanceof Refusal))
+    return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
+  return what.includes(tellsOfMemory)
+    ? what
+        .replace(tellsOfMemory, 'a page may use')
+        .replace(/pass [^;]*$/, 'take larger patches, make the room smaller, or use the command')
+    : what.replace(/pass fewer --rays/, 'make the room smaller, or use the command');
 }

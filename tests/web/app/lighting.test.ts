@@ -169,7 +169,7 @@ describe('a model that is understood in another way', () => {
     });
     expect(models.slice(0, 2)).toEqual([model, model]); // a draft, and in full
     const { nodes } = JSON.parse(readContainer(models.at(-1)!.bytes).text);
-    expect(nodes).toEqual([{ name: 'plane 1', mesh: 0, extras: { fiatlux: { measure: true } } }]);
+    expect(nodes).toEqual([{ name: 'plane 1', mesh: 0, extras: { fiatlux: { measure: true, border: 0 } } }]);
     expect(placed[1]).toMatchObject({ room: 'a.flux', scene: 'c'.repeat(16), cards: wish });
   });
 });
@@ -178,7 +178,9 @@ test('where memory runs out the preview stays, and larger patches are offered un
   const { store, placed, room, built, lighting } = lightingOf(draft);
   room.isFullTooLarge = true;
   const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
-  await lighting.light(model);
+  const lit = lighting.light(model);
+  expect(store.lighting.value).toMatchObject({ stage: 'reading', fault: null }); // at once: no note of a stop
+  await lit;
   expect(placed).toHaveLength(1);
   expect(store.lighting.value).toMatchObject({
     pass: 'full',

@@ -85,6 +85,7 @@ export class Lighting {
       turn: this.#placing.turn,
       isAgain: this.#model === model && this.#isOnScreen(),
     });
+    this.#store.lighting.value = begunOf(model, 'draft');
     this.#model = model;
     if (!running.isAgain) this.#modelOf = null;
     this.#choices = choices ?? usualChoices;
@@ -203,8 +204,8 @@ export class Lighting {
   ): Promise<Built> {
     const { lighting } = this.#store;
     const left = new TimeLeft(performance.now());
-    const begun = { name: model.name, pass, fault: null };
-    lighting.value = { ...begun, stage: 'reading', share: 0, secondsLeft: null };
+    const begun = begunOf(model, pass);
+    lighting.value = begun;
     const tell = ({ stage, share }: Pick<LightingState, 'stage' | 'share'>) => {
       if (signal.aborted) return;
       const furthest = Math.max(share, lighting.peek()?.share ?? 0);
@@ -335,6 +336,15 @@ export class Lighting {
     this.#store.say('warning', words.value.opening.about(title, sentence(said)));
   }
 }
+
+const begunOf = ({ name }: Model, pass: LightingState['pass']): LightingState => ({
+  name,
+  pass,
+  stage: 'reading',
+  share: 0,
+  secondsLeft: null,
+  fault: null,
+});
 
 /** What a link calls a room that was made of this file. */
 const roomOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '.flux');
