@@ -109,10 +109,18 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }
 
-const hiddenText = (scene: SceneInfo) =>
-  hiddenAreas(scene)
-    .map(({ name, area }) => `${surfaceText(name)} ${shortest(Number(area.toPrecision(2)))} m²`)
-    .join(', ');
+/** Where most of it is: a report has no lines for each desk's hundredth of a square metre. */
+function hiddenText(scene: SceneInfo): string {
+  const areas = hiddenAreas(scene);
+  const least = 0.01 * areas.reduce((sum, { area }) => sum + area, 0);
+  const named = areas.filter(({ area }) => area >= least);
+  const texts = named.map(
+    ({ name, area }) => `${surfaceText(name)} ${shortest(Number(area.toPrecision(2)))} m²`,
+  );
+  const others = areas.length - named.length;
+  if (others > 0) texts.push(words.value.results.room.more(others));
+  return texts.join(', ');
+}
 
 /** A small share in percent, to two digits. */
 export function fine(value: number): string {

@@ -97,6 +97,15 @@ describe('the room', () => {
     const { name } = scene.surfaces[first!]!;
     expect(hiddenAreas(hidden)).toEqual([{ name, area: scene.patchArea[0]! + scene.patchArea[1]! }]);
     expect(new Map(roomFacts(hidden)).get('Hidden, in no figure')).toBe(`${name} 2 m²`);
+    // What is less than a hundredth of it is counted and not named.
+    const other = scene.surfaceOfPatch.findIndex((surface) => surface !== first);
+    const patchArea = scene.patchArea.map((area, row) => (row === other ? 0.01 : area));
+    const more = {
+      ...hidden,
+      patchArea,
+      patchCovered: covered.map((is, row) => Number(is || row === other)),
+    };
+    expect(new Map(roomFacts(more)).get('Hidden, in no figure')).toBe(`${name} 2 m², 1 more`);
   });
   test('without a word on how it was made has the patches that it has', () => {
     for (const provenance of [null, 'x', [], {}, { patchSize: -1 }, { patchSize: NaN }]) {
