@@ -120,6 +120,7 @@ function lineOf(error: unknown): string {
     return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
   return what.includes(tellsOfMemory)
     ? what
+        .replace('and --memory allows', 'and a page may use')
         .replace(tellsOfMemory, 'a page may use')
         .replace(/pass [^;]*$/, 'take larger patches, make the room smaller, or use the command')
     : what.replace(/pass fewer --rays/, 'make the room smaller, or use the command');

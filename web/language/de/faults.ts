@@ -38,8 +38,8 @@ export const faults: Words['faults'] = {
     `Das Modell hat ${count} Dreiecke, höchstens ${most} Millionen sind möglich; die Netze vereinfachen`,
   pageMemory:
     'dieser Browser hat nicht genug Speicher: andere Seiten schließen oder größere Teilflächen nehmen',
-  pageTooSmall: (needed, most) =>
-    `dafür wären ${needed} GB nötig, und eine Seite darf ${most} belegen: größere Teilflächen nehmen, den Raum verkleinern oder den Befehl verwenden`,
+  pageTooSmall: (needed, most, what) =>
+    `dafür wären ${needed} GB nötig, und eine Seite darf ${most} belegen (zu viele: ${what}): größere Teilflächen nehmen, den Raum verkleinern oder den Befehl verwenden`,
   noMemory: 'Das Modell braucht mehr Speicher, als da ist; das Modell verkleinern',
   narrow: (width) =>
     `Der Raum ist nur ${width} m breit; das Modell in Metern exportieren (oder --scale mit den Metern je Einheit)`,
