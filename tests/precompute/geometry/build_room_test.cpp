@@ -291,17 +291,19 @@ TEST(BuildRoom, MeasuringPlanesReceiveOnly) {
 
 TEST(BuildRoom, AMeasuringPlaneKeepsTheBorderThatAllItsNodesHave) {
   TestGltf gltf = boxRoom({4, 3, 5}, 1);
-  TestMesh near, far;
+  TestMesh near, far, plane, wrong;
   near.quad({0.5, 0.75, 0.5}, {0, 0, 1}, {3, 0, 0}), far.quad({0.5, 0.75, 3.5}, {0, 0, 1}, {3, 0, 0});
+  plane.quad({0.5, 1, 0.5}, {0, 0, 1}, {3, 0, 0}), wrong.quad({0.5, 1, 3.5}, {0, 0, 1}, {3, 0, 0});
   const auto marks = [](const char* surface, double border) {
     return TestGltf::extras({{"measure", true}, {"surface", surface}, {"border", border}});
   };
   gltf.node("near", gltf.mesh(near), marks("task", 0.5));
   gltf.node("far", gltf.mesh(far), marks("task", 0.3));
-  gltf.node("plane", gltf.mesh(near), TestGltf::extras({{"measure", true}}));
-  gltf.node("wrong", gltf.mesh(far), TestGltf::extras({{"measure", true}, {"border", -1}}));
+  gltf.node("plane", gltf.mesh(plane), TestGltf::extras({{"measure", true}}));
+  gltf.node("wrong", gltf.mesh(wrong), TestGltf::extras({{"measure", true}, {"border", -1}}));
   const auto room = gltf.build();
   ASSERT_TRUE(room) << room.error().message;
+  for (const char* name : {"task", "plane", "wrong"}) ASSERT_GE(surfaceIndex(*room, name), 0) << name;
   EXPECT_EQ(room->surfaces[surfaceIndex(*room, "task")].border, 0.3);
   EXPECT_EQ(room->surfaces[surfaceIndex(*room, "plane")].border, 0);
   EXPECT_EQ(room->surfaces[surfaceIndex(*room, "wrong")].border, 0);
