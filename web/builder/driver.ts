@@ -109,7 +109,7 @@ function isTooLarge(error: unknown): boolean {
 
 /** Of the module's own refusals as of the browser's. */
 const ranOut = (what: string) =>
-  /not enough memory|out of memory|allocat|OOM|bad_alloc|grow memory/i.test(what) &&
+  /not enough memory|out of memory|allocat|\bOOM\b|bad_alloc|grow memory/i.test(what) &&
   !/out of bounds/i.test(what);
 
 /** One line for a person. The pipeline speaks of the command's options, which a page does not have. */
