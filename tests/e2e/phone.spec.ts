@@ -168,7 +168,7 @@ test('what a phone shows is all there where a tablet opens its link', async ({ p
   await openApp(page);
   await settled(page);
   const shown = await tagPlaces(page);
-  expect(shown).toHaveLength(20);
+  expect(shown).toHaveLength(24);
   await page.getByRole('button', { name: 'Share', exact: true }).tap();
   const link = await page.getByRole('dialog').getByRole('textbox', { name: 'Link' }).inputValue();
   const other = await context.newPage();
