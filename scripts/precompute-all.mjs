@@ -3,13 +3,14 @@
 // ssh. A scene's name carries a key of what it was made from, so a server may let it be kept for ever, and what has its
 // scene already is left out. What cannot be made is told in the end; the others are made nevertheless.
 import { existsSync } from 'node:fs';
-import { copyFile, mkdir, mkdtemp, readFile, readdir, rename, rm, writeFile } from 'node:fs/promises';
+import { copyFile, mkdir, mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { fail, root, runToEnd, say } from './processes.mjs';
 import { hashOf } from './staleness.mjs';
+import { copyWhole, writeWhole } from './whole-files.mjs';
 
 const usage = `node scripts/precompute-all.mjs MODELS -o SCENES [--jobs N] [--sshlogin HOST]... [-- OPTIONS]
 
@@ -90,13 +91,6 @@ async function compute(folder, models, { program, options, jobs, sshlogins }, on
 
 const shellWord = (word) => `'${word.replaceAll("'", `'\\''`)}'`;
 
-/** In one step for whoever reads the folder meanwhile. */
-async function moveInto(from, to) {
-  await copyFile(from, `${to}.tmp`);
-  await rename(`${to}.tmp`, to);
-  await rm(from);
-}
-
 /** The list of the site's rooms: what its owner wrote in an entry stays, its scene is the latest. */
 async function writeList(folder, models) {
   const file = path.join(folder, 'catalog.json');
@@ -107,8 +101,7 @@ async function writeList(folder, models) {
     .filter(({ id }) => !rooms.some((room) => room.id === id))
     .map(({ id, file: model, scene }) => ({ id, title: path.parse(model).name, file: scene }));
   if (kept.length + added.length === 0) return; // a list of nothing is none
-  await writeFile(`${file}.tmp`, `${JSON.stringify({ ...rest, rooms: [...kept, ...added] }, null, 2)}\n`);
-  await rename(`${file}.tmp`, file);
+  await writeWhole(file, `${JSON.stringify({ ...rest, rooms: [...kept, ...added] }, null, 2)}\n`);
 }
 
 /** How many were made, were there, and failed (their files). Throws one readable line. */
@@ -125,7 +118,10 @@ export async function precomputeAll(folder, to, { program, options = [], jobs, s
   const isThere = ({ scene }) => existsSync(path.join(to, scene));
   const missing = models.filter((model) => !isThere(model));
   const there = models.length - missing.length;
-  const onMade = (file, scene) => moveInto(file, path.join(to, scene));
+  const onMade = async (file, scene) => {
+    await copyWhole(file, path.join(to, scene));
+    await rm(file);
+  };
   const wish = { program, options, jobs, sshlogins };
   if (missing.length > 0) await compute(folder, missing, wish, onMade);
   await writeList(to, models.filter(isThere));

@@ -1,8 +1,8 @@
 // Rooms that become ready while the page is open: made one after another, each put into the folder that is served, whose
 // list (scenes/catalog.json) says meanwhile how far they are.
-import { copyFile, rename } from 'node:fs/promises';
 import path from 'node:path';
 import { writeCatalog } from '../rooms/catalog-file.mjs';
+import { copyWhole } from './whole-files.mjs';
 
 const pause = 1000; // ms at least from one progress in the list to the next
 
@@ -55,7 +55,8 @@ export class RoomsBehind {
     const { signal } = this.#stopping;
     try {
       await this.#make(room, { signal, onProgress: (share) => this.#progress(id, share) });
-      for (const file of this.#filesOf(room)) await this.#serve(file);
+      for (const file of this.#filesOf(room))
+        await copyWhole(file, path.join(this.#folder, path.basename(file)));
       delete this.#states[id];
       this.#tell(`${id} is ready, after ${Math.round((this.#now() - begin) / 1000)} s`);
     } catch (error) {
@@ -64,13 +65,6 @@ export class RoomsBehind {
       this.#tell(`${id} could not be computed: ${error.message}`);
     }
     await this.#write();
-  }
-
-  /** A page that asks meanwhile gets all of the file or none of it. */
-  async #serve(file) {
-    const target = path.join(this.#folder, path.basename(file));
-    await copyFile(file, `${target}.tmp`);
-    await rename(`${target}.tmp`, target);
   }
 
   #progress(id, progress) {

@@ -10,7 +10,6 @@
 namespace fiatlux {
 namespace {
 
-constexpr const char* kOfNoRoom = "small things";
 constexpr double kLeastPlan = 2, kLeastHeight = 1.5;  // m2, m: what is smaller is no room
 constexpr std::size_t kMostRooms = 64;
 constexpr double kApart = 1;      // m, between floors: another storey
@@ -104,10 +103,10 @@ const SmallParts::OneRoom* SmallParts::roomBefore(const WeldedMesh& mesh, const 
 
 std::string SmallParts::nameOf(const WeldedMesh& mesh, const Face& face) {
   if (!isFound_) findRooms();
-  if (!spaces_) return kOfNoRoom;
+  if (!spaces_) return kSmallThings;
   const Vec3 normal = normalized(areaVector(mesh.positions, face.vertex));
   const OneRoom* room = roomBefore(mesh, face, normal);
-  if (!room) return kOfNoRoom;
+  if (!room) return kSmallThings;
   const double about = kAbout + spaces_->grid().edge, height = mesh.positions[face.vertex[0]].y;
   const double low = room->floor + about, high = room->ceiling - about;
   if (normal.y > kUpright && height <= low) return room->path + "/floor";

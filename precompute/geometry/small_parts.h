@@ -14,6 +14,9 @@
 
 namespace fiatlux {
 
+/// The name of those that no room is known of.
+inline constexpr const char* kSmallThings = "small things";
+
 class SmallParts {
  public:
   /// `source` must outlive it; nothing is looked at before a name is asked for.

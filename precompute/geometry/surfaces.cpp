@@ -105,7 +105,7 @@ class Grouper {
     const Node& node = nodes_.at(from.nodeIndex);
     if (isCrowded() && node.area < kSmallNode * area_) {
       key.kind = GroupKey::Kind::kSmallNodes;
-      const std::string name = smallParts_ ? smallParts_->nameOf(mesh_, face) : "small things";
+      const std::string name = smallParts_ ? smallParts_->nameOf(mesh_, face) : kSmallThings;
       const auto [found, fresh] = smallIds_.emplace(name, static_cast<std::uint32_t>(smallNames_.size()));
       if (fresh) smallNames_.push_back(names_.take(name));
       key.id = found->second;
@@ -252,7 +252,7 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
   if (grouper.isCrowded())
     tree.warnings.push_back(std::to_string(grouper.nodes()) + " nodes: those below 0.5 % of the area are " +
                             (smallParts ? "the floor, walls, ceiling or things of the room that they are in"
-                                        : "one surface, 'small things'"));
+                                        : std::string("one surface, '") + kSmallThings + "'"));
   Leaves leaves(mesh, tree, names);
   for (Draft& draft : grouper.drafts(faces, regionShare > 0)) {
     SurfaceGroup group;
