@@ -1,8 +1,9 @@
 /** What colour each patch of a room has: its materials, averaged over the vertices that take their light from it. */
-import type { Texture, Vector4 } from 'three';
+import { InterleavedBufferAttribute, type BufferAttribute, type Texture, type Vector4 } from 'three';
 import { linearFromSrgb } from '../../document/linear-colour.mjs';
 import type { LitMesh } from './room-mesh.ts';
 
+const portion = 16_384; // vertices between two breaths: some milliseconds
 const side = 16; // pixels of a texture that is asked for colours: about a patch each
 
 /** Linear RGB of a small copy of a texture, row by row. */
@@ -32,30 +33,48 @@ async function smallPicture({ image }: Texture): Promise<SmallPicture | null> {
 const wrapped = (coordinate: number): number =>
   Math.min(side - 1, Math.floor(side * (coordinate - Math.floor(coordinate))));
 
-/** Adds the colours at the vertices of a mesh to those of their patches. */
-function addMesh({ mesh }: LitMesh, picture: SmallPicture | null, sums: Float32Array): void {
+/** The numbers of an attribute without a call for each: number `of` of vertex v is array[v * stride + offset + of] * scale. */
+function numbersOf(attribute: BufferAttribute | InterleavedBufferAttribute) {
+  const { array, normalized, itemSize } = attribute;
+  const isWhole = !(array instanceof Float32Array);
+  const scale = normalized && isWhole ? 1 / (2 ** (8 * array.BYTES_PER_ELEMENT) - 1) : 1; // unsigned
+  if (attribute instanceof InterleavedBufferAttribute)
+    return { array, stride: attribute.data.stride, offset: attribute.offset, scale };
+  return { array, stride: itemSize, offset: 0, scale };
+}
+
+/** Adds the colours at some vertices of a mesh to those of their patches. */
+function addVertices(
+  { mesh }: LitMesh,
+  picture: SmallPicture | null,
+  sums: Float32Array,
+  begin: number,
+  end: number,
+): void {
   const { geometry, material } = mesh;
   const { albedo, mapTransform } = material.uniforms;
   const base = (albedo!.value as Vector4).toArray();
   const uv = picture && geometry.getAttribute(String(material.defines['MAP_UV']));
   const [a, b, , c, d, , e, f] = mapTransform!.value?.elements ?? [1, 0, 0, 0, 1, 0, 0, 0];
-  const tint = material.vertexColors ? geometry.getAttribute('color') : null;
-  const patches = geometry.getAttribute('_patches');
-  const weights = geometry.getAttribute('_weights');
-  for (let vertex = 0; vertex < patches.count; vertex++) {
+  const tint = material.vertexColors ? numbersOf(geometry.getAttribute('color')) : null;
+  const patches = numbersOf(geometry.getAttribute('_patches'));
+  const weights = numbersOf(geometry.getAttribute('_weights'));
+  const own = [1, 1, 1];
+  for (let vertex = begin; vertex < end; vertex++) {
     let at = -1;
     if (uv) {
       const [u, v] = [uv.getX(vertex), uv.getY(vertex)];
       at = 3 * (side * wrapped(b * u + d * v + f) + wrapped(a * u + c * v + e));
     }
+    for (let channel = 0; channel < 3; channel++) {
+      own[channel] = (at < 0 ? 1 : picture![at + channel]!) * base[channel]!;
+      if (tint) own[channel]! *= tint.array[vertex * tint.stride + tint.offset + channel]! * tint.scale;
+    }
     for (let corner = 0; corner < 4; corner++) {
-      const weight = weights.getComponent(vertex, corner);
-      const patch = 3 * patches.getComponent(vertex, corner);
+      const weight = weights.array[vertex * weights.stride + weights.offset + corner]! * weights.scale;
+      const patch = 3 * patches.array[vertex * patches.stride + patches.offset + corner]!;
       if (!(weight > 0) || patch + 2 >= sums.length) continue;
-      for (let channel = 0; channel < 3; channel++) {
-        const own = (at < 0 ? 1 : picture![at + channel]!) * (tint ? tint.getComponent(vertex, channel) : 1);
-        sums[patch + channel]! += weight * own * base[channel]!;
-      }
+      for (let channel = 0; channel < 3; channel++) sums[patch + channel]! += weight * own[channel]!;
     }
   }
 }
@@ -68,7 +87,11 @@ export async function patchColors(lit: readonly LitMesh[], patches: number): Pro
     if (each.measuring) continue;
     const map = each.mesh.material.uniforms['albedoMap']!.value as Texture | null;
     if (map && !pictures.has(map)) pictures.set(map, await smallPicture(map).catch(() => null));
-    addMesh(each, map && pictures.get(map)!, sums);
+    const { count } = each.mesh.geometry.getAttribute('_patches');
+    for (let begin = 0; begin < count; begin += portion) {
+      addVertices(each, map && pictures.get(map)!, sums, begin, Math.min(count, begin + portion));
+      await new Promise((resolve) => setTimeout(resolve)); // nobody waits for colours: others come first
+    }
   }
   return sums;
 }

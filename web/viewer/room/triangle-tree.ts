@@ -4,6 +4,7 @@
  */
 
 const leafSize = 8;
+const boxSize = 9; // numbers
 const deepest = 60; // levels
 const same = 1e-5; // of two sides of one sheet the front is met
 const tiny = 1e-12; // of a direction that has no part along an axis
@@ -28,8 +29,7 @@ export class TriangleTree {
     this.#index = index;
     this.#positions = positions;
     this.#triangles = Uint32Array.from({ length: Math.floor(index.length / 3) }, (_, i) => i);
-    const centers = this.#centers();
-    if (this.#triangles.length > 0) this.#build(centers, 0, this.#triangles.length);
+    if (this.#triangles.length > 0) this.#build(this.#boxes(), 0, this.#triangles.length);
   }
 
   /** The nearest triangle that the ray meets, seen from its front unless `bothSides`; nearer than `limit`. */
@@ -97,49 +97,42 @@ export class TriangleTree {
     return false;
   }
 
-  #centers(): Float32Array {
-    const centers = new Float32Array(this.#index.length);
-    for (let corner = 0; corner < 3 * this.#triangles.length; corner++)
-      for (let axis = 0; axis < 3; axis++)
-        centers[corner - (corner % 3) + axis]! += this.#positions[3 * this.#index[corner]! + axis]! / 3;
-    return centers;
+  /** Of every triangle: low xyz, high xyz, three times its centre. */
+  #boxes(): Float64Array {
+    const [index, p] = [this.#index, this.#positions];
+    const boxes = new Float64Array(boxSize * this.#triangles.length);
+    for (let triangle = 0, at = 0; triangle < this.#triangles.length; triangle++, at += boxSize) {
+      const a = 3 * index[3 * triangle]!;
+      const b = 3 * index[3 * triangle + 1]!;
+      const c = 3 * index[3 * triangle + 2]!;
+      for (let axis = 0; axis < 3; axis++) {
+        const [x, y, z] = [p[a + axis]!, p[b + axis]!, p[c + axis]!];
+        boxes[at + axis] = Math.min(x, y, z);
+        boxes[at + 3 + axis] = Math.max(x, y, z);
+        boxes[at + 6 + axis] = x + y + z;
+      }
+    }
+    return boxes;
   }
 
   /** Makes the node of triangles begin..end and, after it, its children. */
-  #build(centers: Float32Array, begin: number, end: number, depth = 0): number {
-    const low = [Infinity, Infinity, Infinity];
-    const high = [-Infinity, -Infinity, -Infinity];
-    const [from, to] = [[...low], [...high]]; // of the centers
-    for (let i = begin; i < end; i++) {
-      const first = 3 * this.#triangles[i]!;
-      for (let axis = 0; axis < 3; axis++) {
-        const center = centers[first + axis]!;
-        from[axis] = Math.min(from[axis]!, center);
-        to[axis] = Math.max(to[axis]!, center);
-        for (let corner = first; corner < first + 3; corner++) {
-          const value = this.#positions[3 * this.#index[corner]! + axis]!;
-          low[axis] = Math.min(low[axis]!, value);
-          high[axis] = Math.max(high[axis]!, value);
-        }
-      }
-    }
-    const node = this.#nodes.add(low, high, begin, end - begin);
+  #build(boxes: Float64Array, begin: number, end: number, depth = 0): number {
+    const node = this.#nodes.add(begin, end - begin);
+    const [axis, split] = this.#nodes.enclose(node, boxes, this.#triangles, begin, end);
     if (end - begin <= leafSize || depth >= deepest) return node;
-    const sizes = to.map((value, axis) => value - from[axis]!);
-    const axis = sizes.indexOf(Math.max(...sizes));
-    const middle = this.#partition(centers, axis, (from[axis]! + to[axis]!) / 2, begin, end);
+    const middle = this.#partition(boxes, axis, split, begin, end);
     if (middle === begin || middle === end) return node; // all in one place
-    this.#build(centers, begin, middle, depth + 1);
-    this.#nodes.start[node] = this.#build(centers, middle, end, depth + 1);
+    this.#build(boxes, begin, middle, depth + 1);
+    this.#nodes.start[node] = this.#build(boxes, middle, end, depth + 1);
     this.#nodes.count[node] = 0;
     return node;
   }
 
-  #partition(centers: Float32Array, axis: number, split: number, begin: number, end: number): number {
+  #partition(boxes: Float64Array, axis: number, split: number, begin: number, end: number): number {
     let [i, j] = [begin, end];
     while (i < j) {
       const triangle = this.#triangles[i]!;
-      if (centers[3 * triangle + axis]! < split) {
+      if (boxes[boxSize * triangle + 6 + axis]! < split) {
         i++;
         continue;
       }
@@ -200,11 +193,35 @@ class Nodes {
   readonly start: number[] = []; // leaf: first of the triangles; inner: the second child (the first one follows its parent)
   readonly count: number[] = []; // leaf: triangles; inner: 0
   readonly #bounds: number[] = []; // six a node: low xyz, high xyz
+  readonly #all = new Float64Array(12); // least of low, of -high, of the centre, of -centre; xyz each
 
-  add(low: readonly number[], high: readonly number[], start: number, count: number): number {
-    this.#bounds.push(...low, ...high);
+  add(start: number, count: number): number {
     this.start.push(start);
     return this.count.push(count) - 1;
+  }
+
+  /** Sets the box of a node to that of some triangles; along which axis their centres lie, and three times the middle of it. */
+  enclose(node: number, boxes: Float64Array, triangles: Uint32Array, begin: number, end: number) {
+    const all = this.#all;
+    all.fill(Infinity);
+    for (let i = begin; i < end; i++) {
+      const at = boxSize * triangles[i]!;
+      for (let axis = 0; axis < 3; axis++) {
+        const [low, high, center] = [boxes[at + axis]!, boxes[at + 3 + axis]!, boxes[at + 6 + axis]!];
+        if (low < all[axis]!) all[axis] = low;
+        if (-high < all[3 + axis]!) all[3 + axis] = -high;
+        if (center < all[6 + axis]!) all[6 + axis] = center;
+        if (-center < all[9 + axis]!) all[9 + axis] = -center;
+      }
+    }
+    for (let axis = 0; axis < 3; axis++) {
+      this.#bounds[6 * node + axis] = all[axis]!;
+      this.#bounds[6 * node + 3 + axis] = -all[3 + axis]!;
+    }
+    const size = (axis: number) => -all[9 + axis]! - all[6 + axis]!;
+    const wide = size(1) > size(0) ? 1 : 0;
+    const axis = size(2) > size(wide) ? 2 : wide;
+    return [axis, (all[6 + axis]! - all[9 + axis]!) / 2] as const;
   }
 
   touches(node: number, low: Vec, high: Vec): boolean {
