@@ -104,15 +104,19 @@ export class Making {
     if (selected && this.edit((plan) => without(plan, selected))) this.selected.value = null;
   }
 
-  /** The room as a file. */
-  async file(): Promise<File> {
-    const bytes = await glbOf(canonicalPlan(this.plan.peek()));
-    return new File([bytes], `${fileName(this.title.peek())}.glb`, { type: 'model/gltf-binary' });
+  /** The room as a file, called as one types it. */
+  file(): Promise<File> {
+    return this.#named(this.title.peek().replace(/×/g, 'x'));
   }
 
-  /** Opens the made room the way a file is opened. */
+  /** Opens the made room the way a file is opened; it goes on being called what it was while it was made. */
   async light(): Promise<void> {
-    await this.#app.opening.files([await this.file()]);
+    await this.#app.opening.files([await this.#named(this.title.peek())]);
+  }
+
+  async #named(title: string): Promise<File> {
+    const bytes = await glbOf(canonicalPlan(this.plan.peek()));
+    return new File([bytes], `${fileName(title)}.glb`, { type: 'model/gltf-binary' });
   }
 
   dispose(): void {
@@ -173,7 +177,7 @@ function titleOf({ name, outline, height }: RoomPlan): string {
   return `${extent(0)} × ${extent(1)} × ${Number(height.toFixed(2))} m`;
 }
 
-const fileName = (title: string) => title.replace(/×/g, 'x').replace(/[^\p{L}\p{N} ._-]/gu, '').trim() || 'room'; // prettier-ignore
+const fileName = (title: string) => title.replace(/[^\p{L}\p{N} ._×-]/gu, '').trim() || 'room';
 
 function keepLast(plan: RoomPlan): void {
   try {

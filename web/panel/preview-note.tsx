@@ -2,7 +2,7 @@
 import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
 import { titleOf } from '../app/lighting/lighting.ts';
-import type { LightingState } from '../app/state/store.ts';
+import type { LightingState, Store } from '../app/state/store.ts';
 import { OpenSheet } from './import-sheet-panel.tsx';
 import { words } from '../language/language.ts';
 
@@ -25,9 +25,10 @@ export function PreviewNote() {
   const { store, opening } = useApp();
   const name = store.preview.value;
   const state = store.lighting.value;
+  const isDraftShown = isDraftOnScreen(store);
   if (store.making.value || (!name && !state)) return null;
   if (state && !state.fault) return <Working state={state} />;
-  const isDraftShown = state?.pass === 'full' && name === null;
+  if (!name && !isDraftShown) return null; // another room is open by now
   return (
     <section class="preview-note" aria-label={words.value.opening.preview.name}>
       <header>
@@ -62,11 +63,17 @@ export function PreviewNote() {
   );
 }
 
+/** Whether what is shown is the draft of a room whose full light is not there (yet). */
+function isDraftOnScreen({ lighting, preview, litRoom, document }: Store): boolean {
+  const isOfIt = litRoom.value !== null && litRoom.value === document.value.room;
+  return lighting.value?.pass === 'full' && preview.value === null && isOfIt;
+}
+
 /** A draft that is on the screen says so. */
 function Working({ state }: { readonly state: LightingState }) {
   const { store } = useApp();
   const { name, pass, stage, share, secondsLeft } = state;
-  const isDraftShown = pass === 'full';
+  const isDraftShown = isDraftOnScreen(store);
   return (
     <section
       class={store.preview.value ? 'preview-note' : 'preview-note small'}
@@ -106,12 +113,18 @@ function EditRoom() {
   );
 }
 
-/** Ends the computation; of a preview, it as well. */
+/** Ends the computation; of a preview, it as well. Of what has ended, the note alone. */
 function Close() {
   const { store, opening } = useApp();
   const isPreview = store.preview.value !== null;
-  const close = () => (isPreview ? void opening.endPreview() : opening.lighting.cancel());
-  const label = isPreview ? words.value.opening.preview.close : words.value.opening.preview.stop;
+  const hasEnded = !isPreview && store.lighting.value?.fault;
+  const close = () => {
+    if (isPreview) void opening.endPreview();
+    else if (hasEnded) opening.lighting.cancel();
+    else opening.lighting.stop();
+  };
+  const { close: closePreview, stop } = words.value.opening.preview;
+  const label = isPreview ? closePreview : hasEnded ? words.value.dialogs.close : stop;
   return (
     <button class="icon-button small" aria-label={label} title={label} onClick={close}>
       <X size={15} aria-hidden />

@@ -1,6 +1,7 @@
 /** The slim bar: which room, undo and redo, files, all actions, share. */
 import { ChevronDown, Ellipsis, Redo2, Search, Share2, Undo2 } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
+import { titleOf } from '../app/lighting/lighting.ts';
 import { actions, isEnabled, type Action } from '../app/actions.ts';
 import { keyText } from '../app/keyboard.ts';
 import { Menu } from './controls/menu.tsx';
@@ -31,6 +32,7 @@ function ActionButton({ id, icon: Icon, ...props }: { id: string; icon: typeof U
 
 export function TopBar() {
   const { store } = useApp();
+  const preview = store.preview.value;
   const files = actions.filter((action) => action.group === 'File' && action.id !== 'share');
   return (
     <header class="top-bar">
@@ -42,7 +44,7 @@ export function TopBar() {
         <span class="brand-name">Fiat Lux</span>
       </span>
       <button class="room-button" aria-haspopup="dialog" onClick={() => (store.dialog.value = 'gallery')}>
-        <h1>{store.preview.value ?? (store.roomTitle.value || words.value.bars.rooms)}</h1>
+        <h1>{preview !== null ? titleOf(preview) : store.roomTitle.value || words.value.bars.rooms}</h1>
         <ChevronDown size={15} aria-hidden />
       </button>
       <span class="spacer" />

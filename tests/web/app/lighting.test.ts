@@ -1,4 +1,4 @@
-/** What is carried over from a draft to the full room, and how the time left is told. */
+/** What is carried over from a draft to the full room, how its end is told, and how the time left is. */
 import { describe, expect, test } from '@jest/globals';
 import { outlineOf } from '../../../web/document/areas.ts';
 import { readContainer, writeGlb } from '../../../web/document/gltf-container.ts';
@@ -192,6 +192,34 @@ test('where memory runs out the preview stays, and larger patches are offered un
   expect(store.lighting.value?.isTooLarge).toBe(true);
   await lighting.coarser();
   expect(built.at(-1)?.patch).toBe(0.26);
+  expect(store.lighting.value).toBeNull();
+});
+
+test('a draft whose full light was stopped goes on saying that it is one, until that is put away', async () => {
+  const { store, lighting } = lightingOf(sceneWith('a'.repeat(16), [0, 1]));
+  lighting.stop();
+  expect(store.lighting.value).toBeNull();
+  store.lighting.value = {
+    name: 'a.glb',
+    pass: 'draft',
+    stage: 'casting',
+    share: 0.2,
+    secondsLeft: 3,
+    fault: null,
+  };
+  lighting.stop();
+  expect(store.lighting.value).toBeNull(); // nothing is there yet
+  store.lighting.value = {
+    name: 'a.glb',
+    pass: 'full',
+    stage: 'casting',
+    share: 0.2,
+    secondsLeft: 3,
+    fault: null,
+  };
+  lighting.stop();
+  expect(store.lighting.value).toMatchObject({ pass: 'full', fault: 'It was stopped.', secondsLeft: null });
+  lighting.cancel();
   expect(store.lighting.value).toBeNull();
 });
 

@@ -190,6 +190,18 @@ export class Lighting {
     this.#store.lighting.value = null;
   }
 
+  /** Ends it where a person wants that; a draft that stays on the screen goes on saying that it is one. */
+  stop(): void {
+    const state = this.#store.lighting.peek();
+    this.cancel();
+    if (state?.pass === 'full')
+      this.#store.lighting.value = {
+        ...state,
+        fault: words.value.opening.preview.stopped,
+        secondsLeft: null,
+      };
+  }
+
   /** The state of a failure stays until it is closed; the preview or the draft stays with it. */
   #fail(why: string, isTooLarge: boolean): void {
     const state = this.#store.lighting.peek();
