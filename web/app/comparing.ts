@@ -3,12 +3,15 @@
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
 import { effect, untracked } from '@preact/signals';
-import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
+import { hasRoomInMiddle } from '../document/middle.ts';
+import type { Arrangement, Intentions, Layout, Luminaires, Rule, SceneInfo } from '../document/types.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
 import { wattsOf } from './state/power.ts';
 import type { Comparison, Store } from './state/store.ts';
+
+type Sites = SceneInfo['sites'];
 
 export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
 
@@ -32,16 +35,22 @@ export function withCount(asked: Intentions, count: number): Intentions {
 }
 
 /** The same wish under another rule; the axis stays where it has a meaning. */
-export function withRule(asked: Intentions, rule: Rule): Intentions {
+export function withRule(asked: Intentions, rule: Rule, sites: Sites): Intentions {
   return {
     ...asked,
-    luminaires: { ...asked.luminaires, arrangement: arrangementOf(rule, asked.luminaires) },
+    luminaires: { ...asked.luminaires, arrangement: arrangementOf(rule, asked.luminaires, sites) },
   };
 }
 
-/** A rule with the axis that the luminaires had, as far as it has one. */
-export function arrangementOf(rule: Rule, { arrangement }: Pick<Luminaires, 'arrangement'>): Arrangement {
-  const { axis, rule: had } = arrangement ?? {};
+/**
+ * A rule with the axis that the luminaires had, as far as it has one. A field that is new lies in the middle of the places
+ * where it can, as it would be hung; to be even better anywhere else is asked for by its axis.
+ */
+export function arrangementOf(rule: Rule, luminaires: Luminaires, sites: Sites): Arrangement {
+  const { axis, rule: had } = luminaires.arrangement ?? {};
+  const isNewField = rule === 'field' && had !== 'field' && (axis === undefined || had === 'rows');
+  if (isNewField && luminaires.pinned.length === 0 && hasRoomInMiddle(sites, luminaires))
+    return { rule, axis: 'both' };
   if (axis === undefined || rule === 'free') return { rule };
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
   return has ? { rule, axis } : { rule };
@@ -102,7 +111,9 @@ export class Comparing {
 
   #ask(of: Intentions): void {
     const { scene, comparison, document } = this.#store;
-    const places = (scene.peek()?.sites.size.length ?? 0) - of.luminaires.excluded.length;
+    const sites = scene.peek()?.sites;
+    if (!sites) return;
+    const places = sites.size.length - of.luminaires.excluded.length;
     const counts = countsAround(document.peek().luminaires, places);
     const take = (change: Partial<Comparison>) =>
       void (comparison.value = { of, counts: [], rules: [], ...currentOf(comparison.peek(), of), ...change });
@@ -114,7 +125,7 @@ export class Comparing {
         take({ counts: outcomes.map((outcome, i) => ({ count: counts[i] ?? 0, outcome })) });
         if (outcomes.length < counts.length) return;
         this.#try(
-          rules.map((rule) => withRule(of, rule)),
+          rules.map((rule) => withRule(of, rule, sites)),
           evaluationsOfRule,
           (found) => take({ rules: byRule(found, (layout) => this.#watts(layout)) }),
         );

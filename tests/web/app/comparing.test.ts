@@ -8,8 +8,10 @@ import {
   withRule,
 } from '../../../web/app/comparing.ts';
 import type { Intentions } from '../../../web/document/types.ts';
+import { ceilingOf } from '../ceiling.ts';
 import { sixLuminaires as luminaires } from '../six-luminaires.ts';
 
+const ceiling = ceilingOf(20, 13);
 const asked: Intentions = { luminaires, goals: [], constraints: [], quantity: 'illuminance' };
 
 test('the strip shows the range asked for, else the numbers around', () => {
@@ -25,12 +27,23 @@ test('the strip shows the range asked for, else the numbers around', () => {
 test('another number is exactly that, another rule keeps the axis that it has a use for', () => {
   const ranged = { ...asked, luminaires: { ...luminaires, most: 9 } };
   expect(withCount(ranged, 4).luminaires).toEqual({ ...luminaires, count: 4 });
-  expect(withRule(asked, 'rows').luminaires.arrangement).toEqual({ rule: 'rows' });
-  const both = { arrangement: { rule: 'symmetric', axis: 'both' } } as const;
-  expect(arrangementOf('rows', both)).toEqual({ rule: 'rows' });
-  expect(arrangementOf('symmetric', both)).toEqual({ rule: 'symmetric', axis: 'both' });
-  expect(arrangementOf('field', both)).toEqual({ rule: 'field', axis: 'both' });
-  expect(arrangementOf('field', { arrangement: { rule: 'rows', axis: 'x' } })).toEqual({ rule: 'field' });
+  expect(withRule(asked, 'rows', ceiling).luminaires.arrangement).toEqual({ rule: 'rows' });
+  const both = { ...luminaires, arrangement: { rule: 'symmetric', axis: 'both' } } as const;
+  expect(arrangementOf('rows', both, ceiling)).toEqual({ rule: 'rows' });
+  expect(arrangementOf('symmetric', both, ceiling)).toEqual({ rule: 'symmetric', axis: 'both' });
+  expect(arrangementOf('field', both, ceiling)).toEqual({ rule: 'field', axis: 'both' });
+});
+
+test('a field that is new lies in the middle where it has room there, and stays where it was asked to be', () => {
+  const inMiddle = { rule: 'field', axis: 'both' };
+  const rows = { ...luminaires, arrangement: { rule: 'rows', axis: 'x' } } as const;
+  const anywhere = { ...luminaires, arrangement: { rule: 'field' } } as const;
+  expect(arrangementOf('field', luminaires, ceiling)).toEqual(inMiddle);
+  expect(arrangementOf('field', rows, ceiling)).toEqual(inMiddle);
+  expect(arrangementOf('field', anywhere, ceiling)).toEqual({ rule: 'field' });
+  expect(arrangementOf('field', { ...luminaires, count: 9 }, ceiling)).toEqual({ rule: 'field' });
+  expect(arrangementOf('field', { ...rows, count: 9 }, ceiling)).toEqual({ rule: 'field' });
+  expect(arrangementOf('field', { ...luminaires, pinned: [3] }, ceiling)).toEqual({ rule: 'field' });
 });
 
 test('the fewest are the first that met everything', () => {

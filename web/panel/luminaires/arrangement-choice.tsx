@@ -30,8 +30,9 @@ function Drawing({ rule }: { rule: Rule }) {
 
 export function ArrangementChoice() {
   const { store } = useApp();
-  const { luminaires } = store.document.value;
+  const { luminaires } = store.traced.value.intentions;
   const asked = luminaires.arrangement?.rule ?? 'free';
+  const sites = store.scene.value?.sites;
   const comparison = store.comparison.value;
   const isCurrent = comparison?.of === store.traced.value.intentions;
   const choose = (arrangement: Arrangement) =>
@@ -51,7 +52,7 @@ export function ArrangementChoice() {
                 type="radio"
                 name="arrangement"
                 checked={asked === rule}
-                onChange={() => choose(arrangementOf(rule, luminaires))}
+                onChange={() => sites && choose(arrangementOf(rule, luminaires, sites))}
               />
               <Drawing rule={rule} />
               <span>{words.value.luminaires.arrangement.rules[rule].name}</span>

@@ -11,9 +11,10 @@ import { words } from '../../language/language.ts';
 export function RulesFirst() {
   const { store } = useApp();
   const comparison = store.comparison.value;
-  const { luminaires } = store.document.value;
+  const { luminaires } = store.traced.value.intentions;
+  const sites = store.scene.value?.sites;
   const asked = luminaires.arrangement?.rule ?? 'free';
-  if (asked === 'free' || comparison?.of !== store.traced.value.intentions) return null;
+  if (asked === 'free' || comparison?.of !== store.traced.value.intentions || !sites) return null;
   const others = rules.flatMap((rule) => {
     const outcome = comparison.rules.find((each) => each.rule === rule)?.outcome;
     return rule !== asked && outcome?.met ? [{ rule, outcome }] : [];
@@ -22,7 +23,7 @@ export function RulesFirst() {
   const choose = (rule: Rule) =>
     store.edit(words.value.steps.arrangement, (draft) => {
       if (rule === 'free') delete draft.luminaires.arrangement;
-      else draft.luminaires.arrangement = { ...arrangementOf(rule, luminaires) };
+      else draft.luminaires.arrangement = { ...arrangementOf(rule, luminaires, sites) };
     });
   return (
     <div class="rules-first">
