@@ -157,9 +157,9 @@ class Occupied {
       if (barred_[tie[i]]) return false;
       if (minDistance_ <= 0 && !hasBodies_) continue;
       for (std::size_t k = 0; k < i; ++k)
-        if (isTooNear(tie[i], tie[k])) return false;
+        if (areTooNear(tie[i], tie[k])) return false;
       for (const std::uint32_t site : taken_)
-        if (isTooNear(tie[i], site)) return false;
+        if (areTooNear(tie[i], site)) return false;
     }
     return true;
   }
@@ -185,8 +185,8 @@ class Occupied {
   std::uint32_t typeOf(std::uint32_t site) const {
     return scene_.hangings.empty() ? 0 : scene_.hangings[site].type;
   }
-  bool isTooNear(std::uint32_t a, std::uint32_t b) const {
-    return length(scene_.sites[a].position - scene_.sites[b].position) < minDistance_ ||
+  bool areTooNear(std::uint32_t a, std::uint32_t b) const {
+    return isTooNear(length(scene_.sites[a].position - scene_.sites[b].position), minDistance_) ||
            collide(scene_, a, b);
   }
 
@@ -323,8 +323,8 @@ bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
   const PinsAndExclusions rule(scene.sites.size(), rules);
   std::vector<std::uint32_t> sites;
   fields.visit([&](const Field& field) {
-    found = fields.pitchOf(field) >= rules.minDistance && fields.sitesOf(field, sites) && rule.allow(sites) &&
-            !fieldCollides(scene, sites, fields.columnsOf(field));
+    found = !isTooNear(fields.pitchOf(field), rules.minDistance) && fields.sitesOf(field, sites) &&
+            rule.allow(sites) && !fieldCollides(scene, sites, fields.columnsOf(field));
     return !found;
   });
   return found;

@@ -15,7 +15,7 @@ FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, cons
   const LuminaireRules& rules = intentions.luminaires;
   const PinsAndExclusions allowed(prepared.scene().sites.size(), rules);
   all_.visit([&](const Field& field) {
-    const bool fits = all_.pitchOf(field) >= rules.minDistance && all_.sitesOf(field, sites_);
+    const bool fits = !isTooNear(all_.pitchOf(field), rules.minDistance) && all_.sitesOf(field, sites_);
     if (fits && allowed.allow(sites_) && !fieldCollides(prepared.scene(), sites_, all_.columnsOf(field)))
       fields_.push_back(field);
     return true;

@@ -83,6 +83,13 @@ inline std::uint32_t mostOf(const LuminaireRules& rules) { return std::max(rules
 /// May layouts differ in their number of luminaires?
 inline bool countVaries(const LuminaireRules& rules) { return rules.countHigh > rules.count; }
 
+/// Are luminaires nearer to each other than the least distance? Places are known as 32-bit floats: to hang
+/// just that far apart is far enough, whatever they round to.
+inline bool isTooNear(double distance, double least) {
+  constexpr double kRounding = 1e-4;
+  return distance < (1 - kRounding) * least;
+}
+
 /// Is luminaire i kept on a site?
 inline bool isPinned(const LuminaireRules& rules, std::uint32_t i) {
   return i < rules.pinned.size() && rules.pinned[i] != kNone;

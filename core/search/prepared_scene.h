@@ -118,11 +118,11 @@ class PreparedScene {
   /// May two candidates not be there at once? A layout has each at most once.
   bool conflict(std::uint32_t a, std::uint32_t b, double minDistance) const {
     if (!isTied())
-      return a == b || (minDistance > 0 && distance(a, b) < minDistance) ||
+      return a == b || (minDistance > 0 && isTooNear(distance(a, b), minDistance)) ||
              (hasBodies_ && collide(scene_, a, b));
     if (a == candidateCount_ || b == candidateCount_) return false;
     const double gap = gaps_[std::size_t{a} * candidateCount_ + b];
-    return gap <= 0 || gap < minDistance;
+    return gap <= 0 || isTooNear(gap, minDistance);
   }
   /// Ties that share a site with one or run into it, itself included. Precondition: isTied().
   const std::vector<std::uint32_t>& overlapping(std::uint32_t tie) const {

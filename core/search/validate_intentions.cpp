@@ -189,7 +189,7 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
       if (!isPinned(rules, i) || !isPinned(rules, j)) continue;
       const double distance =
           length(scene.sites[rules.pinned[i]].position - scene.sites[rules.pinned[j]].position);
-      if (distance < rules.minDistance)
+      if (isTooNear(distance, rules.minDistance))
         return Error{"luminaires: pinned sites " + siteText(scene, rules.pinned[j]) + " and " +
                      siteText(scene, rules.pinned[i]) + " are " + text(distance) +
                      " m apart, closer than the minimum distance of " + text(rules.minDistance) + " m"};

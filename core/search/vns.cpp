@@ -49,7 +49,7 @@ LuminaireRules tiedRules(const PreparedScene& prepared, const LuminaireRules& ru
     const bool isBarred =
         std::any_of(members.begin(), members.end(), [&](std::uint32_t site) { return barred[site] != 0; });
     const double inner = prepared.innerDistance(tie);
-    if (isBarred || inner <= 0 || inner < rules.minDistance) tied.excluded.push_back(tie);
+    if (isBarred || inner <= 0 || isTooNear(inner, rules.minDistance)) tied.excluded.push_back(tie);
   }
   return tied;
 }

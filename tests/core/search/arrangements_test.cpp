@@ -358,6 +358,27 @@ TEST(Arrangements, RulesOfSitesHoldForTies) {
   }
 }
 
+TEST(Arrangements, ToHangJustAsFarApartAsAskedIsFarEnough) {
+  Scene scene = smallRoom();
+  for (std::uint32_t site = 0; site < scene.sites.size(); ++site) {
+    // As scene files keep them: 0.9f - 0.3f is less than 0.6.
+    scene.sites[site].position.x = 0.3f + 0.6f * static_cast<float>(site % kWidth);
+    scene.sites[site].position.z = 0.3f + 0.6f * static_cast<float>(site / kWidth);
+  }
+  PreparedScene prepared(scene);
+  for (const Rule rule : {Rule::kFree, Rule::kSymmetric, Rule::kRows, Rule::kField}) {
+    Intentions intentions = ask(kWidth * kDepth, rule);
+    intentions.luminaires.minDistance = 0.6;
+    const Result<Done> result = checkIntentions(scene, intentions);
+    ASSERT_TRUE(result) << result.error().message;
+    LayoutSearch search(prepared, intentions, 1);
+    search.advance(100);
+    EXPECT_EQ(search.incumbent().sites.size(), scene.sites.size());
+    intentions.luminaires.minDistance = 0.601;
+    EXPECT_FALSE(checkIntentions(scene, intentions));
+  }
+}
+
 TEST(Arrangements, SayWhatCannotBe) {
   const auto refusal = [](Intentions intentions) {
     const Result<Done> result = checkIntentions(smallRoom(), intentions);
