@@ -45,7 +45,16 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
   // The room that is clicked alone: it is smaller than the building, and may be closed.
   const size = page.locator('.sheet-size');
   await expect(size).toContainText('12.60 × 9.60 m');
-  await page.getByRole('button', { name: 'Choose one room' }).click();
+  const choose = page.getByRole('button', { name: 'Choose one room' });
+  const usual = page.viewportSize()!;
+  await page.setViewportSize({ width: 390, height: 844 }); // a phone shows the picture, and what is to be done with it
+  await choose.click();
+  await expect(page.getByRole('region', { name: 'Light is being computed' })).toBeHidden();
+  await expect(page.getByText('Click inside a room in the picture.')).toBeInViewport();
+  expect((await page.locator('canvas').first().boundingBox())!.height).toBeGreaterThan(400);
+  await page.getByRole('button', { name: 'Not now' }).click();
+  await page.setViewportSize(usual);
+  await choose.click();
   await page
     .locator('canvas')
     .first()

@@ -98,6 +98,30 @@ test('the narrowest screen shows tags below the toolbar and no half of a figure'
   expect(isWhole || text.y >= frame.y + frame.height).toBe(true);
 });
 
+test('what can be done with a selected surface hides nothing of the room', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await tab(page, 'Results');
+  await page.getByRole('button', { name: 'floor', exact: true }).click();
+  for (const [width, height] of [
+    [390, 844],
+    [1440, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    const rowAbove = async () => {
+      const bar = (await page.getByRole('toolbar', { name: /^Intentions for/ }).boundingBox())!;
+      const stage = (await canvas(page).boundingBox())!;
+      const { data, width: pixels } = await picture(page);
+      const scale = pixels / stage.width;
+      const y = Math.floor((bar.y - stage.y - 1) * scale);
+      const at = (x: number) => [0, 1, 2].map((c) => data[4 * (y * pixels + Math.round(x)) + c]!);
+      const middle = at((bar.x + bar.width / 2) * scale); // where the room's nearest corner would be
+      const beside = at((bar.x + 0.25 * bar.width) * scale);
+      return Math.max(...middle.map((value, c) => Math.abs(value - beside[c]!)));
+    };
+    await expect.poll(rowAbove, `${width} px`).toBeLessThan(12);
+  }
+});
+
 test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet', async ({
   page,
   context,

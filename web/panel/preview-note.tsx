@@ -76,7 +76,7 @@ function Working({ state }: { readonly state: LightingState }) {
   const isDraftShown = isDraftOnScreen(store);
   return (
     <section
-      class={store.preview.value ? 'preview-note' : 'preview-note small'}
+      class={store.preview.value ? 'preview-note working' : 'preview-note small working'}
       aria-label={words.value.opening.preview.working}
     >
       <header>

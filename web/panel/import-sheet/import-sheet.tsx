@@ -29,7 +29,11 @@ export function ImportSheet() {
   if (!state || !sheet) return null;
   const { survey, fault } = state;
   return (
-    <aside class="panel maker import-sheet" aria-label={words.value.sheet.name} aria-busy={!survey && !fault}>
+    <aside
+      class={state.isPicking ? 'panel maker import-sheet picking' : 'panel maker import-sheet'}
+      aria-label={words.value.sheet.name}
+      aria-busy={!survey && !fault}
+    >
       <header class="maker-header">
         <h2>{words.value.sheet.title(titleOf(state.name))}</h2>
         <span class="spacer" />

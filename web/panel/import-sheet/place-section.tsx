@@ -1,4 +1,5 @@
 /** Which part of a building is lit: all of it, or the room that is clicked, as far as one sees through its doors. */
+import { useEffect, useRef } from 'preact/hooks';
 import { lids, mostDoors, usualChoices } from '../../app/importing/model-choices.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
@@ -17,9 +18,14 @@ interface Props {
 export function PlaceSection({ state: { choices, isPicking }, sheet }: Props) {
   const text = words.value.sheet.place;
   const isPart = choices.inside.length > 0;
+  // On a phone the sheet gives way to the picture: what to do there stays in sight.
+  const task = useRef<HTMLParagraphElement>(null);
+  useEffect(() => {
+    if (isPicking) task.current?.scrollIntoView({ block: 'center' });
+  }, [isPicking]);
   return (
     <Section title={text.title}>
-      <p class="fine-print" role="status">
+      <p ref={task} class="fine-print" role="status">
         {isPicking ? text.picking : isPart ? text.only : text.whole}
       </p>
       <div class="row">
