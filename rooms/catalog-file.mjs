@@ -1,9 +1,9 @@
 // scenes/catalog.json: the list of rooms that the page reads when it opens. A site's owner adds a room by copying its
 // .flux beside it and adding an entry to "rooms": { "id", "title", "description", "file" } and, if wished, "opening" and
 // "translations": { "de": { "title", "description" } }.
-import { rename, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { catalog, experiments } from './catalog.mjs';
+import { writeWhole } from './whole-files.mjs';
 
 /**
  * What the file says. `states`: by room, what of an entry is not as it should be in the end, such as
@@ -27,9 +27,10 @@ export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
   };
 }
 
-/** Writes it into a folder in one step, so that a page that reads it meanwhile gets all of it. */
+/** Writes it into a folder, where a page may read it meanwhile. */
 export async function writeCatalog(folder, states, ids) {
-  const file = path.join(folder, 'catalog.json');
-  await writeFile(`${file}.tmp`, `${JSON.stringify(catalogFile(states, ids), null, 2)}\n`);
-  await rename(`${file}.tmp`, file);
+  await writeWhole(
+    path.join(folder, 'catalog.json'),
+    `${JSON.stringify(catalogFile(states, ids), null, 2)}\n`,
+  );
 }

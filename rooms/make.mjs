@@ -1,12 +1,13 @@
 // Writes the sample rooms as binary glTF and the list of them: node rooms/make.mjs [--folder FOLDER] [id ...]
 // The generator of a room is the module of its id, which exports makeRoom.
 // Without ids all that the gallery shows, without a folder into public/scenes.
-import { mkdir, rename, writeFile } from 'node:fs/promises';
+import { mkdir } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { writeCatalog } from './catalog-file.mjs';
 import { catalog } from './catalog.mjs';
+import { writeWhole } from './whole-files.mjs';
 
 const known = catalog.map((room) => room.id);
 const others = ['hall']; // that the gallery does not show: made where they are named
@@ -36,8 +37,6 @@ await writeCatalog(folder);
 for (const id of ids) {
   const { makeRoom } = await import(`./${id}.mjs`);
   const bytes = await makeRoom().bytes();
-  const file = path.join(folder, `${id}.glb`);
-  await writeFile(`${file}.tmp`, bytes);
-  await rename(`${file}.tmp`, file);
+  await writeWhole(path.join(folder, `${id}.glb`), bytes);
   console.error(`${id}.glb  ${(bytes.length / 1024).toFixed(0)} KiB`);
 }

@@ -8,9 +8,9 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
+import { copyWhole, writeWhole } from '../rooms/whole-files.mjs';
 import { fail, root, runToEnd, say } from './processes.mjs';
 import { hashOf } from './staleness.mjs';
-import { copyWhole, writeWhole } from './whole-files.mjs';
 
 const usage = `node scripts/precompute-all.mjs MODELS -o SCENES [--jobs N] [--sshlogin HOST]... [-- OPTIONS]
 

@@ -2,7 +2,7 @@
 // list (scenes/catalog.json) says meanwhile how far they are.
 import path from 'node:path';
 import { writeCatalog } from '../rooms/catalog-file.mjs';
-import { copyWhole } from './whole-files.mjs';
+import { copyWhole } from '../rooms/whole-files.mjs';
 
 const pause = 1000; // ms at least from one progress in the list to the next
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/layout_sums.h"
 #include "core/scene/stored_statistics.h"
 #include "core/scene/surface_names.h"
 #include "core/scene/zones.h"
@@ -88,15 +89,13 @@ SurfaceStatistics unionStatistics(const Scene& scene, Quantity quantity, const S
 }
 
 MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& layout) {
-  const std::size_t m = statistics.mean.size(), count = layout.sites.size();
-  double mean = 0, variance = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    mean += layout.flux[i] * statistics.mean[layout.sites[i]];
-    const double* row = statistics.covariance.data() + layout.sites[i] * m;
-    for (std::size_t j = 0; j < count; ++j)
-      variance += layout.flux[i] * layout.flux[j] * row[layout.sites[j]];
-  }
-  return {layout.dimming * mean, layout.dimming * std::sqrt(std::max(0.0, variance))};
+  const auto m = static_cast<std::uint32_t>(statistics.mean.size());
+  const auto count = static_cast<std::uint32_t>(layout.sites.size());
+  const std::uint32_t* sites = layout.sites.data();
+  const double* flux = layout.flux.data();
+  const double variance = varianceOf(statistics.covariance.data(), m, sites, flux, count);
+  return {layout.dimming * meanOf(statistics.mean.data(), sites, flux, count),
+          layout.dimming * std::sqrt(std::max(0.0, variance))};
 }
 
 std::vector<float> illuminanceOf(const Scene& scene, const Layout& layout, Quantity quantity) {

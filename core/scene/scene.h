@@ -119,8 +119,7 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// mu = a x and sigma^2 = x^T C x of a layout, its dimming included; paper (8), (10). In full and in double:
-/// the search has its own sums (core/search/kernels.h).
+/// mu = a x and sigma^2 = x^T C x of a layout, its dimming included; paper (8), (10).
 MeanAndSigma meanAndSigmaOf(const SurfaceStatistics& statistics, const Layout& layout);
 
 /// Illuminance of every row (patches, then receivers) for a layout, lx: sum over luminaires of t flux g_j. Of

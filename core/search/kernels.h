@@ -1,16 +1,12 @@
-// The sums that the search spends its time in: paper (8) and (10) for a layout of N luminaires, and their
-// change when luminaires move. Plain loops over plain arrays, float storage, double sums, one fixed order:
+// The sums that the search spends its time in: how paper (8) and (10) (core/scene/layout_sums.h) change when
+// luminaires move. Plain loops over plain arrays, float storage, double sums, one fixed order:
 // the same bits natively and as Wasm. Each is small and never inlined, because V8 compiles a Wasm function
 // well only from its second call on.
 #pragma once
 
 #include <cstdint>
 
-#if defined(__GNUC__) || defined(__clang__)
-#define FIATLUX_KERNEL __attribute__((noinline))
-#else
-#define FIATLUX_KERNEL
-#endif
+#include "core/scene/layout_sums.h"
 
 namespace fiatlux {
 
@@ -19,14 +15,6 @@ struct FluxChange {
   std::uint32_t site = 0;
   double flux = 0;
 };
-
-/// mu = a x: N loads.
-FIATLUX_KERNEL double meanOf(const double* mean, const std::uint32_t* sites, const double* flux,
-                             std::uint32_t count);
-
-/// sigma^2 = x^T C x, C row-major m x m, symmetric: N (N + 1) / 2 loads.
-FIATLUX_KERNEL double varianceOf(const float* covariance, std::uint32_t m, const std::uint32_t* sites,
-                                 const double* flux, std::uint32_t count);
 
 /// row = C x (m entries), from nothing.
 FIATLUX_KERNEL void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites,

@@ -70,13 +70,13 @@ struct Costs {
 
 double fullCost(Experiments& e, const std::vector<std::vector<std::uint32_t>>& layouts) {
   const KernelStatistics& s = *e.prepared.statistics(Quantity::kExitance, e.wall);
-  const std::uint32_t m = e.prepared.candidateCount();
   const std::vector<double> flux(kLuminaires, e.flux);
   const double seconds = secondsOf([&] {
     double sum = 0;
-    for (const auto& sites : layouts)
-      sum += meanOf(s.mean.data(), sites.data(), flux.data(), kLuminaires) +
-             varianceOf(s.covariance.data(), m, sites.data(), flux.data(), kLuminaires);
+    for (const auto& sites : layouts) {
+      const Moments moments = momentsOf(s, sites.data(), flux.data(), kLuminaires);
+      sum += moments.mean + moments.variance;
+    }
     sink = sum;
   });
   return seconds / static_cast<double>(layouts.size());

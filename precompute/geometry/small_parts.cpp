@@ -47,36 +47,45 @@ void SmallParts::measure(std::vector<OneRoom>& rooms) const {
   }
 }
 
-void SmallParts::findRooms() {
-  isFound_ = true;
-  if (!Spaces::canTell(source_)) return;
-  spaces_.emplace(source_);
-  const std::uint32_t first = Spaces::kOutdoors + 1;
-  rooms_.resize(first + spaces_->count());
-  measure(rooms_);
+/// The spaces that are rooms, by storeys from the lowest; in each the largest first.
+std::vector<std::vector<std::uint32_t>> SmallParts::storeys() const {
   std::vector<std::uint32_t> order;
-  for (std::uint32_t space = first; space < rooms_.size(); ++space)
+  for (std::uint32_t space = Spaces::kOutdoors + 1; space < rooms_.size(); ++space)
     if (const OneRoom& room = rooms_[space];
         room.area >= kLeastPlan && room.ceiling - room.floor >= kLeastHeight)
       order.push_back(space);
   const auto isLarger = [&](std::uint32_t a, std::uint32_t b) { return rooms_[a].area > rooms_[b].area; };
   std::stable_sort(order.begin(), order.end(), isLarger);
   if (order.size() > kMostRooms) order.resize(kMostRooms);
-  // By storeys, the lowest first; in each the largest room first.
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rooms_[a].floor < rooms_[b].floor; });
-  std::vector<std::vector<std::uint32_t>> storeys;
+  std::vector<std::vector<std::uint32_t>> result;
   for (const std::uint32_t space : order) {
-    if (storeys.empty() || rooms_[space].floor > rooms_[storeys.back()[0]].floor + kApart)
-      storeys.emplace_back();
-    storeys.back().push_back(space);
+    if (result.empty() || rooms_[space].floor > rooms_[result.back()[0]].floor + kApart)
+      result.emplace_back();
+    result.back().push_back(space);
   }
-  for (std::size_t s = 0; s < storeys.size(); ++s) {
-    std::stable_sort(storeys[s].begin(), storeys[s].end(), isLarger);
-    for (std::size_t r = 0; r < storeys[s].size(); ++r)
-      rooms_[storeys[s][r]].path = (storeys.size() > 1 ? "storey " + std::to_string(s + 1) + "/" : "") +
-                                   (order.size() > 1 ? "room " + std::to_string(r + 1) : "room");
-  }
+  for (auto& storey : result) std::stable_sort(storey.begin(), storey.end(), isLarger);
+  return result;
+}
+
+/// "storey 2/room 1", without what there is but one of.
+void SmallParts::nameRooms() {
+  const auto all = storeys();
+  const bool isOne = all.size() == 1 && all[0].size() == 1;
+  for (std::size_t s = 0; s < all.size(); ++s)
+    for (std::size_t r = 0; r < all[s].size(); ++r)
+      rooms_[all[s][r]].path = (all.size() > 1 ? "storey " + std::to_string(s + 1) + "/" : "") +
+                               (isOne ? "room" : "room " + std::to_string(r + 1));
+}
+
+void SmallParts::findRooms() {
+  isFound_ = true;
+  if (!Spaces::canTell(source_)) return;
+  spaces_.emplace(source_);
+  rooms_.resize(Spaces::kOutdoors + 1 + spaces_->count());
+  measure(rooms_);
+  nameRooms();
   for (const SourceMesh& mesh : source_.meshes) {
     const Bounds bounds = boundsOf(mesh.positions);
     const auto [found, isFresh] = heights_.try_emplace(mesh.nodeIndex, bounds.low.y, bounds.high.y);

@@ -34,6 +34,8 @@ class SmallParts {
   };
   void findRooms();
   void measure(std::vector<OneRoom>& rooms) const;
+  void nameRooms();
+  std::vector<std::vector<std::uint32_t>> storeys() const;
   const OneRoom* roomBefore(const WeldedMesh& mesh, const Face& face, const Vec3& normal) const;
 
   const SourceScene& source_;

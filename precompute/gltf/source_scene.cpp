@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 
+#include "precompute/base/json_text.h"
 #include "precompute/base/names.h"
 #include "precompute/gltf/materials.h"
 #include "precompute/gltf/nodes.h"
@@ -45,7 +46,7 @@ std::string planIn(const nlohmann::json& json) {
   const nlohmann::json& scene = json["scenes"][index];
   const nlohmann::json::json_pointer at("/extras/fiatlux/plan");
   if (!scene.contains(at) || !scene[at].is_array()) return {};
-  std::string text = scene[at].dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  std::string text = jsonText(scene[at], -1);
   return text.size() > kLongest ? std::string() : text;
 }
 

@@ -6,7 +6,7 @@ export async function copyWhole(from, to) {
   await rename(`${to}.tmp`, to);
 }
 
-export async function writeWhole(file, text) {
-  await writeFile(`${file}.tmp`, text);
+export async function writeWhole(file, content) {
+  await writeFile(`${file}.tmp`, content);
   await rename(`${file}.tmp`, file);
 }
