@@ -9,6 +9,7 @@ import {
   openRoom,
   picture,
   places,
+  results,
   settled,
   tab,
   tagPlaces,
@@ -96,6 +97,15 @@ test('the narrowest screen shows tags below the toolbar and no half of a figure'
   const [frame, text] = [(await figures.boundingBox())!, (await figures.locator('span').boundingBox())!];
   const isWhole = text.x + text.width <= frame.x + frame.width + 1;
   expect(isWhole || text.y >= frame.y + frame.height).toBe(true);
+
+  // On a tablet the panel leaves the verbs of a surface less room than a phone does.
+  await page.setViewportSize({ width: 820, height: 1180 });
+  await results(page);
+  await page.getByRole('button', { name: 'floor', exact: true }).click();
+  const verbs = page.getByRole('toolbar', { name: 'Intentions for floor' }).getByRole('button');
+  await expect(verbs.first()).toBeVisible();
+  const tooLong = (all: Element[]) => all.filter((verb) => verb.scrollWidth > verb.clientWidth).length;
+  expect(await verbs.evaluateAll(tooLong)).toBe(0);
 });
 
 test('what can be done with a selected surface hides nothing of the room', async ({ page }) => {
