@@ -20,7 +20,7 @@ import { freeGpu } from './stage/free-gpu.ts';
 
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
-import { betterQuadrant, quadrantShares } from './room/facing.ts';
+import { betterPlace, quadrantShares } from './room/facing.ts';
 import { planOf, roomFrame } from './room/floor-plan.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
@@ -234,9 +234,9 @@ class RoomViewer implements Viewer {
   }
 
   reveal(surfaces: readonly number[]): void {
-    const present = this.#rig.quadrant;
+    const present = this.#rig.eye;
     if (present === null || !this.#room) return;
-    const better = betterQuadrant(this.#room.facing, surfaces, present);
+    const better = betterPlace(this.#room.facing, surfaces, present);
     if (better !== null) this.#rig.lookFrom(better);
   }
 

@@ -8,6 +8,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Camera } from '../../document/types.ts';
 import { poseBetween, type CameraPose } from './camera-flight.ts';
 import type { Covered } from '../stage/stage.ts';
+import type { Eye } from '../room/facing.ts';
 import type { ViewName } from '../types.ts';
 import { easeOut, reducedMotion, type Animation, type FrameLoop } from '../stage/frame-loop.ts';
 import { directionOf, type Box } from './framing.ts';
@@ -63,17 +64,20 @@ export class CameraRig {
     this.#framed = 'home';
   }
 
-  /** In which quadrant the eye is; null in a plan, which has none. */
-  get quadrant(): number | null {
+  /** Where the eye is; null in a plan, which is none. */
+  get eye(): Eye | null {
     if (this.plan) return null;
-    const { x, z } = this.#perspective.position.clone().sub(this.controls.target);
-    return x >= 0 ? (z >= 0 ? 0 : 1) : z < 0 ? 2 : 3;
+    const { position } = this.#perspective;
+    const { x, y, z } = position.clone().sub(this.controls.target);
+    const quadrant = x >= 0 ? (z >= 0 ? 0 : 1) : z < 0 ? 2 : 3;
+    return { quadrant, isAbove: this.#poses.isAbove(position), looksUp: y < 0 };
   }
 
-  /** Flies to the corner view from a quadrant. */
-  lookFrom(quadrant: number): void {
+  /** Flies to where something is seen: a quadrant's corner view, within the room looking up, or home. */
+  lookFrom(place: number | 'within' | 'home'): void {
+    if (place === 'home') return this.home();
     this.#framed = null;
-    this.#fly(this.#poses.corner(quadrant));
+    this.#fly(place === 'within' ? this.#poses.lookingUp() : this.#poses.corner(place));
   }
 
   /** What is covered is drawn, too, but the room is framed in what is left between. */

@@ -49,15 +49,14 @@ export class RoomPoses {
    * a little down.
    */
   within(): CameraPose {
-    const { theta } = this.home().spherical;
-    const { min, max } = this.#box;
-    const target = new Vector3(...framing.boxCenter(this.#box));
-    const height = Math.min(eyeHeight, 0.6 * (max[1] - min[1]));
-    const [x, z] = [Math.sin(theta), Math.cos(theta)];
-    const reach = Math.min((max[0] - min[0]) / 2 / Math.abs(x), (max[2] - min[2]) / 2 / Math.abs(z));
-    const away = Math.max(0.5 * reach, reach - fromWall);
-    const eye = new Vector3(target.x + away * x, min[1] + height, target.z + away * z);
-    return this.of(eye, target.setY(min[1] + 0.8 * height), false);
+    const { eye, target, height } = this.#person();
+    return this.of(eye, target.setY(this.#box.min[1] + 0.8 * height), false);
+  }
+
+  /** The same person, who looks up to the ceiling. */
+  lookingUp(): CameraPose {
+    const { eye, target } = this.#person();
+    return this.of(eye, target.setY(this.#box.max[1]), false);
   }
 
   /** As home, from one quadrant (0..3: azimuths 45, 135, 225, 315). */
@@ -120,5 +119,22 @@ export class RoomPoses {
   #planAzimuth(): number {
     if (!framing.planFrame(this.#box, this.planAspect).turned) return 0;
     return (framing.cornerAzimuth(this.#box, this.aspect, this.#facing) < 180 ? 0.5 : -0.5) * Math.PI;
+  }
+
+  /** Someone at the side of the room from which home looks, what is before them, and how high their eyes are, m. */
+  #person(): { eye: Vector3; target: Vector3; height: number } {
+    const { theta } = this.home().spherical;
+    const { min, max } = this.#box;
+    const target = new Vector3(...framing.boxCenter(this.#box));
+    const height = Math.min(eyeHeight, 0.6 * (max[1] - min[1]));
+    const [x, z] = [Math.sin(theta), Math.cos(theta)];
+    const reach = Math.min((max[0] - min[0]) / 2 / Math.abs(x), (max[2] - min[2]) / 2 / Math.abs(z));
+    const away = Math.max(0.5 * reach, reach - fromWall);
+    return { eye: new Vector3(target.x + away * x, min[1] + height, target.z + away * z), target, height };
+  }
+
+  /** Whether an eye is above the ceiling. */
+  isAbove({ y }: Vector3): boolean {
+    return y > this.#box.max[1];
   }
 }

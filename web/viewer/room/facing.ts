@@ -2,16 +2,24 @@
 import { Vector3 } from 'three';
 import type { LitMesh } from './room-mesh.ts';
 
-/** Of each leaf surface, the share of its area that faces an eye at azimuth 45, 135, 225 and 315 degrees. */
-export type Facing = ReadonlyMap<number, readonly [number, number, number, number]>;
+/** Of a leaf surface, the shares of its area that face an eye at azimuth 45, 135, 225 and 315 degrees, and that look down. */
+type Shares = readonly [number, number, number, number, number];
+export type Facing = ReadonlyMap<number, Shares>;
+
+/** Where an eye is: its quadrant, whether it is above the ceiling, and whether it looks up. */
+export interface Eye {
+  readonly quadrant: number;
+  readonly isAbove: boolean;
+  readonly looksUp: boolean;
+}
 
 export function facingOf(lit: readonly LitMesh[]): Facing {
-  const sums = new Map<number, [number, number, number, number, number]>();
+  const sums = new Map<number, [number, number, number, number, number, number]>();
   const [a, b, c, normal] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
   for (const { mesh, surface, measuring } of lit) {
     const index = mesh.geometry.index;
     if (measuring || !index) continue;
-    const sum = sums.get(surface) ?? [0, 0, 0, 0, 0];
+    const sum = sums.get(surface) ?? [0, 0, 0, 0, 0, 0];
     sums.set(surface, sum);
     const position = mesh.geometry.getAttribute('position');
     for (let i = 0; i + 2 < index.count; i += 3) {
@@ -21,7 +29,8 @@ export function facingOf(lit: readonly LitMesh[]): Facing {
       normal.crossVectors(b, c).transformDirection(mesh.matrixWorld);
       const area = b.cross(c).length();
       if (!(area > 0)) continue;
-      sum[4] += area;
+      sum[5] += area;
+      if (normal.y < -0.7) sum[4] += area;
       if (normal.x + normal.z > 0.1) sum[0] += area;
       if (normal.x - normal.z > 0.1) sum[1] += area;
       if (-normal.x - normal.z > 0.1) sum[2] += area;
@@ -29,9 +38,9 @@ export function facingOf(lit: readonly LitMesh[]): Facing {
     }
   }
   return new Map(
-    [...sums].map(([surface, [p, q, r, s, area]]) => {
+    [...sums].map(([surface, [p, q, r, s, down, area]]) => {
       const share = (part: number) => (area > 0 ? part / area : 0);
-      return [surface, [share(p), share(q), share(r), share(s)]];
+      return [surface, [share(p), share(q), share(r), share(s), share(down)]];
     }),
   );
 }
@@ -40,19 +49,25 @@ export function facingOf(lit: readonly LitMesh[]): Facing {
 export function quadrantShares(facing: Facing, aims: readonly number[]): number[] {
   const shares = [0, 0, 0, 0];
   for (const [surface, own] of facing)
-    own.forEach((share, q) => (shares[q]! += share * (aims.includes(surface) ? facing.size : 1)));
+    for (let q = 0; q < 4; q++) shares[q]! += own[q]! * (aims.includes(surface) ? facing.size : 1);
   return shares;
 }
 
 /**
- * The quadrant from which upright surfaces are seen, or null where they are seen already: an eye in `present` looks at
- * their fronts, or they are level.
+ * From where surfaces are seen: the quadrant of an eye before the fronts of upright ones, within the room for what looks
+ * down, the whole room for what is level; null where they are seen already.
  */
-export function betterQuadrant(facing: Facing, surfaces: readonly number[], present: number): number | null {
-  const seen = [0, 0, 0, 0];
+export function betterPlace(
+  facing: Facing,
+  surfaces: readonly number[],
+  { quadrant, isAbove, looksUp }: Eye,
+): number | 'within' | 'home' | null {
+  const seen = [0, 0, 0, 0, 0];
   for (const surface of surfaces)
-    facing.get(surface)?.forEach((share, q) => (seen[q]! += share / surfaces.length));
+    facing.get(surface)?.forEach((share, i) => (seen[i]! += share / surfaces.length));
+  const down = seen.pop()!;
+  if (down > 0.5) return isAbove ? 'within' : null;
   const most = Math.max(...seen);
-  if (most < 0.25 || seen[present]! > 0.5 * most) return null;
-  return seen.indexOf(most);
+  if (most < 0.25) return looksUp && surfaces.length > 0 ? 'home' : null;
+  return seen[quadrant]! > 0.5 * most ? null : seen.indexOf(most);
 }
