@@ -106,7 +106,7 @@ export interface Viewer {
   setLightColor(colors: Float32Array): void;
   /** The paint on the surfaces, and what each patch reflects under it; null: as in the file. */
   setPaint(paint: readonly SurfacePaint[], patchReflectance: Float32Array | null): void;
-  /** Leaf surfaces that glow, for something is told of them. */
+  /** Leaf surfaces that are outlined, for something is told of them. */
   setGlow(surfaces: readonly number[]): void;
   /** Linear RGB of each patch as its material has it, some time after the room was opened; null where it is not there any more. */
   colors(): Promise<Float32Array | null>;

@@ -21,7 +21,7 @@ export const paint: Words['paint'] = {
   allAsItWas: 'Alles wie zuvor',
   helps: 'Welche Farbe am meisten hilft',
   per: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad.`,
-  glows: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad, die erste leuchtet auf.`,
+  glows: (wish) => `Für ${wish}; je 0,1 Reflexionsgrad, die erste ist umrandet.`,
   leavesOut: 'Keine Farbe ändert direktes Licht: Was davon verlangt wird, ist hier ausgelassen.',
   lighter: (change) => `heller: ${change}`,
   darker: (change) => `dunkler: ${change}`,

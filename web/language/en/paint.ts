@@ -20,7 +20,7 @@ export const paint = {
   allAsItWas: 'All as it was',
   helps: 'Which paint helps most',
   per: (wish: string) => `For ${wish}; each by 0.1 of reflectance.`,
-  glows: (wish: string) => `For ${wish}; each by 0.1 of reflectance, the first glows.`,
+  glows: (wish: string) => `For ${wish}; each by 0.1 of reflectance, the first is outlined.`,
   leavesOut: 'No paint changes direct light: what is asked of it is left out here.',
   lighter: (change: string) => `lighter: ${change}`,
   darker: (change: string) => `darker: ${change}`,

@@ -1,4 +1,4 @@
-/** Where luminaires hang: surfaces, which glow in the picture, or a plane where nothing is a ceiling. */
+/** Where luminaires hang: surfaces, which are outlined in the picture, or a plane where nothing is a ceiling. */
 import { hangable, mountsIn, storeysIn } from '../../app/importing/model-choices.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';

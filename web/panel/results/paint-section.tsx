@@ -158,20 +158,21 @@ function Painted() {
   );
 }
 
-/** The surfaces whose paint would help most; the best one glows in the picture while this is seen. */
+/** The surfaces whose paint would help most; the best one is outlined in the picture while this is seen. */
 function Helping() {
   const app = useApp();
   const { painting } = app;
-  const list = useRef<HTMLDivElement>(null);
+  const told = useRef<HTMLParagraphElement>(null);
   const wish = painting.wish.value;
   const hasWish = wish !== null;
   useEffect(() => {
-    if (!list.current) return;
+    if (!told.current) return;
     painting.isWatched.value = true;
-    const observer = new IntersectionObserver((seen) => {
-      painting.isSeen.value = seen.at(-1)?.isIntersecting ?? false;
-    });
-    observer.observe(list.current);
+    // Not before the sentence is read: with the heading alone on the screen, an outline would come from nowhere.
+    const isRead = (seen: IntersectionObserverEntry[]) =>
+      void (painting.isSeen.value = (seen.at(-1)?.intersectionRatio ?? 0) > 0.99);
+    const observer = new IntersectionObserver(isRead, { threshold: [0, 1] });
+    observer.observe(told.current);
     return () => {
       observer.disconnect();
       painting.isWatched.value = painting.isSeen.value = false;
@@ -181,11 +182,11 @@ function Helping() {
   if (!wish) return note || null;
   const lines = painting.lines.value;
   return (
-    <div class="paint-gains" ref={list}>
+    <div class="paint-gains">
       <h3>
         <PaintRoller size={14} aria-hidden /> {words.value.paint.helps}
       </h3>
-      <p class="fine-print">
+      <p class="fine-print" ref={told}>
         {(lines.length > 0 ? words.value.paint.glows : words.value.paint.per)(wish.text)}
       </p>
       <ol>

@@ -9,7 +9,6 @@ import type { SurfaceOutlines } from '../room/surface-outline.ts';
 const pulse = 700; // ms
 const pulseTint = 0.3;
 const hoverTint = 0.07;
-const glowTint = 0.16;
 
 export const accent = new Color('#4f9dff');
 const pinnedRim = new Color('#ffb52e');
@@ -41,6 +40,7 @@ export class Emphasis {
     this.surface = this.overSurface = this.overLuminaire = null;
     this.luminaires = this.pinned = [];
     this.#outlines.setRoom(room);
+    this.#outlines.show('told', this.#glowing);
   }
 
   select(surface: number | null, luminaires: readonly number[]): void {
@@ -48,21 +48,21 @@ export class Emphasis {
     this.surface = surface;
     this.luminaires = luminaires;
     if (changed) {
-      this.#outlines.show('selected', surface);
+      this.#outlines.show('selected', listed(surface));
       this.#begun = 0;
       this.#loop.cancel(this.#fade);
       if (surface !== null && !reducedMotion()) this.#loop.animate(this.#fade);
-      if (surface === this.overSurface) this.#outlines.show('hovered', null);
+      if (surface === this.overSurface) this.#outlines.show('hovered', []);
       this.#tint(0);
     }
     this.refresh();
   }
 
-  /** Of surfaces that something is told of. */
+  /** Of surfaces that something is told of: lines, for a tint that stays would give a red wall another colour. */
   glow(surfaces: readonly number[]): void {
     if (surfaces.join() === this.#glowing.join()) return;
     this.#glowing = surfaces;
-    this.#tint(0);
+    this.#outlines.show('told', surfaces);
     this.#loop.invalidate();
   }
 
@@ -71,7 +71,7 @@ export class Emphasis {
     if (surface === this.overSurface && luminaire === this.overLuminaire) return false;
     if (surface !== this.overSurface) {
       this.overSurface = surface;
-      this.#outlines.show('hovered', surface === this.surface ? null : surface);
+      this.#outlines.show('hovered', surface === this.surface ? [] : listed(surface));
       this.#tint(0);
     }
     this.overLuminaire = luminaire;
@@ -105,8 +105,9 @@ export class Emphasis {
   #tint(selected: number): void {
     for (const { mesh, surface } of this.#room) {
       const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
-      const own = surface === this.surface ? selected : hovered;
-      mesh.material.uniforms['tint']!.value = Math.max(own, this.#glowing.includes(surface) ? glowTint : 0);
+      mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : hovered;
     }
   }
 }
+
+const listed = (surface: number | null): readonly number[] => (surface === null ? [] : [surface]);

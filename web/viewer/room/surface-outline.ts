@@ -1,6 +1,6 @@
 /**
- * Outlines of surfaces, made when first needed: thick lines around the selected and the hovered surface, and thin
- * ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
+ * Outlines of surfaces, made when first needed: thick lines around surfaces that are selected, hovered or told of,
+ * and thin ones along every edge of the room in false colour, where light alone would not tell one wall from the next.
  */
 import {
   Box3,
@@ -72,6 +72,9 @@ export function outlineOver(): LineBasicMaterial {
   return new LineBasicMaterial({ color: 0x62676f, transparent: true, depthTest: false, toneMapped: false });
 }
 
+/** What lines are around: what is selected, what the pointer is over, what something on the page tells of. */
+type Outline = 'selected' | 'hovered' | 'told';
+
 export class SurfaceOutlines {
   readonly root = new Group();
   #room: readonly LitMesh[] = [];
@@ -81,7 +84,8 @@ export class SurfaceOutlines {
   #hovered = this.#material('#ffffff', 1.25, 0.6);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
   #over = outlineOver();
-  #shown = new Map<'selected' | 'hovered', LineSegments2[]>();
+  #told = this.#material('#4f9dff', 2, 0.9);
+  #shown = new Map<Outline, LineSegments2[]>();
   #drawing: LineSegments[] = [];
   #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
   #ceiling: LineSegments | null = null;
@@ -91,8 +95,7 @@ export class SurfaceOutlines {
   }
 
   setRoom(room: readonly LitMesh[]): void {
-    this.show('selected', null);
-    this.show('hovered', null);
+    for (const which of ['selected', 'hovered', 'told'] as const) this.show(which, []);
     for (const lines of this.#drawing) {
       lines.removeFromParent();
       lines.geometry.dispose();
@@ -105,16 +108,20 @@ export class SurfaceOutlines {
     this.#edges.clear();
   }
 
-  show(which: 'selected' | 'hovered', surface: number | null): void {
+  show(which: Outline, surfaces: readonly number[]): void {
     for (const object of this.#shown.get(which) ?? []) {
       this.root.remove(object);
       object.geometry.dispose();
     }
     this.#shown.delete(which);
-    const ends = surface === null ? null : this.#edgesOfSurface(surface);
-    if (!ends || ends.length === 0) return;
+    const ends = surfaces.flatMap((surface) => [...this.#edgesOfSurface(surface)]);
+    if (ends.length === 0) return;
     const geometry = new LineSegmentsGeometry().setPositions(ends);
-    const materials = which === 'selected' ? [this.#through, this.#selected] : [this.#hovered];
+    const materials = {
+      selected: [this.#through, this.#selected],
+      hovered: [this.#hovered],
+      told: [this.#told],
+    }[which];
     const objects = materials.map((material) => {
       const lines = new LineSegments2(geometry, material);
       lines.renderOrder = 6;
@@ -171,7 +178,7 @@ export class SurfaceOutlines {
   }
 
   get #materials(): readonly Material[] {
-    return [this.#selected, this.#through, this.#hovered, this.#thin, this.#over, this.#rim];
+    return [this.#selected, this.#through, this.#hovered, this.#told, this.#thin, this.#over, this.#rim];
   }
 
   #edgesOfSurface(surface: number): Float32Array {
