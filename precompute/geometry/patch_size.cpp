@@ -7,9 +7,11 @@ namespace fiatlux {
 namespace {
 
 constexpr double kUsualPatches = 25000, kManyPatches = 100000;  // of a room, of a huge one
-constexpr double kFinestPatch = 0.05, kCoarsestPatch = 0.5;     // m
-constexpr double kFewMore = 1.15;                               // times as many are fine
-constexpr double kSnaps = 0.25;  // e to this: how much a patch may change to divide the sites' spacing
+// m. By their number alone patches of a room of 6 x 4 m would be 0.07 m long: five times the work, for means
+// that differ by 0.1 % and sigmas by 1.
+constexpr double kFinestPatch = 0.1, kCoarsestPatch = 0.5;
+constexpr double kFewMore = 1.15;  // times as many are fine
+constexpr double kSnaps = 0.25;    // e to this: how much a patch may change to divide the sites' spacing
 constexpr int kCoarsenings = 3;
 
 Cut fittingCut(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree) {

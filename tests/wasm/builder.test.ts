@@ -12,7 +12,7 @@ import { beginCandidates } from '../../web/solver/mounted-session.ts';
 import { openScene } from '../../web/solver/open-scene.ts';
 import { wholeFile } from '../../web/solver/scene-stream.ts';
 import { facings, uses, usualOptions, type BuildOptions } from '../../web/builder/builder.ts';
-import { Stopped, TooLarge, finest, type BuildProgress } from '../../web/builder/pool.ts';
+import { Stopped, TooLarge, type BuildProgress } from '../../web/builder/pool.ts';
 import { intentionsOf } from '../../web/document/intentions.ts';
 import { coreIntentions } from '../../web/solver/core-intentions.ts';
 import type { Model } from '../../web/builder/protocol.ts';
@@ -147,10 +147,10 @@ test('a draft has longer patches and the same places', async () => {
 test('patches of a small room are no shorter than a decimetre, unless that is asked for', async () => {
   const options = { ...coarse, patch: 0, scale: 0.5 };
   const pool = poolOf(1);
-  expect((await pool.survey(modelOf(box), options)).patch).toBeCloseTo(finest);
+  expect((await pool.survey(modelOf(box), options)).patch).toBeCloseTo(0.1);
   expect((await pool.survey(modelOf(box), { ...options, patch: 0.07 })).patch).toBeCloseTo(0.07);
   const { room } = await pool.build({ model: modelOf(box), options, ...quiet() });
-  expect(room.patchSize).toBeCloseTo(finest);
+  expect(room.patchSize).toBeCloseTo(0.1);
 }, 60_000);
 
 test('a model is surveyed before anything is computed, as its options say', async () => {

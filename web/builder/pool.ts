@@ -48,12 +48,6 @@ const spans: Record<Stage, readonly [number, number]> = {
 /** Stages of the pipeline that the first worker goes through alone, and how far it is then with writing. */
 const writing: Readonly<Record<string, number>> = { 'display mesh': 0.3, 'scene file': 0.4 };
 
-/**
- * m: patches are shorter only where somebody says so. By their number alone those of a room of 6 x 4 m would be 0.07 m: five
- * times the work, for means that differ by 0.1 % and sigmas by 1.
- */
-export const finest = 0.1;
-
 const portions = 96; // that the rows are handed out in
 const leastRows = 16; // of one
 
@@ -82,11 +76,7 @@ export class BuilderPool {
   async survey(model: Model, options: BuildOptions): Promise<Survey> {
     const member = new Member(this.#startWorker(), await this.#compiled());
     try {
-      const look = async (by: BuildOptions) =>
-        (await member.ask({ type: 'survey', model, options: by }, 'surveyed')).survey;
-      const survey = await look(options);
-      const isTooFine = options.patch === 0 && survey.patch < finest;
-      return isTooFine ? await look({ ...options, patch: finest }) : survey;
+      return (await member.ask({ type: 'survey', model, options }, 'surveyed')).survey;
     } finally {
       member.end();
     }
@@ -146,10 +136,8 @@ class Run {
   async #openFirst(): Promise<RoomCounts> {
     const { options, coarseness = 1 } = this.#wish;
     const room = await this.#open(this.#chief);
-    const usual = options.patch === 0 ? Math.max(finest, room.patchSize) : room.patchSize;
-    const patch = coarseness * usual;
-    if (patch === room.patchSize) return room;
-    this.#options = { ...options, patch };
+    if (coarseness === 1) return room;
+    this.#options = { ...options, patch: coarseness * room.patchSize };
     return this.#open(this.#chief);
   }
 

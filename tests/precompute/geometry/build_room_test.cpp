@@ -114,6 +114,14 @@ TEST(BuildRoom, TheCorridorHasThePapersCounts) {
   }
 }
 
+TEST(BuildRoom, PatchesOfASmallRoomAreNoShorterThanADecimetre) {
+  TestGltf gltf = testing::boxRoom({3, 2.5, 2}, 0);
+  EXPECT_NEAR(gltf.build()->patchSize, 0.1, 1e-9);
+  RoomOptions options;
+  options.patch = 0.07;  // but where that is asked for
+  EXPECT_NEAR(gltf.build(options)->patchSize, 0.07, 1e-9);
+}
+
 TEST(BuildRoom, SitesLieOnTheirMountAndShineIntoTheRoom) {
   const auto room = eCorridor().build();
   ASSERT_TRUE(room);
