@@ -18,6 +18,7 @@ constexpr double kPassage = 1.1;        // m: what is narrower is an opening bet
 constexpr double kDoorHeight = 2.25;    // m, at most, of the air in an opening below a lintel
 constexpr double kLintel = 0.2;         // m, at least, that it hangs lower than the ceilings beside it
 constexpr double kDeepest = 0.7;        // m, of the wall that it is in
+constexpr double kJambs = 0.15;         // m, at least, that an opening is narrower than what it leads to
 constexpr double kAround = 0.5;         // m, from a point to the air nearest to it
 constexpr double kLeastOpening = 0.3;   // m2: a gap that nobody walks through is none
 constexpr std::size_t kLeastCore = 50;  // cubes: fewer are a corner of something
@@ -121,14 +122,9 @@ void Spaces::part(bool hasOutdoors) {
   grow();
 }
 
-/// Air that ends lower than on both sides of it, within the depth of a wall, is as narrow as a door: an
-/// opening may be as wide as it likes. Beams are higher, and around lamps one may go.
-void Spaces::narrowBelowLintels(std::vector<std::uint8_t>& narrow) const {
-  const auto cubesIn = [&](double metres) { return static_cast<int>(std::lround(metres / grid_.edge)); };
-  const int most = cubesIn(kDoorHeight), lintel = std::max(1, cubesIn(kLintel)), reach = cubesIn(kDeepest);
-  // Where the air of a cube ends, in steps upward.
+/// How many steps up the air of each cube ends; low is what has no more than `most` cubes of it.
+std::vector<std::uint16_t> Spaces::topsOfAir(int most, std::vector<std::uint8_t>& isLow) const {
   std::vector<std::uint16_t> top(grid_.size(), 0);
-  std::vector<std::uint8_t> isLow(grid_.size(), 0);
   const std::size_t up = grid_.stride(1);
   const int tall = grid_.count[1];
   for (std::size_t first = 0; first < grid_.size(); ++first) {
@@ -142,27 +138,57 @@ void Spaces::narrowBelowLintels(std::vector<std::uint8_t>& narrow) const {
       }
     }
   }
-  for (std::size_t cube = 0; cube < grid_.size(); ++cube) {
-    if (!isLow[cube] || narrow[cube]) continue;
-    for (const int axis : {0, 2}) {
-      const std::size_t stride = grid_.stride(axis);
+  return top;
+}
+
+/// Air that ends lower than on both sides of it, within the depth of a wall, is as narrow as a door: an
+/// opening may be as wide as it likes, but not as wide as what it leads to on both sides, like what is below
+/// a beam. Around lamps one may go.
+void Spaces::narrowBelowLintels(std::vector<std::uint8_t>& narrow) const {
+  const auto cubesIn = [&](double metres) { return static_cast<int>(std::lround(metres / grid_.edge)); };
+  const int lintel = std::max(1, cubesIn(kLintel)), reach = cubesIn(kDeepest);
+  std::vector<std::uint8_t> isLow(grid_.size(), 0);
+  const std::vector<std::uint16_t> top = topsOfAir(cubesIn(kDoorHeight), isLow);
+  for (const int axis : {0, 2}) {
+    const std::size_t stride = grid_.stride(axis);
+    // Where air ends higher in front of a cube and behind it; false: solid comes first, or it is too far.
+    const auto isBelowLintel = [&](std::size_t cube, std::size_t& back, std::size_t& forth) {
       const int at = grid_.stepsOf(cube)[static_cast<std::size_t>(axis)];
-      // Steps to air that ends higher; 0: what is solid comes first, or it is too far.
       const auto stepsToHigher = [&](int way, int count) {
         for (int i = 1; i <= std::min(count, reach); ++i) {
-          const std::size_t other = way > 0 ? cube + static_cast<std::size_t>(i) * stride
-                                            : cube - static_cast<std::size_t>(i) * stride;
+          const std::size_t steps = static_cast<std::size_t>(i) * stride;
+          const std::size_t other = way > 0 ? cube + steps : cube - steps;
           if (solid_[other]) return 0;
           if (top[other] >= top[cube] + lintel) return i;
         }
         return 0;
       };
-      const int back = stepsToHigher(-1, at);
-      if (back == 0) continue;
-      const int forth = stepsToHigher(1, grid_.count[static_cast<std::size_t>(axis)] - 1 - at);
-      if (forth > 0 && back + forth - 1 <= reach) narrow[cube] = 1;
+      const int before = isLow[cube] ? stepsToHigher(-1, at) : 0;
+      if (before == 0) return false;
+      const int after = stepsToHigher(1, grid_.count[static_cast<std::size_t>(axis)] - 1 - at);
+      back = cube - static_cast<std::size_t>(before) * stride;
+      forth = cube + static_cast<std::size_t>(after) * stride;
+      return after > 0 && before + after - 1 <= reach;
+    };
+    for (std::size_t cube = 0, back = 0, forth = 0; cube < grid_.size(); ++cube) {
+      if (narrow[cube] || !isBelowLintel(cube, back, forth)) continue;
+      const int wide = airAlong(2 - axis, cube);
+      const int beside = std::max(airAlong(2 - axis, back), airAlong(2 - axis, forth));
+      if ((beside - wide) * grid_.edge >= kJambs) narrow[cube] = 1;
     }
   }
+}
+
+/// In how many cubes along an axis there is air, from what is solid to what is solid.
+int Spaces::airAlong(int axis, std::size_t cube) const {
+  const std::size_t stride = grid_.stride(axis);
+  const int at = grid_.stepsOf(cube)[static_cast<std::size_t>(axis)];
+  int before = 0, after = 0;
+  while (before < at && !solid_[cube - static_cast<std::size_t>(before + 1) * stride]) ++before;
+  while (at + after + 1 < grid_.count[static_cast<std::size_t>(axis)] &&
+         !solid_[cube + static_cast<std::size_t>(after + 1) * stride])
+    ++after;
+  return before + 1 + after;
 }
 
 /// What is far enough from all that is solid, in connected pieces; the open sky is one.

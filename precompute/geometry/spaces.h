@@ -1,7 +1,7 @@
 // The spaces of a building: its air in cubes, parted where it is no wider than a door, or lower than on both
-// sides of it, as below a lintel. A cube is solid where a triangle may be; what has more than half a metre of
-// air to all sides is the core of a space, and cores grow at one pace until they meet, in the middle of
-// openings (a watershed of the distance to what is solid).
+// sides of it, as below a lintel, but for beams from wall to wall. A cube is solid where a triangle may be;
+// what has more than half a metre of air to all sides is the core of a space, and cores grow at one pace
+// until they meet, in the middle of openings (a watershed of the distance to what is solid).
 #pragma once
 
 #include <algorithm>
@@ -76,7 +76,9 @@ class Spaces {
   }
   void fill(const SourceScene& source);
   void part(bool hasOutdoors);
+  std::vector<std::uint16_t> topsOfAir(int most, std::vector<std::uint8_t>& isLow) const;
   void narrowBelowLintels(std::vector<std::uint8_t>& narrow) const;
+  int airAlong(int axis, std::size_t cube) const;
   void findCores(bool hasOutdoors);
   void grow();
 

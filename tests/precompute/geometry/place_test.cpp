@@ -112,6 +112,16 @@ TEST(Place, ABeamPartsNothing) {
   made.block("beam", {2.9, 2.4, 0}, {0.2, 0.4, testing::kPlan.z});
   SourceScene source = *made.gltf.read();
   EXPECT_THAT(keepPlace({Vec3{1, 1, 2}}, source), HasSubstr(": 1 of 1 rooms"));
+
+  // Nor one that is as low as a door, from wall to wall; one above a wide opening does.
+  for (const double from : {0.0, 0.6}) {
+    TrapRoom low = testing::twoSided();
+    low.block("beam", {2.9, 2.0, 0}, {0.2, 0.8, testing::kPlan.z});
+    if (from > 0) low.block("jamb", {2.9, 0, 0}, {0.2, 2.0, from});
+    SourceScene beamed = *low.gltf.read();
+    EXPECT_THAT(keepPlace({Vec3{1, 1, 2}}, beamed),
+                HasSubstr(from > 0 ? ": 1 of 2 rooms" : ": 1 of 1 rooms"));
+  }
 }
 
 TEST(Place, HasNoFarSidesOfItsWalls) {
