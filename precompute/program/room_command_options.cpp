@@ -100,7 +100,9 @@ void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, 
 void addRoomOptions(CLI::App& command, std::string& source, RoomOptions& room, RayOptions rays,
                     bool& verbose) {
   addModelOptions(command, source, room, verbose);
-  command.add_option("--patch", room.patch, "Edge of a patch, m (default: about 25 000 patches of 0.1 m or more)")
+  command
+      .add_option("--patch", room.patch,
+                  "Edge of a patch, m (default: about 25 000 patches of 0.1 m or more)")
       ->check(numberFrom(1e-4, kMost));
   command.add_option("--site-spacing", room.siteSpacing, "Distance between sites, m")
       ->check(numberFrom(1e-3, kMost));
