@@ -8,10 +8,9 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Camera } from '../../document/types.ts';
 import { poseBetween, type CameraPose } from './camera-flight.ts';
 import type { Covered } from '../stage/stage.ts';
-import type { Eye } from '../room/facing.ts';
 import type { ViewName } from '../types.ts';
 import { easeOut, reducedMotion, type Animation, type FrameLoop } from '../stage/frame-loop.ts';
-import { directionOf, type Box } from './framing.ts';
+import { directionOf, type Box, type EyePlace } from './framing.ts';
 import { fov, RoomPoses, tangent } from './room-poses.ts';
 
 const flight = 420; // ms
@@ -65,7 +64,7 @@ export class CameraRig {
   }
 
   /** Where the eye is; null in a plan, which is none. */
-  get eye(): Eye | null {
+  get eye(): EyePlace | null {
     if (this.plan) return null;
     const { position } = this.#perspective;
     const { x, y, z } = position.clone().sub(this.controls.target);

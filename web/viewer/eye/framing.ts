@@ -10,6 +10,13 @@ export interface Box {
   readonly max: Vec;
 }
 
+/** Where an eye is: its quadrant, whether it is above the ceiling, and whether it looks up. */
+export interface EyePlace {
+  readonly quadrant: number;
+  readonly isAbove: boolean;
+  readonly looksUp: boolean;
+}
+
 export interface Pose {
   readonly position: [number, number, number];
   readonly target: [number, number, number];

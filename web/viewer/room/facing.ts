@@ -1,17 +1,11 @@
 /** Which way a room's surfaces face, and so from which corner they are seen: an eye in front of them, not behind. */
 import { Vector3 } from 'three';
+import type { EyePlace } from '../eye/framing.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 /** Of a leaf surface, the shares of its area that face an eye at azimuth 45, 135, 225 and 315 degrees, and that look down. */
 type Shares = readonly [number, number, number, number, number];
 export type Facing = ReadonlyMap<number, Shares>;
-
-/** Where an eye is: its quadrant, whether it is above the ceiling, and whether it looks up. */
-export interface Eye {
-  readonly quadrant: number;
-  readonly isAbove: boolean;
-  readonly looksUp: boolean;
-}
 
 export function facingOf(lit: readonly LitMesh[]): Facing {
   const sums = new Map<number, [number, number, number, number, number, number]>();
@@ -60,7 +54,7 @@ export function quadrantShares(facing: Facing, aims: readonly number[]): number[
 export function betterPlace(
   facing: Facing,
   surfaces: readonly number[],
-  { quadrant, isAbove, looksUp }: Eye,
+  { quadrant, isAbove, looksUp }: EyePlace,
 ): number | 'within' | 'home' | null {
   const seen = [0, 0, 0, 0, 0];
   for (const surface of surfaces)
