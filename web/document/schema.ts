@@ -4,6 +4,7 @@
  */
 import * as v from 'valibot';
 import { leastPaint, mostPaint } from './paint.ts';
+import { words } from '../language/language.ts';
 import type { Camera, Display, FiatLuxDocument } from './types.ts';
 
 export const mostLuminaires = 500;
@@ -238,10 +239,12 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   luminaires: v.exactOptional(v.boolean()),
 });
 
-/** "cards.0.mean: Invalid type ..." -> one short clause about the first fault. */
+/** "cards.0.mean: expected number, found ..." -> one short clause about the first fault. */
 export function firstFault(issues: readonly v.BaseIssue<unknown>[]): string {
   const issue = issues[0];
-  if (!issue) return 'it does not have the expected form';
+  if (!issue) return words.value.files.misshapen;
+  const { expected, received, message } = issue;
+  const what = expected === null ? message : words.value.files.misfit(expected, received);
   const path = issue.path?.map((item) => String(item.key)).join('.') ?? '';
-  return `${path ? `${cleanName(path)}: ` : ''}${cleanName(issue.message)}`.slice(0, 160);
+  return `${path ? `${cleanName(path)}: ` : ''}${cleanName(what)}`.slice(0, 160);
 }

@@ -99,12 +99,12 @@ function typeLines({ name, size, flux, watts }: StfType): string[] {
   ];
 }
 
-/** The project, or one readable line. Keys count in any case; what is not known is passed over. */
+/** The project, or one readable clause, in English. Keys count in any case; what is not known is passed over. */
 export function readStf(text: string): StfProject | string {
   try {
     return new StfReader(text).project();
   } catch (fault) {
-    if (fault instanceof StfFault) return `This STF file cannot be read: ${fault.message}.`;
+    if (fault instanceof StfFault) return fault.message;
     throw fault;
   }
 }

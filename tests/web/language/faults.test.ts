@@ -44,12 +44,13 @@ test('a fault is told in the language of the page, with what it tells of its own
   expect(inOurWords('this is a GLDF container; unzip it and take out a.ldt, b.ies and others')).toBe(
     'Das ist ein GLDF-Container; entpacken und daraus a.ldt, b.ies und andere nehmen',
   );
+  expect(inOurWords('[r1] Height=high is not a number')).toBe('[r1] Height=high ist keine Zahl');
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });
 
 /** The text of what says them, its broken strings joined. */
 function sources(): string {
-  const files = ['core', 'precompute', 'web/solver', 'web/builder'].flatMap((folder) =>
+  const files = ['core', 'precompute', 'web/solver', 'web/builder', 'web/document'].flatMap((folder) =>
     readdirSync(path.join(root, folder), { recursive: true, encoding: 'utf8' })
       .filter((name) => /\.(cpp|h|ts)$/.test(name))
       .map((name) => readFileSync(path.join(root, folder, name), 'utf8')),

@@ -4,6 +4,7 @@
  */
 import { Box3, Group, LoadingManager, Mesh, MeshStandardMaterial, Vector3, type Object3D } from 'three';
 import { isModel } from './model-files.ts';
+import { reasonOf } from '../../document/reason.ts';
 import { words } from '../../language/language.ts';
 
 export interface Imported {
@@ -31,7 +32,9 @@ export async function importModel(files: readonly File[]): Promise<Imported> {
       manager.onError = () => done();
     });
     manager.itemStart(main.name);
-    const object = await loaded(main, files, manager);
+    const object = await loaded(main, files, manager).catch((error: unknown) => {
+      throw new Error(whyUnread(error));
+    });
     manager.itemEnd(main.name);
     await pictures;
     const note = fitted(object);
@@ -41,6 +44,15 @@ export async function importModel(files: readonly File[]): Promise<Imported> {
   } finally {
     for (const url of urls.values()) URL.revokeObjectURL(url);
   }
+}
+
+/** A loader tells its own kind of fault; what is thrown here in our words stays. */
+function whyUnread(error: unknown): string {
+  const { damaged, noCollada, noReader, oldFbx } = words.value.opening.import;
+  const why = reasonOf(error);
+  if (why === noCollada) return why;
+  if (/import(ed|ing) (a )?module/i.test(why)) return noReader;
+  return /FBX version not supported/.test(why) ? oldFbx : damaged;
 }
 
 async function loaded(main: File, files: readonly File[], manager: LoadingManager): Promise<Object3D> {

@@ -5,6 +5,7 @@ import { importModel, type Imported } from './import-model.ts';
 import { importIfc, type ChoosePlace } from './ifc/import-ifc.ts';
 import { cureOf, isIfc, isModel } from './model-files.ts';
 import { planOfStf } from './stf-plan.ts';
+import { inOurWords } from '../../language/faults.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
 
@@ -20,7 +21,7 @@ export async function imported(files: readonly File[], choose: ChoosePlace): Pro
     if (main && isModel(main.name)) return await importModel(files);
     if (stf) return stfRoom(await stf.text());
   } catch (error) {
-    throw new Error(words.value.opening.import.unreadable(name, reasonOf(error)));
+    throw new Error(words.value.opening.import.unreadable(name, inOurWords(reasonOf(error))));
   }
   throw new Error(
     words.value.opening.import.comesFrom(name, cureOf(name) ?? words.value.opening.import.anotherProgram),

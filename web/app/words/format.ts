@@ -98,6 +98,7 @@ export function easedBound(value: number, end: 'min' | 'max'): number {
 /** "no connection" -> "No connection."; a fault that is told in English in the page's words. */
 export function sentence(text: string): string {
   const clean = inOurWords(text.trim());
-  const start = clean.charAt(0).toUpperCase() + clean.slice(1);
+  const isOfFile = /^[^:]*\.\w{2,4}: /.test(clean); // whose name stays as it is
+  const start = isOfFile ? clean : clean.charAt(0).toUpperCase() + clean.slice(1);
   return /[.!?]$/.test(start) ? start : `${start}.`;
 }

@@ -5,6 +5,7 @@
 import * as v from 'valibot';
 import type { SceneInfo } from '../../document/types.ts';
 import { percent } from './format.ts';
+import { placesText } from './places.ts';
 import { inOurWords } from '../../language/faults.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';
@@ -104,7 +105,7 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
     [words.value.results.room.facts.errorMean, errors && fine(errors.mean)],
     [words.value.results.room.facts.errorSpread, errors && fine(errors.sigma)],
     [words.value.results.room.facts.errorPatch, errors && fine(errors.patchRmsWorst)],
-    [words.value.results.room.facts.few, fewPatches?.join(', ')],
+    [words.value.results.room.facts.few, fewPatches && placesText(fewPatches)],
   ];
   return facts.flatMap(([name, value]) => (value ? [[name, value]] : []));
 }

@@ -67,4 +67,12 @@ export const faults: Words['faults'] = {
   noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene (--plane) liegen könnte',
   narrowFloor: (rim) =>
     `Keine Nutzebene: Der Boden ist schmaler als zwei Randzonen von ${rim} m; die Randzone kleiner machen (--plane-rim)`,
+  stfTooLarge: 'die Datei ist größer als 8 MB',
+  stfNoSection: (section) => `der Abschnitt [${section}] fehlt`,
+  stfNoLine: (section, name) => `in [${section}] fehlt die Zeile ${name}=`,
+  stfFewPoints: (section, count) => `[${section}] hat ${count} Punkte; ein Raum hat mindestens drei`,
+  stfNoReflectance: (section, line) => `[${section}] ${line} ist kein Reflexionsgrad`,
+  stfNoNumber: (section, line) => `[${section}] ${line} ist keine Zahl`,
+  stfNoNumbers: (section, line, count) => `[${section}] ${line} sind nicht ${count} Zahlen`,
+  stfNotWhole: (section, line, most) => `[${section}] ${line} ist keine ganze Zahl bis ${most}`,
 };

@@ -2,6 +2,8 @@
 import type { Words } from '../en.ts';
 
 export const files: Words['files'] = {
+  misfit: (expected, received) => `erwartet ${expected}, gefunden ${received}`,
+  misshapen: 'es hat nicht die erwartete Form',
   link: {
     tooLong: 'Das ist mehr, als ein Link fasst (1800 Zeichen). Stattdessen eine Projektdatei sichern.',
     unreadable: (what) =>

@@ -82,6 +82,9 @@ export const opening: Words['opening'] = {
   import: {
     noModel: 'unter diesen Dateien ist kein Modell',
     noCollada: 'es ist keine Collada-Datei',
+    damaged: 'die Datei ist beschädigt oder nicht das, was ihr Name sagt',
+    noReader: 'was solche Dateien liest, war nicht zu laden; die Verbindung prüfen und noch einmal versuchen',
+    oldFbx: 'das FBX ist älter als Version 7 des Formats: neu exportieren',
     noSurfaces: 'es enthält keine Flächen',
     scaled: (widest, unit) => `Das Modell ist ${widest} Einheiten breit, darum gelten sie als ${unit}.`,
     theFile: 'Die Datei',

@@ -65,4 +65,15 @@ export const faults = {
   noFloor: 'there is no floor for a working plane (--plane) to lie over',
   narrowFloor: (rim: string) =>
     `no working plane: the floor is narrower than two rims of ${rim} m; make the rim smaller (--plane-rim)`,
+  stfTooLarge: 'it is larger than 8 MB',
+  stfNoSection: (section: string) => `it has no section [${section}]`,
+  stfNoLine: (section: string, name: string) => `[${section}] has no line ${name}=`,
+  stfFewPoints: (section: string, count: string) =>
+    `[${section}] has ${count} points; a room has three at least`,
+  stfNoReflectance: (section: string, line: string) => `[${section}] ${line} is no reflectance`,
+  stfNoNumber: (section: string, line: string) => `[${section}] ${line} is not a number`,
+  stfNoNumbers: (section: string, line: string, count: string) =>
+    `[${section}] ${line} is not ${count} numbers`,
+  stfNotWhole: (section: string, line: string, most: string) =>
+    `[${section}] ${line} is not a whole number up to ${most}`,
 };

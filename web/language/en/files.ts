@@ -1,6 +1,8 @@
 /** Files that are written or read, and what is wrong with one. */
 
 export const files = {
+  misfit: (expected: string, received: string) => `expected ${expected}, found ${received}`,
+  misshapen: 'it does not have the expected form',
   link: {
     tooLong: 'This is more than a link can carry (1800 characters). Save a project file instead.',
     unreadable: (what: string) =>

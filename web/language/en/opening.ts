@@ -76,6 +76,9 @@ export const opening = {
   import: {
     noModel: 'there is no model among these files',
     noCollada: 'it is no Collada file',
+    damaged: 'it is damaged, or not what its name says',
+    noReader: 'what reads such files could not be loaded; check the connection and try again',
+    oldFbx: 'its FBX is older than version 7 of the format: export it anew',
     noSurfaces: 'it holds no surfaces',
     scaled: (widest: number, unit: string) => `It is ${widest} units wide, so these were taken as ${unit}.`,
     theFile: 'The file',

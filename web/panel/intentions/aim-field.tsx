@@ -4,6 +4,7 @@
  */
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, unitOf } from '../../app/words/format.ts';
+import { namesText } from '../../app/words/places.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { withOptional } from '../../document/intentions.ts';
@@ -26,7 +27,7 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   const { scale, hold, release } = axis;
   const step = niceStep(scale);
   const none = withoutAim[card.verb === 'keep' ? 'homogenize' : card.verb];
-  const name = card.surfaces[0] ?? '';
+  const name = namesText(card.surfaces);
   const set = (value: number | undefined) =>
     app.changeCard(
       card.id,

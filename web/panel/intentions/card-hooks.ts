@@ -2,6 +2,7 @@
 import { useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { niceCeiling } from '../../app/words/format.ts';
+import { namesText } from '../../app/words/places.ts';
 import { withPushedBound, type BoundField } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
@@ -30,7 +31,7 @@ export function useBound(card: Card) {
     set: (field: BoundField, value: number | undefined) =>
       app.changeCard(
         card.id,
-        words.value.steps.bound(card.surfaces[0] ?? ''),
+        words.value.steps.bound(namesText(card.surfaces)),
         (each) => withPushedBound(each, field, value),
         `${card.id} ${field}`,
       ),

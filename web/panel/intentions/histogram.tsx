@@ -5,6 +5,7 @@
 import { useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, percent, unitOf } from '../../app/words/format.ts';
+import { namesText } from '../../app/words/places.ts';
 import { histogram, promises, shareBelow, type AreaSample } from '../../app/state/statistics.ts';
 import { boundOf, type BoundField } from '../../document/intentions.ts';
 import { useBound, usePaperWords, type Axis, type CardProps } from './card-hooks.ts';
@@ -84,7 +85,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
               {...{ value, mark, drag, scale }}
               at={x(value)}
               kind={field.startsWith('mean') ? 'mean' : 'guarantee'}
-              label={`${card.surfaces[0]}: ${title()}`}
+              label={`${namesText(card.surfaces)}: ${title()}`}
               text={`${compact(value)} ${unit}`}
               set={(next) => bound.set(field, next)}
             />

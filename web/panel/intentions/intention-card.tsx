@@ -59,7 +59,7 @@ export function IntentionCard({ card }: CardProps) {
           class="icon-button small"
           aria-label={words.value.intentions.card.remove(
             words.value.intentions.verbs[card.verb].title.toLowerCase(),
-            card.surfaces[0] ?? '',
+            namesText(card.surfaces),
           )}
           onClick={() => app.removeCard(card.id)}
         >

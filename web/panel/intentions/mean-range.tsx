@@ -1,6 +1,7 @@
 /** The two-handled range for the mean of a card: roughly by sliding, exactly by typing. */
 import { useApp } from '../../app/app.ts';
 import { compact, niceStep, unitOf } from '../../app/words/format.ts';
+import { namesText } from '../../app/words/places.ts';
 import { useBound, type Axis, type CardProps } from './card-hooks.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { RangeSlider } from '../controls/slider.tsx';
@@ -15,7 +16,7 @@ export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
   const { min, max } = card.mean ?? {};
   const { scale, hold, release } = axis;
   const step = niceStep(scale);
-  const name = card.surfaces[0] ?? '';
+  const name = namesText(card.surfaces);
   const finish = () => {
     release();
     end();

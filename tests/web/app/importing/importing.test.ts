@@ -1,11 +1,12 @@
 // Files of other programs: which are read, what a zip and an STF file hold, and what is said of the others.
 // Covers importing, model-files, stf-plan, unzipped; import-model's loaders need a browser: see tests/e2e/importing.spec.ts.
-import { describe, expect, test } from '@jest/globals';
+import { afterEach, describe, expect, test } from '@jest/globals';
 import { zipSync, strToU8 } from 'fflate';
 import { imported } from '../../../../web/app/importing/importing.ts';
 import { cureOf, isForImport } from '../../../../web/app/importing/model-files.ts';
 import { planOfStf } from '../../../../web/app/importing/stf-plan.ts';
 import { unzippedModel } from '../../../../web/app/importing/unzipped.ts';
+import { speak } from '../../../../web/language/language.ts';
 import { unpackedPlan } from '../../../../web/room-maker/plan-code.mjs';
 
 const file = (name: string, text: string | Uint8Array<ArrayBuffer> = '') => new File([text], name);
@@ -89,4 +90,23 @@ test.each(['house.skp', 'house.rvt', 'house.3dm', 'house.ifcxml', 'plan.dwg', 'r
 test.each(['room.flux', 'lamp.ldt', 'work.json', 'notes.txt'])('%s is left to others', (name) => {
   expect(isForImport([name])).toBe(false);
   expect(cureOf(name)).toBeNull();
+});
+
+describe('a damaged file', () => {
+  afterEach(() => speak('en'));
+  const said = (name: string) =>
+    imported([file(name, 'abc')], () => Promise.resolve(null)).catch((fault: Error) => fault.message);
+
+  test.each(['a.fbx', 'a.stl', 'a.3ds'])(
+    'is told in our words, not in those of what read it (%s)',
+    async (name) => {
+      expect(await said(name)).toBe(`“${name}” cannot be read: it is damaged, or not what its name says.`);
+    },
+  );
+
+  test('is told in the language of the page', async () => {
+    await speak('de');
+    expect(await said('a.stf')).toBe('„a.stf“ ist nicht lesbar: der Abschnitt [VERSION] fehlt.');
+    expect(await said('a.fbx')).toMatch(/^„a\.fbx“ ist nicht lesbar: die Datei ist beschädigt/);
+  });
 });

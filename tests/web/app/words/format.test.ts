@@ -9,6 +9,7 @@ import {
   percent,
   percentAtMost,
   ratio,
+  sentence,
   tabular,
 } from '../../../../web/app/words/format.ts';
 
@@ -61,4 +62,9 @@ test('an eased bound can be met by what is reached', () => {
     expect(easedBound(value, 'min')).toBeGreaterThan(value * 0.985);
     expect(easedBound(value, 'max')).toBeLessThan(value * 1.015);
   }
+});
+
+test('a sentence begins with a capital, but the name of a file is left as it is', () => {
+  expect(sentence('no connection')).toBe('No connection.');
+  expect(sentence('my hall.glb: that is no model')).toBe('my hall.glb: that is no model.');
 });
