@@ -9,7 +9,7 @@ import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
 import { wattsOf } from './state/power.ts';
-import type { Comparison, Store } from './state/store.ts';
+import type { Comparison, CountTried, Store } from './state/store.ts';
 
 type Sites = SceneInfo['sites'];
 
@@ -26,6 +26,12 @@ export function countsAround({ count, most, pinned }: Luminaires, places: number
   const least = most === undefined ? Math.max(1, pinned.length, count - mostCounts / 2) : count;
   const length = Math.min(mostCounts, Math.max(0, Math.min(most ?? Infinity, places) - least + 1));
   return Array.from({ length }, (_, i) => least + i);
+}
+
+/** Beyond a range of which none is enough: so many more may do. */
+export function countsBeyond({ most }: Pick<Luminaires, 'most'>, places: number): number[] {
+  if (most === undefined) return []; // the numbers around one reach beyond it
+  return Array.from({ length: Math.min(mostCounts, Math.max(0, places - most)) }, (_, i) => most + 1 + i);
 }
 
 /** The same wish for exactly `count` luminaires. */
@@ -116,20 +122,29 @@ export class Comparing {
     const places = sites.size.length - of.luminaires.excluded.length;
     const counts = countsAround(document.peek().luminaires, places);
     const take = (change: Partial<Comparison>) =>
-      void (comparison.value = { of, counts: [], rules: [], ...currentOf(comparison.peek(), of), ...change });
+      void (comparison.value = { of, ...untried, ...currentOf(comparison.peek(), of), ...change });
     this.#asked = of;
+    this.#tryCounts(of, counts, (tried) => {
+      take({ counts: tried });
+      if (tried.length < counts.length) return;
+      this.#try(
+        rules.map((rule) => withRule(of, rule, sites)),
+        evaluationsOfRule,
+        (found) => {
+          take({ rules: byRule(found, (layout) => this.#watts(layout)) });
+          const isEnough = fewestMet({ counts: tried }) !== null;
+          const more = isEnough ? [] : countsBeyond(document.peek().luminaires, places);
+          if (more.length > 0) this.#tryCounts(of, more, (beyond) => take({ beyond }));
+        },
+      );
+    });
+  }
+
+  #tryCounts(of: Intentions, counts: readonly number[], told: (tried: CountTried[]) => void): void {
     this.#try(
       counts.map((count) => withCount(of, count)),
       evaluationsEach,
-      (outcomes) => {
-        take({ counts: outcomes.map((outcome, i) => ({ count: counts[i] ?? 0, outcome })) });
-        if (outcomes.length < counts.length) return;
-        this.#try(
-          rules.map((rule) => withRule(of, rule, sites)),
-          evaluationsOfRule,
-          (found) => take({ rules: byRule(found, (layout) => this.#watts(layout)) }),
-        );
-      },
+      (outcomes) => told(outcomes.map((outcome, i) => ({ count: counts[i] ?? 0, outcome }))),
     );
   }
 
@@ -160,6 +175,8 @@ export class Comparing {
     });
   }
 }
+
+const untried: Omit<Comparison, 'of'> = { counts: [], beyond: [], rules: [] };
 
 /** What is known already of these very intentions. */
 const currentOf = (known: Comparison | null, of: Intentions): Partial<Comparison> =>

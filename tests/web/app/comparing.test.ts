@@ -3,6 +3,7 @@ import {
   arrangementOf,
   byRule,
   countsAround,
+  countsBeyond,
   fewestMet,
   withCount,
   withRule,
@@ -22,6 +23,12 @@ test('the strip shows the range asked for, else the numbers around', () => {
   expect(around).toHaveLength(24);
   expect(countsAround({ ...luminaires, pinned: [1, 2, 3] }, 5)).toEqual([3, 4, 5]);
   expect(countsAround({ ...luminaires, count: 100 }, 260)).toContain(100);
+});
+
+test('beyond a range that is not enough further numbers are tried', () => {
+  expect(countsBeyond({ ...luminaires, most: 18 }, 21)).toEqual([19, 20, 21]);
+  expect(countsBeyond({ ...luminaires, most: 18 }, 260)).toHaveLength(24);
+  expect(countsBeyond(luminaires, 260)).toEqual([]);
 });
 
 test('another number is exactly that, another rule keeps the axis that it has a use for', () => {

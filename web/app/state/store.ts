@@ -112,9 +112,15 @@ export type Answering =
   | { readonly by: 'nothing' };
 
 /** What a wish would reach with other numbers of luminaires, or otherwise arranged. */
+export interface CountTried {
+  readonly count: number;
+  readonly outcome: Outcome | null;
+}
+
 export interface Comparison {
   readonly of: Intentions; // that were asked for: older ones are out of date
-  readonly counts: readonly { readonly count: number; readonly outcome: Outcome | null }[];
+  readonly counts: readonly CountTried[];
+  readonly beyond: readonly CountTried[]; // more than are asked for, where none of those is enough
   readonly rules: readonly { readonly rule: Rule; readonly outcome: Outcome | null }[];
 }
 

@@ -6,7 +6,6 @@ import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
-import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
 
 export function CountStrip() {
@@ -17,7 +16,7 @@ export function CountStrip() {
   useLayoutEffect(() => centre(strip.current), [shown, isThere]);
   const comparison = store.comparison.value;
   if (!comparison) return null;
-  const { pinned } = store.document.value.luminaires;
+  const { pinned, types } = store.document.value.luminaires;
   if (pinned.length > 0 && !comparison.counts.some(({ count, outcome }) => outcome && count !== shown))
     return <p class="field-note">{words.value.luminaires.counts.pinned}</p>;
   if (comparison.counts.length < 2) return null;
@@ -28,29 +27,31 @@ export function CountStrip() {
       luminaires.count = count;
       delete luminaires.most;
     });
+  const { counts, arrangement } = words.value.luminaires;
   return (
     <div class="field count-strip" data-current={isCurrent}>
       <div ref={strip} class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
-          const cost = costText(outcome, store);
+          const watts = outcome && compact(wattsOf(outcome.layout, store.efficacy.value, types));
+          const cost = watts === null ? arrangement.noRoom : `${watts} W`;
+          const judged = outcome && isBounded ? counts[outcome.met ? 'allMet' : 'notMet'](cost) : cost;
           return (
             <button
               key={count}
               class={outcome?.met && isBounded ? 'met' : 'unmet'}
               aria-pressed={count === shown}
-              aria-label={words.value.luminaires.counts.of(
-                count,
-                outcome?.met && isBounded ? words.value.luminaires.counts.allMet(cost) : cost,
-              )}
-              title={words.value.luminaires.counts.tip(count, cost)}
+              aria-label={counts.of(count, judged)}
+              title={counts.tip(count, judged)}
               onClick={() => take(count)}
             >
+              <small>{watts}</small>
               <i style={{ height: `${heightOf(comparison, outcome?.lumens ?? 0)}px` }} />
               <span>{count}</span>
             </button>
           );
         })}
       </div>
+      <p class="fine-print">{isBounded ? counts.key : counts.keyOfWatts}</p>
       {isBounded ? (
         <Fewest comparison={comparison} take={take} />
       ) : (

@@ -82,7 +82,9 @@ export function MoreLuminaires() {
   const comparison = store.comparison.value;
   const { count, most = count } = store.document.value.luminaires;
   if (comparison?.of !== store.traced.value.intentions) return null;
-  const fewest = fewestMet({ counts: comparison.counts.filter((each) => each.count > most) });
+  const fewest = fewestMet({
+    counts: [...comparison.counts, ...comparison.beyond].filter((each) => each.count > most),
+  });
   if (fewest === null) return null;
   const more = fewest - most;
   const add = () =>
