@@ -28,6 +28,12 @@ export function countsAround({ count, most, pinned }: Luminaires, places: number
   return Array.from({ length }, (_, i) => least + i);
 }
 
+/** The number is no longer left to the search: as many as it took. */
+export function takeNumber(luminaires: { count: number; most?: number }, hanging = luminaires.count): void {
+  delete luminaires.most;
+  luminaires.count = hanging;
+}
+
 /** Beyond a range of which none is enough: so many more may do. */
 export function countsBeyond({ most }: Pick<Luminaires, 'most'>, places: number): number[] {
   if (most === undefined) return []; // the numbers around one reach beyond it

@@ -5,6 +5,7 @@ import {
   countsAround,
   countsBeyond,
   fewestMet,
+  takeNumber,
   withCount,
   withRule,
 } from '../../../web/app/comparing.ts';
@@ -23,6 +24,15 @@ test('the strip shows the range asked for, else the numbers around', () => {
   expect(around).toHaveLength(24);
   expect(countsAround({ ...luminaires, pinned: [1, 2, 3] }, 5)).toEqual([3, 4, 5]);
   expect(countsAround({ ...luminaires, count: 100 }, 260)).toContain(100);
+});
+
+test('a range that ends leaves the number that hangs', () => {
+  const range = { count: 15, most: 30 };
+  takeNumber(range, 24);
+  expect(range).toEqual({ count: 24 });
+  const unsolved = { count: 15, most: 30 };
+  takeNumber(unsolved);
+  expect(unsolved).toEqual({ count: 15 });
 });
 
 test('beyond a range that is not enough further numbers are tried', () => {

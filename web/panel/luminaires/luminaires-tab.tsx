@@ -1,5 +1,6 @@
 /** What may be used to light the room: how many luminaires, how strong, where not; and the list of them, for the keyboard. */
 import { useApp } from '../../app/app.ts';
+import { takeNumber } from '../../app/comparing.ts';
 import type { Luminaires } from '../../document/types.ts';
 import { AreaList } from './area-list.tsx';
 import { ArrangementChoice } from './arrangement-choice.tsx';
@@ -139,7 +140,7 @@ function MostLuminaires({ places }: { places: number }) {
   const toggle = (on: boolean) =>
     store.edit(words.value.steps.vary, ({ luminaires }) => {
       if (on) luminaires.most = Math.min(limit, 2 * count);
-      else delete luminaires.most;
+      else takeNumber(luminaires, store.shown.value?.layout.sites.length);
     });
   return (
     <div class="setting-row">

@@ -30,7 +30,7 @@ export function RulesFirst() {
       <p>
         {words.value.luminaires.arrangement.notAs(
           words.value.luminaires.arrangement.asked[asked],
-          luminaires.count,
+          store.document.value.luminaires.count,
         )}
       </p>
       <div class="row">
