@@ -30,6 +30,13 @@ export const luminaires = [
     id: 'panel',
     title: 'Panel 600, batwing',
     description: 'Recessed in a ceiling grid; light sideways for even tables, shaded towards the eye.',
+    translations: {
+      de: {
+        title: 'Panel 600, breitstrahlend',
+        description:
+          'Eingelegt in eine Rasterdecke; strahlt zur Seite für gleichmäßig helle Tische, zum Auge hin abgeschirmt.',
+      },
+    },
     format: 'ldt',
     flux: 3600,
     watts: 28,
@@ -44,6 +51,12 @@ export const luminaires = [
     id: 'linear',
     title: 'Linear 1200, direct and indirect',
     description: 'Hangs below the ceiling and lights it too.',
+    translations: {
+      de: {
+        title: 'Lichtlinie 1200, direkt und indirekt',
+        description: 'Hängt unter der Decke und beleuchtet auch sie.',
+      },
+    },
     format: 'ies',
     tag: 'IESNA:LM-63-2002',
     flux: 5200,
@@ -61,6 +74,7 @@ export const luminaires = [
     id: `downlight-${full}`,
     title: `Downlight ${full} degrees`,
     description: 'A round recessed downlight.',
+    translations: { de: { title: `Downlight ${full} Grad`, description: 'Ein runder Einbaustrahler.' } },
     format: i % 2 ? 'ies' : 'ldt',
     tag: 'IESNA:LM-63-1995',
     flux: 1800,
@@ -76,6 +90,12 @@ export const luminaires = [
     id: 'wall-washer',
     title: 'Wall washer',
     description: 'Throws its light sideways, towards C90, to light a wall from top to bottom.',
+    translations: {
+      de: {
+        title: 'Wandfluter',
+        description: 'Strahlt zur Seite, nach C90, und beleuchtet eine Wand von oben bis unten.',
+      },
+    },
     format: 'ies',
     tag: 'IESNA:LM-63-2002',
     flux: 2200,
@@ -94,6 +114,12 @@ export const luminaires = [
     id: `spot-${full}`,
     title: `Spot ${full} degrees`,
     description: 'A track spot that is aimed.',
+    translations: {
+      de: {
+        title: `Strahler ${full} Grad`,
+        description: 'Ein Strahler für Stromschienen, der ausgerichtet wird.',
+      },
+    },
     format: i % 2 ? 'ldt' : 'ies',
     tag: 'IES:LM-63-2019',
     flux: [900, 1200, 1500][i],
@@ -109,6 +135,7 @@ export const luminaires = [
     id: 'pendant',
     title: 'Opal globe 350, pendant',
     description: 'Glows to all sides.',
+    translations: { de: { title: 'Opalkugel 350, Pendel', description: 'Leuchtet nach allen Seiten.' } },
     format: 'ies',
     tag: 'IESNA:LM-63-2002',
     flux: 2400,
@@ -124,6 +151,12 @@ export const luminaires = [
     id: 'batten',
     title: 'Batten 1200, opal',
     description: 'On the ceiling of a store or a garage, its diffuser round.',
+    translations: {
+      de: {
+        title: 'Lichtleiste 1200, opal',
+        description: 'An der Decke eines Lagers oder einer Garage, mit runder Abdeckung.',
+      },
+    },
     format: 'ldt',
     flux: 4000,
     watts: 31,
@@ -141,6 +174,12 @@ export const luminaires = [
     id: 'emergency',
     title: 'Emergency, escape route',
     description: 'A small lens that lights a corridor from end to end.',
+    translations: {
+      de: {
+        title: 'Notleuchte, Rettungsweg',
+        description: 'Eine kleine Linse, die einen Flur von Ende zu Ende beleuchtet.',
+      },
+    },
     format: 'ies',
     tag: 'IESNA91',
     flux: 250,

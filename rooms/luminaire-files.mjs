@@ -7,10 +7,11 @@ import { iesFile, ldtFile } from './photometric-file.mjs';
 /** Writes them into a folder; resolves to the list. */
 export async function writeLuminaires(folder) {
   await mkdir(folder, { recursive: true });
-  const list = luminaires.map(({ id, title, description, format, flux, watts, cct }) => ({
+  const list = luminaires.map(({ id, title, description, translations, format, flux, watts, cct }) => ({
     id,
     title,
     description,
+    translations,
     file: `${id}.${format}`,
     flux,
     watts,

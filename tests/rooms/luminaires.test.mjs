@@ -75,6 +75,12 @@ function lumens({ c, gamma, planes }) {
   return mean * 360 * (Math.PI / 180) ** 2;
 }
 
+test('each is told in German, too', () => {
+  const german = catalog.map(({ translations }) => translations.de);
+  for (const { title, description } of german) expect(title.length * description.length).toBeGreaterThan(0);
+  expect(new Set(german.map(({ title }) => title)).size).toBe(catalog.length);
+});
+
 test('the catalogue lists the twelve files that there are, in both formats', () => {
   expect(catalog).toHaveLength(12);
   const files = catalog.map(({ file }) => file);

@@ -1,7 +1,7 @@
 /** The generic luminaires of the site: a list, and a photometric file for each. */
 import * as v from 'valibot';
 import { nameSchema } from '../../document/schema.ts';
-import { words } from '../../language/language.ts';
+import { language, words } from '../../language/language.ts';
 
 export interface GenericLuminaire {
   readonly title: string;
@@ -16,6 +16,10 @@ const listSchema = v.array(
   v.object({
     title: nameSchema,
     description: nameSchema,
+    translations: v.optional(
+      v.record(v.string(), v.object({ title: nameSchema, description: nameSchema })),
+      {},
+    ),
     file: v.pipe(v.string(), v.regex(genericName)),
   }),
 );
@@ -31,12 +35,15 @@ async function request(file: string): Promise<Response> {
   return response;
 }
 
-/** Rejects with one readable clause. */
+/** In the page's language where the list has words in it. Rejects with one readable clause. */
 export async function genericLuminaires(): Promise<readonly GenericLuminaire[]> {
   const json: unknown = await (await request('catalog.json')).json().catch(() => null);
   const list = v.safeParse(listSchema, json);
   if (!list.success) throw new Error(words.value.luminaires.generic.noList);
-  return list.output;
+  return list.output.map(({ title, description, file, translations }) => ({
+    ...(translations[language.value] ?? { title, description }),
+    file,
+  }));
 }
 
 /** Its photometric file. Rejects with one readable clause. */
