@@ -10,6 +10,10 @@ export const intentions: Words['intentions'] = {
     name: 'Mittelwert etwa',
     fieldOf: (name) => `${name}: Mittelwert anstreben`,
     sliderOf: (name) => `${name}: etwa`,
+    tooMuch: 'Sie geben mehr als das.',
+    tooLittle: 'Sie geben weniger als das.',
+    dim: 'Dimmen lassen',
+    fluxEach: (flux) => `Je ${flux} lm`,
   },
   alpha: {
     tried: (iteration, alpha, region) => `${iteration}: Alpha ${alpha}, Bereich ${region}`,

@@ -9,6 +9,10 @@ export const intentions = {
     name: 'Mean about',
     fieldOf: (name: string) => `${name}: aim at a mean of`,
     sliderOf: (name: string) => `${name}: about`,
+    tooMuch: 'They give more than that.',
+    tooLittle: 'They give less than that.',
+    dim: 'Let them dim',
+    fluxEach: (flux: string) => `${flux} lm each`,
   },
   alpha: {
     tried: (iteration: string, alpha: string, region: string) =>

@@ -7,11 +7,13 @@ import { compact, niceStep, unitOf } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
+import { wayToAim } from '../../document/aim.ts';
 import { withOptional } from '../../document/intentions.ts';
 import type { Verb } from '../../document/types.ts';
 import type { Axis, CardProps } from './card-hooks.ts';
 import { useReached } from './use-reached.ts';
 import { words } from '../../language/language.ts';
+import { shortest } from '../../language/numbers.ts';
 
 const withoutAim: Record<Exclude<Verb, 'keep'>, 'most' | 'least' | 'any'> = {
   illuminate: 'most',
@@ -69,6 +71,33 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
         }}
         onEnd={end}
       />
+      <Beyond card={card} />
+    </div>
+  );
+}
+
+/** Where the slider asks for more or less than these luminaires give: one click that brings it within reach. */
+function Beyond({ card }: CardProps) {
+  const { store } = useApp();
+  const reached = useReached(card);
+  const { luminaires } = store.document.value;
+  const isSettled = store.progress.value.state === 'settled';
+  const way = reached && isSettled ? wayToAim(luminaires, reached.mean, card.aim) : null;
+  if (!way) return null;
+  const { aim } = words.value.intentions;
+  const { steps } = words.value;
+  const isDimmed = 'dimming' in way;
+  const go = () =>
+    store.edit(
+      isDimmed ? steps.dimming : steps.raiseFlux,
+      (draft) => void Object.assign(draft.luminaires, structuredClone(way)),
+    );
+  return (
+    <div class="row aim-beyond">
+      <span class="field-note">{isDimmed ? aim.tooMuch : aim.tooLittle}</span>
+      <button class="button small" onClick={go}>
+        {isDimmed ? aim.dim : aim.fluxEach(shortest(way.flux))}
+      </button>
     </div>
   );
 }

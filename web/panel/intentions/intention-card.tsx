@@ -5,6 +5,7 @@ import { useApp } from '../../app/app.ts';
 import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
+import { missesAim } from '../../document/aim.ts';
 import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { keepRange, withOptional } from '../../document/intentions.ts';
@@ -73,8 +74,8 @@ export function IntentionCard({ card }: CardProps) {
 
 /** The mean, "268 of 400 lx" where it is not quite what is aimed at. */
 export function reachedText(mean: number, aim: number | undefined, unit: string): string {
-  const isOff = aim !== undefined && Math.abs(mean - aim) > 0.01 * aim;
-  return `${compact(mean)}${isOff ? words.value.intentions.card.ofAim(compact(aim)) : ''} ${unit}`;
+  const missed = missesAim(mean, aim) ? words.value.intentions.card.ofAim(compact(aim)) : '';
+  return `${compact(mean)}${missed} ${unit}`;
 }
 
 interface Status {

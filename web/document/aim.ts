@@ -1,0 +1,29 @@
+/** A mean that is aimed at and not reached, and the one change of the luminaires that brings it within reach. */
+import type { Luminaires } from './types.ts';
+
+const near = 0.01; // of the aim
+const dimmest = 0.1; // as dimming is when it is switched on
+const furthest = 20; // times the flux: what is further is no matter of flux
+const spare = 0.8; // of what is needed, so that layouts that give more can be dimmed to it, too
+
+export const missesAim = (mean: number, aim: number | undefined): aim is number =>
+  aim !== undefined && Math.abs(mean - aim) > near * aim;
+
+export type AimWay = { readonly dimming: readonly [number, number] } | { readonly flux: number };
+
+/** Null where the aim is reached, and where light would come to it by neither: types have fluxes of their own. */
+export function wayToAim(
+  { dimming: [low, high], flux, types }: Luminaires,
+  mean: number,
+  aim: number | undefined,
+): AimWay | null {
+  if (!missesAim(mean, aim) || !(mean > 0)) return null;
+  const share = aim / mean;
+  if (share < 1) {
+    const least = Math.min(dimmest, Math.floor(100 * spare * share) / 100);
+    return least > 0 && least < low && (low === high || low > share) ? { dimming: [least, high] } : null;
+  }
+  if (share > furthest || (types?.length ?? 0) > 0) return null;
+  const unit = flux * share >= 1000 ? 100 : 10;
+  return { flux: Math.ceil((flux * share) / unit) * unit };
+}
