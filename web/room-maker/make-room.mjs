@@ -174,6 +174,9 @@ function columnShape(item, height, clear) {
   return new Shape().loft('column', [ring(gap), ring(height - gap)], ends);
 }
 
+/** m around a task area (EN 12464-1): as a plane that leaves so much out it has its grid on all of itself, without a rim. */
+const surround = 0.5;
+
 function placePlanes(room, plan, holes) {
   const outline = planeOutline(plan);
   if (outline) {
@@ -185,7 +188,7 @@ function placePlanes(room, plan, holes) {
     const corners = [[-w / 2, -d / 2], [w / 2, -d / 2], [w / 2, d / 2], [-w / 2, d / 2]]; // prettier-ignore
     const base = rotated(corners, turn).map(([cx, cz]) => [cx + x, cz + z]);
     room.place(`task area ${i + 1}`, flat('measuring plane', base, [], height), {
-      fiatlux: { measure: true },
+      fiatlux: { measure: true, border: surround },
     });
   });
 }

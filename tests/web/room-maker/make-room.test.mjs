@@ -185,7 +185,7 @@ describe('the working plane', () => {
     expect(distance(outline[0], [0.5, 0.5])).toBeLessThan(1e-9);
   });
 
-  test('says how far it stays away from the walls, so that no rim is left out twice', async () => {
+  test('says how far it stays away from the walls, so that no rim is left out twice, nor any of a task area', async () => {
     const plan = { ...rectangle(), plane: { height: 0.75, rim: 0.35 } };
     plan.tasks = [{ x: 2, z: 2, width: 1.2, depth: 0.6, height: 0.75, turn: 0 }];
     const borders = (await read(plan)).nodes
@@ -193,7 +193,7 @@ describe('the working plane', () => {
       .map(({ name, fiatlux }) => [name, fiatlux.border]);
     expect(borders).toEqual([
       ['working plane', 0.35],
-      ['task area 1', undefined],
+      ['task area 1', 0.5],
     ]);
   });
 

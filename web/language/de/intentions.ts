@@ -182,8 +182,16 @@ export const intentions: Words['intentions'] = {
     darkestTip: 'Die dunkelste Teilfläche',
     brightest: 'Hellst',
     brightestTip: 'Die hellste Teilfläche',
-    atGrid: (rim: string | null, border: string | null) =>
-      `An den Punkten des EN-Rasters${rim ? (border ? `, ${rim} m und mehr vom Rand des Bereichs, von dem die Ebene selbst ${border} m weglässt` : `, ${rim} m und mehr vom Rand der Fläche`) : ''}; das Histogramm gilt der ganzen ${border ? 'Ebene' : 'Fläche'}.`,
+    atGrid: (rim: string | null, border: string | null) => {
+      const all = `auf der ganzen Ebene, die selbst ${border} m am Rand des Bereichs weglässt`;
+      const inner = `${rim} m und mehr vom Rand des Bereichs, von dem die Ebene selbst ${border} m weglässt`;
+      const kept = border
+        ? rim === border
+          ? ` ${all}`
+          : `, ${inner}`
+        : `, ${rim} m und mehr vom Rand der Fläche`;
+      return `An den Punkten des EN-Rasters${rim ? kept : ''}; das Histogramm gilt der ganzen ${border ? 'Ebene' : 'Fläche'}.`;
+    },
     spread: 'Streuung σ',
     ratio: 'Dunkelste / hellste',
     ratioTip: 'U_d: dunkelste / hellste Stelle',

@@ -185,8 +185,16 @@ export const intentions = {
     darkestTip: 'The least of its patches',
     brightest: 'Brightest',
     brightestTip: 'The most of its patches',
-    atGrid: (rim: string | null, border: string | null) =>
-      `At the points of the EN grid${rim ? (border ? `, ${rim} m and more from the edges of the area, of which the plane itself leaves ${border} m out` : `, ${rim} m and more from the surface's edge`) : ''}; the histogram is of the whole ${border ? 'plane' : 'surface'}.`,
+    atGrid: (rim: string | null, border: string | null) => {
+      const all = `on all of the plane, which itself leaves ${border} m out along the edges of the area`;
+      const inner = `${rim} m and more from the edges of the area, of which the plane itself leaves ${border} m out`;
+      const kept = border
+        ? rim === border
+          ? ` ${all}`
+          : `, ${inner}`
+        : `, ${rim} m and more from the surface's edge`;
+      return `At the points of the EN grid${rim ? kept : ''}; the histogram is of the whole ${border ? 'plane' : 'surface'}.`;
+    },
     spread: 'Spread σ',
     ratio: 'Darkest / brightest',
     ratioTip: 'U_d: darkest spot / brightest spot',
