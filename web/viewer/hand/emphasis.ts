@@ -8,7 +8,6 @@ import type { SurfaceOutlines } from '../room/surface-outline.ts';
 
 const pulse = 700; // ms
 const pulseTint = 0.3;
-const hoverTint = 0.07;
 
 export const accent = new Color('#4f9dff');
 const pinnedRim = new Color('#ffb52e');
@@ -58,7 +57,7 @@ export class Emphasis {
     this.refresh();
   }
 
-  /** Of surfaces that something is told of: lines, for a tint that stays would give a red wall another colour. */
+  /** Of surfaces that something is told of. */
   glow(surfaces: readonly number[]): void {
     if (surfaces.join() === this.#glowing.join()) return;
     this.#glowing = surfaces;
@@ -72,7 +71,6 @@ export class Emphasis {
     if (surface !== this.overSurface) {
       this.overSurface = surface;
       this.#outlines.show('hovered', surface === this.surface ? [] : listed(surface));
-      this.#tint(0);
     }
     this.overLuminaire = luminaire;
     this.refresh();
@@ -102,11 +100,10 @@ export class Emphasis {
     return t < 1;
   };
 
+  /** For a moment, of what was selected: a tint that stays would be another colour than that of a wall, or of a legend. */
   #tint(selected: number): void {
-    for (const { mesh, surface } of this.#room) {
-      const hovered = surface === this.overSurface && surface !== this.surface ? hoverTint : 0;
-      mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : hovered;
-    }
+    for (const { mesh, surface } of this.#room)
+      mesh.material.uniforms['tint']!.value = surface === this.surface ? selected : 0;
   }
 }
 

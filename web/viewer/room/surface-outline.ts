@@ -81,7 +81,7 @@ export class SurfaceOutlines {
   #edges = new Map<number, Float32Array>();
   #selected = this.#material('#4f9dff', 2.5, 1);
   #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
-  #hovered = this.#material('#ffffff', 1.25, 0.6);
+  #hovered = this.#material('#ffffff', 2, 0.85);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
   #over = outlineOver();
   #told = this.#material('#4f9dff', 2, 0.9);
