@@ -39,12 +39,12 @@ export function CountStrip() {
             <button
               key={count}
               class={outcome?.met && isBounded ? 'met' : 'unmet'}
+              data-watts={watts ?? ''}
               aria-pressed={count === shown}
               aria-label={counts.of(count, judged)}
               title={counts.tip(count, judged)}
               onClick={() => take(count)}
             >
-              <small>{watts}</small>
               <i style={{ height: `${heightOf(comparison, outcome?.lumens ?? 0)}px` }} />
               <span>{count}</span>
             </button>
