@@ -46,7 +46,8 @@ type InstantiateWasm = (
 
 /** Compiles while downloading, where the host says application/wasm; otherwise after. */
 async function instantiate(address: URL, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
-  const response = await fetch(address);
+  const response = await fetch(address).catch(() => null); // browsers name the reason each in their own words
+  if (!response) throw new Error('core.wasm cannot be loaded: no connection');
   if (!response.ok) throw new Error(`core.wasm cannot be loaded: status ${response.status}`);
   try {
     if (response.headers.get('content-type')?.startsWith('application/wasm'))

@@ -62,3 +62,10 @@ test('a host without the module is named by its answer', async () => {
     /core\.wasm cannot be loaded: status 404/,
   );
 });
+
+test('where no host answers that is said, in no words of a browser', async () => {
+  globalThis.fetch = () => Promise.reject(new TypeError('Failed to fetch'));
+  await expect(loadCore(new URL('http://host/core.wasm'))).rejects.toThrow(
+    /^core\.wasm cannot be loaded: no connection$/,
+  );
+});

@@ -14,6 +14,7 @@ export const faults: Words['faults'] = {
   sceneCut: (bytes) => `Die Raumdatei endet nach ${bytes} Byte; die Seite neu laden`,
   noCore: (code) =>
     `Das Rechenwerk (core.wasm) konnte nicht geladen werden (Status ${code}); die Seite neu laden`,
+  coreOffline: 'das Rechenwerk (core.wasm) ist ohne Verbindung nicht zu laden',
   noRoom: 'Die Raumdatei enthält keinen Raum zum Ansehen; mit fiatlux precompute neu erzeugen',
   notUnderstood: (why) => `Die Datei wird nicht verstanden (${why}); noch einmal exportieren`,
   notFetched: (address) => `${address} konnte nicht geladen werden`,

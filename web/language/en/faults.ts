@@ -13,6 +13,7 @@ export const faults = {
   builderMissing: 'what computes light in the page is not on this server yet; try again in some minutes',
   sceneCut: (bytes: string) => `the scene file ends after ${bytes} bytes; load the page again`,
   noCore: (code: string) => `core.wasm cannot be loaded: status ${code}`,
+  coreOffline: 'core.wasm cannot be loaded: no connection',
   noRoom: 'the scene file has no room to display; make it again with fiatlux precompute',
   notUnderstood: (why: string) => `not understood (${why}); export the file again`,
   notFetched: (address: string) => `${address} could not be fetched ahead`,
