@@ -27,6 +27,18 @@ export const dialogs: Words['dialogs'] = {
       what: 'Leuchten: Sperren oder Zulassen',
       does: 'im Grundriss ein Rechteck ziehen oder Ecken anklicken: dort dürfen keine oder alle hängen',
     },
+    arrangement: {
+      what: 'Leuchten, Anordnung',
+      does: 'frei, symmetrisch, in Reihen oder als ein Raster in der Mitte; darunter, wie viel Watt jede Anzahl braucht und ob sie genügt',
+    },
+    verdict: {
+      what: 'Fertige Ziele',
+      does: 'eine Raumart nach EN 12464-1 oder EN 1838 schreibt alle ihre Ziele; die Bewertung steht in den Ergebnissen oben',
+    },
+    report: {
+      what: 'Datei und Export, Bericht',
+      does: 'Bewertung, Plan und Leuchtenliste zum Drucken und Unterschreiben; DXF, STF und CSV für andere Programme',
+    },
     arrows: { what: 'Pfeile am Regler', does: 'ein Schritt; Umschalt × 10, Alt × 0,1' },
   },
   copy: 'Kopieren',

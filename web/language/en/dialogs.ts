@@ -26,6 +26,18 @@ export const dialogs = {
       what: 'Luminaires, Keep out or Keep in',
       does: 'drag a rectangle in the plan, or click corners, where none, or all, may hang',
     },
+    arrangement: {
+      what: 'Luminaires, Arrangement',
+      does: 'free, symmetric, in rows or as one field in the middle; below, the watts of each number and what it meets',
+    },
+    verdict: {
+      what: 'Ready-made intentions',
+      does: 'a room type of EN 12464-1 or EN 1838 writes all its wishes; the verdict stands first in Results',
+    },
+    report: {
+      what: 'File and export, Report',
+      does: 'verdict, plan and schedule to print and sign; DXF, STF and CSV for other programs',
+    },
     arrows: { what: 'Arrows on a slider', does: 'one step; Shift × 10, Alt × 0.1' },
   },
   copy: 'Copy',

@@ -118,7 +118,8 @@ export const intentions = {
   },
   now: (value: string) => `now ${value}`,
   lightAs: (type: string) => `Light it as: ${type.toLowerCase()}`,
-  firstHint: 'Drag the slider: the luminaires find new places, and the light follows.',
+  firstHint:
+    'Drag the slider: the luminaires find new places, and the light follows. Luminaires tells how they hang and how many, Results what passes.',
   glare: {
     none: 'No glare',
     most: 'UGR at most',

@@ -13,6 +13,9 @@ const pointer: readonly [() => string, () => string][] = [
   [() => words.value.dialogs.help.paint.what, () => words.value.dialogs.help.paint.does],
   [() => words.value.dialogs.help.luminaire.what, () => words.value.dialogs.help.luminaire.does],
   [() => words.value.dialogs.help.area.what, () => words.value.dialogs.help.area.does],
+  [() => words.value.dialogs.help.arrangement.what, () => words.value.dialogs.help.arrangement.does],
+  [() => words.value.dialogs.help.verdict.what, () => words.value.dialogs.help.verdict.does],
+  [() => words.value.dialogs.help.report.what, () => words.value.dialogs.help.report.does],
   [() => words.value.dialogs.help.arrows.what, () => words.value.dialogs.help.arrows.does],
 ];
 
