@@ -54,7 +54,7 @@ export const dialogs: Words['dialogs'] = {
   luminaires: {
     in: (name) => `Leuchten in ${name}`,
     find: 'Leuchte suchen',
-    prompt: 'Suchen: panel, spot, 24 degrees, pendant …',
+    prompt: 'Suchen: Panel, Strahler, 24 Grad, Pendel …',
     open: 'Datei öffnen',
     none: 'Keine Leuchte heißt so.',
     beam: (degrees) => `Halbwertswinkel ${degrees}°`,
