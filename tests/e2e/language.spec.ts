@@ -17,6 +17,13 @@ test('the page speaks German where its address says so, until another language i
     return parts.filter((part) => part.getBoundingClientRect().right > right).map((part) => part.className);
   });
   expect(beyond).toEqual([]);
+  await page.getByRole('tab', { name: 'Ergebnisse' }).click();
+  const cut = await page
+    .locator('.results .plain')
+    .evaluateAll((names) =>
+      names.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent),
+    );
+  expect(cut, 'names of surfaces that are cut').toEqual([]);
   await page.setViewportSize(usual);
 
   for (const name of ['Ziele', 'Leuchten', 'Ergebnisse']) await page.getByRole('tab', { name }).click();

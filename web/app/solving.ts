@@ -15,7 +15,9 @@ import { Showing } from './showing.ts';
 import type { Message, Store } from './state/store.ts';
 import { sentence } from './words/format.ts';
 import { withNearMisses } from './words/near-miss.ts';
+import { inOurWords } from '../language/faults.ts';
 import { words } from '../language/language.ts';
+import { shortest } from '../language/numbers.ts';
 import { reasonOf } from '../document/reason.ts';
 
 /** Something newer was asked for: nothing that a person has to be told. */
@@ -415,12 +417,21 @@ export class Solving {
     if (!run) return;
     const factor = this.#factor;
     const bound = feasibleBound === null ? null : feasibleBound * factor;
-    // The sentence is the core's, which knows no maintenance.
-    const told = factor === 1 ? verdict : words.value.steps.newLight(verdict);
+    const told =
+      alpha !== null && shown ? words.value.steps.alphaFound(shortest(alpha)) : this.#whyNoAlpha(verdict);
     this.#store.alphaRun.value = { ...run, done: { alpha, verdict: told, feasibleBound: bound } };
     this.#store.announcement.value = told;
     if (alpha !== null && shown) this.#alphaFound(run.card, alpha, shown);
     else this.solve();
+  }
+
+  /** The sentences are the core's, which knows no maintenance. */
+  #whyNoAlpha(verdict: string): string {
+    const told = verdict
+      .split(/(?<=\.) (?=[A-Z])/)
+      .map(inOurWords)
+      .join(' ');
+    return this.#factor === 1 ? told : words.value.steps.newLight(told);
   }
 
   /** The card takes the alpha that was found, and its layout is shown: nothing is searched again. */

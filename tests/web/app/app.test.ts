@@ -585,6 +585,7 @@ test('alpha that is found becomes the alpha of the card, without another search'
   frame();
   expect(app.store.alphaRun.value).toMatchObject({ steps: [step], done: { alpha: 1.25 } });
   expect(app.store.document.value.cards.at(-1)?.guarantee?.alpha).toBe(1.25);
+  expect(app.store.alphaRun.value!.done!.verdict).toMatch(/^With alpha = 1\.25, [^\d]*$/); // figures are the card's
   expect(solver.asked.filter((message) => message.type === 'solve')).toHaveLength(solves);
 });
 

@@ -44,6 +44,13 @@ test('a fault is told in the language of the page, with what it tells of its own
   expect(inOurWords('this is a GLDF container; unzip it and take out a.ldt, b.ies and others')).toBe(
     'Das ist ein GLDF-Container; entpacken und daraus a.ldt, b.ies und andere nehmen',
   );
+  expect(
+    inOurWords(
+      'No layout found can give at least 2.47 lm/m2 on every patch of yellow wall: even the means fall short.',
+    ),
+  ).toBe(
+    'Keine gefundene Anordnung gibt mindestens 2,47 lm/m2 auf jeder Teilfläche von yellow wall: Schon die Mittelwerte reichen nicht.',
+  );
   expect(inOurWords('[r1] Height=high is not a number')).toBe('[r1] Height=high ist keine Zahl');
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });

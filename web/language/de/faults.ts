@@ -76,4 +76,18 @@ export const faults: Words['faults'] = {
   stfNoNumber: (section, line) => `[${section}] ${line} ist keine Zahl`,
   stfNoNumbers: (section, line, count) => `[${section}] ${line} sind nicht ${count} Zahlen`,
   stfNotWhole: (section, line, most) => `[${section}] ${line} ist keine ganze Zahl bis ${most}`,
+  alphaNoLayout: (promise) =>
+    `Keine gefundene Anordnung gibt ${promise}: Schon die Mittelwerte reichen nicht.`,
+  alphaTwoEmpty: (promise) =>
+    `Kein Alpha führt zu ${promise}: Mit einem kleinen verfehlen es manche Teilflächen, mit einem größeren hält keine Anordnung den Abstand ein.`,
+  alphaStopped: (promise) => `Angehalten, bevor ein Alpha gefunden war für ${promise}.`,
+  alphaAtLeast: (value, unit, surface) => `mindestens ${value} ${unit} auf jeder Teilfläche von ${surface}`,
+  alphaAtMost: (value, unit, surface) => `höchstens ${value} ${unit} auf jeder Teilfläche von ${surface}`,
+  alphaOthers: 'Auch die anderen Ziele sind nicht alle zu erfüllen: erst eines davon lockern.',
+  alphaByPatches: (value) =>
+    `Eine Suche auf den Teilflächen selbst findet eine solche Anordnung, mit ${value}.`,
+  alphaFeasible: (which, value) =>
+    `${which}, die gefunden wurde: ${value}. Danach fragen, oder mehr Leuchten oder Lichtstrom nehmen.`,
+  alphaLargest: 'Die hellste unter den dunkelsten Stellen',
+  alphaSmallest: 'Die dunkelste unter den hellsten Stellen',
 };

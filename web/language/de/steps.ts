@@ -7,6 +7,8 @@ export const steps: Words['steps'] = {
   every: 'alle Vorgaben erfüllt',
   missed: (bounds) => `${bounds} nicht erfüllbar`,
   settledWith: (count, outcome) => `Fertig: ${count}${outcome}.`,
+  alphaFound: (alpha) =>
+    `Mit Alpha = ${alpha}, dem kleinsten gefundenen, hält die Anordnung die Grenze auf jeder Teilfläche ein.`,
   newLight: (verdict) => `${verdict} (In Lux der Neuanlage.)`,
   resume: 'Fortsetzen',
   undo: 'Rückgängig',

@@ -77,4 +77,19 @@ export const faults = {
     `[${section}] ${line} is not ${count} numbers`,
   stfNotWhole: (section: string, line: string, most: string) =>
     `[${section}] ${line} is not a whole number up to ${most}`,
+  alphaNoLayout: (promise: string) => `No layout found can give ${promise}: even the means fall short.`,
+  alphaTwoEmpty: (promise: string) =>
+    `No alpha leads to ${promise}: with a small one some patches miss it, with a larger one no layout meets the margin.`,
+  alphaStopped: (promise: string) => `Stopped before an alpha was found that keeps ${promise}.`,
+  alphaAtLeast: (value: string, unit: string, surface: string) =>
+    `at least ${value} ${unit} on every patch of ${surface}`,
+  alphaAtMost: (value: string, unit: string, surface: string) =>
+    `at most ${value} ${unit} on every patch of ${surface}`,
+  alphaOthers: 'The other intentions cannot all be met either: relax one of them first.',
+  alphaByPatches: (value: string) =>
+    `A search on the patches themselves does find such a layout, with ${value}.`,
+  alphaFeasible: (which: string, value: string) =>
+    `The ${which} found feasible is ${value}: ask for that, or add luminaires or flux.`,
+  alphaLargest: 'largest minimum',
+  alphaSmallest: 'smallest maximum',
 };

@@ -6,6 +6,8 @@ export const steps = {
   every: 'every bound is met',
   missed: (bounds: string) => `${bounds} cannot be met`,
   settledWith: (count: string, outcome: string) => `Settled: ${count}${outcome}.`,
+  alphaFound: (alpha: string) =>
+    `With alpha = ${alpha}, the smallest found, the layout keeps the bound on every patch.`,
   newLight: (verdict: string) => `${verdict} (In lux of the new installation.)`,
   resume: 'Resume',
   undo: 'Undo',
