@@ -118,7 +118,7 @@ export const intentions: Words['intentions'] = {
   now: (value) => `jetzt ${value}`,
   lightAs: (type: string) => `Beleuchten als: ${type}`,
   firstHint:
-    'Den Regler ziehen: Die Leuchten finden neue Plätze, und das Licht folgt. Wie sie hängen und wie viele, steht unter Leuchten; was genügt, unter Ergebnisse.',
+    'Den Regler ziehen: Die Leuchten finden neue Plätze. Wie sie hängen und wie viele: Leuchten. Was genügt: Ergebnisse.',
   glare: {
     none: 'Blendfrei',
     most: 'UGR höchstens',

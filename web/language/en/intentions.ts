@@ -119,7 +119,7 @@ export const intentions = {
   now: (value: string) => `now ${value}`,
   lightAs: (type: string) => `Light it as: ${type.toLowerCase()}`,
   firstHint:
-    'Drag the slider: the luminaires find new places, and the light follows. Luminaires tells how they hang and how many, Results what passes.',
+    'Drag the slider: the luminaires find new places. How they hang and how many: Luminaires. What passes: Results.',
   glare: {
     none: 'No glare',
     most: 'UGR at most',
