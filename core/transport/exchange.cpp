@@ -41,6 +41,7 @@ void multiply(const float* h, std::uint32_t rows, std::uint32_t count, const flo
 ExchangeOperator::ExchangeOperator(const Patches& patches, const ExchangeGroups& groups,
                                    const Exchange& exchange)
     : patches_(patches),
+      groups_(groups),
       exchange_(exchange),
       count_(groups.count),
       total_(groups.total),
@@ -87,24 +88,29 @@ std::vector<float> ExchangeOperator::spread(const std::vector<float>& lumens, st
       for (std::uint32_t j = 0; j < some; ++j)
         in[std::size_t{i} * width + j] = lumens[std::size_t{lit[i]} * columns + first + j];
     multiply(between.data(), total_, sources, in.data(), width, means.data());
-    interpolation_.apply(means.data(), width, out.data());
-    addRest(place.data(), in.data(), width, out.data());
+    addRest(place.data(), in.data(), width, out.data(), means.data());
+    interpolation_.add(means.data(), width, out.data());
     for (std::uint32_t j = 0; j < some; ++j)
       for (std::size_t p = 0; p < rows; ++p) light[(first + j) * rows + p] = out[p * width + j];
   }
   return light;
 }
 
-/// out += R in; `place`: the row of `in` that is each group's, kNone where it is zero.
-void ExchangeOperator::addRest(const std::uint32_t* place, const float* in, std::uint32_t width,
-                               float* out) const {
+/// out = R in, and what it has of means over groups taken from `means`; `place`: the row of `in` that is each
+/// group's, kNone where it is zero, nullptr where all are in their places.
+void ExchangeOperator::addRest(const std::uint32_t* place, const float* in, std::uint32_t width, float* out,
+                               float* means) const {
+  std::fill(out, out + std::size_t{patches_.rows()} * width, 0.0f);
   withWidth(width, [&](auto fixed) {
-    for (std::uint32_t p = 0; p < patches_.rows(); ++p)
+    for (std::size_t p = 0; p < patches_.rows(); ++p) {
+      if (exchange_.offset[p] == exchange_.offset[p + 1]) continue;
+      float* row = out + p * fixed;
       for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i) {
-        const std::uint32_t at = place[exchange_.group[i]];
-        if (at != kNone)
-          addScaled(out + std::size_t{p} * fixed, exchange_.rest[i], in + std::size_t{at} * fixed, fixed);
+        const std::uint32_t d = exchange_.group[i], at = place ? place[d] : d;
+        if (at != kNone) addScaled(row, exchange_.rest[i], in + std::size_t{at} * fixed, fixed);
       }
+      addScaled(means + std::size_t{groups_.ofRow[p]} * fixed, -interpolation_.shareOf(p), row, fixed);
+    }
   });
 }
 
@@ -117,10 +123,11 @@ void ExchangeOperator::indirectBlock(const float* direct, std::uint32_t width, f
                 direct + p * fixed, fixed);
   });
 
-  // Means over the groups: H W^T phi + R^T phi.
+  // Means over the groups: H W^T phi + R^T of what of phi is not even.
   std::vector<float> sums(std::size_t{total_} * width), sources(sums.size()), means(sums.size());
   interpolation_.reduce(phi.data(), width, sums.data(), sources.data());
   multiply(exchange_.means.data(), total_, count_, sources.data(), width, means.data());
+  interpolation_.takeEven(sums.data(), width, phi);
   withWidth(width, [&](auto fixed) {
     for (std::size_t p = 0; p < patches_.count; ++p)
       for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i)
@@ -128,12 +135,8 @@ void ExchangeOperator::indirectBlock(const float* direct, std::uint32_t width, f
   });
 
   // Spread over the groups, and what is not smooth: R times the sums.
-  interpolation_.apply(means.data(), width, out);
-  withWidth(width, [&](auto fixed) {
-    for (std::size_t p = 0; p < patches_.rows(); ++p)
-      for (std::uint32_t i = exchange_.offset[p]; i < exchange_.offset[p + 1]; ++i)
-        addScaled(out + p * fixed, exchange_.rest[i], &sums[std::size_t{exchange_.group[i]} * fixed], fixed);
-  });
+  addRest(nullptr, sums.data(), width, out, means.data());
+  interpolation_.add(means.data(), width, out);
 }
 
 }  // namespace fiatlux

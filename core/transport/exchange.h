@@ -2,7 +2,8 @@
 // reflected, without the form factors. With phi = A rho D (lm, first reflected) and S ~ W H W^T + W R^T + R:
 //   E_indirect = S phi;   H between groups, W interpolation, R the rest (core/scene/light_operator.h).
 // S is read both ways: the mean over a group knows each source patch by itself, only what is left of the
-// light's detail within a group sees the sources group by group.
+// light's detail within a group sees the sources group by group. Means over groups are H's alone: of R, which
+// a file holds in steps without its many small values, counts what is not even over a group.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace fiatlux {
 
-/// Refers to patches and exchange, which must outlive it and agree with the groups.
+/// Refers to patches, groups and exchange, which must outlive it and agree.
 class ExchangeOperator {
  public:
   ExchangeOperator(const Patches& patches, const ExchangeGroups& groups, const Exchange& exchange);
@@ -33,9 +34,11 @@ class ExchangeOperator {
 
  private:
   void indirectBlock(const float* direct, std::uint32_t width, float* out) const;
-  void addRest(const std::uint32_t* place, const float* in, std::uint32_t width, float* out) const;
+  void addRest(const std::uint32_t* place, const float* in, std::uint32_t width, float* out,
+               float* means) const;
 
   const Patches& patches_;
+  const ExchangeGroups& groups_;
   const Exchange& exchange_;
   std::uint32_t count_, total_;
   GroupInterpolation interpolation_;

@@ -12,11 +12,11 @@ namespace {
 /// gradient across it is zero, and rounding cannot make it anything else.
 constexpr double kRegular = 1e-3;
 
-/// row = value + alongU u + alongV v, of columns that do not overlap.
+/// row += value + alongU u + alongV v, of columns that do not overlap.
 template <class Width>
 void interpolate(const float* __restrict value, float alongU, const float* __restrict u, float alongV,
                  const float* __restrict v, float* __restrict row, Width width) {
-  for (std::uint32_t j = 0; j < width; ++j) row[j] = value[j] + alongU * u[j] + alongV * v[j];
+  for (std::uint32_t j = 0; j < width; ++j) row[j] += value[j] + alongU * u[j] + alongV * v[j];
 }
 
 }  // namespace
@@ -130,6 +130,11 @@ void GroupInterpolation::gradients(const float* values, std::uint32_t width, std
 }
 
 void GroupInterpolation::apply(const float* values, std::uint32_t width, float* rows) const {
+  std::fill(rows, rows + group_.size() * width, 0.0f);
+  add(values, width, rows);
+}
+
+void GroupInterpolation::add(const float* values, std::uint32_t width, float* rows) const {
   std::vector<float> u, v;
   gradients(values, width, u, v);
   withWidth(width, [&](auto fixed) {
@@ -165,6 +170,13 @@ void GroupInterpolation::reduce(const float* rows, std::uint32_t width, float* s
       }
     }
   }
+}
+
+void GroupInterpolation::takeEven(const float* sums, std::uint32_t width, std::vector<float>& lumens) const {
+  withWidth(width, [&](auto fixed) {
+    for (std::size_t p = 0; p < lumens.size() / fixed; ++p)
+      addScaled(&lumens[p * fixed], -share_[p], sums + std::size_t{group_[p]} * fixed, fixed);
+  });
 }
 
 void GroupInterpolation::means(const float* rows, std::uint32_t width, float* means) const {

@@ -18,10 +18,15 @@ class GroupInterpolation {
 
   /// rows x width = W values; values: total x width.
   void apply(const float* values, std::uint32_t width, float* rows) const;
+  /// rows += W values.
+  void add(const float* values, std::uint32_t width, float* rows) const;
   /// total x width = W^T rows; `sums` (total x width) gets the plain sums over each group.
   void reduce(const float* rows, std::uint32_t width, float* sums, float* values) const;
   /// total x width: area-weighted means over the groups.
   void means(const float* rows, std::uint32_t width, float* means) const;
+  /// Takes from lumens of patches what they have evenly over their groups, given the `sums` over these.
+  void takeEven(const float* sums, std::uint32_t width, std::vector<float>& lumens) const;
+  float shareOf(std::size_t row) const { return share_[row]; }
 
   const std::vector<double>& areas() const { return area_; }  // of the groups, m2
 

@@ -7,9 +7,11 @@
 namespace fiatlux {
 namespace {
 
-/// Of the exchanged light: responses that differ more from it do so because of direct light that its
-/// quadrature missed, on patches beside a luminaire.
+/// Of the exchanged light: responses that differ more from it, on patches beside a luminaire, do so because
+/// of direct light that its quadrature missed.
 constexpr float kMostMissed = 0.3f;
+constexpr double kBeside = 1.5;   // edges of the site and the patch together
+constexpr double kNearby = 1.05;  // m: sites whose light may fall as a luminaire's does
 
 }  // namespace
 
@@ -35,6 +37,7 @@ PhotometricLight::PhotometricLight(const Scene& scene)
   const Patches& patches = scene.patches;
   for (std::uint32_t p = 0; p < patches.count; ++p)
     weight_.push_back(static_cast<float>(patches.area[p] * patches.reflectance[p] * patches.reflectance[p]));
+  for (const double area : patches.area) edge_.push_back(std::sqrt(area));
 }
 
 std::shared_ptr<const SightLines> PhotometricLight::sightLines() const {
@@ -98,19 +101,44 @@ bool PhotometricLight::prepare(std::uint32_t count) const {
   return isLast;
 }
 
+std::vector<std::uint32_t> PhotometricLight::sitesAround(std::uint32_t site) const {
+  std::vector<std::uint32_t> sites;
+  for (std::uint32_t j = 0; j < scene_.sites.size(); ++j)
+    if (length(scene_.sites[j].position - scene_.sites[site].position) <= kNearby) sites.push_back(j);
+  return sites;
+}
+
+/// The site around whose light leaves the least of the luminaire's to the exchange.
+std::uint32_t PhotometricLight::mostAlike(std::uint32_t site, const float* direct) const {
+  std::uint32_t best = site;
+  double most = 0;
+  for (const std::uint32_t j : sitesAround(site)) {
+    const Control& control = controls_[j];
+    const double both = product(direct, control.direct.data());
+    if (both > 0 && both * both > most * control.squared) best = j, most = both * both / control.squared;
+  }
+  return best;
+}
+
 /// Indirect light by the exchange becomes the whole light of a luminaire.
-void PhotometricLight::correct(const Control& control, const float* response, const float* direct,
-                               float* light) const {
+void PhotometricLight::correct(std::uint32_t at, const float* direct, float* light) const {
+  const std::uint32_t site = mostAlike(at, direct);
+  const Control& control = controls_[site];
+  const float* response = scene_.responses.column(site);
   const float alpha = control.squared > 0
                           ? static_cast<float>(product(direct, control.direct.data()) / control.squared)
                           : 0.0f;
   constexpr float kPerMissed = 1 / (kMostMissed * kMostMissed);
+  const auto& [position, normal, axis, size] = scene_.sites[site];
   const float *lambertian = control.direct.data(), *exchanged = control.exchanged.data();
   for (std::size_t p = 0; p < control.direct.size(); ++p) {
     const float own = std::max(0.0f, light[p]), theirs = std::max(0.0f, exchanged[p]);
     const float missed = theirs > 0 ? (response[p] - lambertian[p]) / theirs - 1 : 0.0f;
-    const float trust = std::max(0.0f, 1 - missed * missed * kPerMissed);
-    light[p] = direct[p] + (own + trust * missed * std::min(alpha * theirs, own));
+    const Vec3 apart = scene_.patches.center[p] - position;
+    const double beside = kBeside * (size + edge_[p]);
+    const bool isSure = lambertian[p] == 0 || dot(apart, apart) > beside * beside;
+    const float trust = isSure ? 1.0f : std::max(0.0f, 1 - missed * missed * kPerMissed);
+    light[p] = direct[p] + std::max(0.0f, own + trust * missed * std::min(alpha * theirs, own));
   }
 }
 
@@ -118,12 +146,12 @@ std::vector<float> PhotometricLight::total(const std::vector<PhotometricCandidat
                                            const std::vector<float>& direct) const {
   const std::size_t rows = scene_.patches.rows();
   std::vector<std::uint32_t> sites;
-  for (const PhotometricCandidate& candidate : candidates) sites.push_back(candidate.site);
+  for (const PhotometricCandidate& candidate : candidates)
+    for (const std::uint32_t site : sitesAround(candidate.site)) sites.push_back(site);
   makeControls(std::move(sites));
   std::vector<float> light = exchange_.indirect(direct, static_cast<std::uint32_t>(candidates.size()));
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    correct(controls_[candidates[i].site], scene_.responses.column(candidates[i].site), &direct[i * rows],
-            &light[i * rows]);
+    correct(candidates[i].site, &direct[i * rows], &light[i * rows]);
   return light;
 }
 

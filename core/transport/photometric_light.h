@@ -2,7 +2,9 @@
 // I cos / d^2, and all interreflections by the exchange of the scene. The responses that the file holds for a
 // Lambertian square serve as control variate:
 //   E_indirect = alpha E_lambert + S (phi - alpha phi_lambert),  alpha = <phi, phi_lambert> /
-//   |phi_lambert|^2.
+//   |phi_lambert|^2,
+// of that site nearby whose light falls most like the luminaire's: a spot that leans lights what is below
+// another site than its own.
 #pragma once
 
 #include <cstdint>
@@ -60,12 +62,15 @@ class PhotometricLight {
   };
   void makeControls(std::vector<std::uint32_t> sites) const;
   double product(const float* a, const float* b) const;
-  void correct(const Control& control, const float* response, const float* direct, float* light) const;
+  std::vector<std::uint32_t> sitesAround(std::uint32_t site) const;
+  std::uint32_t mostAlike(std::uint32_t site, const float* direct) const;
+  void correct(std::uint32_t site, const float* direct, float* light) const;
 
   const Scene& scene_;
   ExchangeOperator exchange_;
   DirectQuadrature quadrature_;
   std::vector<float> weight_;              // patches: of <phi, phi>
+  std::vector<double> edge_;               // m, rows
   mutable std::vector<Control> controls_;  // of each site, made when its light is asked for, or before
   mutable std::shared_ptr<const SightLines> sightLines_;
 };

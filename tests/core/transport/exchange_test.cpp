@@ -68,7 +68,8 @@ TEST(GroupInterpolation, ReducesByItsTranspose) {
   EXPECT_NEAR(left / right, 1, 1e-5);
 }
 
-/// S written out: W H W^T + W R^T + R, rows x patches.
+/// S written out: W H W^T + W R^T + R, rows x patches, where R goes without its means over groups: what it
+/// takes in without those of its rows, what it gives out with those taken off smoothly.
 std::vector<double> fullOperator(const Scene& scene) {
   const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
   const std::uint32_t rows = scene.patches.rows(), n = scene.patches.count, total = groups.total;
@@ -80,21 +81,49 @@ std::vector<double> fullOperator(const Scene& scene) {
   for (std::uint32_t p = 0; p < rows; ++p)
     for (std::uint32_t i = exchange.offset[p]; i < exchange.offset[p + 1]; ++i)
       rest[std::size_t{p} * groups.count + exchange.group[i]] = exchange.rest[i];
+  const std::vector<double>& area = w.areas();
+  std::vector<double> even(std::size_t{total} * groups.count, 0.0);  // the means of R over groups
+  for (std::uint32_t p = 0; p < rows; ++p)
+    for (std::uint32_t d = 0; d < groups.count; ++d)
+      even[std::size_t{groups.ofRow[p]} * groups.count + d] +=
+          scene.patches.area[p] / area[groups.ofRow[p]] * rest[std::size_t{p} * groups.count + d];
   for (std::uint32_t q = 0; q < n; ++q) {
     std::vector<double> between(total, 0.0);
+    const std::uint32_t of = groups.ofRow[q];
     for (std::uint32_t c = 0; c < total; ++c) {
       for (std::uint32_t d = 0; d < groups.count; ++d)
         between[c] +=
             double{exchange.means[std::size_t{c} * groups.count + d]} * full[std::size_t{q} * total + d];
-      if (c < groups.count) between[c] += rest[std::size_t{q} * groups.count + c];
+      if (c < groups.count)
+        between[c] += rest[std::size_t{q} * groups.count + c] - even[std::size_t{of} * groups.count + c];
+      between[c] -= even[std::size_t{c} * groups.count + of];
     }
     for (std::uint32_t p = 0; p < rows; ++p) {
       double& value = s[std::size_t{p} * n + q];
-      value = rest[std::size_t{p} * groups.count + groups.ofRow[q]];
+      value = rest[std::size_t{p} * groups.count + of];
       for (std::uint32_t c = 0; c < total; ++c) value += full[std::size_t{p} * total + c] * between[c];
     }
   }
   return s;
+}
+
+TEST(ExchangeOperator, WhatIsEvenOverAGroupLightsOthersAsTheirMeansSay) {
+  // A file keeps of R only what is large: its means over groups are no longer zero, and are not light.
+  const Scene scene = operatorScene(8, 2);
+  const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
+  const Patches& patches = scene.patches;
+  const ExchangeOperator light(patches, groups, exchange);
+  const GroupInterpolation w(patches, groups);
+  std::vector<float> direct(patches.rows(), 0.0f), means(groups.total), lumens(groups.count, 0.0f);
+  constexpr std::uint32_t kLit = 2;
+  lumens[kLit] = static_cast<float>(w.areas()[kLit]);
+  for (std::uint32_t p = 0; p < patches.count; ++p)
+    if (groups.ofRow[p] == kLit) direct[p] = static_cast<float>(1 / patches.reflectance[p]);
+  for (const std::vector<float>& rows : {light.indirect(direct, 1), light.spread(lumens, 1)}) {
+    w.means(rows.data(), 1, means.data());
+    for (std::uint32_t c = 0; c < groups.total; ++c)
+      EXPECT_NEAR(means[c] / (exchange.means[c * groups.count + kLit] * w.areas()[kLit]), 1, 1e-4) << c;
+  }
 }
 
 TEST(ExchangeOperator, IsItsDefinitionForAnyNumberOfColumns) {

@@ -112,6 +112,31 @@ TEST(PhotometricLight, ALambertianCandidateIsTheResponseWhereTheOperatorMissesLi
     EXPECT_NEAR(light[p], response[p], 2e-3 * response[p] + 1e-7) << p;
 }
 
+TEST(PhotometricLight, WhatTheExchangeMissesFarFromALuminaireComesFromTheSiteWhoseLightFallsAlike) {
+  // The operator knows half of the light of site 1. A luminaire on site 0 that shines as a square on site 1
+  // would gets the other half from there, but for what is beside that site.
+  Scene scene = clearScene();
+  scene.sites[1].position = scene.sites[0].position + Vec3{0.9, 0, 0};
+  const PhotometricLight plain(scene);
+  Luminaire moved = lambertianOn(scene.sites[1]);
+  const PhotometricCandidate candidate{0, moved};
+  const std::vector<float> direct = plain.direct({candidate});
+  const std::vector<float> indirect = plain.exchange().indirect(direct, 1);
+  const std::uint32_t rows = scene.patches.rows();
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    scene.responses.illuminance[p] = 0;
+    scene.responses.illuminance[std::size_t{rows} + p] = direct[p] + 2 * std::max(0.0f, indirect[p]);
+  }
+  const std::vector<float> light = plain.total({candidate}, direct);
+  for (std::uint32_t p = 0; p < rows; ++p) {
+    const double distance = length(scene.patches.center[p] - moved.position);
+    const double beside = 1.5 * (moved.width + std::sqrt(scene.patches.area[p]));
+    if (direct[p] > 0 && distance < beside) continue;
+    const double whole = direct[p] + 2 * std::max(0.0f, indirect[p]);
+    EXPECT_NEAR(light[p], whole, 2e-3 * whole + 1e-7) << p;
+  }
+}
+
 TEST(PhotometricLight, InFloatItIsNearlyTheSame) {
   const Scene scene = clearScene();
   const auto map = std::make_shared<const IntensityMap>(oval);
