@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "precompute/rays/hemisphere.h"
@@ -20,11 +21,14 @@ namespace {
 
 constexpr std::uint32_t kPatches = 4096, kRays = 16;  // the sample
 constexpr double kMuch = 0.005;                       // share of its rays
-constexpr std::size_t kMostNames = 8;
+constexpr std::size_t kMostNames = 4;
 constexpr double kNear = 0.01;   // of the room's diagonal: a back that is met there hides what lies under it
 constexpr double kMostly = 0.5;  // of what a back swallows
-constexpr double kFacesOut = 0.9;  // of a surface's rays: it has no part in the room
-constexpr double kMainWay = 0.15;  // of the rays that leave: a way worth its name
+constexpr double kFacesOut = 0.9;    // of a surface's rays: it has no part in the room
+constexpr double kFlat = 0.15;       // of a way along a surface: off it
+constexpr double kThickest = 1;      // m, of a wall
+constexpr double kMostInBody = 0.5;  // of all rays; else it is faces that are the wrong way round
+constexpr double kMainWay = 0.15;    // of the rays that leave: a way worth its name
 
 std::string percent(double share) {
   char text[32];
@@ -84,37 +88,100 @@ std::string namesOf(const Ways& ways) {
   return text.empty() ? "in all directions" : text;
 }
 
+/// Casts one ray.
+class Caster {
+ public:
+  Caster(const Room& room, const RayTracer& tracer) : room_(room), tracer_(tracer) {}
+
+  struct Met {
+    bool isNothing = false;
+    double distance = 0;                // m
+    const std::string* back = nullptr;  // whose it was that was met
+  };
+  Met operator()(const Vec3& origin, const Vec3& direction) const {
+    RayPacket packet;
+    tracer_.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
+    HitPacket hit;
+    tracer_.intersect(packet, hit);
+    if (hit.triangle[0] == kNone) return {true};
+    if (room_.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) != kNone) return {};
+    return {false, hit.distance[0], &frontName(room_, hit.triangle[0])};
+  }
+
+  /// Within a wall, say, that stands below a ceiling: the backs of several surfaces are to all sides, or near
+  /// by to two opposite ones (where walls meet, what bounds one lies on the other).
+  bool isInBody(const Vec3& origin, const Frame& frame) const {
+    std::set<std::string> backs;
+    bool isAround = true;
+    for (const Vec3& side : {frame.x, frame.y}) {
+      const Met one = (*this)(origin, normalized(side + kFlat * frame.z));
+      const Met two = (*this)(origin, normalized(kFlat * frame.z - side));
+      for (const Met& met : {one, two}) met.back ? void(backs.insert(*met.back)) : void(isAround = false);
+      if (one.back && two.back && *one.back != *two.back && one.distance + two.distance < kThickest)
+        return true;
+    }
+    return isAround && backs.size() > 1;
+  }
+
+ private:
+  const Room& room_;
+  const RayTracer& tracer_;
+};
+
+/// Of patches all over the room. No light comes to what lies within bodies, and its rays do not count.
 Sample sampleOf(const Room& room, const RayTracer& tracer) {
   const std::size_t surfaces = room.surfaces.size();
   Sample sample{0, std::vector<double>(surfaces), std::vector<Ways>(surfaces, Ways{}), {}};
+  std::map<std::string, Sample::Swallowed> inBodies;
+  double hidden = 0;
   const Bounds bounds = boundsOf(room.positions);
   const double near = kNear * bounds.diagonal();
+  const Caster cast(room, tracer);
   const RaySequence sequence(kRays);
   const std::uint32_t step = std::max(1u, room.patches.count / kPatches);
   for (std::uint32_t p = 0; p < room.patches.count; p += step) {
     const PatchSampler sampler(room, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
     for (std::uint32_t i = 0; i < kRays; ++i) {
-      // Cast one ray.
       const auto random = sequence.point(i, scramble);
       const auto [position, normal, weight] = sampler.at(random[2], random[3]);
+      const Frame frame(normal);
       const Vec3 origin = position + tracer.offset() * normal;
-      const Vec3 direction = cosineDirection(Frame(normal), random[0], random[1]);
-      RayPacket packet;
-      tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
-      HitPacket hit;
-      tracer.intersect(packet, hit);
-
-      // See what became of it.
+      const Vec3 direction = cosineDirection(frame, random[0], random[1]);
+      const Caster::Met met = cast(origin, direction);
       sample.rays += 1;
       sample.cast[room.patches.surface[p]] += 1;
-      if (hit.triangle[0] == kNone)
-        sample.left[room.patches.surface[p]][wayOut(bounds, position, direction)] += 1;
-      else if (room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone)
-        sample.swallowed[frontName(room, hit.triangle[0])].add(hit.distance[0] < near);
+      if (met.isNothing) sample.left[room.patches.surface[p]][wayOut(bounds, position, direction)] += 1;
+      if (!met.back) continue;
+      const bool isHidden = cast.isInBody(origin, frame);
+      hidden += isHidden;
+      (isHidden ? inBodies : sample.swallowed)[*met.back].add(met.distance < near);
     }
   }
+  if (hidden < kMostInBody * sample.rays)
+    sample.rays -= hidden;
+  else
+    for (const auto& [name, by] : inBodies)
+      sample.swallowed[name].rays += by.rays, sample.swallowed[name].near += by.near;
   return sample;
+}
+
+/// Backs that swallow much, most first: "'a' (2.1 %), 'b' (0.8 %)", and of how much in all.
+std::pair<std::string, double> namesOfBacks(const Sample& sample, bool areNear) {
+  std::vector<std::pair<double, std::string>> order;
+  for (const auto& [name, swallowed] : sample.swallowed)
+    if (swallowed.rays >= kMuch * sample.rays && (swallowed.near > kMostly * swallowed.rays) == areNear)
+      order.emplace_back(-swallowed.rays, name);
+  std::sort(order.begin(), order.end());
+  std::string text;
+  double rays = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    rays -= order[i].first;
+    if (i < kMostNames)
+      text += (i > 0 ? ", '" : "'") + order[i].second + "' (" + percent(-order[i].first / sample.rays) + ")";
+  }
+  if (order.size() > kMostNames) text += " and " + std::to_string(order.size() - kMostNames) + " more";
+  return {text, sample.rays > 0 ? rays / sample.rays : 0};
 }
 
 }  // namespace
@@ -122,25 +189,7 @@ Sample sampleOf(const Room& room, const RayTracer& tracer) {
 std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& tracer) {
   const Sample sample = sampleOf(room, tracer);
 
-  // Backs that swallow much.
-  std::vector<std::pair<double, std::string>> order;  // most first
-  for (const auto& [name, swallowed] : sample.swallowed) order.emplace_back(-swallowed.rays, name);
-  std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), kMostNames));
-
   std::vector<std::string> warnings;
-  for (const auto& [minus, name] : order) {
-    const Sample::Swallowed& swallowed = sample.swallowed.at(name);
-    if (swallowed.rays < kMuch * sample.rays) break;
-    const std::string what =
-        "'" + name + "' swallows " + percent(swallowed.rays / sample.rays) + " of the light by its back: ";
-    if (swallowed.near > kMostly * swallowed.rays)
-      warnings.push_back(what +
-                         "it lies close over something and hides it; cut away what is hidden, or it "
-                         "counts as dark");
-    else
-      warnings.push_back(what + "turn its faces, or make its material double-sided");
-  }
 
   // Openings. A surface that faces outward (of a house, of a flipped wall) has no part in the room.
   Ways left{};
@@ -150,6 +199,14 @@ std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& t
   if (sumOf(left) >= kMuch * sample.rays)
     warnings.push_back("the room is open: " + percent(sumOf(left) / sample.rays) +
                        " of its rays meet nothing, and that light is lost; they leave " + namesOf(left));
+
+  // Backs.
+  for (const bool areNear : {false, true})
+    if (const auto [names, share] = namesOfBacks(sample, areNear); share > 0)
+      warnings.push_back(percent(share) + " of its rays are swallowed by backs, those of " + names + ": " +
+                         (areNear ? "they lie close over something and hide it; cut away what is hidden, or "
+                                    "it counts as dark"
+                                  : "turn their faces, or make their material double-sided"));
   return warnings;
 }
 

@@ -8,9 +8,9 @@
 
 namespace fiatlux {
 
-/// One line for every surface (the worst eight) whose back, which is no surface, meets half a per cent or
-/// more of a sample of rays, and one where as many leave the room, with the ways they take; each with its
-/// cure.
+/// One line where half a per cent or more of a sample of rays leave the room, with the ways they take, and
+/// one for the surfaces whose backs, which are no surfaces, meet as many; each with its cure. Rays within
+/// walls do not count.
 std::vector<std::string> warningsOfLostRays(const Room& room, const RayTracer& tracer);
 
 }  // namespace fiatlux
