@@ -15,6 +15,10 @@
 #include <string>
 #include <vector>
 
+#ifndef FIATLUX_BINARY  // for tools that read this without the build's settings
+#define FIATLUX_BINARY "fiatlux"
+#endif
+
 namespace fiatlux {
 
 /// A folder that vanishes with the object.
