@@ -8,6 +8,7 @@ test('an area that is drawn in the plan stays free of luminaires', async ({ page
   await areas.getByRole('button', { name: 'Keep out' }).click();
   await expect(page.getByText('Drag the area to keep free')).toBeVisible();
   await expect(page.getByText(/room \d+\.\d\d × \d+\.\d\d m/)).toBeVisible();
+  await expect(page.getByText('x and y count from the south-west corner')).toBeVisible();
   const plan = (await page.locator('.plan-draw').boundingBox())!;
   const middle = [plan.x + plan.width / 2, plan.y + plan.height / 2] as const;
   await page.mouse.move(middle[0], middle[1] - 90);

@@ -49,10 +49,8 @@ function ScaleBar() {
       </span>
       <span class="bar" style={{ width: `${metres * perMetre}px` }} aria-hidden="true" />
       <span>
-        {shortest(metres)} m{' '}
-        <small title={words.value.bars.plan.corner(words.value.values.corner)}>
-          {words.value.bars.plan.room(fixed(wide, 2), fixed(deep, 2))}
-        </small>
+        {shortest(metres)} m <small>{words.value.bars.plan.room(fixed(wide, 2), fixed(deep, 2))}</small>
+        <small class="plan-origin">{words.value.bars.plan.corner(words.value.values.corner)}</small>
       </span>
     </div>
   );
