@@ -244,7 +244,8 @@ export function firstFault(issues: readonly v.BaseIssue<unknown>[]): string {
   const issue = issues[0];
   if (!issue) return words.value.files.misshapen;
   const { expected, received, message } = issue;
-  const what = expected === null ? message : words.value.files.misfit(expected, received);
+  const isOwn = !message.startsWith('Invalid '); // else the library's, in English only
+  const what = expected === null || isOwn ? message : words.value.files.misfit(expected, received);
   const path = issue.path?.map((item) => String(item.key)).join('.') ?? '';
   return `${path ? `${cleanName(path)}: ` : ''}${cleanName(what)}`.slice(0, 160);
 }
