@@ -23,6 +23,13 @@ import { reasonOf } from '../../document/reason.ts';
 const largestFile = 256 << 20; // bytes
 const isModel = /\.gl(b|tf)$/i;
 
+/** Of a long name the end is kept as well: it says what the file is. */
+export function cleanFileName(name: string): string {
+  const suffix = /\.\w{1,8}$/.exec(name)?.[0] ?? '';
+  const clean = cleanName(name);
+  return clean.endsWith(suffix) ? clean : clean.slice(0, -suffix.length) + suffix;
+}
+
 /** The model in one plain .glb; null where it is broken. Throws one line where what is compressed in it is. */
 async function plainOf({ name, bytes, siblings }: Model): Promise<Model['bytes'] | null> {
   const { needsUnpacking } = await import('../importing/plain-glb.ts');
@@ -110,7 +117,7 @@ export class FileOpening {
   }
 
   async #open(file: File, others: readonly File[]): Promise<void> {
-    const name = cleanName(file.name);
+    const name = cleanFileName(file.name);
     if (file.size > largestFile) return this.#refuse(words.value.opening.tooLarge(name));
     const bytes = await file.arrayBuffer().catch(() => null);
     if (!bytes) return this.#refuse(words.value.opening.unreadable(name));
