@@ -16,9 +16,10 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kRoomHeight = 2.7;                                      // m, of the usual ceiling
-constexpr double kLowest = 0.8, kHighest = 30;                           // m: ceilings beyond are absurd
-constexpr double kNarrowest = 0.8, kWidest = 2000;                       // m: and so are models
+constexpr double kRoomHeight = 2.7;                 // m, of the usual ceiling
+constexpr double kLowest = 0.8, kHighest = 30;      // m: ceilings beyond are absurd
+constexpr double kNarrowest = 0.8, kWidest = 2000;  // m: and so are models
+constexpr double kSurelyBroad = 5;  // m: what is wider than a small room is not made larger: a plate, no room
 constexpr double kSurelyLow = 1.8, kSurelyHigh = 12, kSurelyWide = 150;  // m: within, nothing is measured
 constexpr std::uint32_t kHeightRays = 1024;
 constexpr double kFlat = 0.9;       // cos 26 degrees
@@ -87,6 +88,7 @@ double guessedScale(const SourceScene& source) {
 
   const double measured = ceilingHeight(source), height = measured > 0 ? measured : tall;
   const auto isPossible = [&](double scale) {
+    if (scale > 1 && width > kSurelyBroad) return false;
     return scale * height >= kLowest && scale * height <= kHighest && scale * width >= kNarrowest &&
            scale * width <= kWidest;
   };

@@ -24,7 +24,7 @@ struct Vertex {
   std::array<float, 2> uv{};
   std::array<std::uint8_t, 4> color{255, 255, 255, 255};
   PatchBlend blend;
-  auto operator<=>(const Vertex&) const = default;
+  bool operator==(const Vertex&) const = default;
 };
 
 struct VertexHash {

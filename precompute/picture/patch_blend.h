@@ -15,7 +15,7 @@ namespace fiatlux {
 struct PatchBlend {
   std::array<std::uint32_t, 4> patch{};
   std::array<std::uint8_t, 4> share{};
-  auto operator<=>(const PatchBlend&) const = default;
+  bool operator==(const PatchBlend&) const = default;
 };
 
 /// Blends of a room's charts; the room must outlive it.

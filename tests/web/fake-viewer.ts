@@ -86,6 +86,9 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
         throw new Error('nothing is drawn');
       },
       png: async () => new Blob(),
+      thumbnail: async () => {
+        throw new Error('nothing is drawn');
+      },
       dispose: () => {},
     };
     made = viewer;

@@ -72,7 +72,7 @@ function isDraftOnScreen({ lighting, preview, litRoom, document }: Store): boole
 /** A draft that is on the screen says so. */
 function Working({ state }: { readonly state: LightingState }) {
   const { store } = useApp();
-  const { name, pass, stage, share, secondsLeft } = state;
+  const { name, stage, share, secondsLeft } = state;
   const isDraftShown = isDraftOnScreen(store);
   return (
     <section

@@ -160,6 +160,8 @@ export interface Viewer {
   home(): void;
   /** The present picture, drawn at once; one in false colours has its legend in a corner. */
   png(): Promise<Blob>;
+  /** The middle of the present picture, drawn at once, in so few pixels. Whoever asks closes it. */
+  thumbnail(width: number, height: number): Promise<ImageBitmap>;
   /** The present picture, drawn at once, as one of a video; µs from its beginning. Whoever asks closes it. */
   still(timestamp: number): VideoFrame;
   dispose(): void;

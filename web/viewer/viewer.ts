@@ -346,6 +346,11 @@ class RoomViewer implements Viewer {
     return display?.mode === 'falseColor' ? withLegend(picture, display, this.#stage.ratio) : picture;
   }
 
+  async thumbnail(width: number, height: number): Promise<ImageBitmap> {
+    this.#draw();
+    return this.#stage.thumbnail(width, height);
+  }
+
   still(timestamp: number): VideoFrame {
     this.#loop.flush();
     return this.#stage.still(timestamp);

@@ -58,8 +58,9 @@ Compared compareWithTrials(const Intentions& intentions) {
       (violation > 0 ? compared.broken : compared.met) += 1;
       const double worth = goal + kPenalty * violation;
       // note: where no dimming meets all bounds, the survey does not look for the best one.
-      if (intentions.luminaires.dimmingLow == 1 || violation == 0)
+      if (intentions.luminaires.dimmingLow == 1 || violation == 0) {
         EXPECT_NEAR(worths[k], worth, 1e-9 * std::fabs(worth));
+      }
     }
   }
   return compared;

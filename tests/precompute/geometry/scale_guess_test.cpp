@@ -31,8 +31,8 @@ TEST(ScaleGuess, IsTheUnitThatMakesACeilingOfACeiling) {
 }
 
 TEST(ScaleGuess, LeavesAloneWhatIsPossible) {
-  // A hall, wide ground below a low house, and what its author has measured in metres.
-  for (const Vec3& size : {Vec3{40, 14, 60}, Vec3{400, 6, 300}, Vec3{1.5, 1.2, 1.5}}) {
+  // A hall, wide ground below a low house, what its author has measured in metres, and a plate.
+  for (const Vec3& size : {Vec3{40, 14, 60}, Vec3{400, 6, 300}, Vec3{1.5, 1.2, 1.5}, Vec3{10, 0.2, 10}}) {
     const auto source = testing::boxRoom(size, 0).read();
     EXPECT_EQ(guessedScale(*source), 1) << size.x;
   }

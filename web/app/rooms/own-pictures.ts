@@ -7,7 +7,7 @@ import type { OwnRooms } from './own-rooms.ts';
 const [width, height] = [240, 150]; // pixels: two a CSS pixel of the list
 
 /** Watches what is on the screen, as long as the page lives. A picture that cannot be taken is left out. */
-export function takeOwnPictures(store: Store, viewer: Pick<Viewer, 'png'>, own: OwnRooms): void {
+export function takeOwnPictures(store: Store, viewer: Pick<Viewer, 'thumbnail'>, own: OwnRooms): void {
   effect(() => {
     const { room } = store.document.value;
     const isThere = store.shown.value !== null && store.progress.value.state !== 'improving';
@@ -17,19 +17,14 @@ export function takeOwnPictures(store: Store, viewer: Pick<Viewer, 'png'>, own: 
   });
 }
 
-async function take(viewer: Pick<Viewer, 'png'>, own: OwnRooms, room: string): Promise<void> {
-  const picture = await small(await viewer.png());
+async function take(viewer: Pick<Viewer, 'thumbnail'>, own: OwnRooms, room: string): Promise<void> {
+  const picture = await jpegOf(await viewer.thumbnail(width, height));
   if (own.wantsPicture(room)) await own.change(room, { picture });
 }
 
-/** The middle of a picture, as small as the list shows it. */
-async function small(png: Blob): Promise<ArrayBuffer> {
-  const whole = await createImageBitmap(png);
-  const scale = Math.max(width / whole.width, height / whole.height);
-  const [w, h] = [width / scale, height / scale];
+async function jpegOf(picture: ImageBitmap): Promise<ArrayBuffer> {
   const canvas = new OffscreenCanvas(width, height);
-  const [x, y] = [(whole.width - w) / 2, (whole.height - h) / 2];
-  canvas.getContext('2d')?.drawImage(whole, x, y, w, h, 0, 0, width, height);
-  whole.close();
+  canvas.getContext('2d', { willReadFrequently: true })?.drawImage(picture, 0, 0);
+  picture.close();
   return (await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.8 })).arrayBuffer();
 }

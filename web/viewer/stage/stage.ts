@@ -105,6 +105,18 @@ export class Stage {
     });
   }
 
+  /** The middle of a frame drawn just now, in the same task, in so few pixels: to encode all of it takes long. */
+  async thumbnail(width: number, height: number): Promise<ImageBitmap> {
+    const { width: wide, height: tall } = this.#canvas;
+    const scale = Math.max(width / wide, height / tall);
+    const [w, h] = [width / scale, height / scale];
+    return createImageBitmap(this.#canvas, (wide - w) / 2, (tall - h) / 2, w, h, {
+      resizeWidth: width,
+      resizeHeight: height,
+      resizeQuality: 'medium',
+    });
+  }
+
   /** The picture of a frame drawn just now, in the same task; its sides are even, as encoders want them. */
   still(timestamp: number): VideoFrame {
     const even = (length: number) => length - (length % 2);
