@@ -118,7 +118,7 @@ export const intentions: Words['intentions'] = {
   now: (value) => `jetzt ${value}`,
   lightAs: (type: string) => `Beleuchten als: ${type}`,
   firstHint:
-    'Den Regler ziehen: Die Leuchten finden neue Plätze. Wie sie hängen und wie viele: Leuchten. Was genügt: Ergebnisse.',
+    'Den Regler ziehen: Die Leuchten finden neue Plätze. Anzahl und Reihen stehen unter Leuchten, das Urteil unter Ergebnisse.',
   glare: {
     none: 'Blendfrei',
     most: 'UGR höchstens',

@@ -119,7 +119,7 @@ export const intentions = {
   now: (value: string) => `now ${value}`,
   lightAs: (type: string) => `Light it as: ${type.toLowerCase()}`,
   firstHint:
-    'Drag the slider: the luminaires find new places. How they hang and how many: Luminaires. What passes: Results.',
+    'Drag the slider: the luminaires find new places. Number and rows are under Luminaires, the verdict under Results.',
   glare: {
     none: 'No glare',
     most: 'UGR at most',
