@@ -116,12 +116,14 @@ function patchDifference(reference, found) {
   return Math.sqrt(squares / area) / (light / area);
 }
 
+/** Options of the command but for these, each of which has a value. */
+function without(left, options) {
+  return options.filter((word, i) => !left.includes(word) && !left.includes(options[i - 1]));
+}
+
 function compareWithLight(room, layout, add) {
   const [fast, truth] = ['fast.csv', 'truth.csv'].map((name) => path.join(work, name));
-  const ofPrecomputeAlone = ['--cluster', '--refine'];
-  const lightOptions = room.precompute.filter(
-    (word, i, all) => !ofPrecomputeAlone.includes(word) && !ofPrecomputeAlone.includes(all[i - 1]),
-  );
+  const lightOptions = without(['--cluster', '--refine', '--opening'], room.precompute);
   const evaluated = JSON.parse(
     fiatlux('evaluate', sceneFile(room, 1), '--layout', layout, '--json', '--patches', fast),
   );
@@ -203,7 +205,7 @@ function section(result) {
     `## ${result.room.said.en.title}`,
     '',
     `${result.info.patches} patches, ${result.info.sites} sites, ${result.info.surfaces.length} surfaces; ` +
-      `\`${result.room.precompute.join(' ')}\`.`,
+      `\`${without(['--opening'], result.room.precompute).join(' ')}\`.`,
     '',
     '| figure | promise | median | worst | worst at | missed |',
     '| --- | --- | --- | --- | --- | --- |',
