@@ -116,7 +116,10 @@ class Caster {
     for (const Vec3& side : {frame.x, frame.y}) {
       const Met one = (*this)(origin, normalized(side + kFlat * frame.z));
       const Met two = (*this)(origin, normalized(kFlat * frame.z - side));
-      for (const Met& met : {one, two}) met.back ? void(backs.insert(*met.back)) : void(isAround = false);
+      for (const Met& met : {one, two}) {
+        isAround = isAround && met.back;
+        if (met.back) backs.insert(*met.back);
+      }
       if (one.back && two.back && *one.back != *two.back && one.distance + two.distance < kThickest)
         return true;
     }

@@ -10,7 +10,7 @@ import { poseBetween, type CameraPose } from './camera-flight.ts';
 import type { Covered } from '../stage/stage.ts';
 import type { ViewName } from '../types.ts';
 import { easeOut, reducedMotion, type Animation, type FrameLoop } from '../stage/frame-loop.ts';
-import { directionOf, type Box, type EyePlace } from './framing.ts';
+import { directionOf, type Box, type Destination, type EyePlace } from './framing.ts';
 import { fov, RoomPoses, tangent } from './room-poses.ts';
 
 const flight = 420; // ms
@@ -73,7 +73,7 @@ export class CameraRig {
   }
 
   /** Flies to where something is seen: a quadrant's corner view, within the room looking up, or home. */
-  lookFrom(place: number | 'within' | 'home'): void {
+  lookFrom(place: Destination): void {
     if (place === 'home') return this.home();
     this.#framed = null;
     this.#fly(place === 'within' ? this.#poses.lookingUp() : this.#poses.corner(place));

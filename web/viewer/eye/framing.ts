@@ -10,6 +10,9 @@ export interface Box {
   readonly max: Vec;
 }
 
+/** Where an eye flies to: a quadrant's corner, a person's place within the room, or where all of it is seen. */
+export type Destination = number | 'within' | 'home';
+
 /** Where an eye is: its quadrant, whether it is above the ceiling, and whether it looks up. */
 export interface EyePlace {
   readonly quadrant: number;

@@ -1,6 +1,6 @@
 /** Which way a room's surfaces face, and so from which corner they are seen: an eye in front of them, not behind. */
 import { Vector3 } from 'three';
-import type { EyePlace } from '../eye/framing.ts';
+import type { Destination, EyePlace } from '../eye/framing.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 /** Of a leaf surface, the shares of its area that face an eye at azimuth 45, 135, 225 and 315 degrees, and that look down. */
@@ -55,7 +55,7 @@ export function betterPlace(
   facing: Facing,
   surfaces: readonly number[],
   { quadrant, isAbove, looksUp }: EyePlace,
-): number | 'within' | 'home' | null {
+): Destination | null {
   const seen = [0, 0, 0, 0, 0];
   for (const surface of surfaces)
     facing.get(surface)?.forEach((share, i) => (seen[i]! += share / surfaces.length));
