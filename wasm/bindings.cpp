@@ -507,6 +507,12 @@ std::string beginSquares(Candidates& candidates, Session& room, val sites, val p
                CandidateScene::ofSquares(*room.scene(), vectorOf<std::uint32_t>(sites), *painted));
 }
 
+std::string knowCandidates(Candidates& candidates, val columns) {
+  if (!candidates.scene) return "no candidates were begun";
+  const Result<Done> known = candidates.scene->know(vectorOf<float>(columns));
+  return known ? std::string() : known.error().message;
+}
+
 bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
   return candidates.scene && candidates.scene->advance(count);
 }
@@ -709,6 +715,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("beginPainted", &beginPainted)
       .function("beginSquares", &beginSquares)
       .function("take", &takeCandidates)
+      .function("know", &knowCandidates)
       .function("advance", &advanceCandidates);
   emscripten::class_<RoomColor>("ColoredLight")
       .constructor<>()

@@ -3,10 +3,12 @@
 // and units is web/builder/builder.ts. Arrays are copied in and come back as fresh copies; an error comes
 // back as one line.
 #include <emscripten/bind.h>
+#include <emscripten/heap.h>
 #include <emscripten/val.h>
 
 #include <optional>
 
+#include "core/transport/mounted_luminaire.h"
 #include "precompute/pipeline/scene_parts.h"
 
 namespace fiatlux {
@@ -120,6 +122,32 @@ val listOf(const std::vector<SurveyedSurface>& surfaces) {
   return list;
 }
 
+/// `hung`: seven numbers a luminaire: site, index of its photometric file, flux (lm), turn (degrees), and the
+/// point that it is aimed at, NaN for none.
+constexpr std::size_t kNumbers = 7;
+Result<std::vector<Luminaire>> luminairesOf(const val& files, const val& hung,
+                                            const std::vector<Site>& sites) {
+  std::vector<PhotometricType> types;
+  for (unsigned i = 0, count = files["length"].as<unsigned>(); i < count; ++i) {
+    Result<Photometry> photometry = readPhotometry(bytesOf(files[i]));
+    if (!photometry) return photometry.error();
+    types.push_back(exactType(std::make_shared<const Photometry>(std::move(*photometry))));
+  }
+  const std::vector<double> numbers = emscripten::convertJSArrayToNumberVector<double>(hung);
+  std::vector<Luminaire> luminaires;
+  for (std::size_t i = 0; i + kNumbers <= numbers.size(); i += kNumbers) {
+    const double* n = &numbers[i];
+    const auto site = static_cast<std::size_t>(n[0]), type = static_cast<std::size_t>(n[1]);
+    if (!(n[0] >= 0 && n[1] >= 0) || site >= sites.size() || type >= types.size())
+      return Error{"a luminaire hangs on a site that this room does not have"};
+    Mounting mounting;
+    mounting.turn = n[3];
+    if (n[4] == n[4]) mounting.aim = Vec3{n[4], n[5], n[6]};
+    luminaires.push_back(mountedLuminaire(types[type], n[2], sites[site], mounting));
+  }
+  return luminaires;
+}
+
 constexpr const char* kNoMemory = "not enough memory in this browser; choose coarser patches";
 
 /// Nothing that is thrown leaves the module.
@@ -202,6 +230,20 @@ class Builder {
     return guarded([&] { return answer(parts_->join(bytesOf(part))); });
   }
 
+  /// lx of every row by each luminaire, column-major; seven numbers each say which one it is.
+  val light(const val& files, const val& hung) {
+    return guarded([&] {
+      const Result<std::vector<Luminaire>> luminaires = luminairesOf(files, hung, parts_->room().sites);
+      if (!luminaires) return val(luminaires.error().message);
+      const Result<std::vector<float>> columns = parts_->light(*luminaires);
+      if (!columns) return val(columns.error().message);
+      return val(emscripten::typed_memory_view(columns->size(), columns->data())).call<val>("slice");
+    });
+  }
+
+  /// Bytes that the module holds, which never become fewer.
+  double held() const { return static_cast<double>(emscripten_get_heap_size()); }
+
   /// The scene file.
   val assemble() {
     return guarded([&] {
@@ -227,7 +269,9 @@ EMSCRIPTEN_BINDINGS(builder) {
       .function("prepare", &Builder::prepare)
       .function("solve", &Builder::solve)
       .function("join", &Builder::join)
-      .function("assemble", &Builder::assemble);
+      .function("assemble", &Builder::assemble)
+      .function("light", &Builder::light)
+      .function("held", &Builder::held);
 }
 
 }  // namespace fiatlux

@@ -59,6 +59,10 @@ class CandidateScene {
   /// advance(), from several where they are.
   void take(const Scene& known, const std::vector<std::uint32_t>& there);
 
+  /// Takes the light of all candidates as somebody else has computed it: column-major rows x candidates, lx,
+  /// each at its type's flux. An error where there is not so much of it, or it is no light.
+  Result<Done> know(std::vector<float> columns);
+
   /// Computes the columns of `count` more; true when all are there. What lies on one site costs less
   /// together.
   bool advance(std::uint32_t count);

@@ -25,13 +25,8 @@ constexpr std::uint32_t kLostRays = 4096;  // from each luminaire, to see what l
 std::vector<float> sumOfDirectLight(const Room& room, const RayTracer& tracer,
                                     const std::vector<Luminaire>& luminaires, const ForwardOptions& options,
                                     const std::function<void(double)>& progress) {
-  DirectLightOptions direct;
-  direct.seed = options.seed;
-  direct.threads = options.threads;
-  direct.progress = progress;
-  if (luminaires.size() <= kFewLuminaires) direct.split = kFinerSplit;
   const std::uint32_t rows = room.patches.rows();
-  const std::vector<float> columns = directLight(room, tracer, luminaires, direct);
+  const std::vector<float> columns = forwardDirectLight(room, tracer, luminaires, options, progress);
   std::vector<float> sum(rows, 0.0f);
   for (std::uint32_t p = 0; p < rows; ++p) {
     double light = 0;
@@ -128,6 +123,17 @@ ForwardLight forwardLight(const Room& room, const RayTracer& tracer, const std::
 }
 
 }  // namespace
+
+std::vector<float> forwardDirectLight(const Room& room, const RayTracer& tracer,
+                                      const std::vector<Luminaire>& luminaires, const ForwardOptions& options,
+                                      const std::function<void(double)>& progress) {
+  DirectLightOptions direct;
+  direct.seed = options.seed;
+  direct.threads = options.threads;
+  direct.progress = progress;
+  if (luminaires.size() <= kFewLuminaires) direct.split = kFinerSplit;
+  return directLight(room, tracer, luminaires, direct);
+}
 
 Result<ForwardLight> computeForwardLight(const Room& room, const RayTracer& tracer,
                                          const std::vector<Luminaire>& luminaires,

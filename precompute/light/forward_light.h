@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -39,6 +40,12 @@ struct ForwardLight {
   std::uint32_t steps = 0;                 // refinement steps taken
   EnergyBalance energy;
 };
+
+/// Light before it is reflected: column-major rows() x luminaires, lx, each at its flux. Few of them are
+/// looked at more finely than a room's sites.
+std::vector<float> forwardDirectLight(const Room& room, const RayTracer& tracer,
+                                      const std::vector<Luminaire>& luminaires, const ForwardOptions& options,
+                                      const std::function<void(double)>& progress = {});
 
 /// `emission` (n, lm/m2, or empty): patches that shine by themselves, for white furnaces and luminous
 /// surfaces.

@@ -95,7 +95,7 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
 
   beginStage(host.progress, "scene file");
   const std::optional<PaperTransport> paper = std::move(transport.paper);
-  const FormFactors factors = std::move(transport.factors);
+  FormFactors factors = std::move(transport.factors);
   const Scene scene = sceneOf(room, std::move(transport), report.identity);
   if (scene.lightOperator) report.operatorErrors = orThrow(measureOperator(scene, factors));
   std::optional<OpeningLight> opening;
@@ -110,6 +110,7 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
   const std::string provenance =
       provenanceOf({name, source.plan, options, room, report, encoded.ranks, seconds});
   std::vector<std::uint8_t> file = orThrow(closeSceneFile(std::move(encoded), provenance, host.deflate));
+  transport.factors = std::move(factors);
   return {std::move(file), room.warnings, std::move(report)};
 }
 

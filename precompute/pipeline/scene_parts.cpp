@@ -5,8 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/transport/low_rank_radiosity.h"
+#include "core/transport/site_responses.h"
 #include "precompute/base/error.h"
 #include "precompute/light/cast_light.h"
+#include "precompute/light/forward_light.h"
 #include "precompute/light/interreflection.h"
 #include "precompute/light/light_part.h"
 #include "precompute/pipeline/steps.h"
@@ -16,6 +19,35 @@ namespace {
 
 constexpr const char* kMissing = "parts of the light are missing";
 constexpr const char* kElsewhere = "a part of the light is of another room";
+
+ForwardOptions forwardOptionsOf(const TransportOptions& asked) {
+  ForwardOptions options;
+  options.rays = asked.rays;
+  options.seed = asked.seed;
+  options.threads = 1;
+  return options;
+}
+
+/// What columns of direct light (lx, rows each) become with everything reflected: solved a block at a time.
+std::vector<float> reflectedColumns(const Patches& patches, const FormFactors& factors,
+                                    const LowRankRadiosity& lowRank, const std::vector<float>& direct,
+                                    const ForwardOptions& options) {
+  const std::size_t rows = patches.rows(), count = direct.size() / rows;
+  std::vector<float> columns(direct.size());
+  for (std::size_t first = 0; first < count; first += kBlockWidth) {
+    ResponseBlock block;
+    block.width = static_cast<std::uint32_t>(std::min<std::size_t>(kBlockWidth, count - first));
+    block.direct.resize(rows * block.width);
+    for (std::size_t j = 0; j < block.width; ++j)
+      for (std::size_t p = 0; p < rows; ++p)
+        block.direct[p * block.width + j] = direct[(first + j) * rows + p];
+    solveResponses(factors, patches, lowRank, options.steps, options.tolerance, block);
+    for (std::size_t j = 0; j < block.width; ++j)
+      for (std::size_t p = 0; p < rows; ++p)
+        columns[(first + j) * rows + p] = std::max(0.0f, block.irradiance[p * block.width + j]);
+  }
+  return columns;
+}
 
 /// Column `column` of a part, `rows` long, to its place.
 template <class T>
@@ -32,12 +64,14 @@ struct SceneParts::State {
   SceneOptions options;
   Host host;
   OpenedRoom opened;
-  std::optional<FormFactorCaster> caster;  // once it is needed
-  CastLight light;                         // added so far
-  std::optional<std::uint32_t> missing;    // rows, once there are some
+  std::optional<FormFactorCaster> caster;   // once it is needed
+  CastLight light;                          // added so far
+  std::optional<std::uint32_t> missing;     // rows, once there are some
   std::unique_ptr<Interreflection> solver;  // of all rows
-  SolvedLight solved;                      // joined so far
-  std::uint32_t unsolved = 0;              // blocks
+  SolvedLight solved;                       // joined so far
+  std::uint32_t unsolved = 0;               // blocks
+  FormFactors factors;                      // of all rows, once the file is made
+  std::optional<LowRankRadiosity> lowRank;  // of these, once it is needed
 };
 
 Result<SceneParts> SceneParts::open(ModelFile model, SceneOptions options, Host host) {
@@ -45,8 +79,8 @@ Result<SceneParts> SceneParts::open(ModelFile model, SceneOptions options, Host 
   const auto open = [&] {
     SceneOptions same = consistent(std::move(options), host);
     OpenedRoom room = opened(model, same.room, host);
-    return SceneParts(std::make_unique<State>(
-        State{model.name, std::move(same), std::move(host), std::move(room), {}, {}, {}, {}, {}}));
+    return SceneParts(std::make_unique<State>(State{
+        model.name, std::move(same), std::move(host), std::move(room), {}, {}, {}, {}, {}, {}, {}, {}}));
   };
   return atDoor(open, kNoMemory);
 }
@@ -143,9 +177,24 @@ Result<MadeScene> SceneParts::assemble() {
     state_->solver.reset();
     Transport transport = completeTransport(room, std::exchange(state_->light, {}),
                                             std::exchange(state_->solved, {}), state_->options.transport);
-    return fileOf(state_->name, source, room, std::move(transport), state_->options, state_->host);
+    MadeScene made = fileOf(state_->name, source, room, std::move(transport), state_->options, state_->host);
+    state_->factors = std::move(transport.factors);
+    return made;
   };
   return atDoor(assemble, kNoMemory);
+}
+
+Result<std::vector<float>> SceneParts::light(const std::vector<Luminaire>& luminaires) {
+  const auto light = [&] {
+    if (state_->factors.rows == 0) throw CommandError(kMissing);
+    const auto& [source, room, tracer] = state_->opened;
+    if (!state_->lowRank)
+      state_->lowRank.emplace(orThrow(LowRankRadiosity::factorize(state_->factors, room.patches)));
+    const ForwardOptions options = forwardOptionsOf(state_->options.transport);
+    return reflectedColumns(room.patches, state_->factors, *state_->lowRank,
+                            forwardDirectLight(room, tracer, luminaires, options), options);
+  };
+  return atDoor(light, kNoMemory);
 }
 
 }  // namespace fiatlux

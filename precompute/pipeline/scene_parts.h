@@ -34,8 +34,11 @@ class SceneParts {
   Result<std::vector<std::uint8_t>> solve(std::uint32_t block);
   /// What `solve` has returned, here or elsewhere; each block once, prepared.
   Result<Done> join(std::span<const std::uint8_t> part);
-  /// Once, when all blocks are there.
+  /// Once, when all blocks are there. The form factors of all rows stay, for `light`.
   Result<MadeScene> assemble();
+  /// The light of these luminaires, all interreflections included, as `fiatlux light` has it: column-major
+  /// rows x luminaires, lx, each at its flux. Assembled.
+  Result<std::vector<float>> light(const std::vector<Luminaire>& luminaires);
 
  private:
   struct State;

@@ -14,7 +14,8 @@ SceneOptions consistent(SceneOptions options, const Host& host);
 
 OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host& host);
 
-/// The scene file of a room whose light is known. `name`: of the model's file.
+/// The scene file of a room whose light is known. `name`: of the model's file. Of the transport its form
+/// factors are left.
 MadeScene fileOf(const std::string& name, const SourceScene& source, const Room& room, Transport&& transport,
                  const SceneOptions& options, const Host& host);
 

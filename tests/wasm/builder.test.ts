@@ -137,6 +137,42 @@ test('1, 2 and 4 workers make the same file, as the command makes it but for rou
   expect(Math.abs(sum(spotted) / sum(truth) - 1)).toBeLessThan(0.001);
 }, 60_000);
 
+test('whoever made a room lights luminaires in it as the command does', async () => {
+  const pool = poolOf(2);
+  const { file, owner } = await pool.build({
+    model: modelOf(box),
+    options: coarse,
+    isKept: true,
+    ...quiet(),
+  });
+  const hung = [7, 0, 900, 0, Number.NaN, 0, 0, 12, 0, 1000, 30, 1, 0, 1];
+  const columns = await owner!.light({ files: [ies], hung: Float64Array.from(hung) });
+  await expect(owner!.light({ files: [], hung: Float64Array.from(hung) })).rejects.toThrow(/does not have/);
+  expect(owner!.bytes).toBeGreaterThan(1e6);
+  owner!.end();
+
+  const folder = mkdtempSync(path.join(tmpdir(), 'fiatlux-'));
+  const [model, layout, out] = ['box.glb', 'layout.json', 'patches.csv'].map((name) =>
+    path.join(folder, name),
+  );
+  writeFileSync(model!, box);
+  writeFileSync(path.join(folder, 'spot.ies'), ies);
+  const luminaires = [
+    { site: 7, flux: 900, photometry: 'spot.ies' },
+    { site: 12, flux: 1000, photometry: 'spot.ies', turn: 30, aim: [1, 0, 1] },
+  ];
+  writeFileSync(layout!, JSON.stringify({ luminaires }));
+  execFileSync(path.join(root, 'build/fiatlux'), ['light', model!, '--layout', layout!, '--patches', out!, '--patch', '0.5', '--rays', '64', '--site-spacing', '0.8'], { stdio: 'ignore' }); // prettier-ignore
+  const [head, ...lines] = readFileSync(out!, 'utf8').trim().split('\n');
+  const at = head!.split(',').findIndex((name) => name.startsWith('illuminance'));
+  const truth = lines.map((line) => Number(line.split(',')[at]));
+  const rows = columns.length / 2;
+  expect(truth.length).toBeGreaterThanOrEqual(rows - 100);
+  for (const [p, lux] of truth.entries())
+    expect(Math.abs(columns[p]! + columns[rows + p]! - lux)).toBeLessThan(0.01 * lux + 0.01);
+  expect(file.byteLength).toBeGreaterThan(0);
+}, 60_000);
+
 test('a draft has longer patches and the same places', async () => {
   const options = { ...coarse, patch: 0 };
   const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: 6, ...quiet() });

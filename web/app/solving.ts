@@ -208,6 +208,29 @@ export class Solving {
     return { ...this.#read(seen), colors: seen.colors };
   }
 
+  /** A photometric file that was brought. */
+  fileOf(hash: string): Uint8Array | undefined {
+    return this.#brought.get(hash);
+  }
+
+  /**
+   * Shows the light of the layout on the screen as its room's builder has computed it, column by column; `bytes` are those
+   * that it holds. False where something else is shown or asked by then. Rejects with one readable line.
+   */
+  async polish(shown: Shown, columns: Float32Array<ArrayBuffer>, bytes: number): Promise<boolean> {
+    const asked = this.#intentions();
+    const store = this.#store;
+    if (store.shown.peek() !== shown) return false;
+    const { colors, ...seen } = await this.#client.read(asked, shown.layout, columns);
+    if (store.shown.peek() !== shown || this.#intentions() !== asked || this.#probing) return false;
+    const { layout, goal } = shown;
+    const exact: Shown = { ...this.#read(seen), layout, goal };
+    this.#showing.present(exact, store.progress.peek(), () => undefined);
+    store.exact.value = { shown: exact, bytes };
+    if (colors) this.#showing.color(colors);
+    return true;
+  }
+
   /** What lighter paint would do for the light that is shown. Rejects with one readable line. */
   gains(shown: Shown): Promise<readonly PaintGain[]> {
     return this.#client.gains(this.#store.traced.peek().intentions, shown.layout);

@@ -85,6 +85,13 @@ export interface Survey {
   readonly warnings: readonly string[];
 }
 
+/** Luminaires of photometric files on the sites of a room. */
+export interface HungLuminaires {
+  readonly files: readonly Uint8Array[];
+  /** Seven numbers each: site, index of its file, flux (lm), turn (degrees), and the point that it is aimed at or NaN. */
+  readonly hung: Float64Array;
+}
+
 /** What the module is lent. */
 export interface Lent {
   /** A zlib stream. */
@@ -110,6 +117,10 @@ export interface Builder {
   join(part: Uint8Array): string;
   /** The scene file, once every block was joined. */
   assemble(): Uint8Array<ArrayBuffer> | string;
+  /** Once assembled: lx of every row by each luminaire at its flux, all interreflections included, column by column. */
+  light(files: readonly Uint8Array[], hung: Float64Array): Float32Array<ArrayBuffer> | string;
+  /** Bytes that the module holds. */
+  held(): number;
 }
 
 export interface BuilderModule {

@@ -68,7 +68,12 @@ export class BuilderDriver {
       }
       case 'assemble': {
         const file = valid(builder.assemble());
-        return this.#post({ type: 'assembled', file }, [file.buffer]);
+        return this.#post({ type: 'assembled', file, held: builder.held() }, [file.buffer]);
+      }
+      case 'light': {
+        const { files, hung } = message.luminaires;
+        const columns = valid(builder.light(files, hung));
+        return this.#post({ type: 'lit', columns }, [columns.buffer]);
       }
     }
   }

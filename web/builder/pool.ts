@@ -3,7 +3,7 @@
  * free; what it has cast is handed to all that go on. These take blocks of what follows of it, and hand what they have
  * solved to the first one, which makes the file. The file does not depend on their number.
  */
-import type { BuildOptions, Compiled, RoomCounts, Survey } from './builder.ts';
+import type { BuildOptions, Compiled, HungLuminaires, RoomCounts, Survey } from './builder.ts';
 import type { FromBuilder, Model, ToBuilder } from './protocol.ts';
 
 /** The part of a Worker that the pool uses. */
@@ -26,6 +26,15 @@ export interface BuildProgress {
 export interface Built {
   readonly file: ArrayBuffer;
   readonly room: RoomCounts;
+  readonly owner: Owner | null; // where it was asked to stay
+}
+
+/** The worker that has made a room, and knows all of its form factors as long as it lives. */
+export interface Owner {
+  readonly bytes: number; // of memory that it holds
+  /** lx of every row by each luminaire at its flux, column by column, as the command's `light` has it. */
+  light(luminaires: HungLuminaires): Promise<Float32Array<ArrayBuffer>>;
+  end(): void;
 }
 
 export interface BuildWish {
@@ -33,6 +42,8 @@ export interface BuildWish {
   readonly options: BuildOptions;
   /** A draft: patches so many times as long as the options say. */
   readonly coarseness?: number;
+  /** Whoever makes the file goes on living, for the light of luminaires in that room. */
+  readonly isKept?: boolean;
   readonly signal: AbortSignal;
   readonly tell: (progress: BuildProgress) => void;
 }
@@ -90,10 +101,13 @@ export class BuilderPool {
     const stopped = new Promise<never>((_, reject) => {
       wish.signal.addEventListener('abort', () => reject(new Stopped()), { once: true });
     });
+    let owner: Owner | null = null;
     try {
-      return await Promise.race([new Run(wish, members).build(), stopped]);
+      const built = await Promise.race([new Run(wish, members).build(), stopped]);
+      ({ owner } = built);
+      return built;
     } finally {
-      for (const member of members) member.end();
+      for (const member of owner ? members.slice(1) : members) member.end();
     }
   }
 }
@@ -128,8 +142,8 @@ class Run {
     await this.#solve();
     this.#tell('writing', 0);
     this.#chief.told = (stage) => this.#tell('writing', writing[stage] ?? 0);
-    const { file } = await this.#chief.ask({ type: 'assemble' }, 'assembled');
-    return { file: file.buffer, room };
+    const { file, held } = await this.#chief.ask({ type: 'assemble' }, 'assembled');
+    return { file: file.buffer, room, owner: this.#wish.isKept ? ownerOf(this.#chief, held) : null };
   }
 
   /** How long patches usually are is known once the room is open. */
@@ -192,6 +206,12 @@ class Run {
     this.#wish.tell({ stage, share: begin + share * (end - begin) });
   }
 }
+
+const ownerOf = (chief: Member, bytes: number): Owner => ({
+  bytes,
+  light: async (luminaires) => (await chief.ask({ type: 'light', luminaires }, 'lit')).columns,
+  end: () => chief.end(),
+});
 
 /** Every holder holds about what the room needs. */
 function mostSolvers({ memory }: BuildOptions, room: RoomCounts): number {

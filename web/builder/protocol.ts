@@ -1,5 +1,5 @@
 /** Between the pool and its workers. Each message to a worker but `start` has one answer, in the order of the questions. */
-import type { BuildOptions, Compiled, RoomCounts, Survey } from './builder.ts';
+import type { BuildOptions, Compiled, HungLuminaires, RoomCounts, Survey } from './builder.ts';
 
 /** A model in memory, with the files beside it that it may name. */
 export interface Model {
@@ -17,7 +17,8 @@ export type ToBuilder =
   | { readonly type: 'prepare' } // -> prepared
   | { readonly type: 'solve'; readonly block: number } // -> solved
   | { readonly type: 'join'; readonly part: Uint8Array<ArrayBuffer> } // -> joined
-  | { readonly type: 'assemble' }; // -> assembled
+  | { readonly type: 'assemble' } // -> assembled
+  | { readonly type: 'light'; readonly luminaires: HungLuminaires }; // -> lit
 
 export type FromBuilder =
   | { readonly type: 'surveyed'; readonly survey: Survey }
@@ -27,6 +28,7 @@ export type FromBuilder =
   | { readonly type: 'prepared'; readonly blocks: number }
   | { readonly type: 'solved'; readonly part: Uint8Array<ArrayBuffer> }
   | { readonly type: 'joined' }
-  | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer> }
+  | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer>; readonly held: number } // bytes of the module
+  | { readonly type: 'lit'; readonly columns: Float32Array<ArrayBuffer> }
   | { readonly type: 'failed'; readonly message: string; readonly isTooLarge: boolean } // instead of an answer; for its memory
   | { readonly type: 'told'; readonly stage: string; readonly share: number }; // at any time

@@ -6,7 +6,7 @@ import { frameOn, middleOf } from './mounting.ts';
 import type { PhotometricDescription } from './photometry.ts';
 import { positionOf, siteCount } from './sites.ts';
 import { leavesOf } from './surface-names.ts';
-import type { Aim, LuminaireType, Mounting, Point, SceneInfo } from './types.ts';
+import type { Aim, Layout, LuminaireType, Mounting, Point, SceneInfo } from './types.ts';
 
 export interface Candidate {
   readonly site: number;
@@ -36,6 +36,19 @@ export function candidateOf(sites: Sites, site: number, type: LuminaireType, mou
     place[2] + tiltReach * down[2],
   ];
   return { site, type, mounting, aim };
+}
+
+/** The candidates that a layout is made of, as `candidatesOf` would make them. Those of unknown types are left out. */
+export function candidatesIn(
+  { sites, mountings = [] }: Layout,
+  types: readonly LuminaireType[],
+  scene: SceneInfo,
+): Candidate[] {
+  return sites.flatMap((site, i) => {
+    const mounting = mountings[i];
+    const type = types.find(({ id }) => id === mounting?.type);
+    return type && mounting ? candidateOf(scene.sites, site, type, mounting) : [];
+  });
 }
 
 /** Every way to hang a luminaire of a type on a site that it fits on. */

@@ -31,6 +31,14 @@ export function StatusLine() {
           </span>
         </span>
       )}
+      {shown !== null && shown === store.exact.value?.shown && (
+        <span
+          class="status-exact"
+          title={words.value.panel.status.exactBy(count(Math.round(store.exact.value.bytes / 1e6)))}
+        >
+          {words.value.panel.status.exact}
+        </span>
+      )}
       {isMissing && <span class="status-unmet">{words.value.panel.status.unmet(unmet)}</span>}
       {proved && (
         <span class={`status-bound ${proved.isNear ? 'near' : ''}`} title={words.value.panel.status.proved}>

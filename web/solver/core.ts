@@ -340,6 +340,8 @@ export interface Candidates {
    * has the index of each candidate in it, or `unknown`.
    */
   take(known: Session, there: Uint32Array): void;
+  /** After begin(): takes the light of all of them as somebody else has computed it, lx, column by column; '' or one line. */
+  know(columns: Float32Array): string;
   /** Computes the light of so many more of them; true when all are there. */
   advance(count: number): boolean;
   delete(): void;

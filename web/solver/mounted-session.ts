@@ -2,9 +2,9 @@
  * A session whose luminaires are of photometric types. Beneath, the core searches a scene whose sites are candidates (a
  * site, a type on it, its turn and aim); above, layouts are of sites and mountings again.
  */
-import { candidateOf, type Candidate } from '../document/candidates.ts';
+import type { Candidate } from '../document/candidates.ts';
 import { usualEfficacy } from '../document/photometry.ts';
-import type { Layout, Luminaires, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
+import type { Layout, Luminaires, LuminaireType, Mounting } from '../document/types.ts';
 import {
   anyType,
   type Candidates as CoreCandidates,
@@ -169,17 +169,4 @@ export function chosenAt(there: readonly Candidate[], mounting: Mounting | undef
   const ofType = there.findIndex(({ type }) => type.id === mounting?.type);
   const latest = there.at(-1)?.type.id;
   return ofType >= 0 ? ofType : there.findIndex(({ type }) => type.id === latest);
-}
-
-/** The candidates that a layout is made of, as `candidatesOf` would make them. Those of unknown types are left out. */
-export function candidatesIn(
-  { sites, mountings = [] }: Layout,
-  types: readonly LuminaireType[],
-  scene: SceneInfo,
-): Candidate[] {
-  return sites.flatMap((site, i) => {
-    const mounting = mountings[i];
-    const type = types.find(({ id }) => id === mounting?.type);
-    return type && mounting ? candidateOf(scene.sites, site, type, mounting) : [];
-  });
 }

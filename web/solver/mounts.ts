@@ -3,7 +3,7 @@
  * in it, or of the squares of the room in other paint. There are two of these: what one layout needs is made at once, all
  * that a search may try slice by slice.
  */
-import { candidatesOf, type Candidate } from '../document/candidates.ts';
+import { candidatesIn, candidatesOf, type Candidate } from '../document/candidates.ts';
 import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
 import { hasLuminousArea, type PhotometricDescription } from '../document/photometry.ts';
 import { siteCount } from '../document/sites.ts';
@@ -12,7 +12,7 @@ import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../
 import { coreIntentions, corePaint } from './core-intentions.ts';
 import { unknown, type Candidates, type CoreModule, type OrError, type Session } from './core.ts';
 import type { HungSession } from './hung-session.ts';
-import { beginCandidates, candidatesIn, chosenAt, MountedSession } from './mounted-session.ts';
+import { beginCandidates, chosenAt, MountedSession } from './mounted-session.ts';
 import { PaintedSession } from './painted-session.ts';
 
 /** What is used of the module. */
@@ -150,6 +150,19 @@ export class Mounts {
     if (wanted.extent !== 'all') return this.#makeFew(wanted);
     while (!this.advance(wanted)) continue;
     return this.#all?.session ?? null;
+  }
+
+  /** A session of its own for a layout of types whose light is known, column by column. Throws one readable line. */
+  known(wanted: Wanted, columns: Float32Array): HungSession {
+    const plan = this.#plan(wanted);
+    const scene = new this.#core.Candidates();
+    try {
+      plan.begin(scene);
+      check(scene.know(columns));
+      return this.#adopted(scene, plan, wanted).session;
+    } finally {
+      scene.delete();
+    }
   }
 
   #makeFew(wanted: Wanted): HungSession {

@@ -170,6 +170,8 @@ export type ToWorker =
       readonly revision: number;
       readonly intentions: Intentions;
       readonly layout: Layout;
+      /** lx of every row by each of its luminaires, column by column, where whoever owns the room has computed that. */
+      readonly columns?: Float32Array<ArrayBuffer>;
     }
   /**
    * Reads a photometric file -> 'described', at once and whatever else runs. It supersedes nothing and nothing

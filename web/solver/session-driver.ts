@@ -358,7 +358,7 @@ export class SessionDriver {
   }
 
   /** The light of a layout beside what runs, by the intentions that were asked last: the search goes on. */
-  #read({ revision, intentions, layout }: Request<'read'>): void {
+  #read({ revision, intentions, layout, columns }: Request<'read'>): void {
     const answer = (shown: Seen | string) => {
       const buffers = typeof shown === 'string' ? [] : [shown.illuminance.buffer];
       const colors = typeof shown !== 'string' && shown.colors ? [shown.colors.buffer] : [];
@@ -366,14 +366,29 @@ export class SessionDriver {
     };
     try {
       const leaves = this.#leaves(intentions);
-      const { session, held } = this.#beside(intentions, layout);
-      const shown = shownOf(valid(session.show(...held)), 0, leaves);
+      const { session, held } = columns
+        ? this.#knowing(intentions, layout, columns)
+        : this.#beside(intentions, layout);
+      const read = session.show(...held);
+      if (columns) (session as HungSession).delete();
+      const shown = shownOf(valid(read), 0, leaves);
       const paint = corePaint(intentions.paint, leaves);
       answer({ ...shown, colors: this.#color.of(shown.illuminance, paint) });
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       answer(reasonOf(error));
     }
+  }
+
+  /** Who has the light of a layout as somebody else has computed it; for whoever asks, to be deleted. */
+  #knowing(intentions: Intentions, layout: Layout, columns: Float32Array) {
+    const session = this.#mounts.known({ asked: intentions, layout, extent: 'layout' }, columns);
+    const held = session.take(layout);
+    session.ask(intentions.luminaires, false);
+    const error = session.setIntentions(coreIntentions(intentions, this.#leaves(intentions)));
+    if (error) session.delete();
+    check(error);
+    return { session, held };
   }
 
   /** Who has the light of a layout, and how it takes that: what was asked last goes on. */

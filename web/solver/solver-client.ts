@@ -137,11 +137,12 @@ export class SolverClient {
   }
 
   /** The light of another layout, by the intentions asked last. Rejects with one readable line. */
-  read(intentions: Intentions, layout: Layout): Promise<Seen> {
+  read(intentions: Intentions, layout: Layout, columns?: Float32Array<ArrayBuffer>): Promise<Seen> {
     const revision = ++this.#revision;
     return new Promise((resolve, reject) => {
       this.#lit.set(revision, { resolve, reject });
-      this.#worker.postMessage({ type: 'read', revision, intentions, layout }, []);
+      const message = { type: 'read', revision, intentions, layout, ...(columns && { columns }) } as const;
+      this.#worker.postMessage(message, columns ? [columns.buffer] : []);
     });
   }
 

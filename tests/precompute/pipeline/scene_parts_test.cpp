@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "precompute/light/forward_light.h"
 #include "precompute/light/light_part.h"
 #include "tests/precompute/pipeline/box_model.h"
 
@@ -50,6 +51,40 @@ TEST(SceneParts, AreTheWholeWhoeverCastsThem) {
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->file, whole->file);
   EXPECT_EQ(made->report.identity, whole->report.identity);
+}
+
+TEST(SceneParts, LightLuminairesAsTheForwardTruthDoes) {
+  SceneParts parts = openedBox();
+  const Luminaire square = luminaireOf(parts.room().sites[7]);
+  EXPECT_EQ(parts.light({square}).error().message, "parts of the light are missing");
+  ASSERT_TRUE(parts.add(parts.cast(0, parts.room().patches.rows()).value()));
+  for (std::uint32_t block = parts.prepare().value(); block-- > 0;)
+    ASSERT_TRUE(parts.join(parts.solve(block).value()));
+  ASSERT_TRUE(parts.assemble());
+
+  std::vector<Luminaire> hung(17, square);  // more than are solved together
+  for (std::size_t j = 0; j < hung.size(); ++j) {
+    hung[j] = luminaireOf(parts.room().sites[j]);
+    hung[j].flux = 500 + 100.0 * static_cast<double>(j);
+  }
+  const auto opened = openRoom(boxModel(), quickOptions().room, plainHost());
+  ASSERT_TRUE(opened);
+  ForwardOptions options;
+  options.rays = quickOptions().transport.rays;
+  for (const std::size_t count : {std::size_t{2}, hung.size()}) {
+    const std::vector<Luminaire> some(hung.begin(), hung.begin() + static_cast<std::ptrdiff_t>(count));
+    const auto columns = parts.light(some);
+    ASSERT_TRUE(columns) << columns.error().message;
+    const auto truth = computeForwardLight(opened->room, opened->tracer, some, options);
+    ASSERT_TRUE(truth);
+    const std::size_t rows = truth->illuminance.size();
+    ASSERT_EQ(columns->size(), rows * count);
+    for (std::size_t p = 0; p < rows; ++p) {
+      double sum = 0;
+      for (std::size_t j = 0; j < count; ++j) sum += (*columns)[j * rows + p];
+      EXPECT_NEAR(sum, truth->illuminance[p], 1e-4 * truth->illuminance[p]) << p;
+    }
+  }
 }
 
 TEST(SceneParts, WantAllRowsOfOneRoom) {

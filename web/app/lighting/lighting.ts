@@ -22,6 +22,7 @@ import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
+import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { siteModel } from './site-model.ts';
 import { TimeLeft } from './time-left.ts';
@@ -57,6 +58,7 @@ export class Lighting {
   readonly #createPool: CreatePool;
   readonly #shelf: Shelf;
   sheet: ImportSheet | null = null; // the latest one; store.sheet says whether it is open
+  readonly #polishing: Polishing;
   #running: Running | null = null;
   #model: Model | null = null;
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
@@ -74,12 +76,14 @@ export class Lighting {
     this.#placing = placing;
     this.#shelf = shelf;
     this.#createPool = createPool;
+    this.#polishing = new Polishing(store, solving);
   }
 
   /** Lights the model whose preview is on the screen; without choices as it was understood for the last time. */
   async light(model: Model, choices?: ModelChoices): Promise<void> {
     this.cancel();
     this.closeSheet();
+    this.#polishing.release(); // the next room wants its memory
     const running = (this.#running = {
       controller: new AbortController(),
       turn: this.#placing.turn,
@@ -101,7 +105,9 @@ export class Lighting {
       const shown = await this.#showDraft(model.name, room, first, running);
       const full = await this.#build(pool, measured, 'full', running);
       const isKept = await this.#kept(room, full, model);
-      await this.#showFull(room, full, shown, isKept, running);
+      const isShown = await this.#showFull(room, full, shown, isKept, running).catch(endOf(full));
+      if (isShown) this.#polishing.own(full.owner);
+      else full.owner?.end();
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
         return;
@@ -229,7 +235,7 @@ export class Lighting {
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
       ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness })
-      : pool.build({ ...wish, options });
+      : pool.build({ ...wish, options, isKept: true });
   }
 
   /** The identity of the draft; '' where something else was opened meanwhile, which stays. */
@@ -252,22 +258,22 @@ export class Lighting {
     return identity;
   }
 
-  /** Puts the full room in the draft's place; where another room is open by now, only says that it is there. */
+  /** Whether the full room is in the draft's place now; where another room is open, it is only said that it is there. */
   async #showFull(
     room: string,
     { file }: Built,
     shown: string,
     isKept: boolean,
     running: Running,
-  ): Promise<void> {
+  ): Promise<boolean> {
     const { scene, history, display, camera, progress } = this.#store;
-    if (running.controller.signal.aborted) return;
+    if (running.controller.signal.aborted) return false;
     const title = this.#shelf.titleOf(room);
     const from = scene.peek();
     if (!from || from.identity !== shown) {
       this.#store.lighting.value = null;
       if (isKept) this.#store.say('info', words.value.opening.lit(title));
-      return;
+      return false;
     }
     const plan = this.#store.plan.peek();
     const isSearched = progress.peek().state === 'improving' || progress.peek().state === 'settled';
@@ -277,10 +283,11 @@ export class Lighting {
       return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view };
     });
     this.#store.lighting.value = null;
-    if (!replaced) return;
+    if (!replaced) return false;
     this.#store.plan.value ??= plan;
     if (isSearched) this.#solving.solve();
     this.#store.announcement.value = words.value.opening.litFully(title);
+    return true;
   }
 
   /** With the planes that were drawn, in the file's own axes. */
@@ -348,6 +355,14 @@ export class Lighting {
     this.#store.say('warning', words.value.opening.about(title, sentence(said)));
   }
 }
+
+/** Lets the worker go that has made a room, and throws on. */
+const endOf =
+  ({ owner }: Built) =>
+  (error: unknown): never => {
+    owner?.end();
+    throw error;
+  };
 
 const begunOf = ({ name }: Model, pass: LightingState['pass']): LightingState => ({
   name,

@@ -183,6 +183,8 @@ export class Store {
   /** Linear RGB of the patches as the room's materials have them, once the view has told them. */
   readonly patchColors = signal<{ readonly scene: SceneInfo; readonly colors: Float32Array } | null>(null);
   readonly shown = signal<Shown | null>(null); // at most once a frame
+  /** What of `shown` is exact, by the builder of the room, and the bytes that this holds; else it is by groups of patches. */
+  readonly exact = signal<{ readonly shown: Shown; readonly bytes: number } | null>(null);
   readonly other = signal<Seen | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
   readonly score = signal<number | null>(null); // of a layout placed by hand against the solver's; links take it along

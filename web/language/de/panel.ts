@@ -15,6 +15,9 @@ export const panel: Words['panel'] = {
     unmet: (n) => `${counted(n, 'Vorgabe', 'Vorgaben')} nicht erfüllt`,
     within: (gap) => `bis auf ${gap} optimal`,
     best: 'bestmöglich, bewiesen',
+    exact: 'exakt',
+    exactBy: (megabytes) =>
+      `Von dieser Anordnung wurde jede Reflexion berechnet, wie fiatlux light es tut; dafür hält die Seite ${megabytes} MB, bis sie geschlossen wird`,
   },
   tabs: { intentions: 'Ziele', luminaires: 'Leuchten', results: 'Ergebnisse' },
   name: 'Ziele und Ergebnisse',

@@ -14,6 +14,9 @@ export const panel = {
     unmet: (n: number) => `${counted(n, 'bound', 'bounds')} not met`,
     within: (gap: string) => `within ${gap} of the best`,
     best: 'best possible, proved',
+    exact: 'exact',
+    exactBy: (megabytes: string) =>
+      `Of this layout every reflection was computed, as fiatlux light does it; for that the page holds ${megabytes} MB until it is closed`,
   },
   tabs: { intentions: 'Intentions', luminaires: 'Luminaires', results: 'Results' },
   name: 'Intentions and results',
