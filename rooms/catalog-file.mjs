@@ -11,7 +11,7 @@ import { writeWhole } from './whole-files.mjs';
  * `ids`: the rooms that it names.
  */
 export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
-  const entry = ({ id, said: { en, ...translations }, opening, view, roomType }, room) => ({
+  const entry = ({ id, said: { en, ...translations }, opening, view, roomType, taskAreas }, room) => ({
     id,
     ...en,
     translations,
@@ -20,6 +20,7 @@ export function catalogFile(states = {}, ids = catalog.map(({ id }) => id)) {
     opening,
     view,
     roomType,
+    taskAreas,
   });
   return {
     rooms: catalog.filter(({ id }) => ids.includes(id)).map((room) => entry(room, room.id)),

@@ -6,9 +6,11 @@
 //   seed: 1 }. `types`: luminaires by their files in luminaires/, in the words of intentions.json and with a name. A bound is a number, or a sum of shares of what verbs alone can reach on the card's surfaces in this room:
 //   { illuminate: 0.5 } is half of the largest mean there is. `roomType` in an opening: its cards are those of the type.
 // roomType: what a standard asks of such a room (web/app/words/room-types.ts), which the page offers beside the opening.
+// taskAreas: which parts of the floor it is asked of, in the words of intentions.json; the whole floor without them.
 // view: where the eye stands at first, where it looks (m), and how much brighter than usual it sees (EV); without one it
 //   sees the whole room from outside.
 
+import { cell, spine } from './e-corridor.mjs';
 import { precomputeOptions } from './opening-intentions.mjs';
 
 const numbered = (name, count) => Array.from({ length: count }, (_, i) => `${name} ${i + 1}`);
@@ -17,6 +19,14 @@ const sheets = numbered('picture', 8);
 const sculptures = numbered('sculpture', 2);
 const tables = numbered('table', 9);
 const walls = ['wall north', 'wall south', 'wall west', 'wall east'];
+
+/** Plan of the E corridor's way (m), which its arms leave. */
+const spineOutline = [
+  [0, 0],
+  [spine.width, 0],
+  [spine.width, spine.length],
+  [0, spine.length],
+].map(([x, z]) => [x * cell, z * cell]);
 
 /** The opening of a room of desks: what EN 12464-1 asks of `roomType`, of panels so bright, and of maintained light. */
 const asStandardAsks = (roomType, panel, luminaires) => ({
@@ -69,6 +79,8 @@ const rooms = [
   {
     id: 'e-corridor',
     roomType: 'corridor',
+    // Luminaires hang in the spine alone, so that no layout lights the whole floor evenly: its arms are background.
+    taskAreas: [{ name: 'spine', surface: 'floor', outline: spineOutline }],
     said: {
       en: {
         title: 'E corridor',

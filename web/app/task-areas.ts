@@ -4,6 +4,7 @@ import {
   backgroundOf,
   cardsRenamed,
   cardsWithout,
+  evenness,
   freeName,
   surfaceUnder,
   surroundOf,
@@ -19,7 +20,6 @@ import type { Store } from './state/store.ts';
 type Outline = TaskArea['outline'];
 
 const usual = [1.6, 0.8] as const; // m, of a desk
-const evenness = { task: 0.6, surround: 0.4, background: 0.1 }; // U_o, EN 12464-1
 
 export class TaskAreas {
   readonly #store: Store;

@@ -221,6 +221,9 @@ export function cardsRenamed(cards: readonly Card[], names: ReadonlyMap<string, 
   }));
 }
 
+/** U_o of a task, the band around it and the background (EN 12464-1). */
+export const evenness = { task: 0.6, surround: 0.4, background: 0.1 };
+
 /** lx of the band around a task and of the background (EN 12464-1): a step below the task, and a third of that. */
 export function aroundTask(task: number): { readonly surround: number; readonly background: number } {
   const surround = task >= 750 ? 500 : task >= 500 ? 300 : task >= 300 ? 200 : Math.min(task, 200);

@@ -19,10 +19,11 @@ import {
   quantitySchema,
   roomTypeSchema,
   seedSchema,
+  taskAreasSchema,
   typeEntries,
 } from '../../document/schema.ts';
 import { genericName } from '../luminaires/generic-luminaires.ts';
-import type { Point } from '../../document/types.ts';
+import type { Point, TaskArea } from '../../document/types.ts';
 import { sceneFile } from '../opening/first-scene.ts';
 import { usualLuminaires, type OpeningCard, type OpeningWish } from './opening-wish.ts';
 
@@ -35,6 +36,7 @@ export interface GalleryEntry {
   readonly opening: OpeningWish | null; // null: what is asked of any room at first
   readonly view: OpeningView | null; // null: the whole room from outside
   readonly roomType: string | null; // id of what a standard asks of such a room; null: nothing in particular
+  readonly taskAreas: readonly TaskArea[]; // of what the type is asked, where nobody has drawn others
   readonly progress: number | null; // 0..1 where the server still computes the room, null where it is ready
   readonly failed: boolean; // the server could not compute the room; progress is then where it ended
 }
@@ -123,6 +125,7 @@ const entry = v.pipe(
     opening: v.optional(opening),
     view: v.optional(view),
     roomType: v.optional(roomTypeSchema),
+    taskAreas: v.optional(taskAreasSchema, []),
     state: v.optional(v.picklist(['ready', 'computing', 'failed']), 'ready'),
     progress: v.optional(number(0, 1), 0),
   }),
@@ -135,6 +138,7 @@ const entry = v.pipe(
     opening: rest.opening ?? null,
     view: rest.view ?? null,
     roomType: rest.roomType ?? null,
+    taskAreas: rest.taskAreas,
     progress: state === 'ready' ? null : progress,
     failed: state === 'failed',
   })),

@@ -5,7 +5,7 @@
 import type { Draft } from 'immer';
 import { usualMaintenance } from '../../document/maintenance.ts';
 import { mostLuminaires } from '../../document/schema.ts';
-import { backgroundOf, surroundOf } from '../../document/task-areas.ts';
+import { aroundTask, backgroundOf, evenness, surroundOf } from '../../document/task-areas.ts';
 import type { Card, FiatLuxDocument, LuminaireType, SceneInfo } from '../../document/types.ts';
 import type { OpeningType } from '../rooms/opening-wish.ts';
 import { emergency, presets, type Preset } from './standards.ts';
@@ -16,7 +16,7 @@ export interface RoomType {
   readonly id: string;
   readonly title: () => string;
   readonly numbers: Preset;
-  readonly onFloor: boolean; // the task is the floor, though there be measuring planes
+  readonly onFloor: boolean; // the task is the floor, or what was drawn on it, though there be measuring planes
   readonly cylindrical?: number; // lx
   readonly ugr?: number; // at most
   readonly length?: number; // m, of that luminaire, where it is longer than places are apart
@@ -81,8 +81,9 @@ const named = (surfaces: Surfaces, name: RegExp): string[] =>
   surfaces.filter((each) => !each.measuring && name.test(each.name)).map((each) => each.name);
 
 /** Task areas themselves, without the bands around them and their backgrounds. */
-function routesOf(surfaces: Surfaces): string[] {
-  const isPart = ({ part }: Surfaces[number]) => part !== undefined;
+function drawnOn(surfaces: Surfaces, leaves: readonly string[]): string[] {
+  const isPart = ({ part }: Surfaces[number]) =>
+    part !== undefined && leaves.includes(surfaces[part.leaf]?.name ?? '');
   const bands = new Set(surfaces.filter(isPart).map(({ name }) => surroundOf(name)));
   const rests = new Set(surfaces.map(({ name }) => backgroundOf(name)));
   return surfaces
@@ -96,9 +97,42 @@ export function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
   const floor = named(surfaces, /(^|\/)floor\b/i);
   const exhibits = named(surfaces, /picture (?!frames)|exhibit|sculpture/i);
   const lit = onFloor || planes.length === 0 ? floor : planes;
-  const task =
-    numbers.centreLine !== undefined ? routesOf(surfaces) : numbers.most !== undefined ? exhibits : lit;
-  return { task, walls: named(surfaces, /(^|\/| )walls?\b/i), ceiling: named(surfaces, /ceiling/i) };
+  const all = surfaces.map(({ name }) => name);
+  const ways = onFloor ? drawnOn(surfaces, numbers.centreLine === undefined ? floor : all) : [];
+  const isOfWays = numbers.centreLine !== undefined || (numbers.required !== undefined && ways.length > 0);
+  const task = isOfWays ? ways : numbers.most !== undefined ? exhibits : lit;
+  const around = (names: string[]) => (isOfWays ? names.filter((name) => all.includes(name)) : []);
+  return {
+    task,
+    surround: around(task.map(surroundOf)),
+    background: around(floor.map(backgroundOf)),
+    walls: named(surfaces, /(^|\/| )walls?\b/i),
+    ceiling: named(surfaces, /ceiling/i),
+  };
+}
+
+interface AskedOfGrid {
+  readonly id: string;
+  readonly names: readonly string[];
+  readonly mean: number | undefined; // lx
+  readonly uniformity: number | undefined;
+}
+
+/** What is asked on grids: of planes together, of ways that were drawn and of what is around them each by itself. */
+export function askedOfGrids(type: RoomType, surfaces: Surfaces): AskedOfGrid[] {
+  const { required, uniformity } = type.numbers;
+  const { task, surround, background } = placesOf(type, surfaces);
+  if (task.length === 0) return [];
+  const around = aroundTask(required ?? 0);
+  const each = (id: string, list: readonly string[], mean: number | undefined, even: number | undefined) =>
+    list.map((name, i) => ({ id: i === 0 ? id : `${id}-${i + 1}`, names: [name], mean, uniformity: even }));
+  if (background.length + surround.length === 0)
+    return [{ id: 'task', names: task, mean: required, uniformity }];
+  return [
+    ...each('task', task, required, uniformity),
+    ...each('surround', surround, around.surround, evenness.surround),
+    ...each('background', background, around.background, evenness.background),
+  ];
 }
 
 /**
@@ -181,16 +215,16 @@ export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {
   }
   if (numbers.most !== undefined)
     return [{ ...card, verb: 'illuminate', guarantee: { by: 'patches', alpha: 2, max: numbers.most } }];
-  return [
-    {
-      ...card,
-      ...(numbers.required !== undefined && { mean: { min: numbers.required } }),
-      ...(numbers.uniformity !== undefined && { uniformity: numbers.uniformity }),
-      onGrid: true,
-    },
-    ...least('walls', walls, numbers.walls),
-    ...least('ceiling', ceiling, numbers.ceiling),
-  ];
+  const ofGrids = askedOfGrids(type, surfaces).map(({ id, names, mean, uniformity }): Card => ({
+    id: `type-${id}`,
+    surfaces: names,
+    verb: names.some((name) => task.includes(name)) ? 'homogenize' : 'keep',
+    weight: 1,
+    ...(mean !== undefined && { mean: { min: mean } }),
+    ...(uniformity !== undefined && { uniformity }),
+    onGrid: true,
+  }));
+  return [...ofGrids, ...least('walls', walls, numbers.walls), ...least('ceiling', ceiling, numbers.ceiling)];
 }
 
 /** "Maintained light, factor 0.80." */

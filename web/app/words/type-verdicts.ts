@@ -8,7 +8,7 @@ import { gridLightOf } from '../state/grid-light.ts';
 import { unionOf } from '../state/statistics.ts';
 import type { Store } from '../state/store.ts';
 import { glareVerdict } from './glare.ts';
-import { cardsOf, placesOf, roomTypes, type RoomType } from './room-types.ts';
+import { askedOfGrids, cardsOf, placesOf, roomTypes, type RoomType } from './room-types.ts';
 import { largestDiversity } from './standards.ts';
 import { verdicts, type Verdict } from './verdict.ts';
 
@@ -33,13 +33,20 @@ export function everyVerdict(store: Store, shown: Shown | null = store.shown.val
   if (!type || document.quantity !== quantity || type.numbers.most !== undefined) return rows(document.cards);
   // Cards that are as the type wrote them would only say again what its own rows say.
   const whole = withTaskAreas(scene, document.taskAreas);
-  const written = cardsOf(type, whole.surfaces).map(textOf);
+  const asked = roomAsked(type, whole, scene, document.cards);
+  const written = cardsOf(type, asked.surfaces).map(textOf);
   const others = document.cards.filter((card) => !written.includes(textOf(card)));
   const ofType =
     type.numbers.least === undefined
-      ? typeVerdicts(type, scene, shown)
+      ? typeVerdicts(type, asked, shown)
       : emergencyVerdicts(type, whole, shown, document.taskAreas ?? []);
   return [...ofType, ...rows(others)];
+}
+
+/** With its task areas where cards speak of the type's: drawn after it was chosen, they are not what is asked. */
+function roomAsked(type: RoomType, whole: SceneInfo, plain: SceneInfo, cards: readonly Card[]): SceneInfo {
+  const { task } = placesOf(type, whole.surfaces);
+  return cards.some(({ surfaces }) => task.some((name) => surfaces.includes(name))) ? whole : plain;
 }
 
 /** EN 1838, of direct light: everywhere, along the middle of routes, and how much brighter the brightest point is. */
@@ -88,23 +95,25 @@ function darkestAlong(scene: SceneInfo, { outline, name }: TaskArea, light: Floa
 
 export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Verdict[] {
   const { numbers, cylindrical, ugr } = type;
-  const { task, walls, ceiling } = placesOf(type, scene.surfaces);
+  const { walls, ceiling } = placesOf(type, scene.surfaces);
   const { gridMean, gridUniformity } = words.value.values;
-  const asked = [
-    ['mean', gridMean, numbers.required, 'lx'],
-    ['uniformity', gridUniformity, numbers.uniformity, ''],
-  ] as const;
-  const rows = task.flatMap((name) => {
-    const reading = gridLightOf(shown, name);
-    return asked.flatMap(([statistic, what, target, unit]) =>
-      target === undefined
-        ? []
-        : atLeast(surfaceText(name), what, reading?.[statistic] ?? null, target, unit, {
-            statistic,
-            surfaces: [name],
-            on: 'grid',
-          }),
-    );
+  const rows = askedOfGrids(type, scene.surfaces).flatMap(({ names, mean, uniformity }) => {
+    const asked = [
+      ['mean', gridMean, mean, 'lx'],
+      ['uniformity', gridUniformity, uniformity, ''],
+    ] as const;
+    return names.flatMap((name) => {
+      const reading = gridLightOf(shown, name);
+      return asked.flatMap(([statistic, what, target, unit]) =>
+        target === undefined
+          ? []
+          : atLeast(surfaceText(name), what, reading?.[statistic] ?? null, target, unit, {
+              statistic,
+              surfaces: [name],
+              on: 'grid',
+            }),
+      );
+    });
   });
   for (const [where, names, target] of [
     [words.value.results.places.walls, walls, numbers.walls],

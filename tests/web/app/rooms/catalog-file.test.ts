@@ -95,6 +95,7 @@ describe("an owner's list", () => {
         opening: null,
         view: null,
         roomType: null,
+        taskAreas: [],
         progress: null,
         failed: false,
       },
