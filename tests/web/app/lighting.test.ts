@@ -69,8 +69,9 @@ function lightingOf(first: SceneInfo) {
   const store = new Store();
   const placed: FiatLuxDocument[] = [];
   const room = { next: first, isFullTooLarge: false };
-  const place = async (_: unknown, title: string, __: unknown, make: (scene: SceneInfo) => Placement) => {
-    const { document: made } = make(room.next);
+  type Make = (scene: SceneInfo) => Promise<Placement>;
+  const place = async (_: unknown, title: string, __: unknown, make: Make) => {
+    const { document: made } = await make(room.next);
     placed.push(made);
     store.scene.value = room.next;
     store.reset(made);

@@ -13,11 +13,13 @@ import {
   type DrawnPlane,
   type ModelChoices,
 } from '../importing/model-choices.ts';
+import { intentionsOf } from '../../document/intentions.ts';
 import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
-import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
+import { askedAsField } from '../rooms/opening-field.ts';
+import { askedOfUnknown, documentFrom, type Asked } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
@@ -246,9 +248,11 @@ export class Lighting {
     const plan = this.#store.plan.peek();
     if (signal.aborted || this.#placing.turn !== running.turn) return identity;
     await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
-      const make = (scene: SceneInfo): Placement => {
+      const make = async (scene: SceneInfo): Promise<Placement> => {
         identity = scene.identity;
-        return running.isAgain ? this.#placedAgain(room, scene) : this.#placementOf(name, room, scene);
+        return running.isAgain
+          ? this.#placedAgain(room, scene)
+          : this.#placementOf(name, room, scene, plan !== null);
       };
       await this.#placing.place(built.file, title, () => isCurrent() && !signal.aborted, make);
       if (isCurrent()) this.#store.plan.value ??= plan;
@@ -327,14 +331,17 @@ export class Lighting {
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */
-  #placementOf(name: string, room: string, scene: SceneInfo): Placement {
+  async #placementOf(name: string, room: string, scene: SceneInfo, isMade: boolean): Promise<Placement> {
     const link = this.#store.pendingLink.peek();
     const document = link?.room === roomOf(name) ? documentOf(link, scene, false) : null;
     if (link && document && typeof document !== 'string') {
       this.#store.pendingLink.value = null;
       return { document: { ...document, room }, view: link, files: link.files };
     }
-    const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
+    const unknown = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
+    const reached = (wish: Asked) =>
+      this.#solving.probe(intentionsOf(documentFrom(wish, scene.identity, room)).intentions);
+    const asked = isMade ? await askedAsField(unknown, reached) : unknown;
     return { document: documentFrom(asked, scene.identity, room) };
   }
 

@@ -22,9 +22,15 @@ async function take(viewer: Pick<Viewer, 'thumbnail'>, own: OwnRooms, room: stri
   if (own.wantsPicture(room)) await own.change(room, { picture });
 }
 
-async function jpegOf(picture: ImageBitmap): Promise<ArrayBuffer> {
-  const canvas = new OffscreenCanvas(width, height);
-  canvas.getContext('2d', { willReadFrequently: true })?.drawImage(picture, 0, 0);
-  picture.close();
-  return (await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.8 })).arrayBuffer();
+function jpegOf(picture: ImageBitmap): Promise<ArrayBuffer> {
+  const worker = new Worker(new URL('./picture-worker.ts', import.meta.url), {
+    type: 'module',
+    name: 'picture',
+  });
+  const jpeg = new Promise<ArrayBuffer>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<ArrayBuffer>) => resolve(data);
+    worker.onerror = () => reject(new Error('the picture could not be made'));
+    worker.postMessage(picture, [picture]);
+  });
+  return jpeg.finally(() => worker.terminate());
 }

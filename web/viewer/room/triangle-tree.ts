@@ -193,7 +193,7 @@ class Nodes {
   readonly start: number[] = []; // leaf: first of the triangles; inner: the second child (the first one follows its parent)
   readonly count: number[] = []; // leaf: triangles; inner: 0
   readonly #bounds: number[] = []; // six a node: low xyz, high xyz
-  readonly #all = new Float64Array(12); // least of low, of -high, of the centre, of -centre; xyz each
+  readonly #all = new Float64Array(6); // least and most of the centres; xyz each
 
   add(start: number, count: number): number {
     this.start.push(start);
@@ -203,25 +203,26 @@ class Nodes {
   /** Sets the box of a node to that of some triangles; along which axis their centres lie, and three times the middle of it. */
   enclose(node: number, boxes: Float64Array, triangles: Uint32Array, begin: number, end: number) {
     const all = this.#all;
-    all.fill(Infinity);
-    for (let i = begin; i < end; i++) {
-      const at = boxSize * triangles[i]!;
-      for (let axis = 0; axis < 3; axis++) {
-        const [low, high, center] = [boxes[at + axis]!, boxes[at + 3 + axis]!, boxes[at + 6 + axis]!];
-        if (low < all[axis]!) all[axis] = low;
-        if (-high < all[3 + axis]!) all[3 + axis] = -high;
-        if (center < all[6 + axis]!) all[6 + axis] = center;
-        if (-center < all[9 + axis]!) all[9 + axis] = -center;
-      }
-    }
+    // note: plain numbers, for this runs before the browser has compiled it well.
     for (let axis = 0; axis < 3; axis++) {
-      this.#bounds[6 * node + axis] = all[axis]!;
-      this.#bounds[6 * node + 3 + axis] = -all[3 + axis]!;
+      let [low, high, least, most] = [Infinity, -Infinity, Infinity, -Infinity];
+      for (let i = begin; i < end; i++) {
+        const at = boxSize * triangles[i]! + axis;
+        const center = boxes[at + 6]!;
+        if (boxes[at]! < low) low = boxes[at]!;
+        if (boxes[at + 3]! > high) high = boxes[at + 3]!;
+        if (center < least) least = center;
+        if (center > most) most = center;
+      }
+      this.#bounds[6 * node + axis] = low;
+      this.#bounds[6 * node + 3 + axis] = high;
+      all[axis] = least;
+      all[3 + axis] = most;
     }
-    const size = (axis: number) => -all[9 + axis]! - all[6 + axis]!;
+    const size = (axis: number) => all[3 + axis]! - all[axis]!;
     const wide = size(1) > size(0) ? 1 : 0;
     const axis = size(2) > size(wide) ? 2 : wide;
-    return [axis, (all[6 + axis]! - all[9 + axis]!) / 2] as const;
+    return [axis, (all[axis]! + all[3 + axis]!) / 2] as const;
   }
 
   touches(node: number, low: Vec, high: Vec): boolean {
