@@ -45,6 +45,8 @@ export interface BuildWish {
   /** Whoever makes the file goes on living, for the light of luminaires in that room. */
   readonly isKept?: boolean;
   readonly signal: AbortSignal;
+  /** Hears what the room consists of before anything is computed. */
+  readonly opened?: (room: RoomCounts) => void;
   readonly tell: (progress: BuildProgress) => void;
 }
 
@@ -137,6 +139,7 @@ class Run {
   async build(): Promise<Built> {
     this.#tell('reading', 0);
     const room = await this.#openFirst();
+    this.#wish.opened?.(room);
     this.#solvers = [this.#chief, ...this.#others.slice(0, mostSolvers(this.#options, room) - 1)];
     await this.#cast(room.rows);
     await this.#solve();

@@ -5,7 +5,7 @@ import { readContainer, writeGlb } from '../../../web/document/gltf-container.ts
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
 import type { BuildOptions } from '../../../web/builder/builder.ts';
-import { TooLarge, type BuilderPool } from '../../../web/builder/pool.ts';
+import { TooLarge, type BuilderPool, type BuildWish } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
 import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
 import type { Placement, Placing } from '../../../web/app/opening/placing.ts';
@@ -68,7 +68,7 @@ function rememberingShelf(): Shelf {
 function lightingOf(first: SceneInfo) {
   const store = new Store();
   const placed: FiatLuxDocument[] = [];
-  const room = { next: first, isFullTooLarge: false };
+  const room = { next: first, isFullTooLarge: false, warnings: [] as string[], told: [] as string[] };
   type Make = (scene: SceneInfo) => Promise<Placement>;
   const place = async (_: unknown, title: string, __: unknown, make: Make) => {
     const { document: made } = await make(room.next);
@@ -86,8 +86,10 @@ function lightingOf(first: SceneInfo) {
   const models: Model[] = [];
   const pool = {
     survey: async () => ({ scale: 0.5, patch: 0.1 }),
-    build: async ({ options, model }: { options: BuildOptions; model: Model }) => {
+    build: async ({ options, model, opened }: BuildWish) => {
       built.push(options);
+      opened?.({ warnings: room.warnings } as never);
+      room.told = store.messages.peek().map(({ text }) => text);
       if (options.exchange && room.isFullTooLarge && options.patch < 0.2)
         throw new TooLarge('not enough memory');
       models.push(model);
@@ -260,4 +262,12 @@ test('what is wrong with a model is known before anything is computed', async ()
   });
   expect(await broken.faultOf(model)).toBe('cut.glb: the GLB is cut off; export it again');
   expect(await lightingOf(async () => ({})).faultOf(model)).toBeNull();
+});
+
+test('what is wrong with a room is told before it is computed, once', async () => {
+  const { store, room, lighting } = lightingOf(draft);
+  room.warnings = ['the room is open: 28 % of its rays meet nothing; --lid white closes it'];
+  await lighting.light({ name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() });
+  expect(room.told).toEqual(['“a”: The room is open: 28 % of its rays meet nothing.']);
+  expect(store.messages.peek()).toHaveLength(1);
 });

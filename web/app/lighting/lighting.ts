@@ -2,7 +2,7 @@
  * Light for a model that has none, computed in the page: a draft with coarse patches is shown and solved first, and the
  * full pass takes its place, with everything that was asked meanwhile. One room at a time: the latest wish wins.
  */
-import { usualOptions } from '../../builder/builder.ts';
+import { usualOptions, type RoomCounts } from '../../builder/builder.ts';
 import { Stopped, TooLarge, type BuilderPool, type Built } from '../../builder/pool.ts';
 import type { Model } from '../../builder/protocol.ts';
 import {
@@ -233,10 +233,14 @@ export class Lighting {
       lighting.value = { ...begun, stage, share: furthest, secondsLeft };
     };
     const wish = { model, signal, tell };
+    const opened = ({ warnings }: RoomCounts) => {
+      if (signal.aborted) return;
+      for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
+    };
     const { coarseness, rays, exchange } = draft;
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
-      ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness })
+      ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness, opened })
       : pool.build({ ...wish, options, isKept: true });
   }
 
@@ -257,8 +261,6 @@ export class Lighting {
       await this.#placing.place(built.file, title, () => isCurrent() && !signal.aborted, make);
       if (isCurrent()) this.#store.plan.value ??= plan;
     });
-    if (!signal.aborted)
-      for (const warning of built.room.warnings.slice(0, mostWarnings)) this.#warn(title, warning);
     return identity;
   }
 

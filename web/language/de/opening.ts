@@ -107,7 +107,7 @@ export const opening: Words['opening'] = {
     },
     zipDamaged: (name) => `„${name}“ ist eine beschädigte Zip-Datei; neu herunterladen.`,
     zipTooLarge: (name, size, count) =>
-      `„${name}“ entpackt sich zu ${size} MB in ${count} Dateien: Unnötiges herausnehmen.`,
+      `„${name}“ entpackt sich zu ${size} MB in ${count === 1 ? 'einer Datei' : `${count} Dateien`}: Unnötiges herausnehmen.`,
     ifc: {
       noIfc: 'sie ist keine IFC-Datei in STEP-Form (ISO-10303-21)',
       noGeometry: 'sie enthält keine Formen von Wänden, Böden oder Decken: mit Geometrie exportieren',

@@ -100,7 +100,7 @@ export const opening = {
     },
     zipDamaged: (name: string) => `“${name}” is a damaged zip file; fetch it again.`,
     zipTooLarge: (name: string, size: number, count: number) =>
-      `“${name}” unpacks to ${size} MB in ${count} files: take out what is not needed.`,
+      `“${name}” unpacks to ${size} MB in ${count === 1 ? 'one file' : `${count} files`}: take out what is not needed.`,
     ifc: {
       noIfc: 'it is no IFC file of the STEP form (ISO-10303-21)',
       noGeometry: 'it holds no shapes of walls, floors or ceilings: export it with geometry',
