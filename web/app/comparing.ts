@@ -61,8 +61,10 @@ export function withRule(asked: Intentions, rule: Rule, sites: Sites): Intention
 export function arrangementOf(rule: Rule, luminaires: Luminaires, sites: Sites): Arrangement {
   const { axis, rule: had } = luminaires.arrangement ?? {};
   const isNewField = rule === 'field' && had !== 'field' && (axis === undefined || had === 'rows');
-  if (isNewField && luminaires.pinned.length === 0 && hasRoomInMiddle(sites, luminaires))
-    return { rule, axis: 'both' };
+  if (isNewField && luminaires.pinned.length === 0) {
+    const middle = (['both', 'x', 'z'] as const).find((each) => hasRoomInMiddle(sites, luminaires, each));
+    if (middle) return { rule, axis: middle };
+  }
   if (axis === undefined || rule === 'free') return { rule };
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
   return has ? { rule, axis } : { rule };

@@ -1,14 +1,15 @@
 /**
- * Whether a regular field has room in the middle of its places, mirrored about both axes of the plan: what somebody who
- * asks for a field without saying where has in mind.
+ * Whether a regular field has room in the middle of its places: what somebody who asks for a field without saying where
+ * has in mind. An odd number of columns has none among an even number of places; its rows may lie in the middle still.
  */
-import type { Luminaires, SceneInfo } from './types.ts';
+import type { Luminaires, PlanAxis, SceneInfo } from './types.ts';
 
 const same = 2e-3; // m: coordinates that are one
 
 type Asked = Pick<Luminaires, 'count' | 'most' | 'excluded' | 'minDistance'>;
 
-export function hasRoomInMiddle(sites: SceneInfo['sites'], asked: Asked): boolean {
+/** `axis`: of the plan, that the field is mirrored about. */
+export function hasRoomInMiddle(sites: SceneInfo['sites'], asked: Asked, axis: PlanAxis = 'both'): boolean {
   const { count, most = count, minDistance } = asked;
   const excluded = new Set(asked.excluded);
   const at = (site: number, axis: number) => sites.position[3 * site + axis] ?? NaN;
@@ -23,8 +24,8 @@ export function hasRoomInMiddle(sites: SceneInfo['sites'], asked: Asked): boolea
         keyOf(indexIn(along!, at(site, 0)), indexIn(planes, at(site, 1)), indexIn(across!, at(site, 2))),
       ),
   );
-  const columns = runsInMiddle(along!, most, minDistance);
-  const rows = runsInMiddle(across!, most, minDistance);
+  const columns = runsOf(along!, most, minDistance, axis !== 'x'); // mirrored about a line along x it is the same across
+  const rows = runsOf(across!, most, minDistance, axis !== 'z');
   return columns.some((xs) =>
     rows
       .filter((zs) => xs.length * zs.length >= count && xs.length * zs.length <= most)
@@ -32,20 +33,23 @@ export function hasRoomInMiddle(sites: SceneInfo['sites'], asked: Asked): boolea
   );
 }
 
-/** Runs of up to `most` values of equal pitch that are their own mirror images about the middle of all of them. */
-function runsInMiddle(values: readonly number[], most: number, apart: number): number[][] {
-  const last = values.length - 1;
+/** Runs of up to `most` values of equal pitch; `isMirrored`: their own mirror images about the middle of all of them. */
+function runsOf(values: readonly number[], most: number, apart: number, isMirrored: boolean): number[][] {
   const runs: number[][] = [];
-  for (let first = 0; 2 * first <= last; first++) {
-    const [low, high] = [values[first]!, values[last - first]!];
-    const isMirrored = Math.abs(low + high - values[0]! - values[last]!) < 2 * same;
-    for (let length = 2 * first === last ? 1 : 2; isMirrored && length <= most; length++) {
-      const pitch = length > 1 ? (high - low) / (length - 1) : Infinity;
-      if (pitch < apart * (1 - 1e-4) || (length > 1 && 2 * first === last)) break;
-      const run = Array.from({ length }, (_, i) => indexIn(values, length > 1 ? low + i * pitch : low));
-      if (!run.includes(-1)) runs.push(run);
+  const ends = values[0]! + values[values.length - 1]!;
+  values.forEach((low, first) => {
+    for (let last = first; last < values.length; last++) {
+      const high = values[last]!;
+      if (isMirrored && Math.abs(low + high - ends) >= 2 * same) continue;
+      if (first === last) runs.push([first]);
+      for (let length = 2; first < last && length <= most; length++) {
+        const pitch = (high - low) / (length - 1);
+        if (pitch < apart * (1 - 1e-4) || length > last - first + 1) break;
+        const run = Array.from({ length }, (_, i) => indexIn(values, low + i * pitch));
+        if (!run.includes(-1)) runs.push(run);
+      }
     }
-  }
+  });
   return runs;
 }
 

@@ -22,3 +22,13 @@ test('places that stay free and the least distance are kept', () => {
   expect(hasRoomInMiddle(sites, { ...asked, excluded: middle })).toBe(true);
   expect(hasRoomInMiddle(ceilingOf(2, 3), { ...asked, excluded: [0] })).toBe(false);
 });
+
+test('where one direction has no middle for a number the other may have', () => {
+  const has = (count: number, axis: 'x' | 'z') => hasRoomInMiddle(sites, { ...luminaires, count }, axis);
+  expect([9, 25].map((count) => [has(count, 'x'), has(count, 'z')])).toEqual([
+    [true, false],
+    [true, false],
+  ]);
+  expect(hasRoomInMiddle(ceilingOf(13, 20), { ...luminaires, count: 9 }, 'z')).toBe(true);
+  expect(hasRoomInMiddle(ceilingOf(3, 3), { ...luminaires, count: 12 }, 'x')).toBe(false);
+});
