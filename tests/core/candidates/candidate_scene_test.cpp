@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "core/search/shown.h"
@@ -58,6 +59,23 @@ TEST(CandidateScene, HasTheLightOfEachCandidate) {
       ASSERT_NEAR(scene->responses.column(j)[p], column[p], 1e-4f * column[p] + 1e-6f) << j << ' ' << p;
     EXPECT_EQ(scene->sites[j].position.x, site.position.x);
   }
+}
+
+/// Light of another's making is the scene's, and its mean rows are those of that light.
+TEST(CandidateScene, TakesLightAsItIsKnown) {
+  const Scene room = operatorScene(12, 6);
+  const std::size_t size = kCandidates.size() * room.responses.rows;
+  Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), kCandidates);
+  std::vector<float> dark(size, 1.0f);
+  dark[1] = -1;
+  EXPECT_FALSE(making->know(dark));
+  EXPECT_FALSE(making->know(std::vector<float>(size - 1)));
+  EXPECT_FALSE(making->know(std::vector<float>(size, std::numeric_limits<float>::quiet_NaN())));
+  ASSERT_TRUE(making->know(std::vector<float>(size, 2.5f)));
+  EXPECT_TRUE(making->advance(1));
+  const Scene scene = making->finish(Quantity::kIlluminance);
+  EXPECT_EQ(scene.responses.illuminance, std::vector<float>(size, 2.5f));
+  for (const double mean : scene.illuminance[0].mean) EXPECT_NEAR(mean, 2.5, 1e-6);
 }
 
 /// What was taken is what it would have been, and nothing else is looked at.

@@ -340,6 +340,26 @@ test('what types will need is prepared while the responses are on their way', as
   expect(session.calls).toEqual(['prepare and look']);
 });
 
+test('light that somebody else has computed is read beside what was searched, which stays', async () => {
+  await openedForTypes();
+  await driver.receive(solve(2, { intentions: ofTypes(), start }));
+  settle();
+  const searching = mounted;
+  const layout = { ...start, mountings: [mounting, mounting] };
+  const read = (revision: number, columns: Float32Array<ArrayBuffer>) =>
+    driver.receive({ type: 'read', revision, intentions: ofTypes(), layout, columns });
+  await read(3, new Float32Array(4));
+  settle();
+  expect(answers.at(-1)).toMatchObject({ type: 'readings', shown: { layout: { sites: [1, 0] } } });
+  expect(mounted.calls.at(-1)).toBe('delete');
+  await driver.receive(solve(4, { intentions: ofTypes(), start }));
+  settle();
+  expect(searching.calls).not.toContain('delete');
+  await read(5, new Float32Array());
+  settle();
+  expect(answers.at(-1)).toMatchObject({ type: 'readings', shown: expect.stringContaining('not that of') });
+});
+
 describe('luminaires of types', () => {
   beforeEach(openedForTypes);
 
