@@ -1,7 +1,7 @@
 /**
  * The picture beside the truth near contacts: on every surface where something stands or leans, the illuminance that the
- * picture shows, without and with the light within a patch (web/viewer/contact/openness.ts), against that of `fiatlux
- * light --points`, whose rays know no patches at the receiving end. Rewrites docs/contact-light.md, where rooms that are
+ * picture shows, without and with the light within a patch (web/viewer/contact), against that of `fiatlux light
+ * --points`, whose rays know no patches at the receiving end. Rewrites docs/contact-light.md, where rooms that are
  * not named keep their rows.
  *
  *   node tests/reference/contact-light.mjs [room ...]        after `npm run build`
@@ -59,10 +59,10 @@ async function partsOf(glb, info) {
   return parts;
 }
 
-/** V at (u, v) of a triangle, as the shader finds it. */
-function opennessAt({ values }, first, cells, u, v) {
+/** What is known at lattices, at (u, v) of a triangle, as the shader finds it. */
+function valueAt(values, first, cells, u, v) {
   const row = (j) => first + j * (cells + 1) - (j * (j - 1)) / 2;
-  const value = (i, j) => values[row(j) + i] / 255;
+  const value = (i, j) => values[row(j) + i];
   const j = Math.min(cells - 1, Math.floor(v * cells));
   const i = Math.min(cells - 1 - j, Math.floor(u * cells));
   const [fu, fv] = [u * cells - i, v * cells - j];
@@ -71,7 +71,7 @@ function opennessAt({ values }, first, cells, u, v) {
 }
 
 /** Places near contacts, with what the picture shows there. */
-function placesOf(parts, found, light) {
+function placesOf(parts, found, shadows, light) {
   const next = numbers();
   const random = () => next.next().value;
   const places = new Map();
@@ -102,15 +102,25 @@ function placesOf(parts, found, light) {
             (share * four.reduce((total, k) => total + part.weights[k] * of[part.patches[k]], 0)) / whole
           );
         }, 0);
-      const openness = opennessAt(found, first, cells, u, v);
+      const openness = valueAt(found.values, first, cells, u, v) / 255;
       const before = ofPatches(light);
       const ratio = Math.min(mostBrightening, openness / Math.max(1e-3, ofPatches(found.means)));
       const normal = blended(corners.map((corner) => at(part.normals, corner)));
-      all.push({ point: blended(points), normal, before, after: before * ratio, order: random() });
+      const shaded = valueAt(shadows.values, first, cells, u, v) - ofPatches(shadows.means);
+      const after = within(before, before * ratio - shaded);
+      all.push({ point: blended(points), normal, before, after, order: random() });
     }
   });
   return places;
 }
+
+/** A square of light as the picture's shadows know it. */
+const lightOfLuminaire = ({ position, normal: down, axis: along, size, flux }) => {
+  const across = [0, 1, 2].map(
+    (k) => down[(k + 1) % 3] * along[(k + 2) % 3] - down[(k + 2) % 3] * along[(k + 1) % 3],
+  );
+  return { position, along, across, down, size, flux, candela: null };
+};
 
 const run = (...options) => said(command, ...options);
 
@@ -154,7 +164,10 @@ function errorOf(places, key) {
 }
 
 const { openness } = await pageModule('web/viewer/contact/openness.ts');
-const { mostBrightening } = await pageModule('web/viewer/light/brightening.ts');
+const { Solids } = await pageModule('web/viewer/contact/lattice.ts');
+const { Shadows } = await pageModule('web/viewer/contact/shadows.ts');
+const { leastDarkening, mostBrightening } = await pageModule('web/viewer/light/brightening.ts');
+const within = (light, shown) => Math.min(mostBrightening * light, Math.max(leastDarkening * light, shown));
 
 async function rowsOf(room, folder) {
   // What the page works out once the room is drawn.
@@ -167,11 +180,13 @@ async function rowsOf(room, folder) {
   const parts = await partsOf(deflated ? new Uint8Array(inflateSync(stored)) : stored, info);
   const areas = info.patchArea.slice(0, info.patches).sort();
   const patchCenter = info.patchCenter.slice(0, 3 * info.patches);
-  const found = openness({ parts, patchCenter, edge: Math.sqrt(areas[areas.length >> 1]) });
+  const solids = new Solids({ parts, patchCenter, edge: Math.sqrt(areas[areas.length >> 1]) });
+  const found = openness(solids);
+  const { hung, free } = layoutsOf(info);
+  const shadows = new Shadows(solids, found).cast(free.luminaires.map(lightOfLuminaire));
 
   // A sample of what it shows near contacts, and the truth there. What is hidden is dark and never seen.
-  const { hung, free } = layoutsOf(info);
-  const places = [...placesOf(parts, found, lightOf(room, hung, folder))].flatMap(([name, all]) =>
+  const places = [...placesOf(parts, found, shadows, lightOf(room, hung, folder))].flatMap(([name, all]) =>
     all
       .toSorted((a, b) => a.order - b.order)
       .slice(0, most)
@@ -201,8 +216,8 @@ const introduction = `# Light near contacts
 Made by \`node tests/reference/contact-light.mjs\`: nothing below is edited by hand.
 
 A patch has one number, its mean, and a keyboard is smaller than a patch. The realistic picture spreads the mean over the patch
-by how open each place is to what is further away (\`web/viewer/contact/openness.ts\`); statistics, false colours and readings
-keep the patches' light. Below, the illuminance that the picture shows near contacts under six luminaires of 4000 lm, against
+by how open each place is to what is further away (\`web/viewer/contact/openness.ts\`) and by whose shadow it is in
+(\`web/viewer/contact/shadows.ts\`); statistics, false colours and readings keep the patches' light. Below, the illuminance that the picture shows near contacts under six luminaires of 4000 lm, against
 \`fiatlux light --points\`, whose rays know no patches where they end: root mean square of the differences, and the mean of what
 is shown, both as shares of the true mean, without and with it. Surfaces of ${least} such places or more. The method's constants were
 chosen in the office and the box.

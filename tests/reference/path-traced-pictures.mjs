@@ -1,7 +1,7 @@
 /**
  * The app's picture beside a path-traced one (path_trace.cpp) of the same view, layout, exposure and tone curve: how far
  * what is on the screen is from what an eye would see, near contacts and elsewhere, without and with the light within a
- * patch (web/viewer/contact/openness.ts). Rewrites the section of docs/contact-light.md and docs/contact-light/<view>.jpg;
+ * patch (web/viewer/contact). Rewrites the section of docs/contact-light.md and docs/contact-light/<view>.jpg;
  * views that are not named keep theirs.
  *
  *   node tests/reference/path-traced-pictures.mjs [view ...]     after `npm run build` and `cmake --build build/native
@@ -260,8 +260,8 @@ What is on the screen under six luminaires of 4000 lm, in ${width} x ${height} p
 lightness (L*, 0 to 100, of which an eye sees about one) from the path-traced picture: root mean square and mean over the pixels near
 contacts, where ${100 * isNear} % of what lies before a place is nearer than 0.15 m and not the shell of the room itself, without and with
 the light within a patch; and over the pixels where nothing is near. They are products of the differences from two pictures of half the
-paths each, so the path tracer's noise is not among them. The pictures show, from the left, without, with, and path-traced. The method's constants were chosen in the box and the office. What is left at the desk are the
-shadows that luminaires cast of monitors and keyboards, which are smaller than its patches: the picture has none of these.
+paths each, so the path tracer's noise is not among them. The pictures show, from the left, without, with, and path-traced. The method's constants were chosen
+in the box and the office.
 
 | view | room | near | without | with | mean without | mean with | elsewhere |
 | --- | --- | --- | --- | --- | --- | --- | --- |

@@ -40,6 +40,17 @@ export interface LuminaireBody {
   readonly candela: Float32Array; // as a description has it
 }
 
+/** A luminaire that shines, as it hangs. */
+export interface LuminaireLight {
+  readonly position: readonly [number, number, number]; // m, the middle of its luminous area
+  readonly along: readonly [number, number, number]; // unit, C0
+  readonly across: readonly [number, number, number]; // unit, C90
+  readonly down: readonly [number, number, number]; // unit, gamma 0
+  readonly size: readonly [along: number, across: number]; // m
+  readonly flux: number; // lm
+  readonly candela: Float32Array | null; // as a photometric description samples it, of any flux; null: Lambertian
+}
+
 /** The tag of a luminaire that can be read, px: its middle and its size. */
 export interface TagPlace {
   readonly x: number;

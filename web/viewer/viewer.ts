@@ -56,11 +56,13 @@ class RoomViewer implements Viewer {
   #rig: CameraRig;
   #arrival: Arrival;
   #light = new RoomLight(this.#loop);
-  #contacts = new ContactLight(this.#loop, this.#light.uniforms);
   #cutAway = new CutAway();
   #section = new Section(this.#light.uniforms);
   #outlines = new SurfaceOutlines();
   #luminaires = new LuminaireObjects(this.#loop);
+  #contacts = new ContactLight(this.#loop, this.#light.uniforms, () =>
+    this.#layout ? this.#luminaires.lights(this.#layout) : [],
+  );
   #wipe = new Wipe(this.#loop);
   #marks = new SiteMarks();
   #areaMarks = new AreaMarks();
@@ -80,6 +82,8 @@ class RoomViewer implements Viewer {
   #display: Display | null = null;
   #paint: readonly SurfacePaint[] = [];
   #aims: readonly number[] = [];
+  #layout: Layout | null = null;
+  #bodies: readonly LuminaireBody[] = [];
   #planes: number[] = []; // leaves of the measuring planes that are drawn
   #opening = 0; // the latest open or preview wins
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
@@ -203,7 +207,9 @@ class RoomViewer implements Viewer {
   }
 
   setLayout(layout: Layout, pinned: readonly number[]): void {
+    this.#layout = layout;
     this.#hand.setLayout(layout);
+    this.#shade();
     this.#tags.setCount(this.#luminaires.objects.length);
     this.#emphasis.pinned = [...layout.sites.keys()].filter((i) => pinned.includes(layout.sites[i]!));
     this.#emphasis.refresh();
@@ -218,7 +224,9 @@ class RoomViewer implements Viewer {
   }
 
   setBodies(bodies: readonly LuminaireBody[], others: readonly LuminaireBody[]): void {
+    this.#bodies = bodies;
     this.#luminaires.setBodies(bodies);
+    this.#shade();
     this.#wipe.luminaires.setBodies(others);
   }
 
@@ -443,6 +451,7 @@ class RoomViewer implements Viewer {
     this.#tags.setCount(0);
     this.#emphasis.setRoom([]);
     this.#contacts.setRoom([], null);
+    this.#layout = null;
     this.#cutAway.setRoom(null, new Map());
     this.#section.setRoom(null);
     this.#observers.show([]);
@@ -454,6 +463,13 @@ class RoomViewer implements Viewer {
   #applyPaint(): void {
     if (this.#room && this.#info) paintMeshes(this.#room.lit, this.#info, this.#paint);
     this.#loop.invalidate();
+  }
+
+  /** Shadows follow where luminaires hang, what they are and how they shine. */
+  #shade(): void {
+    const { sites, flux, dimming, mountings } = this.#layout ?? {};
+    const bodies = this.#bodies.map(({ id, tilt, along, across }) => [id, tilt, along, across]);
+    this.#contacts.setLayout(JSON.stringify([sites, flux, dimming, mountings, bodies]));
   }
 
   /** What of the display belongs to meshes and not to shared uniforms. */

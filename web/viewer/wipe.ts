@@ -70,10 +70,13 @@ export class Wipe {
   }
 
   /** Draws the picture, both parts of it; `live`: the luminaires of the other part. */
-  draw(stage: Stage, camera: Camera, { lightTexture, colorTexture }: SharedUniforms, live: Object3D): void {
+  draw(stage: Stage, camera: Camera, uniforms: SharedUniforms, live: Object3D): void {
     const other = this.#texture;
     if (!other) return stage.draw(camera);
+    const { lightTexture, colorTexture, shade } = uniforms;
     const [light, colors, isVisible] = [lightTexture.value, colorTexture.value, live.visible];
+    const shaded = shade.value;
+    shade.value = 0; // known of one of the two: neither has it, so that they can be compared
     lightTexture.value = other.texture;
     colorTexture.value = this.#colors?.texture ?? colors;
     live.visible = false;
@@ -84,6 +87,7 @@ export class Wipe {
     live.visible = isVisible;
     this.luminaires.root.visible = false;
     stage.draw(camera, this.#divider, 1);
+    shade.value = shaded;
   }
 
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */

@@ -1,7 +1,7 @@
 /**
  * The light near contacts on the screen: the room's triangles go to a worker some time after the first picture, and what
- * comes back is laid on the meshes as lattices (contact/openness.ts) that the light material reads. No number changes.
- * The mark 'contacts lit' says that a room has them.
+ * comes back is laid on the meshes as lattices (contact/openness.ts) that the light material reads; the shadows of luminaires
+ * (contact/shadows.ts) come whenever a layout rests. No number changes. The mark 'contacts lit' says that both are there.
  */
 import {
   BufferAttribute,
@@ -17,25 +17,44 @@ import type { SharedUniforms } from '../light/light-material.ts';
 import { LightTexture } from '../light/light-texture.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
-import type { Openness, Solid, SolidPart } from './openness.ts';
+import type { Solid, SolidPart } from './lattice.ts';
+import type { Openness } from './openness.ts';
+import type { LuminaireLight } from '../types.ts';
+import type { ShadowsCast } from './shadows.ts';
+import type { ContactAnswer, ContactQuestion } from './worker.ts';
 
 const mark = 'contacts lit';
 const calm = 3000; // ms without new light, before anything is worked out: nothing is to wait for it
-const blending = 600; // ms in which the shadows come
+const rest = 400; // ms without another layout, before its shadows are cast
+const blending = 600; // ms in which what was found comes
+const leaving = 150; // ms in which shadows of another layout go
 export const tableWidth = 1024; // of the texture of values: the shader splits a place by shift and mask
+
+interface Textures {
+  readonly values: Texture;
+  readonly means: LightTexture;
+  readonly shadows: LightTexture;
+  readonly meanShadows: LightTexture;
+}
 
 export class ContactLight {
   #loop: FrameLoop;
   #uniforms: SharedUniforms;
+  #lights: () => readonly LuminaireLight[];
   #worker: Worker | null = null;
   #begin: (() => void) | null = null; // what waits for a calm moment
   #timer: ReturnType<typeof setTimeout> | undefined;
-  #textures: { readonly values: Texture; readonly means: LightTexture } | null = null;
-  #blendBegan: number | null = null;
+  #textures: Textures | null = null;
+  #layout = ''; // that the shadows are of, or will be
+  #turn = 0;
+  #isShaded = false; // the shadows are those of the layout
+  #drawn = 0; // ms, when a step of a blend was drawn last
 
-  constructor(loop: FrameLoop, uniforms: SharedUniforms) {
+  /** `lights`: the luminaires as they hang. */
+  constructor(loop: FrameLoop, uniforms: SharedUniforms, lights: () => readonly LuminaireLight[]) {
     this.#loop = loop;
     this.#uniforms = uniforms;
+    this.#lights = lights;
   }
 
   /** Another room, which is drawn already, or none. */
@@ -43,7 +62,7 @@ export class ContactLight {
     this.#end();
     if (!scene) return;
     const solids = lit.filter(({ measuring }) => !measuring);
-    this.#begin = () => this.#ask(solids, scene);
+    this.#begin = () => this.#open(solids, scene);
     this.wait();
   }
 
@@ -54,46 +73,100 @@ export class ContactLight {
     this.#timer = setTimeout(this.#begin, calm);
   }
 
+  /** Luminaires hang or shine otherwise: `layout` says how. Their old shadows go, the new ones come when that rests. */
+  setLayout(layout: string): void {
+    if (layout === this.#layout) return;
+    this.#layout = layout;
+    this.#turn++;
+    if (!this.#textures) return;
+    performance.clearMarks(mark);
+    this.#isShaded = false;
+    this.#blendOn();
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#cast(), rest);
+  }
+
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
   release(): void {
-    this.#textures?.values.dispose();
-    this.#textures?.means.texture.dispose();
+    const { values, means, shadows, meanShadows } = this.#textures ?? {};
+    for (const texture of [values, means?.texture, shadows?.texture, meanShadows?.texture])
+      texture?.dispose();
   }
 
   dispose(): void {
     this.#end();
   }
 
-  #ask(solids: readonly LitMesh[], scene: SceneInfo): void {
+  #open(solids: readonly LitMesh[], scene: SceneInfo): void {
     const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'contacts' });
     this.#worker = worker;
     this.#begin = null;
     worker.onerror = () => this.#stop(); // the picture does without
-    worker.onmessage = ({ data }: MessageEvent<Openness>) => {
-      this.#stop();
-      this.#show(solids, data);
+    worker.onmessage = ({ data }: MessageEvent<ContactAnswer>) => {
+      if ('openness' in data) this.#lay(solids, data.openness);
+      else if (data.turn === this.#turn) this.#shade(data.shadows);
     };
-    worker.postMessage(solidOf(solids, scene));
+    this.#ask({ room: solidOf(solids, scene) });
   }
 
-  #show(solids: readonly LitMesh[], found: Openness): void {
+  #ask(question: ContactQuestion): void {
+    this.#worker?.postMessage(question);
+  }
+
+  #lay(solids: readonly LitMesh[], found: Pick<Openness, 'tiles' | 'values' | 'means'>): void {
     solids.forEach(({ mesh }, i) => layTiles(mesh.geometry, found.tiles[i]!));
     const means = new LightTexture(found.means.length);
     means.set(found.means);
-    this.#textures = { values: valuesTexture(found.values), means };
-    this.#uniforms.opennessTexture.value = this.#textures.values;
+    const [shadows, meanShadows] = [found.values.length, found.means.length].map((n) => new LightTexture(n));
+    const textures = {
+      values: valuesTexture(found.values),
+      means,
+      shadows: shadows!,
+      meanShadows: meanShadows!,
+    };
+    this.#textures = textures;
+    this.#uniforms.opennessTexture.value = textures.values;
     this.#uniforms.meanOpennessTexture.value = means.texture;
-    this.#blendBegan = null;
+    this.#uniforms.shadowTexture.value = textures.shadows.texture;
+    this.#uniforms.meanShadowTexture.value = textures.meanShadows.texture;
+    this.#blendOn();
+    this.#cast();
+  }
+
+  #cast(): void {
+    this.#ask({ lights: this.#lights(), turn: this.#turn });
+  }
+
+  #shade({ values, means }: ShadowsCast): void {
+    this.#textures?.shadows.set(values);
+    this.#textures?.meanShadows.set(means);
+    this.#isShaded = true;
     performance.mark(mark);
-    if (reducedMotion()) this.#uniforms.contact.value = 1;
+    this.#blendOn();
+  }
+
+  #blendOn(): void {
+    this.#drawn = 0;
+    if (reducedMotion()) this.#step(Infinity);
     else this.#loop.animate(this.#blend);
     this.#loop.invalidate();
   }
 
   #blend = (now: number): boolean => {
-    this.#blendBegan ??= now;
-    return (this.#uniforms.contact.value = Math.min(1, (now - this.#blendBegan + 16) / blending)) < 1;
+    const passed = this.#drawn === 0 ? 16 : now - this.#drawn;
+    this.#drawn = now;
+    return this.#step(passed);
   };
+
+  /** Whether there is more to come. */
+  #step(passed: number): boolean {
+    const { contact, shade } = this.#uniforms;
+    contact.value = Math.min(1, contact.value + passed / blending);
+    shade.value = this.#isShaded
+      ? Math.min(1, shade.value + passed / blending)
+      : Math.max(0, shade.value - passed / leaving);
+    return contact.value < 1 || shade.value !== Number(this.#isShaded);
+  }
 
   #stop(): void {
     clearTimeout(this.#timer);
@@ -105,11 +178,14 @@ export class ContactLight {
     this.#stop();
     performance.clearMarks(mark);
     this.#loop.cancel(this.#blend);
-    this.#textures?.values.dispose();
-    this.#textures?.means.dispose();
+    this.release();
     this.#textures = null;
-    this.#uniforms.opennessTexture.value = this.#uniforms.meanOpennessTexture.value = null;
-    this.#uniforms.contact.value = 0;
+    this.#isShaded = false;
+    const { opennessTexture, meanOpennessTexture, shadowTexture, meanShadowTexture, contact, shade } =
+      this.#uniforms;
+    for (const texture of [opennessTexture, meanOpennessTexture, shadowTexture, meanShadowTexture])
+      texture.value = null;
+    contact.value = shade.value = 0;
   }
 }
 

@@ -8,29 +8,30 @@
  * so a patch keeps its mean, and what is hidden under a foot no longer darkens what is seen beside it. V is known at a
  * lattice on each triangle before which something ends; elsewhere it is 1: the corner of two walls is what their patches say.
  */
-import { TriangleTree } from '../room/triangle-tree.ts';
-
-/** Triangles of one surface, in the room's coordinates, m. */
-export interface SolidPart {
-  readonly index: Uint32Array;
-  readonly positions: Float32Array; // 3 a vertex
-  readonly normals: Float32Array; // 3 a vertex, unit
-  readonly patches: Float32Array; // 4 a vertex: patches that it blends
-  readonly weights: Float32Array; // 4 a vertex: their shares
-  readonly reflectance: number;
-}
-
-export interface Solid {
-  readonly parts: readonly SolidPart[];
-  readonly patchCenter: Float32Array; // 3 a patch, m
-  readonly edge: number; // m, of a usual patch
-}
+import {
+  beside,
+  cross,
+  distance,
+  faceOf,
+  latticeSize,
+  PatchMeans,
+  placeAbove,
+  placeOf,
+  pointOf,
+  smoothNormal,
+  uncover,
+  type Face,
+  type Solids,
+  type Triple,
+  type Vec,
+} from './lattice.ts';
 
 export interface Openness {
-  /** A part: two numbers a triangle: its first value, and the cells along an edge; none: V is 1 there. */
+  /** A part: two numbers a triangle: its first value, and the cells along an edge; none: V is 1 there, and shadows are those of its patches. */
   readonly tiles: readonly Uint32Array[];
   /** V x 255 at the lattice of each triangle, rows along its first edge, from its first corner to the third. */
   readonly values: Uint8Array;
+  readonly covered: Uint8Array; // 1: a solid is there, and the value is that of a place beside it
   readonly means: Float32Array; // V a patch
 }
 
@@ -42,14 +43,15 @@ const touching = 0.06; // m: what is nearer has a shadow with an edge
 const within = 0.01; // m: so far inside of a triangle is not at its border
 const lift = 1e-3; // m above the surface, and towards the triangle's middle
 const same = 1e-5; // m
+const shadeCells = 3; // along an edge, where luminaires only cast a shadow (contact/shadows.ts)
+const shading = 0.3; // m: shadows of what is further away are as wide as patches
+const low = 0.05; // m: what is lower has no shadow
+const upward = 0.5; // most light comes from above
 const halvings = 4; // to where something begins to cover a surface
 const steepest = 0.25; // of a cell: what V does in less is not continued
 const darkest = 0.1; // V behind an edge
 const around = 0.5; // of the light comes from all round; the rest from luminaires, whose shadows the patches know
 const lit = 0.8; // how bright, for its reflectance, what is met is
-
-type Vec = readonly [number, number, number];
-type Triple = [number, number, number];
 
 /** About z, by the cube of the cosine: most light comes from before a surface, little from along it. */
 const hemisphere: readonly Vec[] = Array.from({ length: directions }, (_, k) => {
@@ -67,60 +69,31 @@ const lookouts: readonly Vec[] = [
   [0.5, -0.5, Math.SQRT1_2],
 ];
 
-export const latticeSize = (cells: number): number => ((cells + 1) * (cells + 2)) / 2;
-
 /** Takes seconds in a furnished room. */
-export function openness(solid: Solid): Openness {
-  return new OpennessOfRoom(solid).run();
-}
-
-/** A triangle with what is asked of it again and again. */
-interface Face {
-  readonly part: SolidPart;
-  readonly vertices: readonly [number, number, number];
-  readonly corners: readonly [Vec, Vec, Vec];
-  readonly normal: Vec;
-  readonly area: number; // m2
+export function openness(solids: Solids): Openness {
+  return new OpennessOfRoom(solids).run();
 }
 
 class OpennessOfRoom {
-  readonly #solid: Solid;
+  readonly #solids: Solids;
   readonly #reach: number; // m
   readonly #least: number; // m2, of a triangle that is looked at: smaller ones have their patches' light
-  readonly #tree: TriangleTree;
-  readonly #partOf: Uint16Array; // a triangle
-  readonly #positions: Float32Array;
-  readonly #index: Uint32Array;
-  readonly #sums: Float64Array; // a patch: area x V
-  readonly #areas: Float64Array; // a patch
+  readonly #means: PatchMeans;
   readonly #near = new NearTriangles();
   #values = new Uint8Array(1 << 16);
+  #covered = new Uint8Array(1 << 16);
   #used = 0;
 
-  constructor(solid: Solid) {
-    const { parts, patchCenter, edge } = solid;
-    this.#solid = solid;
+  constructor(solids: Solids) {
+    this.#solids = solids;
+    const { edge } = solids.room;
     this.#reach = Math.min(0.3, Math.max(0.15, 1.5 * edge));
     this.#least = (0.4 * edge) ** 2 / 2;
-    const total = (list: (part: SolidPart) => { readonly length: number }) =>
-      parts.reduce((sum, part) => sum + list(part).length, 0);
-    this.#positions = new Float32Array(total(({ positions }) => positions));
-    this.#index = new Uint32Array(total(({ index }) => index));
-    this.#partOf = new Uint16Array(this.#index.length / 3);
-    let [vertices, corners] = [0, 0];
-    parts.forEach((part, p) => {
-      this.#positions.set(part.positions, 3 * vertices);
-      this.#partOf.fill(p, corners / 3, (corners + part.index.length) / 3);
-      for (const vertex of part.index) this.#index[corners++] = vertices + vertex;
-      vertices += part.positions.length / 3;
-    });
-    this.#tree = new TriangleTree(this.#index, this.#positions);
-    this.#sums = new Float64Array(patchCenter.length / 3);
-    this.#areas = new Float64Array(patchCenter.length / 3);
+    this.#means = new PatchMeans(solids.room);
   }
 
   run(): Openness {
-    const tiles = this.#solid.parts.map((part) => {
+    const tiles = this.#solids.room.parts.map((part) => {
       const tile = new Uint32Array((2 * part.index.length) / 3);
       for (let t = 0; 3 * t < part.index.length; t++) {
         const face = faceOf(part, 3 * t);
@@ -128,10 +101,11 @@ class OpennessOfRoom {
       }
       return tile;
     });
-    const means = Float32Array.from(this.#sums, (sum, p) =>
-      this.#areas[p]! > 0 ? sum / this.#areas[p]! : 1,
-    );
-    return { tiles, values: this.#values.slice(0, this.#used), means };
+    const [values, covered] = [this.#values, this.#covered].map((all) => all.slice(0, this.#used)) as [
+      Uint8Array,
+      Uint8Array,
+    ];
+    return { tiles, values, covered, means: this.#means.means(1) };
   }
 
   /** How finely a triangle is looked at; 0: nothing is before it. */
@@ -141,23 +115,32 @@ class OpennessOfRoom {
     if (face.area < this.#least) return 0;
     const above = face.normal.map((x) => touching * x) as Triple;
     const near = boxAbout(face.corners, above, -within);
-    const isNear = this.#tree.some(...near, (first) => this.#isBefore(face, first, 2 * lift));
+    const isNear = this.#solids.tree.some(...near, (first) => this.#isBefore(face, first, 2 * lift));
     if (!isNear) return 0;
     this.#near.clear();
-    this.#tree.some(...boxAbout(face.corners, [0, 0, 0], this.#reach), (first) => {
-      if (this.#isBefore(face, first, lift)) this.#near.add(this.#positions, this.#index, first);
+    this.#solids.tree.some(...boxAbout(face.corners, [0, 0, 0], this.#reach), (first) => {
+      if (this.#isBefore(face, first, lift))
+        this.#near.add(this.#solids.positions, this.#solids.index, first);
       return false;
     });
     return Math.min(mostCells, Math.max(1, Math.ceil(longest / (Math.SQRT2 * fine) - 0.01)));
   }
 
+  /** Whether something stands beside a face that is seen from above, or over any. */
+  #canBeShaded(face: Face): boolean {
+    if (face.area < this.#least) return false;
+    const [high, aside] = face.normal[1] > upward ? [0, shading] : [shading, -within];
+    const box = boxAbout(face.corners, face.normal.map((x) => high * x) as Triple, aside);
+    return this.#solids.tree.some(...box, (first) => this.#isBefore(face, first, low));
+  }
+
   /** Whether a triangle rises above the plane of a face. */
   #isBefore({ corners, normal }: Face, first: number, height: number): boolean {
     for (let i = first; i < first + 3; i++) {
-      const at = 3 * this.#index[i]!;
+      const at = 3 * this.#solids.index[i]!;
       let above = 0;
       for (let axis = 0; axis < 3; axis++)
-        above += normal[axis]! * (this.#positions[at + axis]! - corners[0][axis]!);
+        above += normal[axis]! * (this.#solids.positions[at + axis]! - corners[0][axis]!);
       if (above > height) return true;
     }
     return false;
@@ -166,42 +149,39 @@ class OpennessOfRoom {
   /** V at the lattice of a face, and its share in the means of the patches there; where it lies, and its cells. */
   #addTile(face: Face): [first: number, cells: number] {
     const begin = this.#used;
-    const cells = this.#cellsOf(face);
-    const found = this.#lattice(face, cells);
+    const near = this.#cellsOf(face);
+    const cells = near || (this.#canBeShaded(face) ? shadeCells : 0);
+    const found = near > 0 ? this.#lattice(face, near) : this.#open(face, cells);
     const edges = this.#edges(face, found, cells);
 
-    // Every small triangle counts for the patch whose middle is nearest.
-    const patches = patchesOf(face);
-    const n = Math.max(1, cells);
-    const row = (j: number) => j * (n + 1) - (j * (j - 1)) / 2;
-    for (let j = 0; j < n; j++)
-      for (let i = 0; i < n - j; i++) {
-        const [a, b, c] = [row(j) + i, row(j) + i + 1, row(j + 1) + i];
-        const value = meanBefore(found, edges, [a, b, c]);
-        this.#count(face, patches, (i + 1 / 3) / n, (j + 1 / 3) / n, value, n);
-        if (i + j + 1 >= n) continue;
-        const across = meanBefore(found, edges, [b, c, row(j + 1) + i + 1]);
-        this.#count(face, patches, (i + 2 / 3) / n, (j + 2 / 3) / n, across, n);
-      }
+    this.#means.add(face, cells, (corners) => [meanBefore(found, edges, corners), 1]);
     if (cells === 0) return [0, 0];
 
+    const isCovered = found.map((value) => Number(value === 0));
     goOnBehind(found, edges);
-    uncover(found, n);
+    uncover(
+      found,
+      found.map((value) => Number(value === 0)),
+      cells,
+      1,
+    );
     const count = found.length;
-    if (begin + count > this.#values.length) {
-      const more = new Uint8Array(2 * this.#values.length);
-      more.set(this.#values);
-      this.#values = more;
-    }
+    if (begin + count > this.#values.length)
+      [this.#values, this.#covered] = [twice(this.#values), twice(this.#covered)];
     for (let k = 0; k < count; k++) this.#values[begin + k] = Math.round(255 * found[k]!);
+    this.#covered.set(isCovered, begin);
     this.#used += count;
     return [begin, cells];
   }
 
-  /** V at a lattice of so many cells an edge; of none: 0 for what lies wholly within a solid, else 1. */
+  /** V before which nothing ends: 0 for what lies wholly within a solid, else 1. */
+  #open(face: Face, cells: number): Float32Array {
+    return new Float32Array(latticeSize(Math.max(1, cells))).fill(this.#isWithin(face) ? 0 : 1);
+  }
+
+  /** V at a lattice of so many cells an edge. */
   #lattice(face: Face, cells: number): Float32Array {
-    const found = new Float32Array(latticeSize(Math.max(1, cells)));
-    if (cells === 0) return found.fill(this.#isWithin(face) ? 0 : 1);
+    const found = new Float32Array(latticeSize(cells));
     let k = 0;
     for (let j = 0; j <= cells; j++)
       for (let i = 0; i <= cells - j; i++) found[k++] = this.#at(face, i / cells, j / cells);
@@ -211,16 +191,15 @@ class OpennessOfRoom {
   /** Where between neighbours of the lattice one is covered and the other is not. */
   #edges(face: Face, found: Float32Array, cells: number): Edges {
     const edges: Edges = new Map();
-    const row = (j: number) => j * (cells + 1) - (j * (j - 1)) / 2;
     for (let j = 0; j <= cells; j++)
       for (let i = 0; i <= cells - j; i++) {
-        const seen = row(j) + i;
+        const seen = placeOf(cells, i, j);
         if (found[seen] === 0) continue;
         for (const [di, dj] of beside) {
           const [p, q] = [i + di, j + dj];
-          if (p < 0 || q < 0 || p + q > cells || found[row(q) + p]! > 0) continue;
+          if (p < 0 || q < 0 || p + q > cells || found[placeOf(cells, p, q)]! > 0) continue;
           const edge = this.#edgeBetween(face, [i / cells, j / cells], [p / cells, q / cells], found[seen]!);
-          edges.set(edgeKey(seen, row(q) + p), edge);
+          edges.set(edgeKey(seen, placeOf(cells, p, q)), edge);
         }
       }
     return edges;
@@ -238,33 +217,10 @@ class OpennessOfRoom {
     return { share: (before + behind) / 2, value };
   }
 
-  #count(face: Face, patches: readonly number[], u: number, v: number, value: number, cells: number): void {
-    const { patchCenter } = this.#solid;
-    const [x, y, z] = pointOf(face, u, v);
-    let [nearest, best] = [-1, Infinity];
-    for (const patch of patches) {
-      const [dx, dy] = [patchCenter[3 * patch]! - x, patchCenter[3 * patch + 1]! - y];
-      const dz = patchCenter[3 * patch + 2]! - z;
-      const far = dx * dx + dy * dy + dz * dz;
-      if (far < best) [nearest, best] = [patch, far];
-    }
-    if (nearest < 0) return;
-    const area = face.area / (cells * cells);
-    this.#sums[nearest]! += area * value;
-    this.#areas[nearest]! += area;
-  }
-
   #at(face: Face, u: number, v: number): number {
-    // A little above the surface and inside of the triangle, so that what only touches its border does not hide it.
     const { normal } = face;
-    const point = pointOf(face, u, v);
-    const middle = pointOf(face, 1 / 3, 1 / 3);
-    const pull = Math.min(0.3, (2 * lift) / Math.max(1e-9, distance(point, middle)));
-    const [x, y, z] = point.map(
-      (value, axis) => value + pull * (middle[axis]! - value) + lift * normal[axis]!,
-    ) as Triple;
-
-    const tree = this.#tree;
+    const [x, y, z] = placeAbove(face, u, v, lift);
+    const tree = this.#solids.tree;
     if (this.#isCovered(x, y, z, normal)) return 0;
     const up = smoothNormal(face, u, v);
     const [s, t] = frameAbout(up);
@@ -279,7 +235,7 @@ class OpennessOfRoom {
       if (met === 0) sum += 1;
       else if (met > 0) {
         const first = isCrowded ? tree.met : this.#near.first;
-        const { reflectance } = this.#solid.parts[this.#partOf[first / 3]!]!;
+        const { reflectance } = this.#solids.room.parts[this.#solids.partOf[first / 3]!]!;
         const near = 1 - (met / this.#reach) ** 2;
         sum += 1 - near * (1 - lit * reflectance);
       }
@@ -295,7 +251,7 @@ class OpennessOfRoom {
 
   /** Whether a place lies within a solid: from there all that is before the surface is seen from behind. */
   #isCovered(x: number, y: number, z: number, normal: Vec): boolean {
-    const tree = this.#tree;
+    const tree = this.#solids.tree;
     const [s, t] = frameAbout(normal);
     return lookouts.every(([a, b, c]) => {
       const [dx, dy, dz] = [0, 1, 2].map((axis) => a * s[axis]! + b * t[axis]! + c * normal[axis]!) as Triple;
@@ -306,8 +262,8 @@ class OpennessOfRoom {
 
   /** As NearTriangles.meet, by the tree. */
   #meet(x: number, y: number, z: number, dx: number, dy: number, dz: number): number {
-    const far = this.#tree.reach(x, y, z, dx, dy, dz, true, this.#reach);
-    return this.#tree.met < 0 ? 0 : this.#tree.isBack ? -far : far;
+    const far = this.#solids.tree.reach(x, y, z, dx, dy, dz, true, this.#reach);
+    return this.#solids.tree.met < 0 ? 0 : this.#solids.tree.isBack ? -far : far;
   }
 }
 
@@ -406,6 +362,12 @@ class NearTriangles {
   }
 }
 
+function twice(values: Uint8Array): Uint8Array<ArrayBuffer> {
+  const more = new Uint8Array(2 * values.length);
+  more.set(values);
+  return more;
+}
+
 /** Between a place that is seen and one that is covered. */
 interface Edge {
   readonly share: number; // of the way to the covered one
@@ -445,87 +407,12 @@ function goOnBehind(found: Float32Array, edges: Edges): void {
   for (const [covered, [sum, count]] of sums) found[covered] = Math.min(1, Math.max(darkest, sum / count));
 }
 
-/**
- * Places that are covered take what is seen nearest to them, or are open: their darkness is not to be smeared over the
- * edge of what covers them, nor to show on a sliver beside it.
- */
-function uncover(values: Float32Array, cells: number): void {
-  const at = (i: number, j: number) => j * (cells + 1) - (j * (j - 1)) / 2 + i;
-  for (let isDone = false; !isDone;) {
-    const before = values.slice();
-    isDone = true;
-    for (let j = 0; j <= cells; j++)
-      for (let i = 0; i <= cells - j; i++) {
-        if (before[at(i, j)]! > 0) continue;
-        let [sum, count] = [0, 0];
-        for (const [di, dj] of beside) {
-          const [p, q] = [i + di, j + dj];
-          if (p < 0 || q < 0 || p + q > cells || before[at(p, q)]! === 0) continue;
-          sum += before[at(p, q)]!;
-          count++;
-        }
-        if (count === 0) continue;
-        values[at(i, j)] = sum / count;
-        isDone = false;
-      }
-  }
-  values.forEach((value, k) => (values[k] = value || 1));
-}
-
-const beside = [
-  [1, 0],
-  [-1, 0],
-  [0, 1],
-  [0, -1],
-  [1, -1],
-  [-1, 1],
-] as const;
-
-function faceOf(part: SolidPart, first: number): Face | null {
-  const vertices = [0, 1, 2].map((i) => part.index[first + i]!) as Triple;
-  const corners = vertices.map((v) => [...part.positions.subarray(3 * v, 3 * v + 3)]) as unknown as [
-    Vec,
-    Vec,
-    Vec,
-  ];
-  const [a, b, c] = corners;
-  const normal = cross(minus(b, a), minus(c, a));
-  const size = Math.hypot(...normal);
-  if (!(size > 1e-12)) return null;
-  return { part, vertices, corners, area: size / 2, normal: normal.map((x) => x / size) as Triple };
-}
-
-function pointOf({ corners: [a, b, c] }: Face, u: number, v: number): Triple {
-  const w = 1 - u - v;
-  return [w * a[0] + u * b[0] + v * c[0], w * a[1] + u * b[1] + v * c[1], w * a[2] + u * b[2] + v * c[2]];
-}
-
-/** As the surface is shaded; that of the triangle where the file's points elsewhere. */
-function smoothNormal({ part, vertices, normal }: Face, u: number, v: number): Vec {
-  const n: Triple = [0, 0, 0];
-  [1 - u - v, u, v].forEach((share, corner) => {
-    for (let axis = 0; axis < 3; axis++) n[axis]! += share * part.normals[3 * vertices[corner]! + axis]!;
-  });
-  const size = Math.hypot(...n);
-  const along = (n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2]) / size;
-  return along > 0.3 ? [n[0] / size, n[1] / size, n[2] / size] : normal;
-}
-
 function frameAbout([x, y, z]: Vec): [Vec, Vec] {
   const other: Vec = Math.abs(x) > 0.7 ? [0, 1, 0] : [1, 0, 0];
   const s = cross(other, [x, y, z]);
   const size = Math.hypot(...s);
   const unit: Vec = [s[0] / size, s[1] / size, s[2] / size];
   return [unit, cross([x, y, z], unit)];
-}
-
-/** All patches that the corners of a face blend. */
-function patchesOf({ part: { patches, weights }, vertices }: Face): number[] {
-  const found: number[] = [];
-  for (const vertex of vertices)
-    for (let k = 4 * vertex; k < 4 * vertex + 4; k++)
-      if (weights[k]! > 0 && !found.includes(patches[k]!)) found.push(patches[k]!);
-  return found;
 }
 
 /** The box of a triangle, stretched along a vector, and then wider by a margin on all sides. */
@@ -541,11 +428,3 @@ function boxAbout(corners: readonly Vec[], along: Vec, margin: number): [Vec, Ve
     if (low[axis]! > high[axis]!) low[axis] = high[axis] = (low[axis]! + high[axis]!) / 2;
   return [low, high];
 }
-
-const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-const cross = (a: Vec, b: Vec): Triple => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];

@@ -1,7 +1,7 @@
 /**
  * The room's shader. Light at a vertex = sum of weight x patch illuminance, fetched from the light texture; then
- *   realistic:    albedo x light, spread within its patches (contact/openness.ts), x its colour x exposure, through the
- *                 tone curve
+ *   realistic:    albedo x light, spread within its patches (contact/openness.ts, contact/shadows.ts), x its colour x
+ *                 exposure, through the tone curve
  *   false colour: the place of light (or of exitance, from each patch's own reflectance) on the legend, through the
  *                 colour table
  * A measuring plane, which nobody could see, is a faint veil in the realistic picture; in the other it is opaque, for
@@ -19,26 +19,28 @@ import {
   type Matrix3,
   type Texture,
 } from 'three';
-import { mostBrightening } from './brightening.ts';
+import { leastDarkening, mostBrightening } from './brightening.ts';
 import { isoluxShader } from './isolux.ts';
 
 const vertexShader = /* glsl */ `
 attribute vec4 _patches;
 attribute vec4 _weights;
 attribute float _storey; // 0: the section cuts it; else it stands whole on this one, counted from 1
-attribute vec4 _lattice; // openness of a triangle: its first value, cells along an edge, and where this corner is
+attribute vec4 _lattice; // openness and shadows of a triangle: their first value, cells along an edge, and where this corner is
 uniform highp sampler2D lightTexture;
 uniform highp sampler2D reflectanceTexture;
 uniform highp sampler2D colorTexture; // red and blue at a luminance of 1
 uniform highp sampler2D meanOpennessTexture;
+uniform highp sampler2D meanShadowTexture;
 uniform float colored;    // how much of the light's colour, 0..1
 uniform float contact;    // how much of the shadows near contacts, 0..1
+uniform float shade;      // how much of those that luminaires cast, 0..1
 uniform bool exitance;
 uniform mat3 mapTransform;
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
-varying float vMeanOpenness;
+varying vec2 vMeans; // of the patches here: openness, and light that their places are in the shadow of
 flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
@@ -74,7 +76,8 @@ void main() {
   vLight = dot(weights, light);
   vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
   vLightColor = colored > 0.0 && vLight > 0.0 ? mix(vec3(1.0), lightColor(weights * light), colored) : vec3(1.0);
-  vMeanOpenness = contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0;
+  vMeans = vec2(contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0,
+                shade > 0.0 ? dot(weights, atPatches(meanShadowTexture)) : 0.0);
   vStorey = _storey;
   vLattice = _lattice.xy;
   vCorner = _lattice.zw;
@@ -116,12 +119,14 @@ uniform float openFrom;   // m: backs that are higher are cut away
 uniform float colored;
 uniform float usualLight; // lx, what an eye is adapted to
 uniform highp sampler2D opennessTexture;
+uniform highp sampler2D shadowTexture;
 uniform float contact;
+uniform float shade;
 const float veil = 0.16;  // how much a measuring plane hides of a realistic picture
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
-varying float vMeanOpenness;
+varying vec2 vMeans; // of the patches here: openness, and light that their places are in the shadow of
 flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
@@ -132,33 +137,46 @@ varying vec3 vTint;
 #endif
 ${isoluxShader}
 
-// At a corner of the lattice: rows along the first edge, each one shorter than the one before.
-float opennessAt(ivec2 at) {
-  int place = int(vLattice.x + 0.5) + at.y * (int(vLattice.y + 0.5) + 1) - at.y * (at.y - 1) / 2 + at.x;
-  return texelFetch(opennessTexture, ivec2(place & 1023, place >> 10), 0).r;
+// Of the lattice: rows along the first edge, each one shorter than the one before.
+int placeAt(ivec2 at) {
+  return int(vLattice.x + 0.5) + at.y * (int(vLattice.y + 0.5) + 1) - at.y * (at.y - 1) / 2 + at.x;
 }
 
-float openness() {
-  int cells = int(vLattice.y + 0.5);
-  if (cells == 0) return 1.0;
+// The three values about this place, and their shares.
+void placesHere(int cells, out ivec3 places, out vec3 shares) {
   vec2 place = clamp(vCorner, 0.0, 1.0) * float(cells);
   ivec2 cell = min(ivec2(place), ivec2(cells - 1));
   cell.x = min(cell.x, cells - 1 - cell.y);
   vec2 part = clamp(place - vec2(cell), 0.0, 1.0);
-  float right = opennessAt(cell + ivec2(1, 0)), above = opennessAt(cell + ivec2(0, 1));
-  if (part.x + part.y <= 1.0 || cell.x + cell.y + 2 > cells) {
-    float here = opennessAt(cell);
-    return here + part.x * (right - here) + part.y * (above - here);
-  }
-  float beyond = opennessAt(cell + ivec2(1, 1));
-  return beyond + (1.0 - part.x) * (above - beyond) + (1.0 - part.y) * (right - beyond);
+  bool isNear = part.x + part.y <= 1.0 || cell.x + cell.y + 2 > cells;
+  places = ivec3(placeAt(isNear ? cell : cell + ivec2(1, 1)), placeAt(cell + ivec2(1, 0)), placeAt(cell + ivec2(0, 1)));
+  vec2 others = isNear ? part : 1.0 - part.yx;
+  shares = vec3(1.0 - others.x - others.y, others);
+}
+
+float opennessAt(int place) {
+  return texelFetch(opennessTexture, ivec2(place & 1023, place >> 10), 0).r;
+}
+
+float shadowAt(int place) {
+  return texelFetch(shadowTexture, ivec2(place & 255, place >> 8), 0).r;
 }
 
 // The patches' light, spread within them.
 float litHere() {
-  const float most = ${mostBrightening.toFixed(1)};
+  const float least = ${leastDarkening.toFixed(2)}, most = ${mostBrightening.toFixed(1)};
+  int cells = int(vLattice.y + 0.5);
   if (contact <= 0.0) return vLight;
-  return vLight * mix(1.0, min(most, openness() / max(vMeanOpenness, 1e-3)), contact);
+  float openness = 1.0, shadow = vMeans.y;
+  if (cells > 0) {
+    ivec3 places;
+    vec3 shares;
+    placesHere(cells, places, shares);
+    openness = dot(shares, vec3(opennessAt(places.x), opennessAt(places.y), opennessAt(places.z)));
+    if (shade > 0.0) shadow = dot(shares, vec3(shadowAt(places.x), shadowAt(places.y), shadowAt(places.z)));
+  }
+  float light = vLight * mix(1.0, min(most, openness / max(vMeans.x, 1e-3)), contact);
+  return clamp(light + shade * (vMeans.y - shadow), min(light, least * vLight), max(light, most * vLight));
 }
 
 // Grey in daylight, a little darker to the sides, so that edges are seen.
@@ -259,6 +277,9 @@ export function sharedUniforms() {
     opennessTexture: { value: null as Texture | null },
     meanOpennessTexture: { value: null as Texture | null },
     contact: { value: 0 },
+    shadowTexture: { value: null as Texture | null },
+    meanShadowTexture: { value: null as Texture | null },
+    shade: { value: 0 },
     colorTable: { value: null as Texture | null },
     falseColor: { value: false },
     exposure: { value: 1 },

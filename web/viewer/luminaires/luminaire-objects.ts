@@ -21,7 +21,7 @@ import {
 } from 'three';
 import { frameOn } from '../../document/mounting.ts';
 import type { Layout, Mounting, SceneInfo } from '../../document/types.ts';
-import type { LuminaireBody } from '../types.ts';
+import type { LuminaireBody, LuminaireLight } from '../types.ts';
 import { createHaloMaterial, createHousingMaterial, createPanelMaterial } from './luminaire-materials.ts';
 import { PhotometricSolid } from './photometric-solid.ts';
 import { easeOut, reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
@@ -157,6 +157,23 @@ export class LuminaireObjects {
       quaternion.slerpQuaternions(turned, quaternion.clone(), share);
     });
     this.#loop.invalidate();
+  }
+
+  /** What a layout shines with, as its luminaires hang once none of them walks. */
+  lights({ flux, dimming }: Layout): LuminaireLight[] {
+    return this.objects.map(({ group, panel, mounting }, i) => {
+      const [along, across, down] = [new Vector3(), new Vector3(), new Vector3()];
+      new Matrix4().makeRotationFromQuaternion(group.quaternion).extractBasis(along, across, down);
+      return {
+        position: group.position.toArray(),
+        along: along.toArray(),
+        across: across.toArray(),
+        down: down.toArray(),
+        size: [panel.scale.x, panel.scale.y],
+        flux: flux[i]! * dimming,
+        candela: this.#bodies.get(mounting?.type ?? '')?.candela ?? null,
+      };
+    });
   }
 
   /** Hides those that hang higher, m. */

@@ -80,6 +80,29 @@ export class TriangleTree {
     return best;
   }
 
+  /** Whether a triangle, met from either side, is nearer along the ray from o than `limit` lengths of d. */
+  isBlocked(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, limit: number): boolean {
+    const stack = this.#stack;
+    const { start, count } = this.#nodes;
+    const [ix, iy, iz] = [1 / (dx || tiny), 1 / (dy || tiny), 1 / (dz || tiny)];
+    let depth = 0;
+    if (count.length > 0) stack[depth++] = 0;
+    while (depth > 0) {
+      const node = stack[--depth]!;
+      if (!this.#nodes.isMet(node, ox, oy, oz, ix, iy, iz, limit)) continue;
+      const held = count[node]!;
+      if (held === 0) {
+        stack[depth++] = start[node]!;
+        stack[depth++] = node + 1;
+        continue;
+      }
+      for (let i = start[node]!; i < start[node]! + held; i++)
+        if (Math.abs(this.#distance(3 * this.#triangles[i]!, ox, oy, oz, dx, dy, dz, true)) < limit)
+          return true;
+    }
+    return false;
+  }
+
   /** Visits the triangles whose boxes touch a box, until one answers true; whether one did. */
   some(low: Vec, high: Vec, visit: (first: number) => boolean): boolean {
     const { start, count } = this.#nodes;

@@ -2,7 +2,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { BufferAttribute, BufferGeometry } from 'three';
 import { layTiles } from '../../../../web/viewer/contact/contact-light.ts';
-import { latticeSize, openness, type SolidPart } from '../../../../web/viewer/contact/openness.ts';
+import { latticeSize, Solids, type Solid, type SolidPart } from '../../../../web/viewer/contact/lattice.ts';
+import { openness as opennessIn } from '../../../../web/viewer/contact/openness.ts';
 
 type Vec = readonly [number, number, number];
 
@@ -62,6 +63,8 @@ const box = (
   ] as const
 ).map((place) => rectangle(place, 1));
 const patchCenter = Float32Array.of(0.1, 0, 0.1, 0.1, 0.1, 0.1);
+
+const openness = (solid: Solid) => opennessIn(new Solids(solid));
 
 describe('how open a place is', () => {
   test('a floor with nothing on it is left alone', () => {
