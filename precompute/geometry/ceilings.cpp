@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include "precompute/room/bounds.h"
 
@@ -36,15 +37,21 @@ constexpr double kSameFloor = 1;       // m: floors closer than this are of one 
 constexpr double kBeside = 0.03;       // of the largest one's area: a ceiling of the same storey
 constexpr double kStoreyShare = 0.1;   // of the largest storey's: one more storey
 
+// Many small planes at one height are the panels of one ceiling.
+constexpr double kPanel = 4;         // m2
+constexpr double kOneHeight = 0.01;  // m
+constexpr std::size_t kPanels = 8;
+
 struct Candidate {
-  const SurfaceGroup* group;
-  const Region* region;
+  std::vector<Face> faces;
+  double area;  // m2
+  double at;    // m, its height
   std::uint32_t leaf;
   bool named;
   bool isBack;  // of a sheet whose front faces up: a floor, or the cap of a wall
   FreeSpace::View view;
 
-  double floor() const { return region->centroid.y - view.height(); }
+  double floor() const { return at - view.height(); }
   bool isOutdoors() const { return view.sky >= kOpenSky; }
   bool keeps(const Rule& rule) const {
     return view.floorsWithin(rule.low, rule.high) >= kOverFloor && view.floorsWithin(0, kClose) < kHollow &&
@@ -59,11 +66,40 @@ std::vector<Face> facesOf(const SurfaceGroup& group, const Region& region) {
   return faces;
 }
 
+bool isSmallAndAlike(const Candidate& a, const Candidate& b) {
+  return a.area < kPanel && b.area < kPanel && a.named == b.named && a.isBack == b.isBack &&
+         std::abs(a.at - b.at) < kOneHeight;
+}
+
+/// Panels at one height as one; as its leaf that of the largest.
+void joinPanels(Candidates& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tuple(a.area >= kPanel, a.named, a.isBack, a.at, -a.area) <
+           std::tuple(b.area >= kPanel, b.named, b.isBack, b.at, -b.area);
+  });
+  Candidates joined;
+  for (std::size_t i = 0, j; i < all.size(); i = j) {
+    for (j = i + 1; j < all.size() && isSmallAndAlike(all[i], all[j]); ++j) {
+    }
+    if (j - i < kPanels) {
+      std::move(all.begin() + static_cast<std::ptrdiff_t>(i), all.begin() + static_cast<std::ptrdiff_t>(j),
+                std::back_inserter(joined));
+      continue;
+    }
+    Candidate whole = std::move(all[i]);
+    for (std::size_t k = i + 1; k < j; ++k) {
+      whole.area += all[k].area;
+      whole.faces.insert(whole.faces.end(), all[k].faces.begin(), all[k].faces.end());
+    }
+    joined.push_back(std::move(whole));
+  }
+  all = std::move(joined);
+}
+
 /// Named ones first, then by area.
 Candidates candidatesOf(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
                         const FreeSpace& space) {
   Candidates all;
-  double largest = 0;
   for (const SurfaceGroup& group : tree.groups)
     for (std::size_t r = 0; r < group.regions.size(); ++r) {
       const Region& region = group.regions[r];
@@ -73,18 +109,20 @@ Candidates candidatesOf(const SourceScene& source, const WeldedMesh& mesh, const
       if (region.normal.y > -(named ? kNamedLevel : kLevel)) continue;
       const Face& face = group.set.faces[region.faces[0]];
       const bool isBack = face.back && mesh.triangles[face.triangle].backMesh == kNone;
-      all.push_back({&group, &region, group.leafOfRegion[r], named, isBack, {}});
-      largest = std::max(largest, region.area);
+      all.push_back(
+          {facesOf(group, region), region.area, region.centroid.y, group.leafOfRegion[r], named, isBack, {}});
     }
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const Candidate& c) { return c.region->area < kCrumb * largest; }),
-            all.end());
+  joinPanels(all);
+  double largest = 0;
+  for (const Candidate& c : all) largest = std::max(largest, c.area);
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const Candidate& c) { return c.area < kCrumb * largest; }),
+      all.end());
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-    return a.named != b.named ? a.named : a.region->area > b.region->area;
+    return a.named != b.named ? a.named : a.area > b.area;
   });
   if (all.size() > kMostCandidates) all.resize(kMostCandidates);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].view = space.from(facesOf(*all[i].group, *all[i].region), i);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].view = space.from(all[i].faces, i);
   return all;
 }
 
@@ -97,7 +135,7 @@ Candidates chosen(const Candidates& all, const Test& test) {
 
 double areaOf(const Candidates& candidates) {
   double area = 0;
-  for (const Candidate& c : candidates) area += c.region->area;
+  for (const Candidate& c : candidates) area += c.area;
   return area;
 }
 
@@ -128,7 +166,7 @@ Candidates byLooks(const Candidates& all, double footprint) {
   Candidates found = roomyIndoorsFirst(all);
   if (!found.empty()) return found;
   return chosen(all, [&](const Candidate& c) {
-    return !c.isBack && c.region->area >= kOfFootprint * footprint && c.view.height() > 0 &&
+    return !c.isBack && c.area >= kOfFootprint * footprint && c.view.height() > 0 &&
            c.view.path >= kSmallRoom * c.view.height() && c.view.lost < kMostLost;
   });
 }
@@ -148,14 +186,13 @@ Candidates proposed(const Candidates& all, double footprint) {
       found.push_back(c);
   }
   if (!found.empty()) return found;
-  return chosen(all,
-                [&](const Candidate& c) { return c.named && c.region->area >= kOfFootprint * footprint; });
+  return chosen(all, [&](const Candidate& c) { return c.named && c.area >= kOfFootprint * footprint; });
 }
 
 /// Those on one floor together; `found` is in order of area.
 std::vector<Candidates> storeysOf(Candidates found) {
   std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.region->area > b.region->area; });
+                   [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
   std::vector<Candidates> storeys;
   for (const Candidate& c : found) {
     const auto home = std::find_if(storeys.begin(), storeys.end(), [&](const Candidates& storey) {
@@ -163,7 +200,7 @@ std::vector<Candidates> storeysOf(Candidates found) {
     });
     if (home == storeys.end())
       storeys.push_back({c});
-    else if (c.named || c.region->area >= kBeside * (*home)[0].region->area)
+    else if (c.named || c.area >= kBeside * (*home)[0].area)
       home->push_back(c);
   }
   std::stable_sort(storeys.begin(), storeys.end(),
@@ -195,10 +232,8 @@ std::vector<Ceiling> proposeCeilings(const SourceScene& source, const WeldedMesh
     const double area = areaOf(storey);
     if (!ceilings.empty() && area < kStoreyShare * ceilings[0].area) break;
     Ceiling ceiling{tree.names[storey[0].leaf], {}, area, storey[0].view.height(), storey[0].isOutdoors()};
-    for (const Candidate& c : storey) {
-      const std::vector<Face> faces = facesOf(*c.group, *c.region);
-      ceiling.faces.insert(ceiling.faces.end(), faces.begin(), faces.end());
-    }
+    for (const Candidate& c : storey)
+      ceiling.faces.insert(ceiling.faces.end(), c.faces.begin(), c.faces.end());
     ceilings.push_back(std::move(ceiling));
   }
   return ceilings;

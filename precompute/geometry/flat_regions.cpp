@@ -13,12 +13,14 @@ constexpr double kNarrowNormal = 0.5;    // cos 60 degrees
 constexpr double kNarrow = 40;           // in tolerances of the mesh: a face less high has no sure direction
 constexpr double kPlaneTolerances = 10;  // of the mesh: as far from a plane as rounding takes a vertex
 constexpr double kBent = 0.01;           // of a region's size: how far a hand-made wall may leave its plane
+constexpr double kScanned = 0.05;        // m: how far a scan does
+constexpr double kScannedNormal = 0.7;   // cos 45 degrees
 
 /// Grows planar regions over the faces of a set.
 class RegionGrower {
  public:
-  RegionGrower(const WeldedMesh& mesh, const FaceSet& set, bool strict)
-      : mesh_(mesh), set_(set), strict_(strict), taken_(set.faces.size(), false) {
+  RegionGrower(const WeldedMesh& mesh, const FaceSet& set, Flatness flatness)
+      : mesh_(mesh), set_(set), flatness_(flatness), taken_(set.faces.size(), false) {
     for (const Face& face : set.faces) {
       vectors_.push_back(areaVector(mesh.positions, face.vertex));
       areas_.push_back(length(vectors_.back()));
@@ -75,13 +77,16 @@ class RegionGrower {
     const double height = 2 * areas_[f] / longest;
     const bool narrow = height <= kNarrow * mesh_.tolerance;
     const double planar = kPlaneTolerances * mesh_.tolerance;
-    const double most = strict_ || narrow ? planar : std::max(planar, kBent * std::sqrt(region_.area));
-    return off <= most && dot(vectors_[f], normal) >= (narrow ? kNarrowNormal : kSameNormal) * areas_[f];
+    const bool isScanned = flatness_ == Flatness::kScanned;
+    const double bent = isScanned ? kScanned : narrow ? 0 : kBent * std::sqrt(region_.area);
+    const double most = flatness_ == Flatness::kExact ? planar : std::max(planar, bent);
+    const double alike = narrow ? kNarrowNormal : isScanned ? kScannedNormal : kSameNormal;
+    return off <= most && dot(vectors_[f], normal) >= alike * areas_[f];
   }
 
   const WeldedMesh& mesh_;
   const FaceSet& set_;
-  const bool strict_;
+  const Flatness flatness_;
   std::vector<Vec3> vectors_;  // of faces: normal x area, m2
   std::vector<double> areas_;  // m2
   std::vector<bool> taken_;
@@ -91,8 +96,8 @@ class RegionGrower {
 
 }  // namespace
 
-std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict) {
-  RegionGrower grower(mesh, set, strict);
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, Flatness flatness) {
+  RegionGrower grower(mesh, set, flatness);
   std::vector<Region> regions;
   for (const std::uint32_t seed : grower.seeds())
     if (!grower.taken(seed)) regions.push_back(grower.grow(seed));

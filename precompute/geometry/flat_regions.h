@@ -15,8 +15,12 @@ struct Region {
   Outline outline;
 };
 
-/// Partitions the set into connected planar regions, largest seed first. Unless `strict`, a plane may be bent
-/// by up to 3 degrees and 1 % of its size, as hand-made walls are.
-std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set, bool strict = false);
+/// How far a plane may leave itself: not at all; by 3 degrees and 1 % of its size, as hand-made walls do; by
+/// 45 degrees and 5 cm, as the triangles of a scan do.
+enum class Flatness { kExact, kHandMade, kScanned };
+
+/// Partitions the set into connected planar regions, largest seed first.
+std::vector<Region> flatRegions(const WeldedMesh& mesh, const FaceSet& set,
+                                Flatness flatness = Flatness::kHandMade);
 
 }  // namespace fiatlux

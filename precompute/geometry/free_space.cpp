@@ -88,6 +88,20 @@ bool FreeSpace::isWithinBody(const Vec3& point) const {
   return true;
 }
 
+std::vector<double> FreeSpace::heightsAbove(const std::vector<Face>& faces) const {
+  const AreaSampler sampler(trianglesOf(mesh_, faces));
+  std::vector<double> heights;
+  if (sampler.empty()) return heights;
+  const auto scramble = RaySequence::scramble(0);
+  for (std::uint32_t i = 0; i < kLooks; ++i) {
+    const auto random = sequence_.point(i, scramble);
+    const Met above = meet(sampler.at(random[0], random[1]).position + tracer_.offset() * kUpward, kUpward);
+    heights.push_back(above.triangle == kNone ? std::numeric_limits<double>::infinity() : above.distance);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
 double FreeSpace::skyAbove(const Vec3& point) const {
   const auto scramble = RaySequence::scramble(0);
   double skies = 0;

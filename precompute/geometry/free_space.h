@@ -39,6 +39,8 @@ class FreeSpace {
   std::optional<double> floorBelow(const Vec3& point) const;
   /// Whether a point lies within a body: to all four sides it sees backs that are no surfaces.
   bool isWithinBody(const Vec3& point) const;
+  /// m, straight up from points on faces to what is there; ascending, infinite where that is nothing.
+  std::vector<double> heightsAbove(const std::vector<Face>& faces) const;
   /// Share of the rays up from a point, by the cosine, that meet nothing.
   double skyAbove(const Vec3& point) const;
 

@@ -12,6 +12,7 @@ constexpr double kLying = 0.9, kStanding = 0.3;  // cosines: of what lies, of wh
 constexpr double kFreeAbove = 1;                 // m, mean way of rays by the cosine
 constexpr double kInTheOpen = 0.9;               // share of the rays that meet nothing: no walls around
 constexpr double kIndoors = 0.35;                // or hardly any: a ceiling above
+constexpr double kLeastFloor = 1.5;              // m2: a piece of a scan is none
 constexpr double kAsHigh = 0.1, kBesides = 0.1;  // m; of the largest one's area
 constexpr double kNear = 0.5, kTall = 1.8;       // m: a wall stands as near to the floor, and is as high
 constexpr double kUsualPlane = 2.7, kLowPlane = 2.2, kHighPlane = 4;  // m, of the plane
@@ -77,7 +78,7 @@ std::optional<OpenFloor> largestFloor(const WeldedMesh& mesh, const SurfaceTree&
   constexpr std::size_t kMostLooks = 64;
   for (std::size_t i = 0; i < std::min(planes.size(), kMostLooks); ++i) {
     const FreeSpace::View view = space.from(facesOfPlane(planes[i]), i);
-    if (view.path < kFreeAbove) continue;
+    if (view.path < kFreeAbove || (best && planes[i].region->area < kLeastFloor)) continue;
     const double rank = view.lost < kIndoors ? 0 : view.lost < kInTheOpen ? 1 : 1.5;
     if (rank < least) least = rank, best = &planes[i];
   }
@@ -93,6 +94,11 @@ std::optional<OpenFloor> largestFloor(const WeldedMesh& mesh, const SurfaceTree&
     floor.area += plane.region->area;
   }
   floor.walls = wallsAround(mesh, tree, boundsOf(mesh, floor.faces));
+  // Below a sloped roof, where it is high enough over half of the floor; things that stand there are lower.
+  std::vector<double> roof = space.heightsAbove(floor.faces);
+  roof.erase(roof.begin(), std::lower_bound(roof.begin(), roof.end(), kTall));
+  if (const double most = roof.empty() ? 0 : roof[roof.size() / 2]; std::isfinite(most) && most > 0)
+    floor.walls = floor.walls > 0 ? std::min(floor.walls, most) : most;
   return floor;
 }
 

@@ -14,7 +14,8 @@ struct OpenFloor {
   std::string name;         // of its largest surface
   std::vector<Face> faces;  // that face up
   double area = 0;          // m2
-  double walls = 0;         // m, from the floor to where most of the walls around it end; 0: there are none
+  double walls = 0;  // m, from the floor to where most of the walls around it end, or a roof over half of it;
+                     // 0: there is none
 };
 
 /// The largest plane that faces up with free space above, and what lies as high; indoors before outdoors.

@@ -13,17 +13,22 @@ constexpr std::size_t kMostSquares = 4'000'000;  // of a grid: no plane has so m
 constexpr double kDown = 0.5;                    // cos 60 degrees
 constexpr double kSlack = 1e-3;                  // m, and of a spacing above 1 m
 constexpr double kMostInRow = 1e6;
-constexpr double kCovered = 0.996;  // of a square's area: a millimetre of quantisation is not missing
+constexpr double kCovered = 0.996;      // of a square's area: a millimetre of quantisation is not missing
+constexpr double kNearlyCovered = 0.8;  // so much of it where a mount is drawn in pieces
+constexpr double kSamePlane = 0.01;     // m: so near they lie in one plane
+constexpr double kParallel = 0.9986;    // cos 3 degrees
 
 struct MountPlanes {
   FaceSet set;
   std::vector<Region> regions;
+  bool areInPieces = false;
 };
 
-MountPlanes planesOf(const WeldedMesh& mesh, const std::vector<Face>& faces) {
+MountPlanes planesOf(const WeldedMesh& mesh, const std::vector<Face>& faces,
+                     Flatness flatness = Flatness::kExact) {
   MountPlanes planes;
   planes.set = makeFaceSet(mesh, faces);
-  planes.regions = flatRegions(mesh, planes.set, true);
+  planes.regions = flatRegions(mesh, planes.set, flatness);
   const auto down = [](const Region& r) { return r.normal.y < -kDown; };
   if (std::any_of(planes.regions.begin(), planes.regions.end(), down))
     planes.regions.erase(std::remove_if(planes.regions.begin(), planes.regions.end(),
@@ -117,23 +122,50 @@ void sitesOnPlane(const WeldedMesh& mesh, const MountPlanes& planes, const Regio
       }
   }
 
-  // Squares that are covered wholly are sites.
-  const double height = dot(region.centroid, region.normal);
+  // Squares that are covered wholly are sites; of what is rough they hang below the lowest point.
+  const double least = planes.areInPieces ? kNearlyCovered : kCovered;
+  double height = dot(region.centroid, region.normal);
+  if (planes.areInPieces)
+    for (const std::uint32_t f : region.faces)
+      for (const std::uint32_t v : planes.set.faces[f].vertex)
+        height = std::max(height, dot(mesh.positions[v], region.normal));
   for (int r = 0; r < rows.count; ++r)
     for (int c = 0; c < columns.count; ++c) {
-      if (covered[std::size_t{1} * r * columns.count + c] < kCovered * size * size) continue;
+      if (covered[std::size_t{1} * r * columns.count + c] < least * size * size) continue;
       const double x = columns.first + c * spacing + 0.5 * size, y = rows.first + r * spacing + 0.5 * size;
       sites.push_back({x * u + y * v + height * region.normal, region.normal, u, size});
     }
+}
+
+/// Puts what lies in one plane together, the largest first.
+MountPlanes together(const WeldedMesh& mesh, MountPlanes pieces) {
+  std::stable_sort(pieces.regions.begin(), pieces.regions.end(),
+                   [](const Region& a, const Region& b) { return a.area > b.area; });
+  MountPlanes planes{std::move(pieces.set), {}, true};
+  for (Region& piece : pieces.regions) {
+    const auto home = std::find_if(planes.regions.begin(), planes.regions.end(), [&](const Region& plane) {
+      return dot(plane.normal, piece.normal) > kParallel &&
+             std::abs(dot(piece.centroid - plane.centroid, plane.normal)) < kSamePlane;
+    });
+    if (home == planes.regions.end())
+      planes.regions.push_back(std::move(piece));
+    else
+      home->faces.insert(home->faces.end(), piece.faces.begin(), piece.faces.end());
+  }
+  for (Region& plane : planes.regions) plane.outline = outlineOf(mesh, planes.set, plane.faces);
+  return planes;
 }
 
 }  // namespace
 
 std::vector<Site> sitesOn(const WeldedMesh& mesh, const std::vector<Face>& faces, double spacing,
                           double size) {
-  const MountPlanes planes = planesOf(mesh, faces);
   std::vector<Site> sites;
-  for (const Region& region : planes.regions) sitesOnPlane(mesh, planes, region, spacing, size, sites);
+  const auto hangOn = [&](const MountPlanes& planes) {
+    for (const Region& region : planes.regions) sitesOnPlane(mesh, planes, region, spacing, size, sites);
+  };
+  hangOn(planesOf(mesh, faces));
+  if (sites.empty()) hangOn(together(mesh, planesOf(mesh, faces, Flatness::kScanned)));
   return sites;
 }
 

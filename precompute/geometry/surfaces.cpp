@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMostNodes = 256;  // with more surfaces than this, small nodes share one
 constexpr double kSmallNode = 0.005;     // of the scene's area
 constexpr double kOnePlane = 0.995;      // of a group's area: then the group is that plane
+constexpr double kShattered = 0.2;       // of a group's area in planes worth a name: it may be a scan
+constexpr double kMended = 0.5;          // so much as a scan: it is one
 
 /// What makes faces one group.
 struct GroupKey {
@@ -236,6 +238,19 @@ bool isOnePlane(const SurfaceGroup& group) {
   return largest >= kOnePlane * area;
 }
 
+/// The planes of a group; of a scan, whose triangles all look their own way, those that they are meant to be.
+std::vector<Region> planesOfGroup(const WeldedMesh& mesh, const FaceSet& set, bool splits, double least) {
+  std::vector<Region> planes = flatRegions(mesh, set);
+  const auto worthAName = [&](const std::vector<Region>& regions) {
+    double area = 0, large = 0;
+    for (const Region& region : regions) area += region.area, large += region.area > least ? region.area : 0;
+    return area > 0 ? large / area : 0;
+  };
+  if (!splits || worthAName(planes) >= kShattered) return planes;
+  std::vector<Region> scanned = flatRegions(mesh, set, Flatness::kScanned);
+  return worthAName(scanned) >= kMended ? scanned : planes;
+}
+
 }  // namespace
 
 double areaOf(const SurfaceTree& tree) {
@@ -257,7 +272,7 @@ SurfaceTree findSurfaces(const SourceScene& source, const WeldedMesh& mesh, cons
   for (Draft& draft : grouper.drafts(faces, regionShare > 0)) {
     SurfaceGroup group;
     group.set = makeFaceSet(mesh, std::move(draft.faces));
-    group.regions = flatRegions(mesh, group.set);
+    group.regions = planesOfGroup(mesh, group.set, draft.splits && !draft.back, regionShare * grouper.area());
     std::vector<std::string> words(group.regions.size());
     if (draft.splits && !draft.back && !isOnePlane(group))
       words = regionWords(mesh, group, regionShare * grouper.area());
