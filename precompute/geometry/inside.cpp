@@ -15,7 +15,7 @@ namespace fiatlux {
 namespace {
 
 constexpr std::size_t kMostTransparent = 8;              // of transparent materials, in warnings
-constexpr double kTooWide = 100, kInMillimetres = 2000;  // m: what no room is, and what no building is
+constexpr double kTooWide = 250, kInMillimetres = 2000;  // m: what hardly a building is, and none
 constexpr double kTooNarrow = 0.5;                       // m
 constexpr double kRegionShare = 0.01;                    // of the area: such a plane is a surface of its own
 constexpr double kPieces = 40;                           // on the diagonal: how fine a first look round is

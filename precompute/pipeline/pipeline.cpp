@@ -2,7 +2,6 @@
 #include "precompute/pipeline/pipeline.h"
 
 #include <cassert>
-#include <iterator>
 #include <utility>
 
 #include "precompute/base/error.h"
@@ -10,7 +9,7 @@
 #include "precompute/geometry/place.h"
 #include "precompute/geometry/scale_guess.h"
 #include "precompute/geometry/source_changes.h"
-#include "precompute/light/lost_rays.h"
+#include "precompute/light/lost_light.h"
 #include "precompute/picture/display_mesh.h"
 #include "precompute/pipeline/provenance.h"
 #include "precompute/pipeline/steps.h"
@@ -27,6 +26,8 @@ SceneOptions consistent(SceneOptions options, const Host& host) {
 }
 
 namespace {
+
+constexpr double kMuchLost = 0.2;  // of the flux
 
 /// A model in metres.
 struct Measured {
@@ -59,10 +60,11 @@ OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host
   auto [room, tracer] = orThrow(buildTracedRoom(source, options));
   room.scale = scale;
 
-  // What is lost is told after where luminaires hang, and before what is found in the file.
-  std::vector<std::string> lost = warningsOfLostRays(room, tracer);
-  room.warnings.insert(room.warnings.begin() + static_cast<std::ptrdiff_t>(room.leading),
-                       std::make_move_iterator(lost.begin()), std::make_move_iterator(lost.end()));
+  // What is lost is told after where luminaires hang, and before what is found in the file; where it is much,
+  // before all.
+  const LostLight lost = lostLight(room, options.luminaires, tracer);
+  const auto after = lost.share > kMuchLost ? 0 : static_cast<std::ptrdiff_t>(room.leading);
+  room.warnings.insert(room.warnings.begin() + after, lost.warnings.begin(), lost.warnings.end());
   room.warnings.insert(room.warnings.begin(), notes.begin(), notes.end());
   if (host.warn) host.warn(room.warnings);
   return {std::move(source), std::move(room), std::move(tracer)};

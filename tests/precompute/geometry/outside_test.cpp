@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "precompute/light/lost_rays.h"
+#include "precompute/light/lost_light.h"
 #include "tests/precompute/gltf/gltf_builder.h"
 #include "tests/precompute/transport_of.h"
 
@@ -69,7 +69,8 @@ TEST(Outside, AnOpenShellOfSheetsHasNoBacks) {
     EXPECT_THAT(allWarnings(room->warnings), HasSubstr("82 m2 face the void"));
     EXPECT_THAT(allWarnings(room->warnings), HasSubstr("'ceiling (back)' 20 m2"));
     const auto tracer = RayTracer::build(*room);
-    EXPECT_THAT(warningsOfLostRays(*room, *tracer), ::testing::ElementsAre(HasSubstr("the room is open")));
+    EXPECT_THAT(lostLight(*room, {}, *tracer).warnings,
+                ::testing::ElementsAre(HasSubstr("the room is open")));
   }
   EXPECT_THAT(allWarnings(plain->warnings), Not(HasSubstr("void")));
 }

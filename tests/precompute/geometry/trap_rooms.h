@@ -2,6 +2,10 @@
 // plenums, in the open, or nowhere. None of them marks a mount or is named for what it is.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <utility>
+
 #include "tests/precompute/gltf/gltf_builder.h"
 
 namespace fiatlux::testing {
@@ -146,6 +150,55 @@ inline TrapRoom inUnits(double perMetre) {
 inline TrapRoom twoSided() {
   TrapRoom room(true);
   room.slab("s0", 0), room.walls(0, false), room.slab("s1", kStorey + kSlab);
+  return room;
+}
+
+/// A lowered ceiling of panels that do not touch, each its own square, below a slab.
+inline TrapRoom panels() {
+  TrapRoom room;
+  room.slab("s0", 0), room.walls(0, false), room.slab("s1", kStorey + kSlab);
+  TestMesh mesh;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 8; ++j)
+      mesh.box({0.6 * i + 0.01, kStorey - 0.2, 0.6 * j + 0.01}, {0.58, 0.02, 0.58}, false);
+  room.add("panels", mesh);
+  return room;
+}
+
+/// One mesh of triangles that all look their own way, some of which are missing.
+inline TrapRoom scan() {
+  TrapRoom room;
+  TestMesh box, mesh;
+  box.box({}, {kPlan.x, kStorey, kPlan.z}, true, 40);
+  const auto moved = [](const std::array<float, 3>& p) {
+    const auto by = [&](double phase) {
+      return 0.02 * std::sin(37 * p[0] + 53 * p[1] + 71 * p[2] + phase);  // m
+    };
+    return Vec3{p[0] + by(0), p[1] + by(2), p[2] + by(4)};
+  };
+  for (std::size_t i = 0; i < box.indices.size(); i += 3)
+    if (i % 70 != 0)
+      mesh.triangle(moved(box.positions[box.indices[i]]), moved(box.positions[box.indices[i + 1]]),
+                    moved(box.positions[box.indices[i + 2]]));
+  room.add("mesh0", mesh);
+  return room;
+}
+
+/// A room up to the ridge, whose roof is too steep for a ceiling.
+inline TrapRoom gable() {
+  TrapRoom room;
+  TestMesh mesh;
+  const double x = 8, z = 7, knee = 1.2, ridge = 4.2;
+  mesh.quad({}, {0, 0, z}, {x, 0, 0});
+  mesh.quad({}, {x, 0, 0}, {0, knee, 0}), mesh.quad({0, 0, z}, {0, knee, 0}, {x, 0, 0});
+  mesh.quad({0, knee, 0}, {x, 0, 0}, {0, ridge - knee, z / 2});
+  mesh.quad({0, ridge, z / 2}, {x, 0, 0}, {0, knee - ridge, z / 2});
+  for (const double at : {0.0, x}) {
+    const Vec3 a{at, 0, 0}, b{at, knee, 0}, c{at, ridge, z / 2}, d{at, knee, z}, e{at, 0, z};
+    for (const auto& [p, q] : {std::pair{b, c}, std::pair{c, d}, std::pair{d, e}})
+      at == 0 ? mesh.triangle(a, p, q) : mesh.triangle(a, q, p);
+  }
+  room.add("house", mesh);
   return room;
 }
 

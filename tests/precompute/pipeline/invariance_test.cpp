@@ -1,5 +1,5 @@
 // The same room said in another way has the same light; a room with faults has nearly the same, and says so
-// (lost_rays).
+// (lost_light).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <map>
 
-#include "precompute/light/lost_rays.h"
+#include "precompute/light/lost_light.h"
 #include "tests/precompute/gltf/gltf_builder.h"
 #include "tests/precompute/transport_of.h"
 
@@ -129,7 +129,7 @@ RoomLight lightOf(TestGltf gltf, double scale = 1, const Move& move = stay, cons
   }
   light.warnings = room->warnings;
   const auto tracer = RayTracer::build(*room);
-  for (const std::string& warning : warningsOfLostRays(*room, *tracer)) light.warnings.push_back(warning);
+  for (const std::string& warning : lostLight(*room, {}, *tracer).warnings) light.warnings.push_back(warning);
   light.patches = room->patches.count;
   return light;
 }
@@ -390,7 +390,7 @@ TEST(Invariance, AnOpenRoomSaysWhatItLoses) {
   EXPECT_NEAR(light.surfaces.at("east").lost, light.surfaces.at("west").lost, 0.005);
   EXPECT_EQ(light.surfaces.count("north"), 0u);
   EXPECT_THAT(light.warnings,
-              ElementsAre(AllOf(HasSubstr("the room is open"), HasSubstr("they leave towards +z (100 %)"))));
+              ElementsAre(AllOf(HasSubstr("the room is open"), HasSubstr("it leaves towards +z (100 %)"))));
 }
 
 }  // namespace
