@@ -10,7 +10,7 @@
 // view: where the eye stands at first, where it looks (m), and how much brighter than usual it sees (EV); without one it
 //   sees the whole room from outside.
 
-import { cell, spine } from './e-corridor.mjs';
+import { cell, spine } from './e-corridor-plan.mjs';
 import { precomputeOptions } from './opening-intentions.mjs';
 
 const numbered = (name, count) => Array.from({ length: count }, (_, i) => `${name} ${i + 1}`);

@@ -1,18 +1,9 @@
 // The E corridor: a spine with three arms, in cells of 0.75 m, 4 cells high. Its sizes give
 // 24736 patches of 0.1875 m, 1546 clusters of 4x4 patches and a yellow wall of 704 patches.
 // The luminaires hang from the spine's 258 ceiling cells.
+import { armDepth, arms, cell, height, spine } from './e-corridor-plan.mjs';
 import { Room } from './room.mjs';
 import { Shape } from '../web/room-maker/shape.mjs';
-
-export const cell = 0.75; // m
-export const height = 4; // cells
-export const spine = { width: 6, length: 43 }; // cells along x and z
-export const arms = [
-  { start: 0, width: 6 },
-  { start: 19, width: 5 },
-  { start: 37, width: 6 },
-]; // cells along z; every arm leaves the spine at x = 6
-export const armDepth = 11; // cells along x
 
 /** Wall stretches [x, z] -> [x, z] in cells, walked with the room on the left seen from above (x right, z down). */
 export function wallStretches() {
