@@ -1,10 +1,52 @@
 #include "precompute/light/measuring_grid.h"
 
+#include <iterator>
+#include <limits>
 #include <utility>
 
+#include "precompute/rays/hemisphere.h"
 #include "precompute/room/bounds.h"
 
 namespace fiatlux {
+
+namespace {
+
+constexpr double kTouching = 0.02;  // m: what stands closer over a place hides it
+
+/// Straight on and aslant: from within a body its inside is met in all of these directions.
+constexpr Vec3 kLooks[] = {{0, 0, 1}, {1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}};
+
+/// Whether a point is under what stands there, or in it.
+bool isHidden(const Room& room, const RayTracer& tracer, const MeasuringPoint& point) {
+  const Frame frame(point.normal);
+  const Vec3 origin = point.position + tracer.offset() * point.normal;
+  std::size_t insides = 0;
+  for (const Vec3& look : kLooks) {
+    const Vec3 direction = normalized(look.x * frame.x + look.y * frame.y + look.z * frame.z);
+    RayPacket packet;
+    tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
+    HitPacket hit;
+    tracer.intersect(packet, hit);
+    if (hit.triangle[0] == kNone) return false;
+    if (&look == kLooks && hit.distance[0] < kTouching) return true;
+    insides += room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
+  }
+  return insides == std::size(kLooks);
+}
+
+/// Without the points that are hidden though their patch is mostly free; all where none would be left.
+MeasuringGrid seenOf(const Room& room, const RayTracer& tracer, const MeasuringGrid& grid) {
+  MeasuringGrid left{grid.surface, grid.grid, {}};
+  left.grid.points.clear();
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    if (isHidden(room, tracer, grid.points[i])) continue;
+    left.grid.points.push_back(grid.grid.points[i]);
+    left.points.push_back(grid.points[i]);
+  }
+  return left.points.empty() ? grid : left;
+}
+
+}  // namespace
 
 std::vector<MeasuringGrid> measuringGrids(const Room& room) {
   const double lowest = boundsOf(room.positions).low.y;
@@ -27,7 +69,8 @@ std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
                                    const std::vector<float>& radiosity, PointOptions options) {
   options.spatial = false;
   std::vector<GridReading> readings;
-  for (const MeasuringGrid& grid : measuringGrids(room)) {
+  for (const MeasuringGrid& whole : measuringGrids(room)) {
+    const MeasuringGrid grid = seenOf(room, tracer, whole);
     std::vector<double> values;
     for (const PointReading& reading : readPoints(room, tracer, grid.points, luminaires, radiosity, options))
       values.push_back(reading.total);

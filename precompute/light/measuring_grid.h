@@ -20,8 +20,9 @@ struct MeasuringGrid {
 /// One grid for each chart of a floor or a level measuring plane that has a point.
 std::vector<MeasuringGrid> measuringGrids(const Room& room);
 
-/// Every grid of the room, read on its own plane (PointOptions::spatial does not matter); `radiosity` as in
-/// readPoints.
+/// Every grid of the room, read on its own plane (PointOptions::spatial does not matter), but for points that
+/// something stands on: a patch that is free for its greater part counts, and its point may be in the rest.
+/// `radiosity` as in readPoints.
 std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
                                    const std::vector<Luminaire>& luminaires,
                                    const std::vector<float>& radiosity, PointOptions options);

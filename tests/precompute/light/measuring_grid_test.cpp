@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "precompute/validation/rectangle_room.h"
+#include "tests/precompute/gltf/gltf_builder.h"
 
 namespace fiatlux {
 namespace {
@@ -56,6 +58,34 @@ TEST(MeasuringGrid, ReadingsGiveMeanLeastAndUniformity) {
   EXPECT_NEAR(readings[0].uniformity(), least / readings[0].mean, 1e-12);
   EXPECT_LT(readings[0].uniformity(), 0.9);
   EXPECT_GT(readings[0].uniformity(), 0.1);
+}
+
+TEST(MeasuringGrid, APointThatSomethingStandsOnIsNotRead) {
+  testing::TestGltf gltf = testing::boxRoom({4, 2.5, 4}, 1);
+  testing::TestMesh block;
+  block.box({1.4, 0.001, 1.4}, {0.75, 0.6, 0.75}, false);
+  gltf.node("block", gltf.mesh(block, 0));
+  RoomOptions options;
+  options.patch = 0.5;
+  const Result<Room> room = gltf.build(options);
+  ASSERT_TRUE(room) << room.error().message;
+  const auto tracer = RayTracer::build(*room);
+  ASSERT_TRUE(tracer);
+  Luminaire lamp;
+  lamp.position = {2, 2.4, 2};
+  lamp.flux = 1000;
+  PointOptions reading;
+  reading.threads = 1;
+  const auto isIn = [](const MeasuringPoint& p) {
+    return p.position.x > 1.4 && p.position.x < 2.15 && p.position.z > 1.4 && p.position.z < 2.15;
+  };
+  const std::vector<MeasuringGrid> grids = measuringGrids(*room);
+  ASSERT_EQ(grids.size(), 1u);
+  const auto within = std::count_if(grids[0].points.begin(), grids[0].points.end(), isIn);
+  ASSERT_GT(within, 0);
+  const std::vector<GridReading> readings = readGrids(*room, *tracer, {lamp}, {}, reading);
+  EXPECT_EQ(readings[0].points, grids[0].points.size() - static_cast<std::size_t>(within));
+  EXPECT_GT(readings[0].least, 1);
 }
 
 }  // namespace
