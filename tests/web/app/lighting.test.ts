@@ -271,3 +271,12 @@ test('what is wrong with a room is told before it is computed, once', async () =
   expect(room.told).toEqual(['“a”: The room is open: 28 % of its rays meet nothing.']);
   expect(store.messages.peek()).toHaveLength(1);
 });
+
+test('what was wrong with a room is not said of the next one', async () => {
+  const { store, room, lighting } = lightingOf(draft);
+  room.warnings = ['the room is open'];
+  await lighting.light({ name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() });
+  room.warnings = ['it has no floor'];
+  await lighting.light({ name: 'b.glb', bytes: new Uint8Array(4), siblings: new Map() });
+  expect(store.messages.peek().map(({ text }) => text)).toEqual(['“b”: It has no floor.']);
+});

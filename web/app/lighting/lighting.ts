@@ -62,6 +62,7 @@ export class Lighting {
   sheet: ImportSheet | null = null; // the latest one; store.sheet says whether it is open
   readonly #polishing: Polishing;
   #running: Running | null = null;
+  readonly #warnings: number[] = []; // messages of the latest model
   #model: Model | null = null;
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
@@ -85,6 +86,7 @@ export class Lighting {
   async light(model: Model, choices?: ModelChoices): Promise<void> {
     this.cancel();
     this.closeSheet();
+    this.#forgetWarnings();
     this.#polishing.release(); // the next room wants its memory
     const running = (this.#running = {
       controller: new AbortController(),
@@ -183,6 +185,7 @@ export class Lighting {
   async adjust(): Promise<void> {
     const { ImportSheet } = await import('./import-sheet.ts');
     if (!this.#model || this.#store.sheet.peek()) return;
+    this.#forgetWarnings(); // the sheet has its own, of what is chosen there
     this.sheet = new ImportSheet(this.#store, this, this.#createPool, this.#model, this.#choices);
   }
 
@@ -234,7 +237,7 @@ export class Lighting {
     };
     const wish = { model, signal, tell };
     const opened = ({ warnings }: RoomCounts) => {
-      if (signal.aborted) return;
+      if (signal.aborted || this.#store.sheet.peek()) return;
       for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
     };
     const { coarseness, rays, exchange } = draft;
@@ -361,7 +364,12 @@ export class Lighting {
 
   #warn(title: string, warning: string): void {
     const said = warning.replace(/; (choose with )?--[^;]*$/, ''); // an option of the command
-    this.#store.say('warning', words.value.opening.about(title, sentence(said)));
+    this.#warnings.push(this.#store.say('warning', words.value.opening.about(title, sentence(said))));
+  }
+
+  /** They were of a room, or of a choice, that is left behind. */
+  #forgetWarnings(): void {
+    for (const message of this.#warnings.splice(0)) this.#store.dismiss(message);
   }
 }
 
