@@ -140,11 +140,14 @@ export class Shadows {
   #shade({ face, cells }: Tile, covered: Uint8Array, sources: readonly Source[], found: Float32Array): void {
     let [seen, hidden] = [0, 0];
     probes.forEach(([u, v], k) => {
-      const source = sources[k % sources.length]!;
+      if (seen > 0 && hidden > 0) return;
       const [x, y, z] = placeAbove(face, u, v, lift);
-      if (!(lightAt(source, face.normal, x, y, z) > 0)) return;
-      if (this.#sees(source, x, y, z)) seen++;
-      else hidden++;
+      // At its corners as its neighbours see it, so that no shadow ends between them.
+      for (const source of k < 3 ? sources : [sources[k % sources.length]!]) {
+        if (!(lightAt(source, face.normal, x, y, z) > 0)) continue;
+        if (this.#sees(source, x, y, z)) seen++;
+        else hidden++;
+      }
     });
     if (hidden === 0) return;
     const points = this.#points;
