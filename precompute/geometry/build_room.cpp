@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/base/short_number.h"
@@ -43,12 +42,9 @@ std::uint32_t floorBelow(const Room& room, const RayTracer& tracer) {
   std::vector<std::uint32_t> met(room.surfaces.size(), 0);
   constexpr Vec3 kStraightDown{0, -1, 0};
   for (const Site& site : room.sites) {
-    RayPacket packet;
     const Vec3 from = site.position + tracer.offset() * site.normal;
-    tracer.aim(packet, from, kStraightDown, std::numeric_limits<float>::infinity());
-    HitPacket hits;
-    tracer.intersect(packet, hits);
-    const std::uint32_t p = room.patchMet(from, kStraightDown, hits.triangle[0], hits.distance[0]);
+    const auto [triangle, distance] = tracer.firstHit(from, kStraightDown);
+    const std::uint32_t p = room.patchMet(from, kStraightDown, triangle, distance);
     if (p != kNone && room.patches.normal[p].y > kFloorLike) ++met[room.patches.surface[p]];
   }
   const auto most = std::max_element(met.begin(), met.end());

@@ -30,14 +30,10 @@ FreeSpace::FreeSpace(const WeldedMesh& mesh, const RayTracer& tracer, const std:
 }
 
 FreeSpace::Met FreeSpace::meet(const Vec3& origin, const Vec3& direction) const {
-  RayPacket packet;
-  tracer_.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
-  HitPacket hits;
-  tracer_.intersect(packet, hits);
-  const std::uint32_t t = hits.triangle[0];
+  const auto [t, distance] = tracer_.firstHit(origin, direction);
   if (t == kNone) return {};
   const bool back = dot(direction, areaVector(mesh_.positions, mesh_.triangles[t].vertex)) > 0;
-  return {t, hits.distance[0], back, isSurface_[t][back]};
+  return {t, distance, back, isSurface_[t][back]};
 }
 
 std::optional<double> FreeSpace::floorAt(const Met& met) const {

@@ -190,12 +190,8 @@ void lower(const Mount& mount, double drop, const RayTracer& tracer, std::vector
            std::vector<std::string>& warnings) {
   const std::size_t before = sites.size();
   const auto isInTheWay = [&](const Site& site) {
-    RayPacket cord;
-    const double clear = kLuminaireClearance;
-    tracer.aim(cord, site.position + clear * site.normal, site.normal, drop);
-    bool blocked[RayPacket::kSize];
-    tracer.occluded(cord, blocked);
-    return blocked[0];
+    const Vec3 from = site.position + kLuminaireClearance * site.normal;
+    return tracer.isBlocked(from, from + drop * site.normal);
   };
   sites.erase(std::remove_if(sites.begin(), sites.end(), isInTheWay), sites.end());
   for (Site& site : sites) site.position += drop * site.normal;

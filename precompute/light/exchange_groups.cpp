@@ -122,11 +122,8 @@ std::vector<std::uint8_t> barriersOf(const Room& room, const RayTracer& tracer) 
       if (q == kNone) continue;
       const Vec3 from = patches.center[p] + lift * patches.normal[p],
                  to = patches.center[q] + lift * patches.normal[q];
-      RayPacket ray;
-      tracer.aim(ray, from, to - from, 1);
-      bool blocked[RayPacket::kSize];
-      tracer.occluded(ray, blocked);
-      if (blocked[0]) barriers[p] |= side == 0 ? ExchangeGroups::kLeftBarrier : ExchangeGroups::kUpBarrier;
+      if (tracer.isBlocked(from, to))
+        barriers[p] |= side == 0 ? ExchangeGroups::kLeftBarrier : ExchangeGroups::kUpBarrier;
     }
   }
   return barriers;

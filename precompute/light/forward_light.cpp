@@ -1,7 +1,6 @@
 #include "precompute/light/forward_light.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/transport/low_rank_radiosity.h"
 #include "core/transport/site_responses.h"
@@ -47,12 +46,9 @@ double lostShare(const Room& room, const RayTracer& tracer, const Luminaire& lum
     const Vec3 origin = source.startAt(sample[2], sample[3]),
                direction = source.direction(sample[0], sample[1]);
     const double weight = source.weight(direction);
-    RayPacket packet;
-    tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
-    HitPacket hit;
-    tracer.intersect(packet, hit);
+    const auto [triangle, distance] = tracer.firstHit(origin, direction);
     all += weight;
-    if (room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone) lost += weight;
+    if (room.patchMet(origin, direction, triangle, distance) == kNone) lost += weight;
   }
   return all > 0 ? lost / all : 0;
 }

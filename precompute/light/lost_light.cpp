@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -116,13 +115,9 @@ class LightPath {
     }
   };
   Met cast(const Vec3& origin, const Vec3& direction) const {
-    RayPacket packet;
-    tracer_.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
-    HitPacket hit;
-    tracer_.intersect(packet, hit);
-    const std::uint32_t t = hit.triangle[0];
+    const auto [t, distance] = tracer_.firstHit(origin, direction);
     if (t == kNone) return {};
-    return {t, room_.patchMet(origin, direction, t, hit.distance[0]), hit.distance[0]};
+    return {t, room_.patchMet(origin, direction, t, distance), distance};
   }
 
   /// The patch that is met; kNone where the light is lost, which is noted.

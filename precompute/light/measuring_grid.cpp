@@ -1,7 +1,6 @@
 #include "precompute/light/measuring_grid.h"
 
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "precompute/rays/hemisphere.h"
@@ -23,13 +22,10 @@ bool isHidden(const Room& room, const RayTracer& tracer, const MeasuringPoint& p
   std::size_t insides = 0;
   for (const Vec3& look : kLooks) {
     const Vec3 direction = normalized(look.x * frame.x + look.y * frame.y + look.z * frame.z);
-    RayPacket packet;
-    tracer.aim(packet, origin, direction, std::numeric_limits<float>::infinity());
-    HitPacket hit;
-    tracer.intersect(packet, hit);
-    if (hit.triangle[0] == kNone) return false;
-    if (&look == kLooks && hit.distance[0] < kTouching) return true;
-    insides += room.patchMet(origin, direction, hit.triangle[0], hit.distance[0]) == kNone;
+    const auto [triangle, distance] = tracer.firstHit(origin, direction);
+    if (triangle == kNone) return false;
+    if (&look == kLooks && distance < kTouching) return true;
+    insides += room.patchMet(origin, direction, triangle, distance) == kNone;
   }
   return insides == std::size(kLooks);
 }

@@ -3,6 +3,7 @@
 #include "precompute/rays/ray_tracer.h"
 
 #include <cassert>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,23 @@ void RayTracer::intersect(const RayPacket& rays, HitPacket& hits) const {
 
 void RayTracer::occluded(const RayPacket& rays, bool* blocked, bool coherent) const {
   parts_->geometry.occluded(rays, blocked, coherent);
+}
+
+RayHit RayTracer::firstHit(const Vec3& origin, const Vec3& direction) const {
+  RayPacket ray;
+  aim(ray, origin, direction, std::numeric_limits<float>::infinity());
+  HitPacket hit;
+  intersect(ray, hit);
+  if (hit.triangle[0] == kNone) return {};
+  return {hit.triangle[0], hit.distance[0]};
+}
+
+bool RayTracer::isBlocked(const Vec3& from, const Vec3& to) const {
+  RayPacket ray;
+  aim(ray, from, to - from, 1);
+  bool blocked[RayPacket::kSize];
+  occluded(ray, blocked);
+  return blocked[0];
 }
 
 double RayTracer::offset() const { return parts_->offset; }

@@ -27,6 +27,12 @@ struct HitPacket {
   float distance[RayPacket::kSize];          // in lengths of the direction
 };
 
+/// What one ray met first.
+struct RayHit {
+  std::uint32_t triangle = kNone;  // kNone = nothing
+  double distance = 0;             // in lengths of the direction
+};
+
 /// Knows triangles, not what they are to the light; keeps a copy of them. Thread-safe once built.
 class RayTracer {
  public:
@@ -46,6 +52,11 @@ class RayTracer {
   /// blocked[i]: a triangle's front or back crosses ray i. `coherent`: faster where the rays go nearly the
   /// same way, slower where not.
   void occluded(const RayPacket& rays, bool* blocked, bool coherent = false) const;
+
+  /// One ray alone, world coordinates, metres: what it meets first, however far.
+  RayHit firstHit(const Vec3& origin, const Vec3& direction) const;
+  /// Whether a triangle's front or back crosses the straight way between two points, m.
+  bool isBlocked(const Vec3& from, const Vec3& to) const;
 
   /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
   double offset() const;

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -83,18 +82,14 @@ class PathTracer {
   std::optional<Meeting> meet(const Vec3& from, const Vec3& direction, bool throughBacks) const {
     Vec3 origin = from;
     for (int sheets = 0; sheets < 16; ++sheets) {
-      RayPacket ray;
-      HitPacket hit;
-      tracer_.aim(ray, origin, direction, std::numeric_limits<float>::infinity());
-      tracer_.intersect(ray, hit);
-      const std::uint32_t t = hit.triangle[0];
+      const auto [t, distance] = tracer_.firstHit(origin, direction);
       if (t == kNone) return {};
       const auto& v = room_.triangles[t].vertex;
       const Vec3 a = room_.positions[v[0]];
       const Vec3 front = normalized(cross(room_.positions[v[1]] - a, room_.positions[v[2]] - a));
       const bool back = dot(direction, front) > 0;
-      const std::uint32_t patch = room_.patchMet(origin, direction, t, hit.distance[0]);
-      const Vec3 point = origin + hit.distance[0] * direction;
+      const std::uint32_t patch = room_.patchMet(origin, direction, t, distance);
+      const Vec3 point = origin + distance * direction;
       if (patch != kNone)
         return Meeting{
             t, patch, back, length(point - from) / length(direction), point, back ? -front : front};

@@ -12,6 +12,20 @@
 namespace fiatlux {
 namespace {
 
+/// Under the middle of a room of 4 x 2.5 x 4 m.
+Luminaire lampOfMiddle() {
+  Luminaire lamp;
+  lamp.position = {2, 2.4, 2};
+  lamp.flux = 1000;
+  return lamp;
+}
+
+PointOptions oneThread() {
+  PointOptions options;
+  options.threads = 1;
+  return options;
+}
+
 TEST(MeasuringGrid, AFloorHasOneWithARimAndAMeasuringPlaneToo) {
   auto faces = boxSurfaces({0, 0, 0}, {6, 2.5, 4}, 0.5, 0.25);
   RectangleSurface plane = faces[0];
@@ -42,15 +56,10 @@ TEST(MeasuringGrid, ReadingsGiveMeanLeastAndUniformity) {
   const Room room = rectangleRoom(boxSurfaces({0, 0, 0}, {4, 2.5, 4}, 0.5, 0.5));
   const auto tracer = RayTracer::build(room);
   ASSERT_TRUE(tracer);
-  Luminaire lamp;
-  lamp.position = {2, 2.4, 2};
-  lamp.flux = 1000;
-  PointOptions options;
-  options.threads = 1;
-  const std::vector<GridReading> readings = readGrids(room, *tracer, {lamp}, {}, options);
+  const std::vector<GridReading> readings = readGrids(room, *tracer, {lampOfMiddle()}, {}, oneThread());
   ASSERT_EQ(readings.size(), 1u);
   const std::vector<PointReading> points =
-      readPoints(room, *tracer, measuringGrids(room)[0].points, {lamp}, {}, options);
+      readPoints(room, *tracer, measuringGrids(room)[0].points, {lampOfMiddle()}, {}, oneThread());
   double sum = 0, least = points[0].total;
   for (const PointReading& point : points) sum += point.total, least = std::min(least, point.total);
   EXPECT_NEAR(readings[0].mean, sum / static_cast<double>(points.size()), 1e-9);
@@ -71,11 +80,6 @@ TEST(MeasuringGrid, APointThatSomethingStandsOnIsNotRead) {
   ASSERT_TRUE(room) << room.error().message;
   const auto tracer = RayTracer::build(*room);
   ASSERT_TRUE(tracer);
-  Luminaire lamp;
-  lamp.position = {2, 2.4, 2};
-  lamp.flux = 1000;
-  PointOptions reading;
-  reading.threads = 1;
   const auto isIn = [](const MeasuringPoint& p) {
     return p.position.x > 1.4 && p.position.x < 2.15 && p.position.z > 1.4 && p.position.z < 2.15;
   };
@@ -83,7 +87,7 @@ TEST(MeasuringGrid, APointThatSomethingStandsOnIsNotRead) {
   ASSERT_EQ(grids.size(), 1u);
   const auto within = std::count_if(grids[0].points.begin(), grids[0].points.end(), isIn);
   ASSERT_GT(within, 0);
-  const std::vector<GridReading> readings = readGrids(*room, *tracer, {lamp}, {}, reading);
+  const std::vector<GridReading> readings = readGrids(*room, *tracer, {lampOfMiddle()}, {}, oneThread());
   EXPECT_EQ(readings[0].points, grids[0].points.size() - static_cast<std::size_t>(within));
   EXPECT_GT(readings[0].least, 1);
 }

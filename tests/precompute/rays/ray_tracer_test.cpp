@@ -93,6 +93,19 @@ TEST(RayTracer, AShadowRayEndsWhereItIsTold) {
   EXPECT_LT(tracer->offset(), 1e-4);
 }
 
+TEST(RayTracer, OneRayAloneIsLaneOfAPacket) {
+  const Soup wall{{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}, {{0, 1, 2}}};
+  const auto tracer = RayTracer::build(wall.positions, wall.triangles);
+  ASSERT_TRUE(tracer);
+  const RayHit hit = tracer->firstHit({1, 1, 0}, {0, 0, 2});
+  EXPECT_EQ(hit.triangle, 0u);
+  EXPECT_NEAR(hit.distance, 0.5, 1e-6);
+  EXPECT_EQ(tracer->firstHit({1, 1, 0}, {0, 0, -2}).triangle, kNone);
+  EXPECT_FALSE(tracer->isBlocked({1, 1, 0}, {1, 1, 0.9}));
+  EXPECT_TRUE(tracer->isBlocked({1, 1, 0}, {1, 1, 1.1}));
+  EXPECT_TRUE(tracer->isBlocked({1, 1, 1.1}, {1, 1, 0}));
+}
+
 TEST(RayTracer, WithoutTrianglesARayMeetsNothing) {
   const auto tracer = RayTracer::build(Room{});
   ASSERT_TRUE(tracer) << tracer.error().message;

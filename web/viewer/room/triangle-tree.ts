@@ -49,6 +49,7 @@ export class TriangleTree {
     dz: number,
     bothSides: boolean,
     limit: number,
+    orAny = false, // whatever is met within the limit will do
   ): number {
     const stack = this.#stack;
     const { start, count } = this.#nodes;
@@ -75,6 +76,7 @@ export class TriangleTree {
         best = far;
         this.met = first;
         this.isBack = distance < 0;
+        if (orAny) return best;
       }
     }
     return best;
@@ -82,25 +84,8 @@ export class TriangleTree {
 
   /** Whether a triangle, met from either side, is nearer along the ray from o than `limit` lengths of d. */
   isBlocked(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, limit: number): boolean {
-    const stack = this.#stack;
-    const { start, count } = this.#nodes;
-    const [ix, iy, iz] = [1 / (dx || tiny), 1 / (dy || tiny), 1 / (dz || tiny)];
-    let depth = 0;
-    if (count.length > 0) stack[depth++] = 0;
-    while (depth > 0) {
-      const node = stack[--depth]!;
-      if (!this.#nodes.isMet(node, ox, oy, oz, ix, iy, iz, limit)) continue;
-      const held = count[node]!;
-      if (held === 0) {
-        stack[depth++] = start[node]!;
-        stack[depth++] = node + 1;
-        continue;
-      }
-      for (let i = start[node]!; i < start[node]! + held; i++)
-        if (Math.abs(this.#distance(3 * this.#triangles[i]!, ox, oy, oz, dx, dy, dz, true)) < limit)
-          return true;
-    }
-    return false;
+    this.reach(ox, oy, oz, dx, dy, dz, true, limit, true);
+    return this.met >= 0;
   }
 
   /** Visits the triangles whose boxes touch a box, until one answers true; whether one did. */
