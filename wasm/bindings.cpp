@@ -358,6 +358,8 @@ std::string setIntentions(Session& session, val asked) {
   return errorOf(session.setIntentions(intentionsOf(asked, session)));
 }
 
+bool roomFor(const Session& session, val luminaires) { return session.hasRoom(rulesOf(luminaires)); }
+
 // --- search
 
 std::string start(Session& session, std::uint32_t seed) { return errorOf(session.start(seed, nullptr)); }
@@ -746,6 +748,7 @@ EMSCRIPTEN_BINDINGS(session) {
       .function("info", &info)
       .function("setPowers", &setPowers)
       .function("setIntentions", &setIntentions)
+      .function("hasRoom", &roomFor)
       .function("prepareSearch", &Session::prepareSearch)
       .function("start", &start)
       .function("startFrom", &startFrom)

@@ -322,15 +322,18 @@ Result<Done> checkConstraint(const Scene& scene, const Constraint& c, Quantity q
 
 }  // namespace
 
-Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, Asking asking) {
-  const LuminaireRules& rules = intentions.luminaires;
+Result<Done> checkRules(const Scene& scene, const LuminaireRules& rules) {
   if (scene.sites.empty()) return Error{"the scene has no sites, so no luminaire can hang; give it a mount"};
   if (auto ok = checkCount(rules); !ok) return ok;
   if (auto ok = checkFluxes(rules); !ok) return ok;
   if (auto ok = checkSites(scene, rules); !ok) return ok;
   if (auto ok = checkTypes(scene, rules); !ok) return ok;
   if (auto ok = checkDistance(scene, rules); !ok) return ok;
-  if (auto ok = checkArrangement(scene, rules); !ok) return ok;
+  return checkArrangement(scene, rules);
+}
+
+Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions, Asking asking) {
+  if (auto ok = checkRules(scene, intentions.luminaires); !ok) return ok;
   for (std::size_t g = 0; g < intentions.goals.size(); ++g) {
     const Goal& goal = intentions.goals[g];
     if (auto ok = checkGoal(scene, goal, quantityOf(intentions, goal), asking, "goal " + text(g + 1)); !ok)

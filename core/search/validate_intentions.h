@@ -16,4 +16,7 @@ enum class Asking : std::uint8_t { kPerson, kBoundSearch };
 Result<Done> checkIntentions(const Scene& scene, const Intentions& intentions,
                              Asking asking = Asking::kPerson);
 
+/// The same of the luminaires alone: is there room for them in this scene as they are asked for?
+Result<Done> checkRules(const Scene& scene, const LuminaireRules& rules);
+
 }  // namespace fiatlux

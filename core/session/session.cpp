@@ -200,6 +200,8 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   return Done{};
 }
 
+bool Session::hasRoom(const LuminaireRules& rules) const { return scene_ && checkRules(*scene_, rules); }
+
 /// What they ask for beside all light on surfaces is made when it is asked for first.
 Result<Done> Session::lightFor(const Intentions& intentions) {
   if (asksForDirect(intentions))

@@ -97,6 +97,10 @@ class Session {
   Result<Done> setIntentions(const Intentions& intentions);
   const Intentions& intentions() const { return intentions_; }
 
+  /// Is there room on the scene's sites for luminaires as these rules want them? False where no scene is
+  /// open.
+  bool hasRoom(const LuminaireRules& rules) const;
+
   /// Some of what a search for the intentions will want to know of the scene: true when nothing is left that
   /// takes longer than reading `rows` rows of its light. Whoever does not wait has it made by start().
   bool prepareSearch(std::size_t rows);

@@ -3,7 +3,7 @@
 import type { PhotometricDescription } from '../../web/document/photometry.ts';
 import { boundedBy } from '../../web/document/intentions.ts';
 import type { FromWorker, OpeningLight, Shown, ToWorker } from '../../web/solver/protocol.ts';
-import type { Intentions, Layout, SceneInfo } from '../../web/document/types.ts';
+import type { Intentions, Layout, Luminaires, SceneInfo } from '../../web/document/types.ts';
 import type { WorkerLike } from '../../web/solver/solver-client.ts';
 import { described } from './described.ts';
 
@@ -103,6 +103,7 @@ export class FakeSolver implements WorkerLike {
   readonly asked: ToWorker[] = [];
   light: OpeningLight | null = null; // that the next file begins with
   describes: PhotometricDescription | string = described(100); // of any photometric file
+  hasRoom: (luminaires: Luminaires) => boolean = () => true;
   terminated = false;
   #queue: FromWorker[] = [];
 
@@ -142,6 +143,12 @@ export class FakeSolver implements WorkerLike {
           constraints: boundedBy(intentions).map(() => (surface === 0 ? 30 : 3)),
         }));
         this.#queue.push({ type: 'gained', revision, gains });
+        return;
+      }
+      case 'fit': {
+        const { revision, luminaires } = message;
+        const first = luminaires.findIndex((each) => this.hasRoom(each));
+        this.#queue.push({ type: 'fitted', revision, first: first < 0 ? null : first });
         return;
       }
       case 'describe':

@@ -48,6 +48,7 @@ export class App {
   readonly solving: Solving;
   readonly hand: Hand;
   readonly tasks: TaskAreas;
+  readonly comparing: Comparing;
   readonly opening: Opening;
   readonly keeping: Keeping;
   readonly types: LuminaireTypes;
@@ -62,7 +63,7 @@ export class App {
     this.solving = new Solving(store, this.viewer, createWorker);
     this.hand = new Hand(store, this.solving);
     this.tasks = new TaskAreas(store);
-    new Comparing(store, this.solving);
+    this.comparing = new Comparing(store, this.solving);
     new BestFinding(store, this.solving);
     this.types = new LuminaireTypes(store, this.solving);
     this.painting = new Painting(store, this.solving, this.viewer);

@@ -3,15 +3,13 @@
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
 import { effect, untracked } from '@preact/signals';
-import { hasRoomInMiddle } from '../document/middle.ts';
-import type { Arrangement, Intentions, Layout, Luminaires, Rule, SceneInfo } from '../document/types.ts';
+import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
+import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
 import { wattsOf } from './state/power.ts';
 import type { Comparison, CountTried, Store } from './state/store.ts';
-
-type Sites = SceneInfo['sites'];
 
 export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
 
@@ -46,28 +44,26 @@ export function withCount(asked: Intentions, count: number): Intentions {
   return { ...asked, luminaires: { ...luminaires, count } };
 }
 
-/** The same wish under another rule; the axis stays where it has a meaning. */
-export function withRule(asked: Intentions, rule: Rule, sites: Sites): Intentions {
-  return {
-    ...asked,
-    luminaires: { ...asked.luminaires, arrangement: arrangementOf(rule, asked.luminaires, sites) },
-  };
-}
+/** The same wish under another rule. */
+export const withArrangement = (asked: Intentions, arrangement: Arrangement): Intentions => ({
+  ...asked,
+  luminaires: { ...asked.luminaires, arrangement },
+});
 
 /**
- * A rule with the axis that the luminaires had, as far as it has one. A field that is new lies in the middle of the places
- * where it can, as it would be hung; to be even better anywhere else is asked for by its axis.
+ * A rule with the axis that the luminaires had, as far as it has one; of several the first is meant that the room has places
+ * for. A field that is new lies in the middle of the places where it can, as it would be hung: an odd number of columns has
+ * no middle among an even number of places, but its rows may have one. To be even better anywhere else is asked for by its
+ * axis.
  */
-export function arrangementOf(rule: Rule, luminaires: Luminaires, sites: Sites): Arrangement {
+export function arrangementsOf(rule: Rule, luminaires: Luminaires): readonly [Arrangement, ...Arrangement[]] {
   const { axis, rule: had } = luminaires.arrangement ?? {};
   const isNewField = rule === 'field' && had !== 'field' && (axis === undefined || had === 'rows');
-  if (isNewField && luminaires.pinned.length === 0) {
-    const middle = (['both', 'x', 'z'] as const).find((each) => hasRoomInMiddle(sites, luminaires, each));
-    if (middle) return { rule, axis: middle };
-  }
-  if (axis === undefined || rule === 'free') return { rule };
+  if (isNewField && luminaires.pinned.length === 0)
+    return [{ rule, axis: 'both' }, { rule, axis: 'x' }, { rule, axis: 'z' }, { rule }];
+  if (axis === undefined || rule === 'free') return [{ rule }];
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
-  return has ? { rule, axis } : { rule };
+  return [has ? { rule, axis } : { rule }];
 }
 
 /**
@@ -99,6 +95,7 @@ export class Comparing {
   readonly #solving: Solving;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #relieved: Intentions | null = null; // whose ways out have been asked for
+  #choice = 0; // of an arrangement: the latest wins
   #asked: Intentions | null = null; // whose outcomes are on their way; until then the last ones stay, dimmed
 
   constructor(store: Store, solving: Solving) {
@@ -123,6 +120,29 @@ export class Comparing {
     });
   }
 
+  /** Luminaires hang under another rule from now on, as somebody wants who says no more than that. */
+  async choose(rule: Rule): Promise<void> {
+    const choice = ++this.#choice;
+    const { luminaires } = this.#store.traced.peek().intentions;
+    const arrangement = await this.#arrangementOf(rule, luminaires).catch(() => null);
+    if (arrangement && choice === this.#choice) this.arrange(arrangement);
+  }
+
+  arrange(arrangement: Arrangement): void {
+    this.#choice++;
+    this.#store.edit(words.value.steps.arrangement, (draft) => {
+      if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
+      else draft.luminaires.arrangement = { ...arrangement };
+    });
+  }
+
+  async #arrangementOf(rule: Rule, luminaires: Luminaires): Promise<Arrangement> {
+    const meant = arrangementsOf(rule, luminaires);
+    if (meant.length === 1) return meant[0];
+    const first = await this.#solving.fit(meant.map((arrangement) => ({ ...luminaires, arrangement })));
+    return meant[first ?? meant.length - 1] ?? { rule };
+  }
+
   #ask(of: Intentions): void {
     const { scene, comparison, document } = this.#store;
     const sites = scene.peek()?.sites;
@@ -132,20 +152,30 @@ export class Comparing {
     const take = (change: Partial<Comparison>) =>
       void (comparison.value = { of, ...untried, ...currentOf(comparison.peek(), of), ...change });
     this.#asked = of;
+    const beyond = (tried: readonly CountTried[]) => {
+      const isEnough = fewestMet({ counts: tried }) !== null;
+      const more = isEnough ? [] : countsBeyond(document.peek().luminaires, places);
+      if (more.length > 0) this.#tryCounts(of, more, (found) => take({ beyond: found }));
+    };
     this.#tryCounts(of, counts, (tried) => {
       take({ counts: tried });
       if (tried.length < counts.length) return;
-      this.#try(
-        rules.map((rule) => withRule(of, rule, sites)),
-        evaluationsOfRule,
-        (found) => {
-          take({ rules: byRule(found, (layout) => this.#watts(layout)) });
-          const isEnough = fewestMet({ counts: tried }) !== null;
-          const more = isEnough ? [] : countsBeyond(document.peek().luminaires, places);
-          if (more.length > 0) this.#tryCounts(of, more, (beyond) => take({ beyond }));
-        },
-      );
+      void this.#tryRules(of, (found) => {
+        take({ rules: found });
+        beyond(tried);
+      });
     });
+  }
+
+  async #tryRules(of: Intentions, told: (found: Comparison['rules']) => void): Promise<void> {
+    const asked = rules.map((rule) => this.#arrangementOf(rule, of.luminaires));
+    const arrangements = await Promise.all(asked).catch(() => null);
+    if (!arrangements || this.#asked !== of) return;
+    this.#try(
+      arrangements.map((arrangement) => withArrangement(of, arrangement)),
+      evaluationsOfRule,
+      (found) => told(byRule(found, (layout) => this.#watts(layout))),
+    );
   }
 
   #tryCounts(of: Intentions, counts: readonly number[], told: (tried: CountTried[]) => void): void {

@@ -7,7 +7,14 @@ import type { Draft } from 'immer';
 import { readingOrder, renumbered } from '../document/reading-order.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
-import type { FiatLuxDocument, Intentions, Layout, LuminaireType, SceneInfo } from '../document/types.ts';
+import type {
+  FiatLuxDocument,
+  Intentions,
+  Layout,
+  Luminaires,
+  LuminaireType,
+  SceneInfo,
+} from '../document/types.ts';
 import type { FromWorker, OpeningLight, PaintGain, Seen, Shown } from '../solver/protocol.ts';
 import { SolverClient, type FileBytes, type WorkerLike } from '../solver/solver-client.ts';
 import type { Viewer } from '../viewer/types.ts';
@@ -236,6 +243,11 @@ export class Solving {
     return this.#client.gains(this.#store.traced.peek().intentions, shown.layout);
   }
 
+  /** The first of these luminaires that the room has places for; null where it has none. Rejects with one readable line. */
+  fit(luminaires: readonly Luminaires[]): Promise<number | null> {
+    return this.#client.fit(luminaires);
+  }
+
   /** What a photometric file says. Rejects with one readable line. */
   describe(file: Uint8Array): Promise<PhotometricDescription> {
     return this.#client.describe(file);
@@ -370,6 +382,7 @@ export class Solving {
       case 'readings': // the client keeps these for whoever asked
       case 'described':
       case 'gained':
+      case 'fitted':
         return;
       case 'failed':
         return this.#failed(message);

@@ -1,7 +1,15 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
 import { boundedBy } from '../document/intentions.ts';
 import { paintByLeaf } from '../document/paint.ts';
-import type { Constraint, Glare, Intentions, Layout, Paint, SceneInfo } from '../document/types.ts';
+import type {
+  Constraint,
+  Glare,
+  Intentions,
+  Layout,
+  Luminaires,
+  Paint,
+  SceneInfo,
+} from '../document/types.ts';
 import { codes, type CoreGlare, type CoreIntentions, type CoreLayout, type CoreShown } from './core.ts';
 import type {
   GridResult,
@@ -33,6 +41,23 @@ export function corePaint(
   return Float64Array.from(byLeaf.flatMap(([leaf, { reflectance }]) => [leaf, reflectance]));
 }
 
+export function coreLuminaires(luminaires: Luminaires): CoreIntentions['luminaires'] {
+  return {
+    count: luminaires.count,
+    countHigh: luminaires.most ?? 0,
+    rule: codes.rule[luminaires.arrangement?.rule ?? 'free'],
+    axis: codes.axis[luminaires.arrangement?.axis ?? 'found'],
+    flux: Float64Array.of(luminaires.flux),
+    dimmingLow: luminaires.dimming[0],
+    dimmingHigh: luminaires.dimming[1],
+    pinned: Uint32Array.from(luminaires.pinned),
+    excluded: Uint32Array.from(luminaires.excluded),
+    minDistance: luminaires.minDistance,
+    types: [], // note: those who have candidates know them (MountedSession)
+    ofType: new Uint32Array(),
+  };
+}
+
 /** Throws one readable line where a name is not in the room. */
 export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[]): CoreIntentions {
   const surfaces = (of: Pick<Constraint, 'surfaces' | 'over' | 'quantity'>) => ({
@@ -45,20 +70,7 @@ export function coreIntentions(asked: Intentions, leaves: readonly NamedSurface[
     glare: coreGlare(glare),
     zones: leaves.flatMap(({ name, part }) => (part ? [{ name, ...part }] : [])),
     quantity: codes.quantity[asked.quantity],
-    luminaires: {
-      count: luminaires.count,
-      countHigh: luminaires.most ?? 0,
-      rule: codes.rule[luminaires.arrangement?.rule ?? 'free'],
-      axis: codes.axis[luminaires.arrangement?.axis ?? 'found'],
-      flux: Float64Array.of(luminaires.flux),
-      dimmingLow: luminaires.dimming[0],
-      dimmingHigh: luminaires.dimming[1],
-      pinned: Uint32Array.from(luminaires.pinned),
-      excluded: Uint32Array.from(luminaires.excluded),
-      minDistance: luminaires.minDistance,
-      types: [], // note: those who have candidates know them (MountedSession)
-      ofType: new Uint32Array(),
-    },
+    luminaires: coreLuminaires(luminaires),
     goals: asked.goals.map((goal) => ({
       statistic: codes.statistic[goal.statistic],
       sense: codes.sense[goal.sense],

@@ -236,6 +236,8 @@ export interface Session {
   setPowers(watts: Float64Array): void;
   /** Replaces what is asked and ends running searches; statistics of surface sets are kept. */
   setIntentions(intentions: CoreIntentions): string;
+  /** Whether there is room on the sites for luminaires as they are asked for; false while no scene is open. */
+  hasRoom(luminaires: CoreIntentions['luminaires']): boolean;
   /**
    * Some of what a search for the intentions will want to know of the scene, by `rows` rows of its light: true when nothing
    * is left to do. What is missing start() makes.
@@ -378,6 +380,7 @@ export const sessionMethods = {
   info: 0,
   setPowers: 1,
   setIntentions: 1,
+  hasRoom: 1,
   start: 1,
   startFrom: 4,
   startNear: 5,

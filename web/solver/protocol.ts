@@ -3,7 +3,7 @@
  * superseded carries a `revision`, and only the latest revision's answers are shown (latest wins).
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
-import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
+import type { Intentions, Layout, Luminaires, SceneInfo } from '../document/types.ts';
 import type { CoreAlphaStep } from './core.ts';
 
 export interface SurfaceResult {
@@ -192,6 +192,11 @@ export type ToWorker =
       readonly intentions: Intentions;
       readonly layout: Layout;
     }
+  /**
+   * Looks which of these luminaires there is room for in the open room -> 'fitted'. It supersedes nothing and nothing but
+   * another room supersedes it.
+   */
+  | { readonly type: 'fit'; readonly revision: number; readonly luminaires: readonly Luminaires[] }
   /** Stops whatever runs; the incumbent stays shown. */
   | { readonly type: 'stop' };
 
@@ -273,6 +278,11 @@ export type FromWorker =
       readonly type: 'gained';
       readonly revision: number;
       readonly gains: readonly PaintGain[] | string; // one readable line where nobody can say
+    }
+  | {
+      readonly type: 'fitted';
+      readonly revision: number;
+      readonly first: number | null; // of the luminaires asked about; null: there is room for none
     }
   /** One readable line: what, where, the cure. The last good layout stays. */
   | {

@@ -8,7 +8,14 @@ import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
 import { CompareTask } from './compare-task.ts';
-import { coreIntentions, coreLayout, corePaint, gainsOf, shownOf } from './core-intentions.ts';
+import {
+  coreIntentions,
+  coreLayout,
+  coreLuminaires,
+  corePaint,
+  gainsOf,
+  shownOf,
+} from './core-intentions.ts';
 import { withTaskAreas } from '../document/task-areas.ts';
 import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
@@ -162,6 +169,8 @@ export class SessionDriver {
       case 'read':
         this.#reads.push(message);
         return;
+      case 'fit':
+        return this.#fit(message);
       case 'stop':
         return this.#stop();
       default:
@@ -378,6 +387,12 @@ export class SessionDriver {
       if (error instanceof WebAssembly.RuntimeError) throw error;
       answer(reasonOf(error));
     }
+  }
+
+  /** note: of the room's sites; a luminaire of a type may be too large for some of them. */
+  #fit({ revision, luminaires }: Request<'fit'>): void {
+    const first = luminaires.findIndex((each) => this.#session.hasRoom(coreLuminaires(each)));
+    this.#post({ type: 'fitted', revision, first: first < 0 ? null : first }, []);
   }
 
   /** Who has the light of a layout as somebody else has computed it; for whoever asks, to be deleted. */

@@ -3,7 +3,7 @@
  * starts a new worker with the same room and wish when the old one dies.
  */
 import type { PhotometricDescription } from '../document/photometry.ts';
-import type { Intentions, Layout } from '../document/types.ts';
+import type { Intentions, Layout, Luminaires } from '../document/types.ts';
 import type { FromWorker, PaintGain, Seen, ToWorker } from './protocol.ts';
 import { words } from '../language/language.ts';
 import { WorkerEnded } from './worker-ended.ts';
@@ -33,6 +33,9 @@ const hopeless = 3;
 /** Requests that replace each other: an answer is current while its request is the latest of its lane. */
 type Lane = 'open' | 'layout' | 'bound' | 'compare' | 'check';
 
+/** Requests that supersede nothing. */
+type Aside = 'read' | 'describe' | 'bring' | 'paint' | 'gains' | 'fit';
+
 const laneOf = {
   open: 'open',
   solve: 'layout',
@@ -41,15 +44,9 @@ const laneOf = {
   bound: 'bound',
   compare: 'compare',
   check: 'check',
-} as const satisfies Record<
-  Exclude<ToWorker['type'], 'stop' | 'read' | 'describe' | 'bring' | 'paint' | 'gains'>,
-  Lane
->;
+} as const satisfies Record<Exclude<ToWorker['type'], 'stop' | Aside>, Lane>;
 
-type Wish = Exclude<
-  ToWorker,
-  { readonly type: 'open' | 'stop' | 'read' | 'describe' | 'bring' | 'paint' | 'gains' }
->;
+type Wish = Exclude<ToWorker, { readonly type: 'open' | 'stop' | Aside }>;
 
 interface Reading<T> {
   readonly resolve: (value: T) => void;
@@ -64,6 +61,7 @@ export class SolverClient {
   readonly #readings = new Map<number, Reading<PhotometricDescription>>(); // photometric files that are being read, by revision
   readonly #lit = new Map<number, Reading<Seen>>(); // layouts whose light is being read, by revision
   readonly #gaining = new Map<number, Reading<readonly PaintGain[]>>(); // what paint gains, by revision
+  readonly #fitting = new Map<number, Reading<number | null>>(); // luminaires that room is looked for, by revision
   readonly #brought = new Map<string, Uint8Array>(); // photometric files, by hash: a new worker gets them again
   #worker: WorkerLike;
   #revision = 0;
@@ -86,7 +84,8 @@ export class SolverClient {
   open(bytes: FileBytes): number {
     const revision = (this.#latest.open = ++this.#revision);
     this.#wish = this.#searched = this.#colors = null;
-    for (const waiting of [this.#lit, this.#gaining]) endAll(waiting, words.value.opening.solver.otherRoom);
+    for (const waiting of [this.#lit, this.#gaining, this.#fitting])
+      endAll(waiting, words.value.opening.solver.otherRoom);
     this.#opening = { bytes, revision };
     if (this.#isGone) this.#revive();
     if (this.#worker.adopt?.(bytes, revision)) return revision;
@@ -152,6 +151,15 @@ export class SolverClient {
     return new Promise((resolve, reject) => {
       this.#gaining.set(revision, { resolve, reject });
       this.#worker.postMessage({ type: 'gains', revision, intentions, layout }, []);
+    });
+  }
+
+  /** The first of these luminaires that there is room for; null where there is none for any. Rejects with one readable line. */
+  fit(luminaires: readonly Luminaires[]): Promise<number | null> {
+    const revision = ++this.#revision;
+    return new Promise((resolve, reject) => {
+      this.#fitting.set(revision, { resolve, reject });
+      this.#worker.postMessage({ type: 'fit', revision, luminaires }, []);
     });
   }
 
@@ -267,7 +275,7 @@ export class SolverClient {
 
   #endReadings(): void {
     endAll(this.#readings, words.value.opening.solver.whileReading);
-    for (const waiting of [this.#lit, this.#gaining])
+    for (const waiting of [this.#lit, this.#gaining, this.#fitting])
       endAll(waiting, words.value.opening.solver.whileLighting);
   }
 
@@ -292,10 +300,16 @@ export class SolverClient {
     else waiting?.resolve(gains);
   }
 
+  #fitted({ revision, first }: Extract<FromWorker, { readonly type: 'fitted' }>): void {
+    this.#fitting.get(revision)?.resolve(first);
+    this.#fitting.delete(revision);
+  }
+
   #take(message: FromWorker): void {
     if (message.type === 'described') return this.#described(message);
     if (message.type === 'readings') return this.#wasRead(message);
     if (message.type === 'gained') return this.#gained(message);
+    if (message.type === 'fitted') return this.#fitted(message);
     if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
     if (this.#isCurrent(message)) this.#receive(message);
   }

@@ -2,6 +2,7 @@
 // (layout_search, field_scan) against the best of all sets of sites that obey the rule.
 #include "core/search/arrangements.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,10 +26,10 @@ constexpr int kWidth = 5, kDepth = 4;  // of the small room, sites
 using Sites = std::vector<std::uint32_t>;
 
 /// Only sites: 20 x 13, as over an open office.
-Scene ceiling() {
+Scene ceiling(int columns = 20, int rows = 13) {
   Scene scene;
-  for (int z = 0; z < 13; ++z)
-    for (int x = 0; x < 20; ++x)
+  for (int z = 0; z < rows; ++z)
+    for (int x = 0; x < columns; ++x)
       scene.sites.push_back({{0.3 + 0.6 * x, 3, 0.3 + 0.6 * z}, {0, -1, 0}, {1, 0, 0}, 0.6});
   return scene;
 }
@@ -77,6 +78,45 @@ TEST(Arrangements, FieldsInTheMiddleAreTheirOwnMirrorImages) {
     EXPECT_EQ(middle, counted);
     EXPECT_GT(middle, 0u);
   }
+}
+
+/// Of 1 to 30 luminaires: those for whose number there is a field mirrored so.
+std::vector<std::uint32_t> numbersWithRoom(const Scene& scene, PlanAxis axis) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t count = 1; count <= 30; ++count) {
+    LuminaireRules rules;
+    rules.count = count;
+    rules.arrangement = {Rule::kField, axis};
+    if (checkRules(scene, rules)) numbers.push_back(count);
+  }
+  return numbers;
+}
+
+TEST(Arrangements, AnOddNumberOfColumnsHasNoMiddleAmongAnEvenNumberOfPlaces) {
+  using ::testing::Contains, ::testing::Each, ::testing::Not, ::testing::Truly;
+  const std::vector<std::uint32_t> both = numbersWithRoom(ceiling(), PlanAxis::kBoth);
+  EXPECT_EQ(both.size(), 15u);
+  EXPECT_THAT(both, Each(Truly([](std::uint32_t count) { return count % 2 == 0; })));
+  EXPECT_THAT(numbersWithRoom(ceiling(), PlanAxis::kX), Contains(9));  // its three rows may lie in the middle
+  EXPECT_THAT(numbersWithRoom(ceiling(), PlanAxis::kZ), Not(Contains(9)));
+  EXPECT_THAT(numbersWithRoom(ceiling(13, 20), PlanAxis::kZ), Contains(9));
+  EXPECT_THAT(numbersWithRoom(ceiling(13, 13), PlanAxis::kBoth), Contains(9));
+  EXPECT_THAT(numbersWithRoom(ceiling(3, 3), PlanAxis::kX), Not(Contains(12)));
+}
+
+TEST(Arrangements, AFieldInTheMiddleKeepsPlacesFreeAndTheLeastDistance) {
+  LuminaireRules rules;
+  rules.count = 6;
+  rules.arrangement = {Rule::kField, PlanAxis::kBoth};
+  rules.minDistance = 0.6;
+  EXPECT_TRUE(checkRules(ceiling(2, 3), rules));
+  rules.minDistance = 0.61;
+  EXPECT_FALSE(checkRules(ceiling(2, 3), rules));
+  rules.minDistance = 0;
+  rules.excluded = {0};
+  EXPECT_FALSE(checkRules(ceiling(2, 3), rules));
+  rules.excluded = {109, 110, 129, 130, 149, 150};  // those in the very middle; there is room around them
+  EXPECT_TRUE(checkRules(ceiling(), rules));
 }
 
 TEST(Arrangements, MirrorsKeepAllSitesOfARectangleAndDropThoseWithoutAnImage) {

@@ -41,6 +41,19 @@ TEST(Session, CandidatesHaveTheGridsAndObserversOfTheirRoom) {
   EXPECT_NE(room.observers(), before);  // another room is looked at anew
 }
 
+TEST(Session, LooksForRoomAlsoWhileSomethingElseIsAsked) {
+  Session session;
+  LuminaireRules rules;
+  rules.count = 3;
+  EXPECT_FALSE(session.hasRoom(rules));
+  session.adopt(syntheticScene(16, 8));
+  EXPECT_TRUE(session.hasRoom(rules));
+  ASSERT_TRUE(session.setIntentions(evenLight()));
+  rules.count = 9;
+  EXPECT_FALSE(session.hasRoom(rules));
+  EXPECT_TRUE(session.start(1, nullptr));
+}
+
 TEST(Session, IntentionsThatCannotBeLeaveTheOldOnes) {
   Session session;
   session.adopt(syntheticScene(16, 8));

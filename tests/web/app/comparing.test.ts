@@ -1,19 +1,18 @@
-import { expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import {
-  arrangementOf,
+  arrangementsOf,
   byRule,
   countsAround,
   countsBeyond,
   fewestMet,
   takeNumber,
   withCount,
-  withRule,
+  withArrangement,
 } from '../../../web/app/comparing.ts';
 import type { Intentions } from '../../../web/document/types.ts';
-import { ceilingOf } from '../ceiling.ts';
+import { appInRoom } from '../app-in-room.ts';
 import { sixLuminaires as luminaires } from '../six-luminaires.ts';
 
-const ceiling = ceilingOf(20, 13);
 const asked: Intentions = { luminaires, goals: [], constraints: [], quantity: 'illuminance' };
 
 test('the strip shows the range asked for, else the numbers around', () => {
@@ -44,24 +43,50 @@ test('beyond a range that is not enough further numbers are tried', () => {
 test('another number is exactly that, another rule keeps the axis that it has a use for', () => {
   const ranged = { ...asked, luminaires: { ...luminaires, most: 9 } };
   expect(withCount(ranged, 4).luminaires).toEqual({ ...luminaires, count: 4 });
-  expect(withRule(asked, 'rows', ceiling).luminaires.arrangement).toEqual({ rule: 'rows' });
+  expect(withArrangement(asked, { rule: 'rows' }).luminaires.arrangement).toEqual({ rule: 'rows' });
   const both = { ...luminaires, arrangement: { rule: 'symmetric', axis: 'both' } } as const;
-  expect(arrangementOf('rows', both, ceiling)).toEqual({ rule: 'rows' });
-  expect(arrangementOf('symmetric', both, ceiling)).toEqual({ rule: 'symmetric', axis: 'both' });
-  expect(arrangementOf('field', both, ceiling)).toEqual({ rule: 'field', axis: 'both' });
+  expect(arrangementsOf('rows', luminaires)).toEqual([{ rule: 'rows' }]);
+  expect(arrangementsOf('rows', both)).toEqual([{ rule: 'rows' }]);
+  expect(arrangementsOf('symmetric', both)).toEqual([{ rule: 'symmetric', axis: 'both' }]);
+  expect(arrangementsOf('field', both)).toEqual([{ rule: 'field', axis: 'both' }]);
 });
 
 test('a field that is new lies in the middle where it has room there, and stays where it was asked to be', () => {
-  const inMiddle = { rule: 'field', axis: 'both' };
+  const axes = (of: Intentions['luminaires']) => arrangementsOf('field', of).map(({ axis }) => axis);
   const rows = { ...luminaires, arrangement: { rule: 'rows', axis: 'x' } } as const;
-  const anywhere = { ...luminaires, arrangement: { rule: 'field' } } as const;
-  expect(arrangementOf('field', luminaires, ceiling)).toEqual(inMiddle);
-  expect(arrangementOf('field', rows, ceiling)).toEqual(inMiddle);
-  expect(arrangementOf('field', anywhere, ceiling)).toEqual({ rule: 'field' });
-  const rowsInMiddle = { rule: 'field', axis: 'x' }; // three columns have no middle among twenty places, three rows do
-  expect(arrangementOf('field', { ...luminaires, count: 9 }, ceiling)).toEqual(rowsInMiddle);
-  expect(arrangementOf('field', { ...rows, count: 9 }, ceiling)).toEqual(rowsInMiddle);
-  expect(arrangementOf('field', { ...luminaires, pinned: [3] }, ceiling)).toEqual({ rule: 'field' });
+  expect(axes(luminaires)).toEqual(['both', 'x', 'z', undefined]);
+  expect(axes(rows)).toEqual(['both', 'x', 'z', undefined]);
+  expect(axes({ ...luminaires, arrangement: { rule: 'field' } })).toEqual([undefined]);
+  expect(axes({ ...luminaires, pinned: [3] })).toEqual([undefined]);
+});
+
+describe('an arrangement that is chosen', () => {
+  test('is the first that the room has places for, as the solver knows', async () => {
+    const { app, solver } = await appInRoom();
+    const { store, comparing } = app;
+    solver.hasRoom = ({ arrangement }) => arrangement?.axis === 'x';
+    const chosen = comparing.choose('field');
+    solver.flush();
+    await chosen;
+    expect(store.document.value.luminaires.arrangement).toEqual({ rule: 'field', axis: 'x' });
+    await comparing.choose('free');
+    expect(store.document.value.luminaires.arrangement).toBeUndefined();
+    solver.hasRoom = () => false;
+    const anywhere = comparing.choose('field');
+    solver.flush();
+    await anywhere;
+    expect(store.document.value.luminaires.arrangement).toEqual({ rule: 'field' });
+  });
+
+  test('gives way to one that was chosen after it', async () => {
+    const { app, solver } = await appInRoom();
+    const { store, comparing } = app;
+    const field = comparing.choose('field');
+    const rows = comparing.choose('rows');
+    solver.flush();
+    await Promise.all([field, rows]);
+    expect(store.document.value.luminaires.arrangement).toEqual({ rule: 'rows' });
+  });
 });
 
 test('the fewest are the first that met everything', () => {

@@ -209,6 +209,10 @@ export class FakeSession implements Session {
     const proved = this.evaluations >= this.provedAt;
     return { evaluations: this.evaluations, foundAt, violation: this.violation, goal: -found.length, proved };
   }
+  /** Three luminaires at most. */
+  hasRoom({ count }: CoreIntentions['luminaires']) {
+    return count <= 3;
+  }
   violation = 0; // of what is found
   settle(evaluations: number) {
     this.calls.push('settle');

@@ -935,6 +935,18 @@ describe('other ways', () => {
   });
 });
 
+test('room is looked for beside what runs', async () => {
+  await opened();
+  await driver.receive(solve(2));
+  const luminaires = [5, 4, 3, 2].map((count) => ({ ...asked.luminaires, count }));
+  await driver.receive({ type: 'fit', revision: 3, luminaires });
+  await driver.receive({ type: 'fit', revision: 4, luminaires: luminaires.slice(0, 2) });
+  const told = answers.flatMap((answer) => (answer.type === 'fitted' ? [answer.first] : []));
+  expect(told).toEqual([2, null]);
+  settle();
+  expect(kinds().at(-1)).toBe('settled 2');
+});
+
 test('a search that has tried everything settles at once', async () => {
   session.provedAt = 1;
   await opened();

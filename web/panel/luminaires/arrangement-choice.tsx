@@ -1,6 +1,6 @@
 /** How the luminaires hang together: four little drawings, and what each would cost for the same intentions. */
 import { useApp } from '../../app/app.ts';
-import { arrangementOf, rules } from '../../app/comparing.ts';
+import { rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Store } from '../../app/state/store.ts';
@@ -29,17 +29,11 @@ function Drawing({ rule }: { rule: Rule }) {
 }
 
 export function ArrangementChoice() {
-  const { store } = useApp();
+  const { store, comparing } = useApp();
   const { luminaires } = store.traced.value.intentions;
   const asked = luminaires.arrangement?.rule ?? 'free';
-  const sites = store.scene.value?.sites;
   const comparison = store.comparison.value;
   const isCurrent = comparison?.of === store.traced.value.intentions;
-  const choose = (arrangement: Arrangement) =>
-    store.edit(words.value.steps.arrangement, (draft) => {
-      if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
-      else draft.luminaires.arrangement = { ...arrangement };
-    });
   return (
     <fieldset class="field arrangement">
       <legend class="field-name">{words.value.luminaires.arrangement.name}</legend>
@@ -52,7 +46,7 @@ export function ArrangementChoice() {
                 type="radio"
                 name="arrangement"
                 checked={asked === rule}
-                onChange={() => sites && choose(arrangementOf(rule, luminaires, sites))}
+                onChange={() => void comparing.choose(rule)}
               />
               <Drawing rule={rule} />
               <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
@@ -62,7 +56,11 @@ export function ArrangementChoice() {
         })}
       </div>
       {asked !== 'free' && (
-        <Axis rule={asked} axis={luminaires.arrangement?.axis ?? 'found'} choose={choose} />
+        <Axis
+          rule={asked}
+          axis={luminaires.arrangement?.axis ?? 'found'}
+          choose={(arrangement) => comparing.arrange(arrangement)}
+        />
       )}
     </fieldset>
   );

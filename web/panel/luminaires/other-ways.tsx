@@ -1,30 +1,23 @@
 /** Ways out of what cannot be met that lie with the luminaires: another arrangement, or more of them. Each was tried. */
 import { useApp } from '../../app/app.ts';
-import { arrangementOf, fewestMet, rules } from '../../app/comparing.ts';
+import { fewestMet, rules } from '../../app/comparing.ts';
 import type { RuleWay } from '../../app/relief.ts';
-import type { Rule } from '../../document/types.ts';
 import { shortest } from '../../language/numbers.ts';
 import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
 
 /** Where it is the arrangement that stands in the way: which others would do, and what each costs. */
 export function RulesFirst() {
-  const { store } = useApp();
+  const { store, comparing } = useApp();
   const comparison = store.comparison.value;
   const { luminaires } = store.traced.value.intentions;
-  const sites = store.scene.value?.sites;
   const asked = luminaires.arrangement?.rule ?? 'free';
-  if (asked === 'free' || comparison?.of !== store.traced.value.intentions || !sites) return null;
+  if (asked === 'free' || comparison?.of !== store.traced.value.intentions) return null;
   const others = rules.flatMap((rule) => {
     const outcome = comparison.rules.find((each) => each.rule === rule)?.outcome;
     return rule !== asked && outcome?.met ? [{ rule, outcome }] : [];
   });
   if (others.length === 0) return null;
-  const choose = (rule: Rule) =>
-    store.edit(words.value.steps.arrangement, (draft) => {
-      if (rule === 'free') delete draft.luminaires.arrangement;
-      else draft.luminaires.arrangement = { ...arrangementOf(rule, luminaires, sites) };
-    });
   return (
     <div class="rules-first">
       <p>
@@ -35,7 +28,7 @@ export function RulesFirst() {
       </p>
       <div class="row">
         {others.map(({ rule, outcome }) => (
-          <button key={rule} class="button small" onClick={() => choose(rule)}>
+          <button key={rule} class="button small" onClick={() => void comparing.choose(rule)}>
             {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store)}
           </button>
         ))}
