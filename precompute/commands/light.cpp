@@ -97,7 +97,7 @@ void light(LightOptions options) {
   report.seen = observerReadings(room, tracer, report.observers, luminaires, radiosity, reading);
   report.planes =
       orThrow(options.layout, planeReadings(room, tracer, wishes, luminaires, radiosity, reading));
-  if (options.grid) report.grids = readGrids(room, tracer, luminaires, radiosity, reading);
+  if (options.grid) report.grids = readGrids(room, tracer, luminaires, radiosity, light.illuminance, reading);
   progress.clear();
   warnOf(options, light);
   if (!options.patches.empty())

@@ -30,16 +30,13 @@ bool isHidden(const Room& room, const RayTracer& tracer, const MeasuringPoint& p
   return insides == std::size(kLooks);
 }
 
-/// Without the points that are hidden though their patch is mostly free; all where none would be left.
-MeasuringGrid seenOf(const Room& room, const RayTracer& tracer, const MeasuringGrid& grid) {
-  MeasuringGrid left{grid.surface, grid.grid, {}};
-  left.grid.points.clear();
-  for (std::size_t i = 0; i < grid.points.size(); ++i) {
-    if (isHidden(room, tracer, grid.points[i])) continue;
-    left.grid.points.push_back(grid.grid.points[i]);
-    left.points.push_back(grid.points[i]);
-  }
-  return left.points.empty() ? grid : left;
+/// What the patches around a point of a grid get, as a scene file tells it (calculation_grid.h).
+double readBeside(const Room& room, const MeasuringGrid& grid, std::size_t point,
+                  const std::vector<float>& illuminance) {
+  double value = 0;
+  for (const PatchShare& share : sharesAt(grid.lattice, room.patches, grid.grid.points[point]))
+    value += share.share * illuminance[share.row];
+  return value;
 }
 
 }  // namespace
@@ -52,7 +49,7 @@ std::vector<MeasuringGrid> measuringGrids(const Room& room) {
     const PatchLattice lattice{chart.surface, chart.origin,  chart.uAxis, chart.vAxis,      chart.cellU,
                                chart.cellV,   chart.columns, chart.rows,  chart.patchOfCell};
     MeasuringGrid grid{
-        chart.surface, calculationGridOn(lattice, room.patches, room.surfaces[chart.surface]), {}};
+        chart.surface, lattice, calculationGridOn(lattice, room.patches, room.surfaces[chart.surface]), {}};
     for (const auto& [u, v] : grid.grid.points)
       grid.points.push_back({chart.origin + u * chart.uAxis + v * chart.vAxis, chart.normal});
     if (!grid.points.empty()) grids.push_back(std::move(grid));
@@ -62,14 +59,16 @@ std::vector<MeasuringGrid> measuringGrids(const Room& room) {
 
 std::vector<GridReading> readGrids(const Room& room, const RayTracer& tracer,
                                    const std::vector<Luminaire>& luminaires,
-                                   const std::vector<float>& radiosity, PointOptions options) {
+                                   const std::vector<float>& radiosity, const std::vector<float>& illuminance,
+                                   PointOptions options) {
   options.spatial = false;
   std::vector<GridReading> readings;
-  for (const MeasuringGrid& whole : measuringGrids(room)) {
-    const MeasuringGrid grid = seenOf(room, tracer, whole);
+  for (const MeasuringGrid& grid : measuringGrids(room)) {
     std::vector<double> values;
     for (const PointReading& reading : readPoints(room, tracer, grid.points, luminaires, radiosity, options))
       values.push_back(reading.total);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (isHidden(room, tracer, grid.points[i])) values[i] = readBeside(room, grid, i, illuminance);
     readings.push_back(gridReading(grid.surface, grid.grid, room.surfaces[grid.surface].border, values));
   }
   return readings;

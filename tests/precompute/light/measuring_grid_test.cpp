@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "precompute/light/forward_light.h"
 #include "precompute/validation/rectangle_room.h"
 #include "tests/precompute/gltf/gltf_builder.h"
 
@@ -56,7 +57,7 @@ TEST(MeasuringGrid, ReadingsGiveMeanLeastAndUniformity) {
   const Room room = rectangleRoom(boxSurfaces({0, 0, 0}, {4, 2.5, 4}, 0.5, 0.5));
   const auto tracer = RayTracer::build(room);
   ASSERT_TRUE(tracer);
-  const std::vector<GridReading> readings = readGrids(room, *tracer, {lampOfMiddle()}, {}, oneThread());
+  const std::vector<GridReading> readings = readGrids(room, *tracer, {lampOfMiddle()}, {}, {}, oneThread());
   ASSERT_EQ(readings.size(), 1u);
   const std::vector<PointReading> points =
       readPoints(room, *tracer, measuringGrids(room)[0].points, {lampOfMiddle()}, {}, oneThread());
@@ -69,7 +70,47 @@ TEST(MeasuringGrid, ReadingsGiveMeanLeastAndUniformity) {
   EXPECT_GT(readings[0].uniformity(), 0.1);
 }
 
-TEST(MeasuringGrid, APointThatSomethingStandsOnIsNotRead) {
+TEST(MeasuringGrid, OfAnUnfurnishedRoomItsMeanIsThatOfThePatches) {
+  auto faces = boxSurfaces({0, 0, 0}, {6, 3, 4}, 0.5, 0.2);
+  RectangleSurface plane = faces[0];
+  plane.name = "plane";
+  plane.corner = {0.5, 0.75, 0.5};
+  plane.u = {0, 0, 3}, plane.v = {5, 0, 0};
+  plane.measuring = true;
+  faces.push_back(plane);
+  Room room = rectangleRoom(faces);
+  for (Surface& surface : room.surfaces)
+    if (surface.measuring) surface.border = 0.5;
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  std::vector<Luminaire> lamps;
+  for (const double x : {1.5, 4.5})
+    for (const double z : {1.0, 3.0}) {
+      Luminaire lamp;
+      lamp.position = {x, 2.9, z};
+      lamp.flux = 3000;
+      lamps.push_back(lamp);
+    }
+  ForwardOptions forward;
+  forward.rays = 256;
+  forward.threads = 1;
+  const Result<ForwardLight> light = computeForwardLight(room, *tracer, lamps, forward);
+  ASSERT_TRUE(light) << light.error().message;
+  const std::vector<GridReading> readings =
+      readGrids(room, *tracer, lamps, light->radiosity, light->illuminance, oneThread());
+  ASSERT_EQ(readings.size(), 2u);
+  const GridReading& ofPlane = readings[1];
+  double sum = 0, area = 0;
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
+    if (room.patches.surface[p] != ofPlane.surface) continue;
+    sum += room.patches.area[p] * light->illuminance[p];
+    area += room.patches.area[p];
+  }
+  EXPECT_NEAR(area, 15, 1e-9);
+  EXPECT_NEAR(ofPlane.mean, sum / area, 0.01 * sum / area);
+}
+
+TEST(MeasuringGrid, APointThatSomethingStandsOnIsReadBesideIt) {
   testing::TestGltf gltf = testing::boxRoom({4, 2.5, 4}, 1);
   testing::TestMesh block;
   block.box({1.4, 0.001, 1.4}, {0.75, 0.6, 0.75}, false);
@@ -87,9 +128,11 @@ TEST(MeasuringGrid, APointThatSomethingStandsOnIsNotRead) {
   ASSERT_EQ(grids.size(), 1u);
   const auto within = std::count_if(grids[0].points.begin(), grids[0].points.end(), isIn);
   ASSERT_GT(within, 0);
-  const std::vector<GridReading> readings = readGrids(*room, *tracer, {lampOfMiddle()}, {}, oneThread());
-  EXPECT_EQ(readings[0].points, grids[0].points.size() - static_cast<std::size_t>(within));
-  EXPECT_GT(readings[0].least, 1);
+  const std::vector<float> around(room->patches.rows(), 7);
+  const std::vector<GridReading> readings =
+      readGrids(*room, *tracer, {lampOfMiddle()}, {}, around, oneThread());
+  EXPECT_EQ(readings[0].points, grids[0].points.size());
+  EXPECT_NEAR(readings[0].least, 7, 1e-9);  // the lamp sends more to all others
 }
 
 }  // namespace
