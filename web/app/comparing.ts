@@ -85,6 +85,28 @@ export function byRule(
   });
 }
 
+/**
+ * What is known of each number: what its own short trial found or, where that met less, the longer search for the rule that
+ * is asked for or the layout shown, which hangs so many, too.
+ */
+export function countsKnown(
+  { counts, rules: tried }: Pick<Comparison, 'counts' | 'rules'>,
+  rule: Rule,
+  shown: Pick<Shown, 'layout' | 'constraints' | 'violation'> | null,
+): readonly CountTried[] {
+  const found = tried.find((each) => each.rule === rule)?.outcome;
+  const witnesses = found?.met ? [found] : [];
+  if (shown?.constraints.every(({ met }) => met)) {
+    const { layout, violation } = shown;
+    const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
+    witnesses.push({ layout, lumens, met: true, violation });
+  }
+  return counts.map((each) => {
+    const witness = witnesses.find(({ layout }) => layout.sites.length === each.count);
+    return each.outcome?.met || !witness ? each : { ...each, outcome: witness };
+  });
+}
+
 /** The least number of luminaires that met everything, as far as has been tried. */
 export function fewestMet({ counts }: Pick<Comparison, 'counts'>): number | null {
   return counts.find(({ outcome }) => outcome?.met)?.count ?? null;

@@ -4,6 +4,7 @@ import {
   byRule,
   countsAround,
   countsBeyond,
+  countsKnown,
   fewestMet,
   takeNumber,
   withCount,
@@ -104,6 +105,29 @@ test('the fewest are the first that met everything', () => {
   ];
   expect(fewestMet({ counts })).toBe(5);
   expect(fewestMet({ counts: counts.slice(0, 2) })).toBeNull();
+});
+
+test('a number that the layout shown or a longer search meets is not called missed', () => {
+  const reached = (sites: number, met: boolean) => ({
+    layout: { sites: Array<number>(sites).fill(0), flux: Array<number>(sites).fill(2), dimming: 0.5 },
+    lumens: sites,
+    met,
+    violation: met ? 0 : 1,
+  });
+  const counts = [4, 5, 6, 7].map((count) => ({ count, outcome: reached(count, count === 7) }));
+  const tried = { counts, rules: [{ rule: 'rows', outcome: reached(6, true) } as const] };
+  const shown = { layout: reached(5, true).layout, violation: 0, constraints: [] };
+  const metOf = (known: ReturnType<typeof countsKnown>) => known.map(({ outcome }) => outcome?.met);
+  expect(metOf(countsKnown(tried, 'rows', shown))).toEqual([false, true, true, true]);
+  expect(countsKnown(tried, 'rows', shown)[1]?.outcome?.lumens).toBe(5);
+  expect(metOf(countsKnown(tried, 'free', null))).toEqual([false, false, false, true]);
+  const missed = [{ value: 1, met: false, violation: 1, margin: -1 }];
+  expect(metOf(countsKnown(tried, 'free', { ...shown, constraints: missed }))).toEqual([
+    false,
+    false,
+    false,
+    true,
+  ]);
 });
 
 test('a free layout costs no more than what a stricter rule reached', () => {
