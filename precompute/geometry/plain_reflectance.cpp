@@ -24,6 +24,14 @@ bool isPlain(const SourceScene& source, const SourceMesh& mesh) {
   return isUndyed && mesh.colors.empty() && !mesh.extras.reflectance;
 }
 
+/// Meshes that are part of the room: neither a measuring plane nor left out.
+std::vector<char> reflectingMeshes(const SourceScene& source, const SurfaceTree& tree) {
+  std::vector<char> reflects(source.meshes.size(), 0);
+  for (const SurfaceGroup& group : tree.groups)
+    for (const Face& face : group.set.faces) reflects[face.mesh] = 1;
+  return reflects;
+}
+
 float reflectanceOf(const Region& region, double area) {
   if (region.area < std::min(kLargePlane, kLargePlaneShare * area)) return kOfThings;
   if (region.normal.y < -kSlanted) return kOfCeilings;
@@ -35,10 +43,11 @@ float reflectanceOf(const Region& region, double area) {
 AssumedReflectance assumeReflectance(const SourceScene& source, const SurfaceTree& tree) {
   AssumedReflectance assumed;
   assumed.ofTriangle.resize(source.meshes.size());
+  const std::vector<char> reflects = reflectingMeshes(source, tree);
   std::size_t count = 0;
   std::string white;  // the first of such materials
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
-    if (!isPlain(source, source.meshes[m])) continue;
+    if (!reflects[m] || !isPlain(source, source.meshes[m])) continue;
     assumed.ofTriangle[m].assign(source.meshes[m].triangles.size(), kOfThings);
     ++count;
     if (const int material = source.meshes[m].material; material >= 0 && white.empty())

@@ -98,6 +98,19 @@ TEST(PlainReflectance, PureWhiteIsNoMaterialYet) {
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("1 mesh has no material but white"));
 }
 
+TEST(PlainReflectance, AMeasuringPlaneReflectsNothingAndNeedsNoMaterial) {
+  TestGltf gltf = testing::boxRoom({4, 2.5, 4}, 1);
+  TestMesh plane;
+  plane.quad({1, 0.75, 1}, {0, 0, 2}, {2, 0, 0});
+  gltf.node("plane 1", gltf.mesh(plane), TestGltf::extras({{"measure", true}}));
+  RoomOptions options;
+  options.patch = 0.5;
+  const auto room = gltf.build(options);
+  ASSERT_TRUE(room) << room.error().message;
+  EXPECT_THAT(allWarnings(room->warnings), Not(HasSubstr("no material")));
+  EXPECT_THAT(room->assumptions, Not(HasSubstr("materials=roles")));
+}
+
 TEST(PlainReflectance, GoesByWhatASurfaceIs) {
   RoomOptions options;
   options.patch = 0.5;
