@@ -9,6 +9,7 @@ import {
   NearestFilter,
   RedFormat,
   UnsignedByteType,
+  Vector3,
   type BufferGeometry,
   type Texture,
 } from 'three';
@@ -18,6 +19,7 @@ import { LightTexture } from '../light/light-texture.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
 import type { Solid, SolidPart } from './lattice.ts';
+import type { ClosedGaps } from './narrow-gaps.ts';
 import type { Openness } from './openness.ts';
 import type { LuminaireLight } from '../types.ts';
 import type { ShadowsCast } from './shadows.ts';
@@ -103,7 +105,7 @@ export class ContactLight {
     this.#begin = null;
     worker.onerror = () => this.#stop(); // the picture does without
     worker.onmessage = ({ data }: MessageEvent<ContactAnswer>) => {
-      if ('openness' in data) this.#lay(solids, data.openness);
+      if ('openness' in data) this.#lay(solids, data.openness, data.gaps);
       else if (data.turn === this.#turn) this.#shade(data.shadows);
     };
     this.#ask({ room: solidOf(solids, scene) });
@@ -113,8 +115,15 @@ export class ContactLight {
     this.#worker?.postMessage(question);
   }
 
-  #lay(solids: readonly LitMesh[], found: Pick<Openness, 'tiles' | 'values' | 'means'>): void {
-    solids.forEach(({ mesh }, i) => layTiles(mesh.geometry, found.tiles[i]!));
+  #lay(
+    solids: readonly LitMesh[],
+    found: Pick<Openness, 'tiles' | 'values' | 'means'>,
+    gaps: readonly ClosedGaps[],
+  ): void {
+    solids.forEach(({ mesh }, i) => {
+      closeGaps(mesh, gaps[i]!);
+      layTiles(mesh.geometry, found.tiles[i]!);
+    });
     const means = new LightTexture(found.means.length);
     means.set(found.means);
     const [shadows, meanShadows] = [found.values.length, found.means.length].map((n) => new LightTexture(n));
@@ -214,6 +223,26 @@ function partOf(mesh: LitMesh['mesh'], reflectance: number): SolidPart {
     weights: values(geometry.getAttribute('_weights'), 4),
     reflectance,
   };
+}
+
+/** Draws a mesh as its narrow gaps are closed. */
+export function closeGaps(
+  { geometry, matrixWorld }: LitMesh['mesh'],
+  { vertices, positions, hidden }: ClosedGaps,
+): void {
+  const attribute = geometry.getAttribute('position');
+  const toMesh = matrixWorld.clone().invert();
+  const at = new Vector3();
+  vertices.forEach((vertex, i) => {
+    at.fromArray(positions, 3 * i).applyMatrix4(toMesh);
+    attribute.setXYZ(vertex, at.x, at.y, at.z);
+  });
+  attribute.needsUpdate = true;
+  const { index } = geometry;
+  if (!index) return;
+  // Triangles keep their order: one that is not drawn is a point.
+  for (const t of hidden) index.set([index.getX(3 * t), index.getX(3 * t), index.getX(3 * t)], 3 * t);
+  index.needsUpdate = true;
 }
 
 /**

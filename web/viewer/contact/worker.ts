@@ -1,5 +1,6 @@
 /** Works out how open a room is and what shadows its luminaires cast, while the page goes on. */
 import { Solids, type Solid } from './lattice.ts';
+import { closeNarrowGaps, type ClosedGaps } from './narrow-gaps.ts';
 import { openness, type Openness } from './openness.ts';
 import type { LuminaireLight } from '../types.ts';
 import { Shadows, type ShadowsCast } from './shadows.ts';
@@ -10,7 +11,7 @@ declare const self: DedicatedWorkerGlobalScope;
 export type ContactQuestion =
   { readonly room: Solid } | { readonly lights: readonly LuminaireLight[]; readonly turn: number };
 export type ContactAnswer =
-  | { readonly openness: Pick<Openness, 'tiles' | 'values' | 'means'> }
+  | { readonly openness: Pick<Openness, 'tiles' | 'values' | 'means'>; readonly gaps: readonly ClosedGaps[] }
   | { readonly shadows: ShadowsCast; readonly turn: number };
 
 const slice = 50; // ms, between looks for a newer question
@@ -34,7 +35,7 @@ function open(room: Solid): void {
   const found = openness(solids);
   shadows = new Shadows(solids, found);
   const { tiles, values, means } = found;
-  answer({ openness: { tiles, values, means } }, ...tiles, values, means);
+  answer({ openness: { tiles, values, means }, gaps: closeNarrowGaps(solids) }, ...tiles, values, means);
 }
 
 async function cast(lights: readonly LuminaireLight[], turn: number): Promise<void> {
