@@ -3,6 +3,7 @@ import { inPlan, type PlanFrame } from './plan-frame.ts';
 import { positionOf } from './sites.ts';
 import type { Layout, LuminaireType, SceneInfo } from './types.ts';
 import { words } from '../language/language.ts';
+import { typeText } from '../language/type-names.ts';
 import { fixed } from '../language/numbers.ts';
 
 /** What luminaire i shines and draws, after dimming. */
@@ -39,7 +40,9 @@ export function scheduleOf(
   const rows = new Map<string, ScheduleRow & { tags: string[] }>();
   layout.sites.forEach((site, index) => {
     const drawn = drawnBy(layout, index, efficacy, types);
-    const name = drawn.type?.name ?? words.value.report.schedule.square(fixed(sites.size[site] ?? 0, 2));
+    const name = drawn.type
+      ? typeText(drawn.type)
+      : words.value.report.schedule.square(fixed(sites.size[site] ?? 0, 2));
     const height = inPlan(frame, positionOf(sites, site))[2];
     const mounting = words.value.report.schedule.at(
       facing(sites.normal[3 * site + 1] ?? 0),

@@ -21,6 +21,7 @@ import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { genericFile, genericLuminaires } from './generic-luminaires.ts';
 import { words } from '../../language/language.ts';
+import { typeText } from '../../language/type-names.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 /** Files to choose from, and what holds them. */
@@ -197,7 +198,7 @@ export class LuminaireTypes {
     const type = known ?? this.#typeOf(cleanName(name) || 'luminaire', hash, description);
     if (!known)
       this.#store.edit(
-        words.value.steps.addType(type.name),
+        words.value.steps.addType(typeText(type)),
         ({ luminaires }) => void (luminaires.types ??= []).push(structuredClone(type) as never),
         null,
         this.#answering,
@@ -205,8 +206,8 @@ export class LuminaireTypes {
     else if (isNew) this.#solving.answerAgain();
     if (isOpened) this.opened.value = type.id;
     this.#store.announcement.value = known
-      ? words.value.luminaires.type.isHere(type.name)
-      : words.value.luminaires.type.added(type.name);
+      ? words.value.luminaires.type.isHere(typeText(type))
+      : words.value.luminaires.type.added(typeText(type));
   }
 
   #typeOf(file: string, hash: string, description: PhotometricDescription): LuminaireType {

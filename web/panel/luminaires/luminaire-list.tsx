@@ -7,6 +7,7 @@ import { isInOrder, readingOrder } from '../../document/reading-order.ts';
 import { positionOf } from '../../document/sites.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { steps } from '../selection-bar.tsx';
+import { typeText } from '../../language/type-names.ts';
 import { words } from '../../language/language.ts';
 
 export function LuminaireList() {
@@ -156,11 +157,11 @@ function TypeChoice({ luminaire, allowed, now, asked }: TypeChoiceProps) {
       onChange={(event) => hand.setType(luminaire, event.currentTarget.value || null)}
     >
       <option value="">
-        {now ? words.value.luminaires.list.anyNow(now.name) : words.value.luminaires.list.any}
+        {now ? words.value.luminaires.list.anyNow(typeText(now)) : words.value.luminaires.list.any}
       </option>
-      {allowed.map(({ id, name }) => (
-        <option key={id} value={id}>
-          {name}
+      {allowed.map((type) => (
+        <option key={type.id} value={type.id}>
+          {typeText(type)}
         </option>
       ))}
     </select>

@@ -6,6 +6,7 @@ import type { Aim, Point } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import type { TypeProps } from './type-card.tsx';
 import { useTypeEdit } from './type-use.tsx';
+import { typeText } from '../../language/type-names.ts';
 import { words } from '../../language/language.ts';
 import { surfaceText } from '../../language/surface-names.ts';
 import { fixed, listed } from '../../language/numbers.ts';
@@ -54,7 +55,7 @@ export function TypeAims({ type }: TypeProps) {
         />
       )}
       {aims.length > 0 && (
-        <ul class="chips" aria-label={words.value.luminaires.aims.of(type.name)}>
+        <ul class="chips" aria-label={words.value.luminaires.aims.of(typeText(type))}>
           {aims.map((aim) => (
             <li key={textOf(aim)} class="chip">
               <span>{textOf(aim)}</span>

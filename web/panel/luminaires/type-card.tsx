@@ -7,6 +7,7 @@ import type { PhotometricDescription } from '../../document/photometry.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { PolarCurve } from './polar-curve.tsx';
 import { TypeUse } from './type-use.tsx';
+import { typeText } from '../../language/type-names.ts';
 import { words } from '../../language/language.ts';
 import { fixed } from '../../language/numbers.ts';
 
@@ -19,7 +20,7 @@ export function TypeCard({ type }: TypeProps) {
   const description = types.descriptions.value[type.hash];
   const isOpen = types.opened.value === type.id;
   return (
-    <article class={isOpen ? 'card type-card open' : 'card type-card'} aria-label={type.name}>
+    <article class={isOpen ? 'card type-card open' : 'card type-card'} aria-label={typeText(type)}>
       <header>
         <button
           class="card-title"
@@ -27,12 +28,12 @@ export function TypeCard({ type }: TypeProps) {
           onClick={() => (types.opened.value = isOpen ? null : type.id)}
         >
           <ChevronRight size={15} aria-hidden class="twist" />
-          <span class="type-name">{type.name}</span>
+          <span class="type-name">{typeText(type)}</span>
         </button>
         <span class="card-reached">{usedText(types.used(type.id), type.isAllowed)}</span>
         <button
           class="icon-button small"
-          aria-label={words.value.luminaires.type.remove(type.name)}
+          aria-label={words.value.luminaires.type.remove(typeText(type))}
           onClick={() => types.remove(type.id)}
         >
           <X size={14} aria-hidden />
@@ -98,13 +99,17 @@ function Dispute({ type, description }: TypeProps & { description: PhotometricDe
   const { types } = useApp();
   const { flux, integratedFlux } = description;
   const take = (lumens: number, isOverridden: boolean) =>
-    types.change(type.id, words.value.steps.fluxOf(type.name), (each) => ({
+    types.change(type.id, words.value.steps.fluxOf(typeText(type)), (each) => ({
       ...each,
       flux: Number(lumens.toPrecision(6)),
       isOverridden,
     }));
   return (
-    <div class="type-question" role="group" aria-label={words.value.luminaires.type.whichFlux(type.name)}>
+    <div
+      class="type-question"
+      role="group"
+      aria-label={words.value.luminaires.type.whichFlux(typeText(type))}
+    >
       <p>{words.value.luminaires.type.disputed(compact(flux), compact(integratedFlux))}</p>
       <div class="row">
         <button class="button small" onClick={() => take(flux, true)}>

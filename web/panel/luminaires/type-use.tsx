@@ -7,16 +7,18 @@ import { NumberRow } from '../controls/number-row.tsx';
 import { Check } from '../controls/check.tsx';
 import { TypeAims } from './type-aims.tsx';
 import type { TypeProps } from './type-card.tsx';
+import { typeText } from '../../language/type-names.ts';
 import { words } from '../../language/language.ts';
 
 /** Edits of a type; typing in one field is one step. */
-export function useTypeEdit({ id, name }: LuminaireType) {
+export function useTypeEdit(edited: LuminaireType) {
+  const { id } = edited;
   const { store, types } = useApp();
   return {
     set: (what: string, change: Partial<LuminaireType>, isGesture = true) =>
       types.change(
         id,
-        words.value.steps.ofType(what, name),
+        words.value.steps.ofType(what, typeText(edited)),
         (type) => ({ ...type, ...change }),
         isGesture ? `type ${id} ${what}` : undefined,
       ),
@@ -38,7 +40,7 @@ export function TypeUse({ type }: TypeProps) {
       <Count type={type} />
       <NumberRow
         name={words.value.luminaires.use.flux}
-        label={words.value.luminaires.use.fluxOf(type.name)}
+        label={words.value.luminaires.use.fluxOf(typeText(type))}
         unit="lm"
         value={type.flux}
         step={50}
@@ -50,7 +52,7 @@ export function TypeUse({ type }: TypeProps) {
       />
       <NumberRow
         name={words.value.luminaires.use.power}
-        label={words.value.luminaires.use.powerOf(type.name)}
+        label={words.value.luminaires.use.powerOf(typeText(type))}
         unit="W"
         value={type.watts}
         step={1}
@@ -61,7 +63,7 @@ export function TypeUse({ type }: TypeProps) {
       <Turn type={type} />
       <NumberRow
         name={words.value.luminaires.use.tilt}
-        label={words.value.luminaires.use.tiltOf(type.name)}
+        label={words.value.luminaires.use.tiltOf(typeText(type))}
         unit="°"
         value={type.tilt}
         step={5}
@@ -82,7 +84,7 @@ function Count({ type }: TypeProps) {
     <div class="setting-row">
       <span>{words.value.luminaires.use.count}</span>
       <NumberField
-        label={words.value.luminaires.use.atLeast(type.name)}
+        label={words.value.luminaires.use.atLeast(typeText(type))}
         value={least}
         whole
         step={1}
@@ -94,7 +96,7 @@ function Count({ type }: TypeProps) {
       />
       <span>{words.value.luminaires.use.to}</span>
       <NumberField
-        label={words.value.luminaires.use.atMost(type.name)}
+        label={words.value.luminaires.use.atMost(typeText(type))}
         value={most === mostLuminaires ? undefined : most}
         placeholder={words.value.luminaires.use.any}
         whole
@@ -139,7 +141,7 @@ function Turn({ type }: TypeProps) {
       {choice === 'free' && (
         <NumberRow
           name={words.value.luminaires.use.angle}
-          label={words.value.luminaires.use.turnOf(type.name)}
+          label={words.value.luminaires.use.turnOf(typeText(type))}
           unit="°"
           value={type.turns[0] ?? 0}
           step={5}

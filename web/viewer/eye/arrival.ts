@@ -10,6 +10,7 @@ const rising = 3500; // ms
 const fading = 1400; // ms from dusk to full light
 const dusk = 0.16; // of the picture's brightness
 const inputs = ['pointerdown', 'wheel', 'keydown', 'input', 'drop'] as const;
+const tremble = 60; // px that a pointer moves in a hand that does nothing yet
 
 type Stage = 'over' | 'expected' | 'within' | 'fading' | 'rising';
 
@@ -21,6 +22,7 @@ export class Arrival {
   #isLit = false;
   #begun = 0; // ms, of the light
   #inputs: AbortController | null = null;
+  #pointedFrom: readonly [number, number] | null = null; // px, where the pointer was when the room was there
 
   constructor(canvas: HTMLCanvasElement, loop: FrameLoop, rig: CameraRig) {
     this.#canvas = canvas;
@@ -35,6 +37,7 @@ export class Arrival {
     this.#inputs = new AbortController();
     const options = { capture: true, passive: true, signal: this.#inputs.signal };
     for (const type of inputs) window.addEventListener(type, () => this.end(), options);
+    window.addEventListener('pointermove', (event) => this.#pointed(event), options);
   }
 
   /** The room is there. False where nobody arrives: then the eye is not ours. */
@@ -69,6 +72,13 @@ export class Arrival {
 
   get #isFull(): boolean {
     return this.#stage === 'over' || this.#stage === 'rising';
+  }
+
+  /** A pointer that crosses the page is an input, too; what it did before the room was there is not. */
+  #pointed({ clientX, clientY }: PointerEvent): void {
+    if (this.#stage === 'expected') return;
+    const [x, y] = (this.#pointedFrom ??= [clientX, clientY]);
+    if (Math.hypot(clientX - x, clientY - y) > tremble) this.end();
   }
 
   #run(): void {
