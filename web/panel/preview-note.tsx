@@ -1,8 +1,8 @@
 /** What becomes of a dropped model: how far its light is, what stands in the way, and how to end it. */
 import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { titleOf } from '../app/lighting/lighting.ts';
-import type { LightingState, Store } from '../app/state/store.ts';
+import { isDraftOnScreen, titleOf } from '../app/lighting/lighting.ts';
+import type { LightingState } from '../app/state/store.ts';
 import { OpenSheet } from './import-sheet-panel.tsx';
 import { words } from '../language/language.ts';
 
@@ -61,12 +61,6 @@ export function PreviewNote() {
       {name && <Command name={name} />}
     </section>
   );
-}
-
-/** Whether what is shown is the draft of a room whose full light is not there (yet). */
-function isDraftOnScreen({ lighting, preview, litRoom, document }: Store): boolean {
-  const isOfIt = litRoom.value !== null && litRoom.value === document.value.room;
-  return lighting.value?.pass === 'full' && preview.value === null && isOfIt;
 }
 
 /** A draft that is on the screen says so. */

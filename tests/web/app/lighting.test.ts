@@ -68,7 +68,13 @@ function rememberingShelf(): Shelf {
 function lightingOf(first: SceneInfo) {
   const store = new Store();
   const placed: FiatLuxDocument[] = [];
-  const room = { next: first, isFullTooLarge: false, warnings: [] as string[], told: [] as string[] };
+  const room = {
+    next: first,
+    isFullTooLarge: false,
+    warnings: [] as string[],
+    told: [] as string[],
+    why: '',
+  };
   type Make = (scene: SceneInfo) => Promise<Placement>;
   const place = async (_: unknown, title: string, __: unknown, make: Make) => {
     const { document: made } = await make(room.next);
@@ -88,6 +94,7 @@ function lightingOf(first: SceneInfo) {
     survey: async () => ({ scale: 0.5, patch: 0.1 }),
     build: async ({ options, model, opened }: BuildWish) => {
       built.push(options);
+      if (room.why) throw new Error(room.why);
       opened?.({ warnings: room.warnings } as never);
       room.told = store.messages.peek().map(({ text }) => text);
       if (options.exchange && room.isFullTooLarge && options.patch < 0.2)
@@ -279,4 +286,21 @@ test('what was wrong with a room is not said of the next one', async () => {
   room.warnings = ['it has no floor'];
   await lighting.light({ name: 'b.glb', bytes: new Uint8Array(4), siblings: new Map() });
   expect(store.messages.peek().map(({ text }) => text)).toEqual(['“b”: It has no floor.']);
+});
+
+test('a model that can be neither shown nor lit is refused in a message that names it', async () => {
+  const { store, room, lighting } = lightingOf(draft);
+  const model: Model = { name: 'alone.gltf', bytes: new Uint8Array(4), siblings: new Map() };
+  for (const why of ["alone.gltf: buffer 0 names 'room.bin', which is not beside it", 'not enough memory']) {
+    room.why = why;
+    await lighting.light(model);
+    expect(store.lighting.value).toBeNull();
+  }
+  expect(store.messages.peek().map(({ text }) => text)).toEqual([
+    "alone.gltf: buffer 0 names 'room.bin', which is not beside it",
+    '“alone.gltf”: Not enough memory.',
+  ]);
+  store.preview.value = 'alone.gltf'; // what is shown has its own note
+  await lighting.light(model);
+  expect(store.lighting.value?.fault).toBe('Not enough memory.');
 });

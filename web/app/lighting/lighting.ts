@@ -213,10 +213,16 @@ export class Lighting {
       };
   }
 
-  /** The state of a failure stays until it is closed; the preview or the draft stays with it. */
+  /** The state of a failure stays until it is closed, beside the preview or the draft; without either it is a message. */
   #fail(why: string, isTooLarge: boolean): void {
     const state = this.#store.lighting.peek();
-    if (state) this.#store.lighting.value = { ...state, fault: sentence(why), isTooLarge, secondsLeft: null };
+    const isSeen = this.#store.preview.peek() !== null || isDraftOnScreen(this.#store);
+    if (state && !isSeen) {
+      this.#store.lighting.value = null;
+      const isNamed = why.startsWith(state.name);
+      this.#store.say('error', isNamed ? why : words.value.opening.about(state.name, sentence(why)));
+    } else if (state)
+      this.#store.lighting.value = { ...state, fault: sentence(why), isTooLarge, secondsLeft: null };
   }
 
   #build(
@@ -393,3 +399,9 @@ const begunOf = ({ name }: Model, pass: LightingState['pass']): LightingState =>
 /** What a link calls a room that was made of this file. */
 const roomOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '.flux');
 export const titleOf = (name: string): string => name.replace(/\.gl(b|tf)$/i, '');
+
+/** Whether what is shown is the draft of a room whose full light is not there (yet). */
+export function isDraftOnScreen({ lighting, preview, litRoom, document }: Store): boolean {
+  const isOfIt = litRoom.value !== null && litRoom.value === document.value.room;
+  return lighting.value?.pass === 'full' && preview.value === null && isOfIt;
+}
