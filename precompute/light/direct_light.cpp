@@ -11,6 +11,7 @@
 #include "precompute/light/emission.h"
 #include "precompute/light/photometric_shadow.h"
 #include "precompute/rays/effort.h"
+#include "precompute/rays/places.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
@@ -30,6 +31,26 @@ bool faces(const Emission& source, const Vec3& position, const Vec3& normal) {
   if (source.isPoint()) return dot(source.position() - position, normal) > 0;
   return std::any_of(source.corners().begin(), source.corners().end(),
                      [&](const Vec3& corner) { return dot(corner - position, normal) > 0; });
+}
+
+/// Whether any of the points is one; which are.
+bool findFacing(const Emission& source, const std::vector<PatchPoint>& points, std::vector<char>& facing) {
+  facing.clear();
+  bool any = false;
+  for (const PatchPoint& point : points) {
+    facing.push_back(faces(source, point.position, point.normal));
+    any |= facing.back() != 0;
+  }
+  return any;
+}
+
+/// Where rays to the sources end.
+BetweenPlaces::Places placesOf(const RayTracer& tracer, const std::vector<Emission>& sources) {
+  BetweenPlaces::Places places;
+  for (const Emission& source : sources)
+    places.push_back(tracer.place(
+        {source.startAt(0, 0), source.startAt(1, 0), source.startAt(1, 1), source.startAt(0, 1)}));
+  return places;
 }
 
 /// lx without any shadow.
@@ -139,24 +160,27 @@ struct PatchLight {
   double illuminance = 0, visible = 0;
 };
 
-/// Mean illuminance over one patch by its `points`: shadow rays to split x split parts of the source from
-/// each, and to penumbra x penumbra where a shadow's edge crosses the patch. `facing` is scratch.
+/// Mean illuminance over one patch by its `points` that face the source: where it is not known what stands
+/// `between`, shadow rays go to split x split parts of the source from each, and to penumbra x penumbra where
+/// a shadow's edge crosses the patch.
 PatchLight patchLight(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
-                      std::uint32_t split, std::uint32_t penumbra, std::uint64_t seed,
-                      std::vector<char>& facing) {
-  facing.clear();
-  for (const PatchPoint& point : points) facing.push_back(faces(source, point.position, point.normal));
-  Shadow probe(tracer, source);
-  probe.cast(points, facing, split, true, Random(seed));
-  if (probe.verdict() < 0) return {};
-
+                      const std::vector<char>& facing, Between between, std::uint32_t split,
+                      std::uint32_t penumbra, std::uint64_t seed) {
+  if (between == Between::kWall) return {};
+  bool isClear = between == Between::kNothing;
   Shadow shadow(tracer, source);
-  if (probe.verdict() == 0) shadow.cast(points, facing, penumbra, false, Random(seed, 1));
+  if (!isClear) {
+    Shadow probe(tracer, source);
+    probe.cast(points, facing, split, true, Random(seed));
+    if (probe.verdict() < 0) return {};
+    isClear = probe.verdict() > 0;
+    if (!isClear) shadow.cast(points, facing, penumbra, false, Random(seed, 1));
+  }
   double sum = 0, all = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!facing[i]) continue;
     const double lit = points[i].weight * unshadowed(source, points[i].position, points[i].normal);
-    sum += probe.verdict() > 0 ? lit : lit * shadow.visibleShare(points[i], i);
+    sum += isClear ? lit : lit * shadow.visibleShare(points[i], i);
     all += lit;
   }
   return {sum, all > 0 ? sum / all : 0};
@@ -191,7 +215,8 @@ class RowLight {
         sources_(luminaires.begin(), luminaires.end()),
         split_(options.split),
         seed_(mixBits(options.seed ^ 0xd1ec7u)),
-        effort_(effortOfRows(room.patches)) {}
+        effort_(effortOfRows(room.patches)),
+        between_(tracer, placesOfClusters(room, tracer), placesOf(tracer, sources_)) {}
 
   /// light[j * stride] is what source j gives row p; visible[j * stride] the step of the share that shadows
   /// let through, where not nullptr.
@@ -203,6 +228,7 @@ class RowLight {
     const double radius = 0.5 * std::sqrt(room_.patches.area[p]);
     const bool isSmall = effort_[p] >= 2;
     const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = (isSmall ? 4 : 2) * split;
+    const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
     std::vector<char> facing;
     for (std::size_t j = 0; j < sources_.size(); ++j) {
       const std::uint64_t own = mixBits(seed_ ^ (std::uint64_t{p} << 32 | j));
@@ -211,7 +237,9 @@ class RowLight {
             tracer_, sampler, room_.patches.center[p], radius, luminaires_[j], split, own));
         continue;
       }
-      PatchLight lit = patchLight(tracer_, sources_[j], points, split, penumbra, own, facing);
+      PatchLight lit;
+      if (findFacing(sources_[j], points, facing))
+        lit = patchLight(tracer_, sources_[j], points, facing, between(p, place, j), split, penumbra, own);
       light[j * stride] = static_cast<float>(lit.illuminance);
       if (visible && lit.visible == 0)
         lit.visible = shareFromBehind(tracer_, sources_[j], points, own, facing);
@@ -220,6 +248,14 @@ class RowLight {
   }
 
  private:
+  Between between(std::uint32_t p, const std::optional<Place>& place, std::size_t source) const {
+    if (p < room_.patches.count) {
+      const Between known = between_.at(room_.patches.cluster[p], source);
+      if (known != Between::kUnknown) return known;
+    }
+    return place ? tracer_.between(*place, *between_.to(source)) : Between::kUnknown;
+  }
+
   const Room& room_;
   const RayTracer& tracer_;
   const std::vector<Luminaire>& luminaires_;
@@ -227,6 +263,7 @@ class RowLight {
   std::uint32_t split_;
   std::uint64_t seed_;
   std::vector<std::uint32_t> effort_;  // rows
+  BetweenPlaces between_;              // clusters x sources
 };
 
 /// Room for the steps of so many rows; nullptr where nobody wants them.

@@ -1,6 +1,6 @@
 // Direct light of luminaires, never from hemisphere rays: the source's own form factor (Lambert's polygon, or
 // inverse square for a point) times its visible part by stratified shadow rays, averaged over the receiving
-// patch.
+// patch. A patch and a source that nothing stands between, or a whole wall, need no rays.
 #pragma once
 
 #include <cstdint>

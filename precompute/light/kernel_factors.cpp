@@ -42,6 +42,7 @@ KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uin
       seed_(seed),
       sequence_(kMostRays),
       clusters_(room),
+      between_(tracer, placesOfClusters(room, tracer), placesOfClusters(room, tracer)),
       firstPatch_(static_cast<std::uint32_t>(clusters_.parts().size())) {
   const Patches& patches = room.patches;
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
@@ -84,33 +85,54 @@ PatchPoint KernelFactors::pointOn(std::uint32_t item, double u, double v) const 
   return samplers_[q].at(std::min(along / area[q], 1 - 1e-9), v);
 }
 
-/// All parts of distant clusters and all patches of other ones, not too close, that the row can see at all;
-/// by cluster.
+/// What is known of all rays from a row's cluster to another. note: a shaft of the row's own costs more than
+/// the few rays that it would save.
+Between KernelFactors::between(std::uint32_t p, std::uint32_t cluster) const {
+  if (p >= room_.patches.count) return Between::kUnknown;
+  const std::uint32_t own = room_.patches.cluster[p];
+  return between_.at(std::min(own, cluster), std::max(own, cluster));
+}
+
+/// Adds the parts of a distant cluster, or the patches of another one that are not too close, that the row
+/// can see at all.
+void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points, std::uint32_t c,
+                                  std::vector<Candidate>& candidates) const {
+  const Patches& patches = room_.patches;
+  if (edgesTo(p, c) >= kNearEdges) {
+    for (std::uint32_t i = clusters_.firstOf(c); i < clusters_.firstOf(c + 1); ++i) {
+      const ClusterPart& part = clusters_.parts()[i];
+      const double factor =
+          part.area * kernel(part.center - patches.center[p], patches.normal[p], part.normal);
+      if (factor > 0) candidates.push_back({i, c, factor});
+    }
+    return;
+  }
+  for (const std::uint32_t q : clusters_.membersOf(c)) {
+    if (tooClose(p, q)) continue;
+    double factor = 0;
+    for (const PatchPoint& from : points) {
+      for (const PatchPoint& to : gauss_[q])
+        factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
+    }
+    factor *= patches.area[q];
+    if (factor > 0) candidates.push_back({firstPatch_ + q, c, factor});
+  }
+}
+
+/// All that the row may see, by cluster.
 std::vector<KernelFactors::Candidate> KernelFactors::candidatesOf(std::uint32_t p,
                                                                   const PatchSampler& sampler) const {
-  const Patches& patches = room_.patches;
-  const Vec3 center = patches.center[p], normal = patches.normal[p];
   const std::vector<PatchPoint> points = sampler.quadrature(2);
   std::vector<Candidate> candidates;
-  for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
-    if (edgesTo(p, c) >= kNearEdges) {
-      for (std::uint32_t i = clusters_.firstOf(c); i < clusters_.firstOf(c + 1); ++i) {
-        const ClusterPart& part = clusters_.parts()[i];
-        const double factor = part.area * kernel(part.center - center, normal, part.normal);
-        if (factor > 0) candidates.push_back({i, c, factor});
-      }
-      continue;
-    }
-    for (const std::uint32_t q : clusters_.membersOf(c)) {
-      if (tooClose(p, q)) continue;
-      double factor = 0;
-      for (const PatchPoint& from : points) {
-        for (const PatchPoint& to : gauss_[q])
-          factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
-      }
-      factor *= patches.area[q];
-      if (factor > 0) candidates.push_back({firstPatch_ + q, c, factor});
-    }
+  for (std::uint32_t c = 0; c < room_.patches.clusterCount; ++c) {
+    const std::size_t first = candidates.size();
+    addCandidates(p, points, c, candidates);
+    if (candidates.size() == first) continue;
+    const Between known = between(p, c);
+    if (known == Between::kWall)
+      candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end());
+    for (std::size_t i = first; i < candidates.size(); ++i)
+      candidates[i].isClear = known == Between::kNothing;
   }
   return candidates;
 }
@@ -138,6 +160,7 @@ void KernelFactors::castShadows(std::uint64_t seed, std::uint32_t rays, const Pa
   // Eight rays go together, of whichever candidates they are.
   for (std::size_t i = first; i < last; ++i) {
     Candidate& candidate = candidates[i];
+    if (candidate.isClear) continue;
     const auto scramble = RaySequence::scramble(mixBits(seed ^ candidate.item));
     const double area = areaOf(candidate.item);
     candidate.visible = 0;

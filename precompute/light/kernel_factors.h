@@ -1,6 +1,7 @@
 // Form factors to all but the closest patches, by the kernel cos cos / (pi r^2) and shadow rays: patch by
 // patch nearby, further away by quarters of clusters. A cosine ray rarely meets a small bright spot, and one
-// hit too many is a bright patch; this estimate has no such noise.
+// hit too many is a bright patch; this estimate has no such noise. Clusters that nothing stands between, or a
+// whole wall, need no rays.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "core/transport/form_factors.h"
 #include "precompute/light/cluster_parts.h"
 #include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/places.h"
 #include "precompute/rays/ray_sequence.h"
 #include "precompute/rays/ray_tracer.h"
 #include "precompute/room/room.h"
@@ -46,11 +48,15 @@ class KernelFactors {
     std::uint32_t item;         // part, or firstPatch_ + patch
     std::uint32_t cluster;      // of it
     double kernel;              // form factor if nothing is between
+    bool isClear = false;       // and nothing is: no need to ask
     std::uint32_t asked = 0;    // shadow rays
     std::uint32_t visible = 0;  // of these arrived
     double arrived = 0;         // sum of the form factors that these stand for
   };
 
+  Between between(std::uint32_t p, std::uint32_t cluster) const;
+  void addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points, std::uint32_t c,
+                     std::vector<Candidate>& candidates) const;
   std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
   void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
                    std::size_t last, std::vector<Candidate>& candidates) const;
@@ -72,6 +78,7 @@ class KernelFactors {
   std::uint64_t seed_;
   RaySequence sequence_;
   ClusterParts clusters_;
+  BetweenPlaces between_;                              // clusters
   std::uint32_t firstPatch_;                           // items: parts, from here on patches
   std::vector<double> patchReach_;                     // rows, m: squareReach of patches
   std::vector<PatchSampler> samplers_;                 // n

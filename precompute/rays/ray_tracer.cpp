@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "precompute/rays/blocker_tree.h"
 #include "precompute/room/bounds.h"
 #ifdef __EMSCRIPTEN__
 #include "precompute/rays/triangle_tree.h"
@@ -19,6 +20,7 @@ namespace fiatlux {
 namespace {
 
 constexpr double kOffset = 4e-6;  // of the diagonal: a few roundings of a coordinate in single precision
+constexpr double kTouch = 1e-6;   // of the diagonal: what two places must share to be in each other's way
 
 #ifdef __EMSCRIPTEN__
 using Geometry = TriangleTree;
@@ -30,6 +32,7 @@ using Geometry = EmbreeScene;
 
 struct RayTracer::Parts {
   Geometry geometry;
+  BlockerTree blockers;
   Vec3 center;  // m, of the bounding box
   double offset = 0;
 };
@@ -50,7 +53,10 @@ Result<RayTracer> RayTracer::build(std::span<const Vec3> positions, std::span<co
   }
   Result<Geometry> geometry = Geometry::build(local, triangles);
   if (!geometry) return geometry.error();
-  return RayTracer(std::make_unique<Parts>(Parts{std::move(*geometry), center, kOffset * bounds.diagonal()}));
+  const double diagonal = bounds.diagonal();
+  BlockerTree blockers(local, triangles, static_cast<float>(kTouch * diagonal));
+  return RayTracer(
+      std::make_unique<Parts>(Parts{std::move(*geometry), std::move(blockers), center, kOffset * diagonal}));
 }
 
 Result<RayTracer> RayTracer::build(const Room& room) {
@@ -95,6 +101,21 @@ bool RayTracer::isBlocked(const Vec3& from, const Vec3& to) const {
   bool blocked[RayPacket::kSize];
   occluded(ray, blocked);
   return blocked[0];
+}
+
+Place RayTracer::place(const std::array<Vec3, 4>& corners) const {
+  Place place;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 local = corners[i] - parts_->center;
+    place.corner[0][i] = static_cast<float>(local.x);
+    place.corner[1][i] = static_cast<float>(local.y);
+    place.corner[2][i] = static_cast<float>(local.z);
+  }
+  return place;
+}
+
+Between RayTracer::between(const Place& from, const Place& to) const {
+  return parts_->blockers.between(from, to);
 }
 
 double RayTracer::offset() const { return parts_->offset; }

@@ -1,4 +1,4 @@
-// What a ray meets first, and whether anything lies between two points. The only door to Embree.
+// What a ray meets first, and whether anything lies between two points, or between two whole places.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "precompute/rays/shaft.h"
 #include "precompute/room/room.h"
 
 namespace fiatlux {
@@ -57,6 +58,12 @@ class RayTracer {
   RayHit firstHit(const Vec3& origin, const Vec3& direction) const;
   /// Whether a triangle's front or back crosses the straight way between two points, m.
   bool isBlocked(const Vec3& from, const Vec3& to) const;
+
+  /// Four corners in turn, world coordinates, metres.
+  Place place(const std::array<Vec3, 4>& corners) const;
+  /// What all rays from one place to another meet, as far as that can be said without casting any. What
+  /// stands between them by less than a part of the offset is not seen.
+  Between between(const Place& from, const Place& to) const;
 
   /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
   double offset() const;
