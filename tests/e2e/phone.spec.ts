@@ -97,6 +97,12 @@ test('the narrowest screen shows tags below the toolbar and no half of a figure'
   const [frame, text] = [(await figures.boundingBox())!, (await figures.locator('span').boundingBox())!];
   const isWhole = text.x + text.width <= frame.x + frame.width + 1;
   expect(isWhole || text.y >= frame.y + frame.height).toBe(true);
+  await results(page);
+  await page.getByRole('button', { name: 'floor', exact: true }).click();
+  const selection = (await page.getByRole('toolbar', { name: 'Intentions for floor' }).boundingBox())!;
+  const free = selection.y - (bar.y + bar.height);
+  expect(free).toBeGreaterThan(2 * selection.height); // of the room's strip
+  await page.getByRole('button', { name: 'Clear the selection' }).click();
 
   // On a tablet the panel leaves the verbs of a surface less room than a phone does.
   await page.setViewportSize({ width: 820, height: 1180 });
