@@ -30,7 +30,9 @@ export type RuleWay = Way<EasedRule>;
 export interface Relief {
   readonly of: Intentions; // that were asked for
   readonly rules: readonly RuleWay[]; // each alone does, and every bound is met
-  readonly conflict: readonly number[]; // constraints that cannot be met together; without any of them the others can
+  /** Constraints that cannot be met together, while without any of them the others can; or, `isEach`, none of them alone. */
+  readonly conflict: readonly number[];
+  readonly isEach: boolean; // there are several that cannot be met even if nothing else is asked
   readonly single: readonly Way<EasedBound>[]; // each alone does
   readonly patches: readonly Way<number>[]; // constraints that do as true minima or maxima instead of by statistics
   readonly flux: Way<number> | null; // lm of each luminaire
@@ -60,29 +62,35 @@ export async function findRelief(
 
   // What is met with most to spare is the least likely to stand in the way of the others.
   const order = [...all].sort((a, b) => (reached[b]?.margin ?? 0) - (reached[a]?.margin ?? 0));
-  const conflict: number[] = [];
+  let conflict: number[] = [];
   let dropped: number[] = [];
   for (const constraint of order) {
     if (await layoutFor(without([...dropped, constraint]))) conflict.push(constraint);
     else dropped = [...dropped, constraint];
   }
+  const missed = all.filter((i) => !reached[i]?.met);
+  const alone = conflict.length === 1 ? [...conflict] : []; // it is beyond the room by itself; others may be, too
+  for (const constraint of missed)
+    if (alone.length > 0 && !alone.includes(constraint) && !(await layoutFor(only(of, constraint))))
+      alone.push(constraint);
+  const isEach = alone.length > 1;
+  if (isEach) conflict = alone;
   conflict.sort((a, b) => (reached[a]?.margin ?? 0) - (reached[b]?.margin ?? 0));
 
   const single: Way<EasedBound>[] = [];
-  for (const constraint of conflict) {
+  for (const constraint of isEach ? [] : conflict) {
     const way = await easedAlone(of, constraint, reached[constraint]?.value ?? Number.NaN, layoutFor);
     if (way) single.push(way);
   }
   const patches: Way<number>[] = [];
-  for (const constraint of conflict) {
+  for (const constraint of isEach ? [] : conflict) {
     const layout =
       of.constraints[constraint]?.statistic === 'chebyshev' && (await layoutFor(byPatches(of, constraint)));
     if (layout) patches.push({ change: constraint, layout });
   }
   const flux = await moreFlux(of, conflict, layoutFor);
-  const broken = all.filter((i) => !reached[i]?.met);
-  const together = single.length === 0 ? await easedTogether(of, broken, reached, layoutFor) : null;
-  return { of, rules, conflict, single, patches, flux, together };
+  const together = single.length === 0 ? await easedTogether(of, missed, reached, layoutFor) : null;
+  return { of, rules, conflict, isEach, single, patches, flux, together };
 }
 
 /** Distances below one, m, to a tenth; the last one is none. */
@@ -121,6 +129,12 @@ type LayoutFor = (asked: Intentions) => Promise<Layout | null>;
 
 function withConstraints(of: Intentions, keep: (constraint: Constraint, i: number) => boolean): Intentions {
   return { ...of, constraints: of.constraints.filter(keep) };
+}
+
+/** The same with nothing asked but one constraint. */
+function only(of: Intentions, constraint: number): Intentions {
+  const { max: _, ...glare } = of.glare ?? {};
+  return { ...withConstraints(of, (_, i) => i === constraint), ...(of.glare && { glare }) };
 }
 
 /** The same with a guarantee that is asked of every patch. */

@@ -34,6 +34,7 @@ test('a bound that is beyond the room is named alone, with the round number that
   const asked = wish(wall(50), floor(500));
   const relief = await findRelief(asked, [missed(80, 0.6), missed(430, -0.14)], tried(log));
   expect(relief.conflict).toEqual([1]);
+  expect(relief.isEach).toBe(false);
   expect(relief.single).toEqual([{ change: { constraint: 1, bound: 430 }, layout }]);
   expect(relief.flux?.change).toBe(1200);
   expect(relief.together).toBeNull();
@@ -44,6 +45,7 @@ test('of two that contradict each other both are named, also the one that is met
   const asked = wish(wall(50), floor(400), ceiling(80));
   const relief = await findRelief(asked, [missed(80, 0.6), missed(320, -0.2), missed(80, 0)], tried());
   expect(relief.conflict).toEqual([1, 2]);
+  expect(relief.isEach).toBe(false);
   expect(relief.single.map(({ change }) => change)).toEqual([
     { constraint: 1, bound: 320 },
     { constraint: 2, bound: 105 },
@@ -57,6 +59,8 @@ test('where no single bound is in the way, those that are missed are eased toget
     return { layout, lumens: 1, met: isMet, violation: isMet ? 0 : 1 };
   };
   const relief = await findRelief(wish(floor(200), wall(300)), [missed(100, -0.5), missed(100, -0.7)], room);
+  expect(relief.conflict).toEqual([1, 0]); // the one that is missed by more first
+  expect(relief.isEach).toBe(true);
   expect(relief.single).toEqual([]);
   expect(relief.together?.change).toEqual([
     { constraint: 0, bound: 100 },

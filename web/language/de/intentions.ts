@@ -160,6 +160,7 @@ export const intentions: Words['intentions'] = {
     missed: (bounds) => `${bounds} nicht erfüllt`,
     one: 'Eine Vorgabe ist nicht erfüllbar',
     together: (count) => `${count} Vorgaben sind zusammen nicht erfüllbar`,
+    each: (count) => `${count} Vorgaben sind nicht erfüllbar, auch nicht einzeln`,
     atCost: 'erfüllt auf Kosten der anderen.',
     best: (reached, unit) => `die beste gefundene Anordnung hat ${reached}${unit}.`,
     drop: 'Weglassen',

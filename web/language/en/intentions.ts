@@ -163,6 +163,7 @@ export const intentions = {
     missed: (bounds: string) => `${bounds} not met`,
     one: 'One bound cannot be met',
     together: (count: number) => `${count} bounds cannot be met together`,
+    each: (count: number) => `${count} bounds cannot be met, not even one at a time`,
     atCost: 'met at the cost of the others.',
     best: (reached: string, unit: string) => `the best found has ${reached}${unit}.`,
     drop: 'Drop it',
