@@ -10,7 +10,7 @@ import type { Store } from './state/store.ts';
 import { everyVerdict } from './words/type-verdicts.ts';
 import { nameOf, type Alone, type Verdict } from './words/verdict.ts';
 
-const evaluations = 25_000; // of a row
+export const evaluationsAlone = 25_000; // of a row
 
 /** Of a row: the best that was found, and what no layout can have more of where that is proved, in its unit. */
 export interface BestFigure {
@@ -77,7 +77,7 @@ export class BestFinding {
     this.#asked = of;
     const figures = new Map<string, BestFigure>();
     const variants = rows.map(({ alone }) => askedAlone(of, alone));
-    this.#solving.compare(variants, evaluations, ({ variant, outcome }) => {
+    this.#solving.compare(variants, evaluationsAlone, ({ variant, outcome }) => {
       const row = rows[variant];
       if (!row || !outcome) return;
       const { limit } = outcome;

@@ -216,9 +216,9 @@ export class Comparing {
   /** The bounds that conflict and what would do instead, once all that has been searched for. */
   async #relieve(of: Intentions, { constraints }: Shown): Promise<void> {
     this.#relieved = of;
-    const tryOne = (asked: Intentions) =>
+    const tryOne = (asked: Intentions, evaluations = evaluationsOfRelief) =>
       new Promise<Outcome | null>((resolve) =>
-        this.#try([asked], evaluationsOfRelief, ([outcome]) => resolve(outcome ?? null)),
+        this.#try([asked], evaluations, ([outcome]) => resolve(outcome ?? null)),
       );
     const { areas, excluded } = this.#store.document.peek().luminaires;
     const relief = await findRelief(of, constraints, tryOne, areas ? excluded : null);

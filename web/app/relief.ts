@@ -5,6 +5,7 @@
 import { isRatio } from '../document/statistics.ts';
 import type { Constraint, Intentions, Layout } from '../document/types.ts';
 import type { Outcome } from '../solver/protocol.ts';
+import { askedAlone, evaluationsAlone } from './best-figures.ts';
 import { roundFlux, roundSteps } from './words/round-steps.ts';
 
 /** A change that was seen to meet everything, and the layout that does. */
@@ -40,7 +41,7 @@ export interface Relief {
 }
 
 /** What a short search reaches for other intentions; null where the rules leave no layout. */
-export type TryOne = (asked: Intentions) => Promise<Outcome | null>;
+export type TryOne = (asked: Intentions, evaluations?: number) => Promise<Outcome | null>;
 
 /**
  * `reached`: the value of each constraint in the layout shown, and whether it is met there. `withoutAreas`: the places kept
@@ -71,7 +72,7 @@ export async function findRelief(
   const missed = all.filter((i) => !reached[i]?.met);
   const alone = conflict.length === 1 ? [...conflict] : []; // it is beyond the room by itself; others may be, too
   for (const constraint of missed)
-    if (alone.length > 0 && !alone.includes(constraint) && !(await layoutFor(only(of, constraint))))
+    if (alone.length > 0 && !alone.includes(constraint) && !(await canBeMetAlone(of, constraint, tryOne)))
       alone.push(constraint);
   const isEach = alone.length > 1;
   if (isEach) conflict = alone;
@@ -91,6 +92,14 @@ export async function findRelief(
   const flux = await moreFlux(of, conflict, layoutFor);
   const together = single.length === 0 ? await easedTogether(of, missed, reached, layoutFor) : null;
   return { of, rules, conflict, isEach, single, patches, flux, together };
+}
+
+/** Searched for as long as the verdict does, which says of a row whether it can be met. */
+async function canBeMetAlone(of: Intentions, constraint: number, tryOne: TryOne): Promise<boolean> {
+  const asked = of.constraints[constraint];
+  if (!asked) return true;
+  const outcome = await tryOne(askedAlone(of, asked), evaluationsAlone);
+  return outcome?.met === true;
 }
 
 /** Distances below one, m, to a tenth; the last one is none. */
@@ -129,12 +138,6 @@ type LayoutFor = (asked: Intentions) => Promise<Layout | null>;
 
 function withConstraints(of: Intentions, keep: (constraint: Constraint, i: number) => boolean): Intentions {
   return { ...of, constraints: of.constraints.filter(keep) };
-}
-
-/** The same with nothing asked but one constraint. */
-function only(of: Intentions, constraint: number): Intentions {
-  const { max: _, ...glare } = of.glare ?? {};
-  return { ...withConstraints(of, (_, i) => i === constraint), ...(of.glare && { glare }) };
 }
 
 /** The same with a guarantee that is asked of every patch. */
