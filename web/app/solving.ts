@@ -144,6 +144,7 @@ export class Solving {
     if (!next) return;
     const factor = this.#factor;
     this.#client.compare(
+      this.#intentions(),
       next.variants.map((each) => asNew(each, factor)),
       this.#showing.layout,
       this.#store.document.peek().seed,

@@ -7,50 +7,44 @@ import type { Intentions, SceneInfo } from '../document/types.ts';
 import { coreIntentions, layoutOf, metUpTo } from './core-intentions.ts';
 import type { Searching } from './hung-session.ts';
 import type { Outcome, ToWorker } from './protocol.ts';
-import { noTransfer, type Answer, type Task } from './task.ts';
+import { noTransfer, type Answer } from './task.ts';
 
 type Request = Extract<ToWorker, { readonly type: 'compare' }>;
 
-export class CompareTask implements Task {
-  readonly #session: () => Searching;
-  readonly #request: Request;
+export class CompareTask {
+  readonly request: Request;
   readonly #leaves: SceneInfo['surfaces'];
   #next = 0;
   #from: Uint32Array;
 
-  /** `session`: the one that the search before it was in. */
-  constructor(session: () => Searching, request: Request, leaves: SceneInfo['surfaces']) {
-    this.#session = session;
-    this.#request = request;
+  constructor(request: Request, leaves: SceneInfo['surfaces']) {
+    this.request = request;
     this.#leaves = leaves;
     this.#from = Uint32Array.from(request.start?.sites ?? []);
   }
 
   get revision(): number {
-    return this.#request.revision;
+    return this.request.revision;
   }
 
   get done(): boolean {
-    return this.#next >= this.#request.variants.length;
+    return this.#next >= this.request.variants.length;
   }
 
-  step(): Answer[] {
+  /** `session`: one that has all that may be tried. */
+  stepIn(session: Searching): Answer[] {
     const variant = this.#next++;
-    const asked = this.#request.variants[variant];
+    const asked = this.request.variants[variant];
     if (!asked) return [];
-    const outcome = this.#outcome(asked);
+    const outcome = this.#outcome(session, asked);
     return [noTransfer({ type: 'compared', revision: this.revision, variant, outcome, done: this.done })];
   }
 
-  stop(): Answer[] {
-    return [];
-  }
-
   /** null where the rules leave no layout at all. */
-  #outcome(asked: Intentions): Outcome | null {
-    const { seed, evaluations } = this.#request;
+  #outcome(session: Searching, asked: Intentions): Outcome | null {
+    const { seed, evaluations } = this.request;
     const wish = coreIntentions(asked, this.#leaves);
-    const found = this.#session().tryAside(wish, seed, this.#from, evaluations);
+    const found = session.tryAside(wish, seed, this.#from, evaluations);
     if (typeof found === 'string') return null;
     this.#from = found.layout.sites;
     const layout = layoutOf(found.layout);

@@ -137,10 +137,14 @@ export type ToWorker =
       readonly seed: number;
       readonly held: Layout | null; // whose luminaires hang on the pinned sites
     }
-  /** Tries other intentions shortly, one after the other, once no search runs -> 'compared' for each. */
+  /**
+   * Tries other intentions shortly, one after the other, once no search runs -> 'compared' for each. `intentions`: those
+   * that are asked, which the others are like.
+   */
   | {
       readonly type: 'compare';
       readonly revision: number;
+      readonly intentions: Intentions;
       readonly variants: readonly Intentions[];
       readonly start: Layout | null; // of the first; each of the others goes on from the one before
       readonly seed: number;

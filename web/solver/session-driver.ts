@@ -49,6 +49,8 @@ export class SessionDriver {
   readonly #prove: Proving;
   #endProof = () => {}; // of the bound, in another worker
   #asked: Searching | HungSession; // the session that the latest intentions went to
+  #mayTryAll = true; // it was asked as one that has all that the rules allow, not the places of one layout alone
+  #trying: { readonly of: number; readonly by: Searching } | null = null; // who tries for that request instead
   #scene: SceneInfo | null = null;
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
@@ -162,7 +164,7 @@ export class SessionDriver {
         this.#bound = message;
         return;
       case 'compare':
-        this.#compare = new CompareTask(() => this.#asked, message, this.#leaves(message.variants[0] ?? {}));
+        this.#compare = new CompareTask(message, this.#leaves(message.intentions));
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);
@@ -333,8 +335,29 @@ export class SessionDriver {
   }
 
   #advanceCompare(task: CompareTask): void {
-    this.#tell(task.step());
+    const session = this.#mayTryAll ? this.#asked : this.#madeToTry(task.request);
+    if (!session) return;
+    this.#tell(task.stepIn(session));
     if (task.done && this.#compare === task) this.#compare = null;
+  }
+
+  /** Whoever has all that may be tried where only a layout is shown; null: that is being made. */
+  #madeToTry({ revision, intentions }: Request<'compare'>): Searching | null {
+    if (this.#trying?.of !== revision || !this.#mounts.has(this.#trying.by)) {
+      const wanted: Wanted = { asked: intentions, layout: null, extent: 'all' };
+      if (!this.#mounts.isReady(wanted)) {
+        this.#mounts.advance(wanted);
+        return null;
+      }
+      const mounted = this.#mounts.session(wanted);
+      mounted?.ask(intentions.luminaires, true);
+      const session = mounted ?? this.#session;
+      // note: where it says no, there is no room for these; for others there may be.
+      session.setIntentions(coreIntentions(intentions, this.#leaves(intentions)));
+      if (!this.#mounts.has(this.#asked)) this.#asked = session; // these candidates took its place
+      this.#trying = { of: revision, by: session };
+    }
+    return this.#trying.by.prepareSearch(preparedRows) ? this.#trying.by : null;
   }
 
   #tellColor(): void {
@@ -415,6 +438,7 @@ export class SessionDriver {
     if (!this.#mounts.has(this.#asked)) {
       this.#endProof();
       this.#asked = session; // its candidates made room for these
+      this.#mayTryAll = !mounted;
     }
     return { session, held: mounted ? mounted.take(layout) : coreLayout(layout) };
   }
@@ -437,6 +461,7 @@ export class SessionDriver {
     this.#paint = corePaint(intentions.paint, this.#leaves(intentions));
     const mounted = this.#mounts.session({ asked: intentions, layout, extent });
     this.#asked = mounted ?? this.#session;
+    this.#mayTryAll = !mounted || extent === 'all';
     const none = { sites: [], flux: [], dimming: 1 };
     const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
     mounted?.ask(intentions.luminaires, extent === 'all');
@@ -504,7 +529,8 @@ function withoutOperator<Message extends Turned>(message: Message): Message {
     const { glare: _glare, paint: _paint, ...intentions } = asked;
     return intentions;
   };
-  if (message.type === 'compare') return { ...message, variants: message.variants.map(dropped) };
+  if (message.type === 'compare')
+    return { ...message, intentions: dropped(message.intentions), variants: message.variants.map(dropped) };
   return 'intentions' in message ? { ...message, intentions: dropped(message.intentions) } : message;
 }
 

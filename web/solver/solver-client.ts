@@ -118,11 +118,18 @@ export class SolverClient {
     return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search });
   }
 
-  /** Tries other intentions beside what is asked; the first from `start`. */
-  compare(variants: readonly Intentions[], start: Layout | null, seed: number, evaluations: number): number {
+  /** Tries other intentions beside those that are asked; the first from `start`. */
+  compare(
+    intentions: Intentions,
+    variants: readonly Intentions[],
+    start: Layout | null,
+    seed: number,
+    evaluations: number,
+  ): number {
     return this.#ask({
       type: 'compare',
       revision: ++this.#revision,
+      intentions,
       variants,
       start,
       seed,

@@ -897,6 +897,7 @@ describe('other ways', () => {
   const compare = (revision: number): ToWorker => ({
     type: 'compare',
     revision,
+    intentions: asked,
     variants,
     start: { sites: [1], flux: [100], dimming: 1 },
     seed: 5,
@@ -923,6 +924,21 @@ describe('other ways', () => {
       'try 4 with 5 from 0 1',
     ]);
     expect(kinds().findIndex((kind) => kind === 'settled 2')).toBeLessThan(kinds().indexOf('compared 3'));
+  });
+
+  test('are tried on all places of a type also where only a layout is shown', async () => {
+    await openedForTypes();
+    const layout = { sites: [1], flux: [100], dimming: 1, mountings: [mounting] };
+    await driver.receive({ type: 'show', revision: 2, intentions: ofTypes(), layout });
+    const few = mounted;
+    expect(few.calls).toContain('adopt 1 0');
+    const intentions = ofTypes();
+    await driver.receive({ ...compare(3), intentions, variants: [intentions] } as ToWorker);
+    settle();
+    expect(kinds().at(-1)).toBe('compared 3');
+    expect(few.calls.filter((call) => call.startsWith('try'))).toEqual([]);
+    expect(mounted.calls).toContain('adopt 0 0 1 0');
+    expect(mounted.calls.filter((call) => call.startsWith('try'))).toHaveLength(1);
   });
 
   test('are forgotten with the wish that they were for', async () => {
