@@ -66,10 +66,10 @@ export const placeOf = (cells: number, i: number, j: number): number =>
   j * (cells + 1) - (j * (j - 1)) / 2 + i;
 
 /** A little above a face and inside of it, so that what only touches its border does not hide the place. */
-export function placeAbove(face: Face, u: number, v: number, lift: number): Triple {
+export function placeAbove(face: Face, u: number, v: number, lift: number, inside = 2 * lift): Triple {
   const point = pointOf(face, u, v);
   const middle = pointOf(face, 1 / 3, 1 / 3);
-  const pull = Math.min(0.3, (2 * lift) / Math.max(1e-9, distance(point, middle)));
+  const pull = Math.min(0.3, inside / Math.max(1e-9, distance(point, middle)));
   return point.map(
     (value, axis) => value + pull * (middle[axis]! - value) + lift * face.normal[axis]!,
   ) as Triple;

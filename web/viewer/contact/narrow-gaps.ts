@@ -26,6 +26,14 @@ const places = [
   [0.1, 0.45],
   [0.45, 0.1],
 ] as const;
+const rim = [
+  [0.002, 0.002],
+  [0.996, 0.002],
+  [0.002, 0.996],
+  [0.499, 0.499],
+  [0.002, 0.499],
+  [0.499, 0.002],
+] as const;
 
 export function closeNarrowGaps(solids: Solids): ClosedGaps[] {
   const moves = new Map<number, Triple>(); // of vertices of all parts
@@ -46,19 +54,26 @@ export function closeNarrowGaps(solids: Solids): ClosedGaps[] {
 const noGap = { gap: 0, isWhole: false };
 
 /** How wide the gap is that most of a face looks into, m; 0: none, or a wider one. And whether all of it does. */
-function gapBefore({ tree }: Solids, face: Face): { gap: number; isWhole: boolean } {
-  const [nx, ny, nz] = face.normal;
+function gapBefore(solids: Solids, face: Face): { gap: number; isWhole: boolean } {
   let met = 0;
   let least = widest;
-  for (const [k, [u, v]] of places.entries()) {
+  for (const [k, place] of places.entries()) {
     if (met + places.length - k <= places.length / 2) return noGap; // most see further already
-    const [x, y, z] = pointOf(face, u, v);
-    const far = tree.reach(x + lift * nx, y + lift * ny, z + lift * nz, nx, ny, nz, true, widest);
-    if (tree.met < 0 || tree.isBack) continue;
+    const far = gapAt(solids, face, place);
+    if (far === 0) continue;
     met++;
-    least = Math.min(least, far + lift);
+    least = Math.min(least, far);
   }
-  return met > places.length / 2 ? { gap: least, isWhole: met === places.length } : noGap;
+  if (met <= places.length / 2) return noGap;
+  const isWhole = met === places.length && rim.every((place) => gapAt(solids, face, place) > 0);
+  return { gap: least, isWhole };
+}
+
+function gapAt({ tree }: Solids, face: Face, [u, v]: readonly [number, number]): number {
+  const [nx, ny, nz] = face.normal;
+  const [x, y, z] = pointOf(face, u, v);
+  const far = tree.reach(x + lift * nx, y + lift * ny, z + lift * nz, nx, ny, nz, true, widest);
+  return tree.met < 0 || tree.isBack ? 0 : far + lift;
 }
 
 /** Moves all vertices that lie on a face along its normal: those of other meshes that end there, too. */

@@ -28,6 +28,7 @@ export interface ShadowsCast {
 }
 
 const lift = 2e-3; // m above the surface
+const inside = 2e-4; // m from the border of a triangle: its neighbour is to see the same there
 const short = 0.03; // m before a luminaire: nothing there is in its way
 const coarse = 4; // cells along an edge or more: every second place is looked at
 const quarters = [
@@ -120,7 +121,7 @@ export class Shadows {
 
   /** What the middle of a face is in the shadow of. */
   #inMiddle(face: Face, luminaires: readonly (readonly Source[])[]): number {
-    const [x, y, z] = placeAbove(face, 1 / 3, 1 / 3, lift);
+    const [x, y, z] = placeAbove(face, 1 / 3, 1 / 3, lift, inside);
     let missing = 0;
     for (const source of luminaires.flat()) {
       const light = lightAt(source, face.normal, x, y, z);
@@ -133,7 +134,7 @@ export class Shadows {
     this.#points = new Float64Array(3 * latticeSize(cells));
     for (let j = 0; j <= cells; j++)
       for (let i = 0; i <= cells - j; i++)
-        this.#points.set(placeAbove(face, i / cells, j / cells, lift), 3 * placeOf(cells, i, j));
+        this.#points.set(placeAbove(face, i / cells, j / cells, lift, inside), 3 * placeOf(cells, i, j));
   }
 
   /** Adds what places of a lattice are in the shadow of, of one luminaire. */
@@ -141,7 +142,7 @@ export class Shadows {
     let [seen, hidden] = [0, 0];
     probes.forEach(([u, v], k) => {
       if (seen > 0 && hidden > 0) return;
-      const [x, y, z] = placeAbove(face, u, v, lift);
+      const [x, y, z] = placeAbove(face, u, v, lift, inside);
       // At its corners as its neighbours see it, so that no shadow ends between them.
       for (const source of k < 3 ? sources : [sources[k % sources.length]!]) {
         if (!(lightAt(source, face.normal, x, y, z) > 0)) continue;

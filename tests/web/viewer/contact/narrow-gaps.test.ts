@@ -36,6 +36,18 @@ describe('a gap of 2 mm', () => {
   });
 });
 
+test('a floor of which a corner looks out from under a foot is drawn', () => {
+  const floor = rectangle([[0, 0, 0], [0, 0, 0.2], [0.2, 0, 0]] as const, 0); // prettier-ignore
+  const hidden = (x: number) => {
+    const foot = rectangle([[x, 0.001, x], [0.4, 0, 0], [0, 0, 0.4]] as const, 1); // prettier-ignore
+    const parts = [floor, foot];
+    return closeNarrowGaps(new Solids({ parts, patchCenter: new Float32Array(6), edge: 0.2 }))[0]!.hidden
+      .length;
+  };
+  expect(hidden(0.005)).toBe(0); // 5 mm of either triangle
+  expect(hidden(-0.1)).toBe(2);
+});
+
 test('a joint that is to be seen stays', () => {
   for (const { vertices, hidden } of closed(0.004)) expect([vertices.length, hidden.length]).toEqual([0, 0]);
 });

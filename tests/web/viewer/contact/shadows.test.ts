@@ -114,6 +114,19 @@ describe('shadows of luminaires', () => {
     one.values.forEach((value, k) => expect(other.values[k]! - value).toBeCloseTo(0, 1));
   });
 
+  test('where a shadow ends a little beside the border of two triangles, both see the same there', () => {
+    // Parallel to the diagonal, and 1.5 mm beyond it (2 mm above the floor): what its places see must not depend on their triangle.
+    const board = [-0.4, 0, 0.6] as const;
+    const [up, aslant] = [[0, 0.12294, 0] as const, [1, 0, -1] as const];
+    const boards = [rectangle([board, up, aslant], 1), rectangle([board, aslant, up], 1)];
+    const all = onFloor(cast([floor, ...boards], [{ ...light, position: [-0.8, 1.2, -0.8] }]));
+    const onDiagonal = all.filter(({ x, z }) => Math.abs(x + z - 0.4) < 1e-6);
+    expect(Math.max(...onDiagonal.map(({ shadow }) => shadow))).toBeGreaterThan(10);
+    for (const { x, shadow } of onDiagonal)
+      for (const other of onDiagonal)
+        if (Math.abs(other.x - x) < 1e-6) expect(Math.abs(other.shadow / shadow - 1)).toBeLessThan(0.01);
+  });
+
   test('luminaires add up, and what shines away from a place casts nothing there', () => {
     const once = cast([floor, ...screen], [light]).values;
     const thrice = cast([floor, ...screen], [light, { ...light, flux: 2000 }]).values;
