@@ -1,6 +1,6 @@
 /**
  * What the rows of the verdict that are not met could reach at best: each is searched for alone, beside what runs, once the
- * wish has settled and somebody looks at the results.
+ * wish has settled, or a layout is shown as given, and somebody looks at the results.
  */
 import { effect, untracked } from '@preact/signals';
 import type { Constraint, Intentions } from '../document/types.ts';
@@ -66,7 +66,7 @@ export class BestFinding {
       const { state } = store.progress.value;
       if (state === 'improving') return void (this.#asked = null);
       const isLookedAt = store.tab.value === 'results' || store.dialog.value === 'report';
-      if (!isLookedAt || state !== 'settled' || !store.shown.value) return;
+      if (!isLookedAt || state === 'idle' || !store.shown.value) return;
       const isKnown = this.#asked === intentions || store.bestFigures.peek()?.of === intentions;
       if (!isKnown) untracked(() => this.#find(intentions, everyVerdict(store).filter(isMissed)));
     });

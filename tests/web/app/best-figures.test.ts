@@ -1,5 +1,6 @@
 /** What rows of the verdict could reach alone. */
-import { expect, test } from '@jest/globals';
+import { expect, jest, test } from '@jest/globals';
+import { appInRoom } from '../app-in-room.ts';
 import { askedAlone, figureOf } from '../../../web/app/best-figures.ts';
 import type { Intentions } from '../../../web/document/types.ts';
 import { impossibleText } from '../../../web/app/words/best-text.ts';
@@ -33,4 +34,20 @@ test('a row is called impossible where a proof says so, rounded so that it holds
   expect(impossibleText(row, { found: 0.11 })).toBeNull();
   expect(impossibleText(row, { found: 0.11, limit: 0.41 })).toBeNull();
   expect(impossibleText(row, { found: 0.11, limit: 0.1412 })).toMatch(/0\.40.*0\.15 at most, proved/);
+});
+
+test('a row is searched for where a layout is shown as given, too', async () => {
+  const { app, solver, settle } = await appInRoom();
+  app.addCard('illuminate', ['floor']);
+  const [card] = app.store.document.value.cards;
+  app.changeCard(card!.id, 'mean', (each) => ({ ...each, mean: { min: 1e6 } }));
+  await settle();
+  app.solving.show(app.store.shown.value!.layout);
+  await settle();
+  expect(app.store.progress.value.state).toBe('shown');
+  const compare = jest.spyOn(app.solving, 'compare');
+  app.store.tab.value = 'results';
+  await settle();
+  const tried = compare.mock.calls.flatMap(([variants]) => variants);
+  expect(tried).toContainEqual(expect.objectContaining({ goals: [], constraints: [expect.anything()] }));
 });

@@ -66,7 +66,7 @@ function useKnown({ comparison, traced, shown, progress }: Store): Comparison | 
   const { intentions } = traced.value;
   const tried = comparison.value;
   if (tried?.of !== intentions) return tried;
-  const settled = progress.value.state === 'settled' ? shown.value : null;
+  const settled = ['settled', 'shown'].includes(progress.value.state) ? shown.value : null;
   return { ...tried, counts: countsKnown(tried, intentions.luminaires.arrangement?.rule ?? 'free', settled) };
 }
 
