@@ -77,16 +77,22 @@ function emergencyVerdicts(
   });
 }
 
-/** The least light on the line through the middle of an area, along its longer side; null where no point lies on it. */
+/**
+ * The least light on the line through the middle of an area, along its longer side, of what of it lies on the floor; null
+ * where no point lies on it.
+ */
 function darkestAlong(scene: SceneInfo, { outline, name }: TaskArea, light: Float32Array): number | null {
-  const rows = scene.surfaces.find((each) => each.name === name)?.part?.rows ?? [];
+  const rows = [...(scene.surfaces.find((each) => each.name === name)?.part?.rows ?? [])];
+  const patch = Math.max(...rows.map((row) => Math.sqrt(scene.patchArea[row]!)));
   const extent = [0, 1].map((axis) => {
     const ends = outline.map((corner) => corner[axis]!);
-    return [Math.min(...ends), Math.max(...ends)] as const;
+    const there = rows.map((row) => scene.patchCenter[3 * row + 2 * axis]!);
+    const low = Math.max(Math.min(...ends), Math.min(...there) - patch);
+    return [low, Math.min(Math.max(...ends), Math.max(...there) + patch)] as const;
   });
   const across = extent[0]![1] - extent[0]![0] >= extent[1]![1] - extent[1]![0] ? 1 : 0;
   const middle = (extent[across]![0] + extent[across]![1]) / 2;
-  const onLine = [...rows].filter((row) => {
+  const onLine = rows.filter((row) => {
     const away = Math.abs(scene.patchCenter[3 * row + 2 * across]! - middle);
     return away <= Math.sqrt(scene.patchArea[row]!) / 2 + 1e-6;
   });

@@ -181,7 +181,7 @@ describe('emergency lighting', () => {
     const rows = [...scene.surfaceOfPatch.keys()].filter((row) => scene.surfaceOfPatch[row] === floor);
     const x = rows.map((row) => scene.patchCenter[3 * row]!);
     const z = rows.map((row) => scene.patchCenter[3 * row + 2]!);
-    const [low, high] = [Math.min(...z) - 1, Math.max(...z) + 1];
+    const [low, high] = [Math.min(...z) - 1, Math.max(...z) + 7]; // its middle is where there is no floor any more
     const outline = [[Math.min(...x) - 9, low], [Math.max(...x) + 9, low], [Math.max(...x) + 9, high], [Math.min(...x) - 9, high]] as const; // prettier-ignore
     const taskAreas = [{ name: 'route', surface: 'floor', outline }];
     const { surfaces: withRoute } = withTaskAreas(scene, taskAreas);
