@@ -15,6 +15,7 @@ import { dropsOnOffice } from './drop-bench.mjs';
 import { repaintsOfOffice } from './repaint-bench.mjs';
 import { firstVisits } from './first-bench.mjs';
 import { describeRun } from './machine.mjs';
+import { dropToLight, pageBesideCommand } from './room-bench.mjs';
 import { openSession, wishOf } from './open-session.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -22,6 +23,7 @@ const inRoot = (...parts) => path.join(root, ...parts);
 const corridor = inRoot('public/scenes/e-corridor.flux');
 const office = inRoot('public/scenes/office.flux');
 const batches = 7;
+const ticksPerSecond = 100; // of Linux, in /proc/PID/stat
 const wanted = new Set(process.argv.slice(2));
 const rows = [];
 
@@ -175,16 +177,21 @@ function halls() {
   }
 }
 
-/** Runs the command to its end; seconds, and the peak of its memory. */
+/** Runs the command to its end; seconds by the clock and of all processors, and the peak of its memory. */
 function timed(command, args) {
   return new Promise((resolve, reject) => {
     const begin = performance.now();
     const child = spawn(command, args, { cwd: root, stdio: 'ignore' });
-    let peak = 0;
+    let [peak, ticks] = [0, 0];
     const timer = setInterval(() => {
       try {
         const status = readFileSync(`/proc/${child.pid}/status`, 'utf8');
         peak = Math.max(peak, Number(/VmHWM:\s+(\d+)/.exec(status)?.[1] ?? 0));
+        const [user, system] = readFileSync(`/proc/${child.pid}/stat`, 'utf8')
+          .split(') ')[1]
+          .split(' ')
+          .slice(11);
+        ticks = Math.max(ticks, Number(user) + Number(system));
       } catch {
         // It has ended.
       }
@@ -193,7 +200,12 @@ function timed(command, args) {
     child.on('exit', (code) => {
       clearInterval(timer);
       if (code !== 0) reject(new Error(`${command} ${args.join(' ')} ended with status ${code}`));
-      else resolve({ seconds: (performance.now() - begin) / 1000, mebibytes: peak / 1024 });
+      else
+        resolve({
+          seconds: (performance.now() - begin) / 1000,
+          processor: ticks / ticksPerSecond,
+          mebibytes: peak / 1024,
+        });
     });
   });
 }
@@ -220,6 +232,38 @@ async function precompute() {
     stages: JSON.parse(output(inRoot('build/fiatlux'), ['info', target, '--json'])).seconds,
   });
   rmSync(folder, { recursive: true });
+}
+
+/** The whole pass of the page's own module beside the command's, of models without options. */
+async function precomputeWasm() {
+  const fiatlux = need(inRoot('build/fiatlux'));
+  const command = async (model, target) =>
+    (await timed(fiatlux, ['precompute', model, '-o', target])).processor;
+  need(inRoot('public/builder/builder.wasm'));
+  for (const room of ['box', 'gallery', 'e-corridor']) {
+    const model = need(inRoot(`public/scenes/${room}.glb`));
+    const { native, wasm, apart } = await pageBesideCommand(root, model, command);
+    print({
+      name: `precompute_wasm_${room.replace('-', '_')}`,
+      native: round(native),
+      wasm: round(wasm),
+      unit: 's of processor',
+      ratio: round(wasm / native, 3),
+      wanted: 2.5,
+      mean_within: round(apart.mean, 2),
+      sigma_within: round(apart.sigma, 2),
+    });
+  }
+}
+
+/** A model that is dropped on the built page: until its preview, and until its full light. */
+async function dropped() {
+  need(inRoot('dist/index.html'));
+  for (const room of ['e-corridor', 'office']) {
+    const { preview, full } = await dropToLight(root, need(inRoot(`public/scenes/${room}.glb`)));
+    const name = `drop_to_light_${room.replace('-', '_')}`;
+    print({ name, native: null, wasm: round(preview / 1e3), unit: 's', wanted: 12, full: round(full / 1e3) });
+  }
 }
 
 const bytes = (name, size, more = {}) => print({ name, native: size, unit: 'bytes', spread: 0, ...more });
@@ -292,6 +336,8 @@ const figures = {
   repaint,
   drag_to_layout: drag,
   precompute_e_corridor: precompute,
+  precompute_wasm: precomputeWasm,
+  drop_to_light: dropped,
 };
 
 for (const name of wanted) {
