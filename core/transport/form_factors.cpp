@@ -11,30 +11,52 @@ namespace {
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Adds to `out` what rows get beyond U V^T b, `width` columns. kWidth is 0 or width: known to the compiler,
-/// a row's sum stays in registers.
-template <std::uint32_t kWidth>
+/// Eight columns. note: named, for the compiler makes single floats of loops over them.
+using Columns8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+
+/// Adds to `out` what rows get beyond U V^T b, 8 x kBlocks columns.
+template <std::uint32_t kBlocks>
+void correctBlocks(const FormFactors& factors, const float* detail, const float* leaning, float* out) {
+  constexpr std::size_t kWidth = 8 * kBlocks;
+  const auto columns = [](const float* at, std::uint32_t block) -> const Columns8& {
+    return *reinterpret_cast<const Columns8*>(at + 8 * std::size_t{block});
+  };
+  for (std::size_t p = 0; p < factors.rows; ++p) {
+    Columns8 sums[kBlocks] = {};
+    const float* u = factors.u.data() + p * factors.clusters;
+    for (const NearPatch& near : factors.near[p]) {
+      const float* from = detail + near.patch * kWidth;
+      for (std::uint32_t i = 0; i < kBlocks; ++i) sums[i] += near.factor * columns(from, i);
+    }
+    for (const ClusterSlope& slope : factors.slopes[p]) {
+      const float unit = u[slope.cluster] * (1 / kSlopeUnit);
+      const float along = unit * static_cast<float>(slope.u), across = unit * static_cast<float>(slope.v);
+      const float* axes = leaning + slope.cluster * 2 * kWidth;
+      for (std::uint32_t i = 0; i < kBlocks; ++i)
+        sums[i] += along * columns(axes, i) + across * columns(axes + kWidth, i);
+    }
+    for (std::uint32_t i = 0; i < kBlocks; ++i)
+      *reinterpret_cast<Columns8*>(out + p * kWidth + 8 * std::size_t{i}) += sums[i];
+  }
+}
+
+/// The same of any number of columns.
 void correct(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning,
              float* out) {
-  const std::uint32_t columns = kWidth == 0 ? width : kWidth;
-  for (std::uint32_t p = 0; p < factors.rows; ++p) {
-    float sums[kWidth == 0 ? 1 : kWidth] = {};
-    float* target = out + std::size_t{p} * columns;
-    float* row = kWidth == 0 ? target : sums;
+  if (width == 8) return correctBlocks<1>(factors, detail, leaning, out);
+  if (width == 16) return correctBlocks<2>(factors, detail, leaning, out);
+  for (std::size_t p = 0; p < factors.rows; ++p) {
+    float* row = out + p * width;
     const auto add = [&](float weight, const float* source) {
-      for (std::uint32_t j = 0; j < columns; ++j) row[j] += weight * source[j];
+      for (std::uint32_t j = 0; j < width; ++j) row[j] += weight * source[j];
     };
-    const float* u = factors.u.data() + std::size_t{p} * factors.clusters;
-    for (const NearPatch& near : factors.near[p])
-      add(near.factor, detail + std::size_t{near.patch} * columns);
+    const float* u = factors.u.data() + p * factors.clusters;
+    for (const NearPatch& near : factors.near[p]) add(near.factor, detail + std::size_t{near.patch} * width);
     for (const ClusterSlope& slope : factors.slopes[p]) {
       const float unit = u[slope.cluster] / kSlopeUnit;
-      const float* axes = leaning + std::size_t{slope.cluster} * 2 * columns;
+      const float* axes = leaning + std::size_t{slope.cluster} * 2 * width;
       add(unit * static_cast<float>(slope.u), axes);
-      add(unit * static_cast<float>(slope.v), axes + columns);
-    }
-    if constexpr (kWidth != 0) {
-      for (std::uint32_t j = 0; j < kWidth; ++j) target[j] += row[j];
+      add(unit * static_cast<float>(slope.v), axes + width);
     }
   }
 }
@@ -81,13 +103,7 @@ void irradiance(const FormFactors& factors, const float* b, std::uint32_t width,
     }
   }
   const std::vector<float> leaning = leaningOf(factors, b, width);
-  if (width == 16) {
-    correct<16>(factors, width, detail.data(), leaning.data(), out);
-  } else if (width == 8) {
-    correct<8>(factors, width, detail.data(), leaning.data(), out);
-  } else {
-    correct<0>(factors, width, detail.data(), leaning.data(), out);
-  }
+  correct(factors, width, detail.data(), leaning.data(), out);
 }
 
 }  // namespace fiatlux
