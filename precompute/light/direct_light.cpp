@@ -22,6 +22,10 @@ namespace {
 // centre will do.
 constexpr double kExactEdges = 3;
 
+// From so many edges of a whole patch on, Gauss's 2 x 2 points of it stand for 4 x 4 where no shadow falls:
+// off by 5e-5 of the light at worst, by 5e-6 RMS, and the fourth power of the distance less further away.
+constexpr double kFewPointsEdges = 8;
+
 // How far before its site a tilted luminaire hangs, about; and what light must rise above a patch's plane, m.
 constexpr double kTilted = 0.05, kInPlane = 1e-3;
 
@@ -160,27 +164,47 @@ struct PatchLight {
   double illuminance = 0, visible = 0;
 };
 
-/// Mean illuminance over one patch by its `points` that face the source: where it is not known what stands
-/// `between`, shadow rays go to split x split parts of the source from each, and to penumbra x penumbra where
-/// a shadow's edge crosses the patch.
-PatchLight patchLight(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
-                      const std::vector<char>& facing, Between between, std::uint32_t split,
+/// Points all over a patch: many, and those of them that are enough where light changes little; empty where
+/// there are none.
+struct PatchPoints {
+  std::vector<PatchPoint> many, few;
+};
+
+/// Whether the few points are enough for the whole source's light: far away, and no horizon between them.
+bool isEven(const Emission& source, const PatchPoints& points, const std::vector<char>& facing, double edge) {
+  if (points.few.empty()) return false;
+  const PatchPoint& point = points.few[0];
+  const double away =
+      length(source.position() - point.position) - 0.5 * std::hypot(source.width(), source.height());
+  if (away < kFewPointsEdges * edge) return false;
+  return std::all_of(facing.begin(), facing.end(), [](char is) { return is != 0; }) &&
+         std::all_of(source.corners().begin(), source.corners().end(),
+                     [&](const Vec3& corner) { return dot(corner - point.position, point.normal) > 0; });
+}
+
+/// Mean illuminance over one patch by its points, of which the many that are `facing` see the source: where
+/// it is not known what stands `between`, shadow rays go to split x split parts of the source from each, and
+/// to penumbra x penumbra where a shadow's edge crosses the patch. `edge`: of the patch, m.
+PatchLight patchLight(const RayTracer& tracer, const Emission& source, const PatchPoints& points,
+                      const std::vector<char>& facing, Between between, double edge, std::uint32_t split,
                       std::uint32_t penumbra, std::uint64_t seed) {
   if (between == Between::kWall) return {};
   bool isClear = between == Between::kNothing;
   Shadow shadow(tracer, source);
   if (!isClear) {
     Shadow probe(tracer, source);
-    probe.cast(points, facing, split, true, Random(seed));
+    probe.cast(points.many, facing, split, true, Random(seed));
     if (probe.verdict() < 0) return {};
     isClear = probe.verdict() > 0;
-    if (!isClear) shadow.cast(points, facing, penumbra, false, Random(seed, 1));
+    if (!isClear) shadow.cast(points.many, facing, penumbra, false, Random(seed, 1));
   }
+  const bool isFew = isClear && isEven(source, points, facing, edge);
+  const std::vector<PatchPoint>& used = isFew ? points.few : points.many;
   double sum = 0, all = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!facing[i]) continue;
-    const double lit = points[i].weight * unshadowed(source, points[i].position, points[i].normal);
-    sum += isClear ? lit : lit * shadow.visibleShare(points[i], i);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!isFew && !facing[i]) continue;
+    const double lit = used[i].weight * unshadowed(source, used[i].position, used[i].normal);
+    sum += isClear ? lit : lit * shadow.visibleShare(used[i], i);
     all += lit;
   }
   return {sum, all > 0 ? sum / all : 0};
@@ -224,8 +248,9 @@ class RowLight {
     constexpr std::uint32_t kPoints =
         4;  // on a patch's edge: fewer miss the shadows of table legs and frames
     const PatchSampler sampler(room_, p);
-    const std::vector<PatchPoint> points = sampler.quadrature(kPoints);
-    const double radius = 0.5 * std::sqrt(room_.patches.area[p]);
+    PatchPoints points{sampler.quadrature(kPoints), {}};
+    if (sampler.isFullCell()) points.few = sampler.quadrature(2);
+    const double edge = std::sqrt(room_.patches.area[p]);
     const bool isSmall = effort_[p] >= 2;
     const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = (isSmall ? 4 : 2) * split;
     const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
@@ -234,15 +259,16 @@ class RowLight {
       const std::uint64_t own = mixBits(seed_ ^ (std::uint64_t{p} << 32 | j));
       if (sources_[j].isPhotometric()) {
         light[j * stride] = static_cast<float>(photometricPatchLight(
-            tracer_, sampler, room_.patches.center[p], radius, luminaires_[j], split, own));
+            tracer_, sampler, room_.patches.center[p], 0.5 * edge, luminaires_[j], split, own));
         continue;
       }
       PatchLight lit;
-      if (findFacing(sources_[j], points, facing))
-        lit = patchLight(tracer_, sources_[j], points, facing, between(p, place, j), split, penumbra, own);
+      if (findFacing(sources_[j], points.many, facing))
+        lit = patchLight(tracer_, sources_[j], points, facing, between(p, place, j), edge, split, penumbra,
+                         own);
       light[j * stride] = static_cast<float>(lit.illuminance);
       if (visible && lit.visible == 0)
-        lit.visible = shareFromBehind(tracer_, sources_[j], points, own, facing);
+        lit.visible = shareFromBehind(tracer_, sources_[j], points.many, own, facing);
       if (visible) visible[j * stride] = SiteVisibility::stepOf(lit.visible);
     }
   }

@@ -27,8 +27,11 @@ class PatchSampler {
     return onFragments(u, v);
   }
 
-  /// edge x edge points whose weights sum to 1: of Gauss-Legendre on full cells where edge is 2 or 4, of equal
-  /// strata elsewhere.
+  /// Whether it is a whole cell: then quadrature(2) is Gauss's.
+  bool isFullCell() const { return fullCell_; }
+
+  /// edge x edge points whose weights sum to 1: of Gauss-Legendre on full cells where edge is 2 or 4, of
+  /// equal strata elsewhere.
   std::vector<PatchPoint> quadrature(std::uint32_t edge) const;
 
  private:
