@@ -29,6 +29,8 @@ const numbersOf = (id: string): Preset => {
   return preset;
 };
 
+const emergencyFile = 'emergency.ies';
+
 export const roomTypes: readonly RoomType[] = [
   {
     id: 'writing',
@@ -69,11 +71,12 @@ export const roomTypes: readonly RoomType[] = [
     title: numbers.title,
     numbers,
     onFloor: true,
-    luminaire: 'emergency.ies',
+    luminaire: emergencyFile,
   })),
 ];
 
 const mostEmergency = 24;
+const mostAfterwards = 60; // luminaires that are tried at first where nobody says how many; the help offers more
 
 type Surfaces = SceneInfo['surfaces'];
 
@@ -135,6 +138,10 @@ export function askedOfGrids(type: RoomType, surfaces: Surfaces): AskedOfGrid[] 
   ];
 }
 
+/** Those that are not there for an emergency. */
+const usualTypes = ({ types = [] }: { readonly types?: readonly LuminaireType[] }): LuminaireType[] =>
+  types.filter(({ file }) => file !== emergencyFile);
+
 /**
  * The luminaires that a type would have from the site: none where a person has chosen some, or the file lights squares only.
  * Emergency lighting has its own.
@@ -145,7 +152,7 @@ export function luminairesFor(
   scene: Pick<SceneInfo, 'hasOperator'>,
 ): OpeningType[] {
   if (!luminaire || !scene.hasOperator) return [];
-  if (numbers.least === undefined && (luminaires.types ?? []).length > 0) return [];
+  if (numbers.least === undefined && usualTypes(luminaires).length > 0) return [];
   if ((luminaires.types ?? []).some(({ file, isAllowed }) => file === luminaire && isAllowed)) return [];
   return [{ photometry: luminaire, count: [0, mostLuminaires], turns: [0], aims: [] }];
 }
@@ -161,6 +168,7 @@ export function askForType(
   fromSite: readonly LuminaireType[] = [],
 ): void {
   const { luminaires } = draft;
+  if (type.numbers.least === undefined) endEmergency(luminaires, sites);
   if (type.numbers.least !== undefined) askForEmergency(draft, fromSite, sites);
   else if (fromSite.length > 0) {
     luminaires.types = [...fromSite] as Draft<LuminaireType>[];
@@ -198,6 +206,16 @@ function askForEmergency(
   if (fromSite.length === 0) return;
   const others = (luminaires.types ?? []).map((each, i) => ({ ...each, id: `n${i + 1}`, isAllowed: false }));
   luminaires.types = [...others, ...fromSite] as Draft<LuminaireType>[];
+}
+
+/** The other luminaires are on again, as many as it takes. */
+function endEmergency(luminaires: Draft<FiatLuxDocument>['luminaires'], sites: SceneInfo['sites']): void {
+  const { types = [] } = luminaires;
+  if (!types.some(({ file, isAllowed }) => file === emergencyFile && isAllowed)) return;
+  luminaires.types = usualTypes({ types }).map((each) => ({ ...each, isAllowed: true })) as Draft<
+    LuminaireType[]
+  >;
+  luminaires.most = Math.min(sites.size.length, mostAfterwards);
 }
 
 export function cardsOf(type: RoomType, surfaces: Surfaces): Card[] {

@@ -13,7 +13,7 @@ import { withTaskAreas } from '../../../../web/document/task-areas.ts';
 import * as v from 'valibot';
 import { luminaireType, photometricText } from '../../document/luminaire-type.ts';
 import { documentFrom, withoutShares } from '../../../../web/app/rooms/opening-wish.ts';
-import type { FiatLuxDocument } from '../../../../web/document/types.ts';
+import type { FiatLuxDocument, LuminaireType } from '../../../../web/document/types.ts';
 import { fakeScene, fakeShown } from '../../fake-solver.ts';
 import { sampleCatalog, sampleDocument } from '../../sample-rooms.ts';
 
@@ -173,6 +173,26 @@ describe('a room type', () => {
 });
 
 describe('emergency lighting', () => {
+  test('gives way to the usual luminaires when the room is asked for as a room again', () => {
+    const { store, scene } = storeOf('corridor');
+    const usual = luminaireType('t1', photometricText());
+    const lamp = { ...luminaireType('t2', photometricText()), file: 'emergency.ies' };
+    const ask = (id: string, fromSite: LuminaireType[] = []) =>
+      store.edit('type', (draft) => askForType(draft, typeOf(id), scene, fromSite));
+    store.edit('own', (draft) => void (draft.luminaires.types = [structuredClone(usual)] as never));
+    ask('open-area', [lamp]);
+    expect(store.document.peek().luminaires.types?.map(({ isAllowed }) => isAllowed)).toEqual([false, true]);
+    expect(luminairesFor(typeOf('corridor'), store.document.peek(), { hasOperator: true })).toEqual([]);
+    ask('corridor');
+    const { types, most } = store.document.peek().luminaires;
+    expect(types).toMatchObject([{ file: usual.file, isAllowed: true }]);
+    expect(most).toBe(scene.sites.size.length);
+    // Where there were none but these, the site has others.
+    store.edit('only', (draft) => void (draft.luminaires.types = [structuredClone(lamp)] as never));
+    const wished = luminairesFor(typeOf('corridor'), store.document.peek(), { hasOperator: true });
+    expect(wished).toMatchObject([{ photometry: 'batten.ldt' }]);
+  });
+
   test('counts direct light on routes that were drawn, by luminaires of its own', () => {
     const { store, scene } = storeOf('corridor');
     const escape = typeOf('escape');
