@@ -209,6 +209,16 @@ try {
 
 Made by \`node tests/bench/transport-sweep.mjs\` on ${cpus().length} cores (${cpus()[0].model.trim()}).
 
+## What needs no rays
+
+Before any shadow ray is cast, the convex hull of its two ends (a cluster and a luminaire, two clusters; where that is in doubt,
+a patch and a luminaire) is tried against the room's flat pieces. Where none of them reaches into it, everything is seen; where one of
+them cuts it, nothing; rays go only where neither is sure. A distant luminaire without shadow takes 2 x 2 points of a whole
+patch instead of 4 x 4 (at most 5e-5 of its light). CPU seconds of \`precompute --no-exchange --threads 1\` for the E corridor
+at its own patches, in one run: 35.7 without, 19.3 with hulls, 17.6 where slopes and near patches are gathered eight columns
+at a time, 14.9 with fewer points; \`git log\` has them by stage. A hull for each patch and cluster was
+tried, too: in a furnished room it costs more than the few rays that it saves.
+
 ## Rays and refinement
 
 E corridor, ${errors[0].patches} patches in clusters of 2 x 2, every fourth of its sites. Errors are root mean squares of relative differences over 20 layouts of six luminaires
