@@ -4,7 +4,16 @@
  * meet: what looks at another face at less than `widest` comes half way towards it, with all that ends on it, and is not
  * drawn where nothing of it can be seen any more.
  */
-import { distance, faceOf, pointOf, type Face, type Solids, type Triple, type Vec } from './lattice.ts';
+import {
+  distance,
+  faceOf,
+  pointOf,
+  type Face,
+  type SolidPart,
+  type Solids,
+  type Triple,
+  type Vec,
+} from './lattice.ts';
 
 /** Of one part. */
 export interface ClosedGaps {
@@ -39,16 +48,38 @@ export function closeNarrowGaps(solids: Solids): ClosedGaps[] {
   const moves = new Map<number, Triple>(); // of vertices of all parts
   const hidden = solids.room.parts.map((part) => {
     const found: number[] = [];
-    for (let first = 0; first < part.index.length; first += 3) {
-      const face = faceOf(part, first);
-      const { gap, isWhole } = face ? gapBefore(solids, face) : noGap;
-      if (!face || gap === 0) continue;
-      move(solids, face, share * gap, moves);
-      if (isWhole) found.push(first / 3);
+    for (const sides of planesOf(part).values()) {
+      const gaps = sides.map(({ face }) => gapBefore(solids, face));
+      // Of a wall behind a picture some would move and some not, and its edges would open.
+      if (gaps.some(({ gap }) => gap === 0)) continue;
+      sides.forEach(({ face, triangle }, i) => {
+        move(solids, face, share * gaps[i]!.gap, moves);
+        if (gaps[i]!.isWhole) found.push(triangle);
+      });
     }
     return Uint32Array.from(found);
   });
   return movedByPart(solids, moves).map((moved, part) => ({ ...moved, hidden: hidden[part]! }));
+}
+
+interface Side {
+  readonly face: Face;
+  readonly triangle: number;
+}
+
+/** The triangles of a part by the planes that they lie in. */
+function planesOf(part: SolidPart): Map<string, Side[]> {
+  const planes = new Map<string, Side[]>();
+  for (let first = 0; first < part.index.length; first += 3) {
+    const face = faceOf(part, first);
+    if (!face) continue;
+    const [x, y, z] = face.normal.map((value) => Math.round(100 * value));
+    const plane = `${x} ${y} ${z} ${Math.round(dot(face.normal, face.corners[0]) / (2 * same))}`;
+    const sides = planes.get(plane) ?? [];
+    sides.push({ face, triangle: first / 3 });
+    planes.set(plane, sides);
+  }
+  return planes;
 }
 
 const noGap = { gap: 0, isWhole: false };

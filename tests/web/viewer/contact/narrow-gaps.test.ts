@@ -48,6 +48,20 @@ test('a floor of which a corner looks out from under a foot is drawn', () => {
   expect(hidden(-0.1)).toBe(2);
 });
 
+test('a wall of which a picture covers a part keeps its plane', () => {
+  const wall = rectangle([[0, 0, 0], [0, 0, 0.8], [0.8, 0, 0]] as const, 0); // prettier-ignore
+  const more = rectangle([[0.8, 0, 0], [0, 0, 0.8], [0.8, 0, 0]] as const, 0); // prettier-ignore
+  const both = {
+    ...wall,
+    index: Uint32Array.of(...wall.index, ...more.index.map((v) => v + 4)),
+    positions: Float32Array.of(...wall.positions, ...more.positions),
+  };
+  const picture = rectangle([[0, 0.001, 0], [0.8, 0, 0], [0, 0, 0.8]] as const, 1); // prettier-ignore
+  const parts = [both, picture];
+  const [behind] = closeNarrowGaps(new Solids({ parts, patchCenter: new Float32Array(6), edge: 0.2 }));
+  expect([behind!.vertices.length, behind!.hidden.length]).toEqual([0, 0]);
+});
+
 test('a joint that is to be seen stays', () => {
   for (const { vertices, hidden } of closed(0.004)) expect([vertices.length, hidden.length]).toEqual([0, 0]);
 });
