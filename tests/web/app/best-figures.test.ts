@@ -37,7 +37,7 @@ test('a row is called impossible where a proof says so, rounded so that it holds
 });
 
 test('a row is searched for where a layout is shown as given, too', async () => {
-  const { app, solver, settle } = await appInRoom();
+  const { app, settle } = await appInRoom();
   app.addCard('illuminate', ['floor']);
   const [card] = app.store.document.value.cards;
   app.changeCard(card!.id, 'mean', (each) => ({ ...each, mean: { min: 1e6 } }));
