@@ -11,15 +11,31 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kSights = 2048;      // from a place, over all directions
-constexpr std::uint32_t kSeenParts = 4;      // of a luminaire's edge that are looked for
+constexpr double kBesideSight = 0.02;  // of a sight's length: as near as what closes a slit between tiles
+// Parts of a luminaire's edge that are looked for, and of one that is seen in part.
+constexpr std::uint32_t kSeenParts = 4;
+constexpr std::uint32_t kFineParts = 16;
 constexpr double kLeastLuminousArea = 1e-9;  // m2
 
 /// Evenly over the sphere (a spiral whose turns are the golden angle apart).
-Vec3 sightDirection(std::uint32_t i) {
+Vec3 sightDirection(std::uint32_t i, std::uint32_t count) {
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  const double y = 1 - (2 * i + 1.0) / kSights, r = std::sqrt(1 - y * y);
+  const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y);
   return {r * std::cos(golden * i), y, r * std::sin(golden * i)};
+}
+
+/// What is seen along a direction, or right beside it: tiles of patches that are no whole cells leave slits,
+/// through which a sight would go astray. kNone of nothing, and of a back: where the file has no patch for
+/// it, what it reflects is not known.
+std::uint32_t seenAlong(const TileTree& tree, const Patches& patches, const Vec3& from,
+                        const Vec3& direction) {
+  constexpr Vec3 kSides[] = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const Vec3& side : kSides) {
+    const Vec3 along = direction + kBesideSight * side;
+    const std::uint32_t patch = tree.firstMet(from, along, std::numeric_limits<double>::infinity());
+    if (patch != kNone && dot(along, patches.normal[patch]) < 0) return patch;
+  }
+  return kNone;
 }
 
 /// `direction` in the axes of a luminaire.
@@ -53,26 +69,25 @@ double guthWeight(const Vec3& way, const Vec3& sight) {
 
 }  // namespace
 
-std::vector<SightLines::Sight> SightLines::met(const Vec3& position) const {
+std::vector<SightLines::Sight> SightLines::met(const Vec3& position, std::uint32_t count) const {
   std::vector<Sight> sights;
-  for (std::uint32_t i = 0; i < kSights; ++i) {
-    const Vec3 direction = sightDirection(i);
-    const std::uint32_t patch = tree_.firstMet(position, direction, std::numeric_limits<double>::infinity());
-    // note: a back is seen where the file has no patch for it; what it reflects is not known.
-    if (patch != kNone && dot(direction, room_.patches.normal[patch]) < 0)
-      sights.push_back({direction, patch});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec3 direction = sightDirection(i, count);
+    const std::uint32_t patch = seenAlong(tree_, room_.patches, position, direction);
+    if (patch != kNone) sights.push_back({direction, patch});
   }
   std::stable_sort(sights.begin(), sights.end(),
                    [](const Sight& a, const Sight& b) { return a.patch < b.patch; });
   return sights;
 }
 
-std::shared_ptr<const std::vector<SightLines::Sight>> SightLines::from(const Vec3& position) const {
+std::shared_ptr<const std::vector<SightLines::Sight>> SightLines::from(const Vec3& position,
+                                                                       std::uint32_t count) const {
   constexpr std::size_t kKept = 64;
   for (const Known& known : known_)
-    if (length(known.position - position) == 0) return known.sights;
+    if (known.count == count && length(known.position - position) == 0) return known.sights;
   if (known_.size() == kKept) known_.erase(known_.begin());
-  known_.push_back({position, std::make_shared<const std::vector<Sight>>(met(position))});
+  known_.push_back({position, count, std::make_shared<const std::vector<Sight>>(met(position, count))});
   return known_.back().sights;
 }
 
@@ -103,12 +118,14 @@ double glareOf(const Luminaire& luminaire, const Observer& observer) {
   return 0.25 * candela * candela / (area * squared) * weight;
 }
 
-/// Calls `add` with the way from an eye to the middle of each part of a luminaire that it sees.
+/// Calls `add` with the way from an eye to the middle of each of `split` x `split` parts of a luminaire that
+/// it sees.
 template <class Add>
-void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, const Add& add) const {
+void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, std::uint32_t split,
+                          const Add& add) const {
   const Vec3 across = cross(luminaire.normal, luminaire.axis);
-  for (std::uint32_t i = 0; i < kSeenParts * kSeenParts; ++i) {
-    const double u = (i % kSeenParts + 0.5) / kSeenParts - 0.5, v = (i / kSeenParts + 0.5) / kSeenParts - 0.5;
+  for (std::uint32_t i = 0; i < split * split; ++i) {
+    const double u = (i % split + 0.5) / split - 0.5, v = (i / split + 0.5) / split - 0.5;
     const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
                       (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
     if (!lines_->tree().isBlocked(eye, part)) add(part - eye);
@@ -116,9 +133,13 @@ void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, const Add
 }
 
 double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
-  std::uint32_t seen = 0;
-  visitParts(eye, luminaire, [&](const Vec3&) { ++seen; });
-  return static_cast<double>(seen) / (kSeenParts * kSeenParts);
+  const auto shareOf = [&](std::uint32_t split) {
+    std::uint32_t seen = 0;
+    visitParts(eye, luminaire, split, [&](const Vec3&) { ++seen; });
+    return static_cast<double>(seen) / (split * split);
+  };
+  const double share = shareOf(kSeenParts);
+  return share > 0 && share < 1 ? shareOf(kFineParts) : share;
 }
 
 UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& directions,
@@ -127,7 +148,7 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
   UprightRows rows;
   rows.cylindrical.resize(sites);
   rows.vertical.assign(count, std::vector<float>(sites));
-  const auto sights = lines_->from(point);
+  const auto sights = lines_->from(point, SightLines::kPointSights);
   // What each patch adds per lx on it: E = integral of L cos, L = rho E_patch / pi, one sight after the
   // other.
   std::vector<std::uint32_t> patches;
@@ -138,7 +159,7 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
       weights.resize(patches.size() * (1 + count));
     }
     double* of = &weights[(patches.size() - 1) * (1 + count)];
-    const double share = 4.0 / kSights * reflectance_[sight.patch];
+    const double share = 4.0 / SightLines::kPointSights * reflectance_[sight.patch];
     of[0] += share / std::numbers::pi * std::hypot(sight.direction.x, sight.direction.z);
     for (std::size_t d = 0; d < count; ++d)
       of[1 + d] += share * std::max(0.0, dot(sight.direction, directions[d]));
@@ -158,7 +179,7 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
       for (std::size_t d = 0; d < count; ++d)
         sums[1 + d] += strength * std::max(0.0, dot(way, directions[d]));
     };
-    if (j < luminaires.size()) visitParts(point, luminaires[j], addPart);
+    if (j < luminaires.size()) visitParts(point, luminaires[j], kSeenParts, addPart);
     rows.cylindrical[j] = static_cast<float>(sums[0]);
     for (std::size_t d = 0; d < count; ++d) rows.vertical[d][j] = static_cast<float>(sums[1 + d]);
   }
@@ -175,7 +196,7 @@ std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3
   std::vector<Part> parts;
   for (const Sight& sight : *place.sights) {
     if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
-    const double share = 4.0 / kSights * reflectance_[sight.patch] / std::numbers::pi;
+    const double share = 4.0 / SightLines::kEyeSights * reflectance_[sight.patch] / std::numbers::pi;
     parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
     parts.back().cylindrical += share * levelOf(sight.direction);
   }

@@ -34,6 +34,10 @@ struct UprightRows {
 /// operator and outlive it. Not for several threads.
 class SightLines {
  public:
+  // From an eye, whose background holds UGR within 0.1, and from one of the many points of a measuring plane.
+  static constexpr std::uint32_t kEyeSights = 12288;
+  static constexpr std::uint32_t kPointSights = 2048;
+
   struct Sight {
     Vec3 direction;
     std::uint32_t patch;
@@ -41,15 +45,17 @@ class SightLines {
 
   explicit SightLines(const Scene& room) : room_(room), tree_(room) {}
   const TileTree& tree() const { return tree_; }
-  /// Evenly over all directions, patch by patch.
-  std::shared_ptr<const std::vector<Sight>> from(const Vec3& position) const;
+  /// `count` evenly over all directions, patch by patch; those that meet nothing are left out.
+  std::shared_ptr<const std::vector<Sight>> from(const Vec3& position,
+                                                 std::uint32_t count = kEyeSights) const;
 
  private:
   struct Known {
     Vec3 position;
+    std::uint32_t count;
     std::shared_ptr<const std::vector<Sight>> sights;
   };
-  std::vector<Sight> met(const Vec3& position) const;
+  std::vector<Sight> met(const Vec3& position, std::uint32_t count) const;
 
   const Scene& room_;
   TileTree tree_;
@@ -104,7 +110,7 @@ class RoomView {
   ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
                            std::size_t j) const;
   template <class Add>
-  void visitParts(const Vec3& point, const Luminaire& luminaire, const Add& add) const;
+  void visitParts(const Vec3& eye, const Luminaire& luminaire, std::uint32_t split, const Add& add) const;
   double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
 
   const std::vector<float>& reflectance_;  // of the patches

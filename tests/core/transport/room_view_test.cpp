@@ -67,23 +67,59 @@ TEST(RoomView, InAnEvenFurnaceTheBackgroundIsItsLuminance) {
   }
 }
 
+/// Of patches that are no whole cells the tiles leave slits; nobody sees through them.
+TEST(RoomView, SlitsBetweenTilesDarkenNothing) {
+  Scene scene = box(true);
+  for (float& rho : scene.patches.reflectance) rho = 0.5f;
+  for (double& area : scene.patches.area) area *= 0.9;
+  const std::vector<float> light(scene.patches.rows(), 200);
+  const auto reading = RoomView(scene).readings({kFromWest}, {}, 1, light)[0];
+  EXPECT_NEAR(reading.background, 100 / std::numbers::pi, 0.003 * 100 / std::numbers::pi);
+}
+
+/// lx that a lit patch reflects on the plane before an eye, in finer parts.
+double reflectedBy(const Scene& scene, std::uint32_t p, double lux, const Observer& observer) {
+  const Charts::Frame& frame = scene.lightOperator->charts.frames[scene.patches.surface[p]];
+  double sum = 0;
+  for (int part = 0; part < 64; ++part) {
+    const double u = (part % 8 - 3.5) / 8 * kEdge, v = (part / 8 - 3.5) / 8 * kEdge;
+    const Vec3 way = scene.patches.center[p] + u * frame.uAxis + v * frame.vAxis - observer.position;
+    const double squared = dot(way, way), facing = -dot(way, scene.patches.normal[p]);
+    sum += std::max(0.0, dot(way, observer.direction)) * facing / (squared * squared) * kEdge * kEdge / 64;
+  }
+  return scene.patches.reflectance[p] * lux / std::numbers::pi * sum;
+}
+
+/// Most of a background may come from a small bright part of the room, and UGR moves by 0.1 where it is 3 %
+/// off.
+TEST(RoomView, ASmallBrightPartOfTheRoomCountsInTheBackground) {
+  constexpr std::uint32_t kPart = 12;  // patches
+  const Scene scene = box(false);
+  double squares = 0;
+  int parts = 0;
+  for (std::uint32_t first = 0; first + kPart <= scene.patches.rows(); first += kPart) {
+    std::vector<float> light(scene.patches.rows(), 0);
+    double vertical = 0;
+    for (std::uint32_t p = first; p < first + kPart; ++p) {
+      light[p] = 1000;
+      vertical += reflectedBy(scene, p, 1000, kFromWest);
+    }
+    if (vertical < 1) continue;
+    const double off = RoomView(scene).readings({kFromWest}, {}, 1, light)[0].vertical / vertical - 1;
+    squares += off * off;
+    ++parts;
+  }
+  ASSERT_GT(parts, 20);
+  EXPECT_LT(std::sqrt(squares / parts), 0.06);
+}
+
 TEST(RoomView, UgrIsThatOfASumByHand) {
   const Scene scene = box(false);
   const Layout layout{{0, 1}, {3000, 1800}, 0.8};
   const std::vector<float> light = illuminanceOf(scene, layout);
-  // The eye's vertical plane, patch by patch in finer parts; then the luminaires.
   double indirect = 0, sum = 0;
-  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
-    const Charts::Frame& frame = scene.lightOperator->charts.frames[scene.patches.surface[p]];
-    for (int part = 0; part < 16; ++part) {
-      const double u = (part % 4 - 1.5) / 4 * kEdge, v = (part / 4 - 1.5) / 4 * kEdge;
-      const Vec3 way = scene.patches.center[p] + u * frame.uAxis + v * frame.vAxis - kFromWest.position;
-      const double d2 = dot(way, way), facing = -dot(way, scene.patches.normal[p]);
-      if (way.x <= 0 || facing <= 0) continue;
-      indirect += scene.patches.reflectance[p] * light[p] / std::numbers::pi * way.x * facing / (d2 * d2) *
-                  kEdge * kEdge / 16;
-    }
-  }
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    indirect += reflectedBy(scene, p, light[p], kFromWest);
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 way = scene.sites[i].position - kFromWest.position;
     if (way.y > 1.9 * way.x) continue;
@@ -122,6 +158,19 @@ TEST(RoomView, AScreenHidesWhatStandsBehindIt) {
   EXPECT_EQ(glare(scene, 0.6), 0);
   EXPECT_GT(glare(box(false), 0.6), 0);
   EXPECT_NEAR(glare(scene, 1.7), glare(box(false), 1.7), 1e-12);
+}
+
+/// A share of the square that is seen, not of a few points of it.
+TEST(RoomView, WhatIsSeenInPartGlaresByThatPart) {
+  const Scene scene = box(true);
+  const Luminaire behind = luminaireOf(scene.sites[1]);
+  const Observer observer{"", {1, 1.3, 2.3}, {1, 0, 0}};
+  const auto glareIn = [&](const Scene& room) {
+    return RoomView(room).readings({observer}, {behind}, 1, room.responses.illuminance)[0].glare;
+  };
+  // Past the screen's edge, 1 m away and 0.7 m above the eye, one sees the ceiling up to here.
+  const double upTo = 1 + 1.7 / 0.7;
+  EXPECT_NEAR(glareIn(scene) / glareIn(box(false)), (upTo - 3.2) / 0.6, 0.02);
 }
 
 TEST(RoomView, ARoomHasPlacesOnItsFloorOrItsWorkingPlane) {
