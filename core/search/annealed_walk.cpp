@@ -9,13 +9,12 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kSitesPerStep = 4;
-constexpr std::uint32_t kWalkReach = 16;       // near sites that a step chooses among
-constexpr std::uint32_t kTrialsPerSurvey = 4;  // that a survey counts for, as long as it takes
-constexpr std::uint32_t kStepsPerSwap = 5;     // one in so many changes places instead
-constexpr double kTakenFirst = 0.6;            // share of steps that a hot walk takes at first
-constexpr double kFollow = 0.05;               // of what is measured and led, a step
-constexpr double kFirstTemperature = 0.01;     // of the goal, before it is led
-constexpr double kFirstPenalty = 4;            // likewise, of a violation of 100 %
+constexpr std::uint32_t kWalkReach = 16;                // near sites that a step chooses among
+constexpr std::uint32_t kStepsPerSwap = 5;              // one in so many changes places instead
+constexpr double kTakenFirst = 0.6;                     // share of steps that a hot walk takes at first
+constexpr double kFollow = 0.05, kFollowSurveys = 0.1;  // of what is measured and led, a step
+constexpr double kFirstTemperature = 0.01;              // of the goal, before it is led
+constexpr double kFirstPenalty = 4;                     // likewise, of a violation of 100 %
 constexpr double kLeastPenalty = 0.1, kLargestPenalty = 1e6;
 constexpr double kLeastGoal = 1e-3;  // a goal near 0 is no scale
 
@@ -53,10 +52,11 @@ void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
 void AnnealedWalk::open(const Surroundings& at, Scan& scan) {
   at.evaluator.setPenalty(penalty_);
   const FreeSites& freeSites = at.freeSites;
+  follow_ = at.maySurvey() ? kFollowSurveys : kFollow;
   scan.position = 0;
   scan.luminaire = freeSites.randomMovable(at.random);
   const bool isSwap = swaps_ && at.random.below(kStepsPerSwap) == 0 && openSwap(at, scan);
-  scan.isSurvey = !isSwap && at.evaluator.maySurvey() && freeSites.waysPerPlace() == 1 && !freeSites.isTied();
+  scan.isSurvey = !isSwap && at.maySurvey();
   const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
   if (scan.isSurvey) {
     freeSites.around(from, kWalkReach, kSurveyed, at.random, scan.candidates);
@@ -121,12 +121,12 @@ std::uint32_t AnnealedWalk::trySome(const Surroundings& at, Scan& scan, std::uin
 
 void AnnealedWalk::close(const Scan& scan, const Evaluation& current) {
   done_ += std::max(scan.size, 1u);
-  taken_ += kFollow * ((scan.found.count > 0 ? 1.0 : 0.0) - taken_);
+  taken_ += follow_ * ((scan.found.count > 0 ? 1.0 : 0.0) - taken_);
   const double left = 1 - static_cast<double>(done_) / static_cast<double>(trials_);
   const double wanted = kTakenFirst * heat_ * left;
-  temperature_ *= taken_ > wanted ? 1 - kFollow : 1 + kFollow;
+  temperature_ *= taken_ > wanted ? 1 - follow_ : 1 + follow_;
   if (!bounded_) return;
-  penalty_ *= current.violation > 0 ? 1 + kFollow : 1 - kFollow;
+  penalty_ *= current.violation > 0 ? 1 + follow_ : 1 - follow_;
   penalty_ = std::clamp(penalty_, kLeastPenalty * scale_, kLargestPenalty * scale_);
 }
 

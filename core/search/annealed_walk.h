@@ -44,6 +44,7 @@ class AnnealedWalk {
   double temperature_ = 0;  // in units of the goal, as is
   double penalty_ = 0;      // of a violation of 100 %
   double taken_ = 0;        // share of the latest steps
+  double follow_ = 0;       // of what is measured and led, a step
 };
 
 }  // namespace fiatlux

@@ -11,6 +11,7 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kBlock = kSurveyStride;
+constexpr double kBeyondGoals = 1e3;  // times the goal: the price of a bound that comes first
 
 /// Candidates in the largest layout: so many may be moved.
 std::uint32_t slotsFor(const PreparedScene& prepared, const LuminaireRules& rules) {
@@ -216,7 +217,8 @@ void Evaluator::momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std:
 
 void Evaluator::survey(std::uint32_t i, const std::uint32_t* candidates, double* worths) {
   momentsOfMoves(i, candidates, kSurveyed);
-  objective_.survey(means_.data(), variances_.data(), penalty_, worths);
+  const double price = penalty_ > 0 ? penalty_ : kBeyondGoals * (1 + std::fabs(current_.goal));
+  objective_.survey(means_.data(), variances_.data(), price, worths);
 }
 
 void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {

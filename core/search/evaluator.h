@@ -55,8 +55,8 @@ class Evaluator {
 
   /// May moves be surveyed? (objective.h)
   bool maySurvey() const { return maySurvey_; }
-  /// What luminaire `i` on each of kSurveyed candidates would be worth, bounds at the penalty; the one that
-  /// it is on may be among them. Precondition: maySurvey().
+  /// What luminaire `i` on each of kSurveyed candidates would be worth, bounds at the penalty, or without one
+  /// at a price that no goal pays; the one that it is on may be among them. Precondition: maySurvey().
   void survey(std::uint32_t i, const std::uint32_t* candidates, double* worths);
 
   /// Tries two moves at once; `best` as above. One evaluation.

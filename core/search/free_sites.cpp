@@ -6,7 +6,8 @@
 namespace fiatlux {
 namespace {
 constexpr std::uint32_t kNever = 1u << 30;
-}
+constexpr std::uint32_t kMostRemembered = 2048;  // candidates of whose conflicts lists are kept
+}  // namespace
 
 FreeSites::FreeSites(const PreparedScene& prepared, const LuminaireRules& rules, std::uint32_t slots)
     : prepared_(prepared),
@@ -45,8 +46,19 @@ void FreeSites::block(std::uint32_t site, int change) {
         blocked_[other] += static_cast<std::uint32_t>(change);
     return;
   }
+  for (const std::uint32_t other : inTheWayOf(site)) blocked_[other] += static_cast<std::uint32_t>(change);
+}
+
+/// The sites that may not be taken with this one, which is among them.
+const std::vector<std::uint32_t>& FreeSites::inTheWayOf(std::uint32_t site) {
+  const bool remembers = blocked_.size() <= kMostRemembered;
+  inTheWay_.resize(remembers ? blocked_.size() + 1 : 1);  // nobody too, after all sites
+  std::vector<std::uint32_t>& list = inTheWay_[remembers ? site : 0];
+  if (remembers && !list.empty()) return list;
+  list.clear();
   for (std::uint32_t other = 0; other < blocked_.size(); ++other)
-    if (conflict(site, other)) blocked_[other] += static_cast<std::uint32_t>(change);
+    if (conflict(site, other)) list.push_back(other);
+  return list;
 }
 
 void FreeSites::nearMoves(std::uint32_t from, std::uint32_t reach, std::vector<std::uint32_t>& out) const {

@@ -103,6 +103,7 @@ class FreeSites {
 
  private:
   void block(std::uint32_t site, int change);
+  const std::vector<std::uint32_t>& inTheWayOf(std::uint32_t site);
   bool isFree(std::uint32_t from, std::uint32_t to) const {
     if (counts_ && to == prepared_.nobody()) return from != to;
     return blocked_[to] == 0 || (blocked_[to] == 1 && conflict(from, to) && from != to);
@@ -119,6 +120,8 @@ class FreeSites {
   std::uint32_t least_, most_, total_ = 0;  // luminaires: allowed, and of the layout that it follows
   std::vector<std::uint32_t> movable_;
   std::vector<char> excluded_;
+  std::vector<std::vector<std::uint32_t>>
+      inTheWay_;                        // of each site, once asked for; of halls, the latest only
   std::vector<std::uint32_t> blocked_;  // per site: luminaires in its way; excluded sites never reach 0 or 1
 };
 

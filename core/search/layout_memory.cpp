@@ -12,12 +12,18 @@ constexpr std::uint32_t kDirectionSteps = 1001;
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Luminaires by what `key` says of each.
+/// Luminaires by what `key` says of each, those alike as they stood.
 template <class Key>
 Numbers orderedBy(Numbers luminaires, Key key) {
-  std::stable_sort(luminaires.begin(), luminaires.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  return luminaires;
+  std::vector<std::pair<double, std::uint32_t>> order;
+  order.reserve(luminaires.size());
+  for (const std::uint32_t i : luminaires)
+    order.emplace_back(key(i), static_cast<std::uint32_t>(order.size()));
+  std::sort(order.begin(), order.end());
+  Numbers sorted;
+  sorted.reserve(order.size());
+  for (const auto& [value, at] : order) sorted.push_back(luminaires[at]);
+  return sorted;
 }
 
 /// Some way across a room. Without a sine, which machines round differently.
@@ -50,6 +56,11 @@ LayoutMemory::LayoutMemory(const PreparedScene& prepared, std::vector<double> fl
 std::vector<std::uint32_t> LayoutMemory::keyOf(Numbers sites) const {
   if (isOneFlux_) std::sort(sites.begin(), sites.end());
   return sites;
+}
+
+bool LayoutMemory::holds(const Numbers& sites) const {
+  const Numbers key = keyOf(sites);
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
 }
 
 bool LayoutMemory::offer(const Numbers& sites, const Evaluation& evaluation, std::size_t room) {
@@ -92,9 +103,12 @@ std::vector<std::uint32_t> LayoutMemory::cross(FreeSites& freeSites, Random& ran
   const Numbers leaving(mine.begin() + cut, mine.end()), coming(theirs.begin() + cut, theirs.end());
 
   // Sites that both have there keep who is on them; the others go to sites of like flux, as far as they can.
-  const auto fluxOf = [&](std::uint32_t i) { return flux_[i]; };
-  const Numbers movers = orderedBy(elsewhere(leaving, child, coming, other), fluxOf),
-                targets = orderedBy(elsewhere(coming, other, leaving, child), fluxOf);
+  const auto byFlux = [&](Numbers luminaires) {
+    return isOneFlux_ ? luminaires
+                      : orderedBy(std::move(luminaires), [&](std::uint32_t i) { return flux_[i]; });
+  };
+  const Numbers movers = byFlux(elsewhere(leaving, child, coming, other)),
+                targets = byFlux(elsewhere(coming, other, leaving, child));
   freeSites.load(child);
   for (std::size_t k = 0; k < movers.size(); ++k) {
     const std::uint32_t from = child[movers[k]], to = other[targets[k]];

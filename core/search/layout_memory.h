@@ -22,6 +22,9 @@ class LayoutMemory {
   /// this one. Returns whether it was kept.
   bool offer(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation, std::size_t room);
 
+  /// Is this layout kept, or one that lights alike?
+  bool holds(const std::vector<std::uint32_t>& sites) const;
+
   /// Are there two to cross?
   bool hasParents() const { return kept_.size() > 1; }
 

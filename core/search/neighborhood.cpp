@@ -27,20 +27,60 @@ bool isNobodyAgain(const Surroundings& at, const Scan& scan) {
          *std::find_if(movable.begin(), movable.end(), isNobody) != scan.luminaire;
 }
 
+/// Looks at the candidates together, kSurveyed at a time; the luminaire's own site is the first and fills up.
+void openSurveys(const Surroundings& at, Scan& scan) {
+  const std::uint32_t surveys = (countOf(scan.candidates) + kSurveyed - 1) / kSurveyed;
+  scan.candidates.resize(std::size_t{surveys} * kSurveyed, at.evaluator.sites()[scan.luminaire]);
+  scan.size = surveys * kTrialsPerSurvey;
+  scan.isSurvey = true;
+}
+
 void openNear(const Surroundings& at, Scan& scan) {
-  const std::uint32_t reach = kNearReach * at.freeSites.waysPerPlace();
-  at.freeSites.nearMoves(at.evaluator.sites()[scan.luminaire], reach, scan.candidates);
+  const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
+  if (at.maySurvey()) {
+    at.freeSites.around(from, kSurveyed - 1, kSurveyed, at.random, scan.candidates);
+    return openSurveys(at, scan);
+  }
+  scan.isSurvey = false;
+  at.freeSites.nearMoves(from, kNearReach * at.freeSites.waysPerPlace(), scan.candidates);
   scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 
 void openFar(const Surroundings& at, Scan& scan) {
-  at.freeSites.farMoves(at.evaluator.sites()[scan.luminaire], scan.candidates);
+  const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
+  at.freeSites.farMoves(from, scan.candidates);
+  if (at.maySurvey()) {
+    scan.candidates.insert(scan.candidates.begin(), from);
+    return openSurveys(at, scan);
+  }
+  scan.isSurvey = false;
   scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
+}
+
+/// The surveys choose one move, which a trial of its own judges: counted with them.
+void survey(const Surroundings& at, Scan& scan) {
+  const std::uint32_t from = scan.candidates[0];
+  double worths[kSurveyed], least = 0;
+  std::uint32_t chosen = from;
+  for (std::size_t first = 0; first < scan.candidates.size(); first += kSurveyed) {
+    const std::uint32_t* block = scan.candidates.data() + first;
+    at.evaluator.survey(scan.luminaire, block, worths);
+    if (first == 0) least = worths[0];
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) {
+      if (!(worths[k] < least) || !at.freeSites.mayMove(from, block[k])) continue;
+      least = worths[k];
+      chosen = block[k];
+    }
+  }
+  if (chosen != from) at.evaluator.tryMoves(scan.luminaire, &chosen, 1, scan.found);
 }
 
 std::uint32_t tryMoves(const Surroundings& at, Scan& scan, std::uint32_t limit) {
   const std::uint32_t tried = std::min(limit, scan.size - scan.position);
-  at.evaluator.tryMoves(scan.luminaire, scan.candidates.data() + scan.position, tried, scan.found);
+  if (!scan.isSurvey)
+    at.evaluator.tryMoves(scan.luminaire, scan.candidates.data() + scan.position, tried, scan.found);
+  else if (tried > 0 && scan.position + tried == scan.size)
+    survey(at, scan);
   scan.position += tried;
   return tried;
 }

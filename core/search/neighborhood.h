@@ -19,7 +19,7 @@ struct Scan {
   std::vector<std::uint32_t> candidates, partnerCandidates;  // sites for the two
   std::uint32_t position = 0;  // of the trials, those left out included: a row counts it up
   std::uint32_t size = 0;      // trials in all: the scan ends there
-  bool isSurvey = false;       // of a walk: the candidates are looked at all together
+  bool isSurvey = false;       // the candidates are looked at together, kSurveyed at a time
   Trial found;                 // the best so far; its count is 0 while nothing better was found
 };
 
@@ -28,6 +28,11 @@ struct Surroundings {
   Evaluator& evaluator;  // stands at the layout whose neighbours are tried
   const FreeSites& freeSites;
   Random& random;
+
+  /// May one luminaire's moves be surveyed?
+  bool maySurvey() const {
+    return evaluator.maySurvey() && freeSites.waysPerPlace() == 1 && !freeSites.isTied();
+  }
 };
 
 struct Neighborhood {

@@ -117,6 +117,7 @@ void Objective::addConstraint(PreparedScene& prepared, const Constraint& asked, 
   for (const Side side : {Side::kLower, Side::kUpper}) {
     bound.side = side;
     bound.value = side == Side::kLower ? c.lower : c.upper;
+    bound.perUnit = 1 / std::fabs(bound.value);
     if (std::isfinite(bound.value)) sides_.push_back(bound);
   }
 }

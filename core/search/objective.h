@@ -41,6 +41,8 @@ struct ObjectiveSet {
 
 /// Layouts that are surveyed at once, and how far the moments of one set stand from those of the next.
 inline constexpr std::uint32_t kSurveyed = 20, kSurveyStride = 64;
+/// Trials that a survey counts for, as long as it takes.
+inline constexpr std::uint32_t kTrialsPerSurvey = 5;
 
 class Objective {
  public:
@@ -86,6 +88,7 @@ class Objective {
     bool scaleFree;
     std::uint32_t observers = 0;  // of a ugr: their glare and background by turns, from `set` on
     bool isLeast = false;         // of points of planes
+    double perUnit = 0;           // violation by a unit beyond the value
   };
   struct Term {  // one goal
     Statistic statistic;

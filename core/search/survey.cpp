@@ -92,7 +92,7 @@ void Objective::survey(const double* means, double* variances, double penalty,
   for (const Bound& bound : sides_) {
     double values[kSurveyed];
     surveyBound(bound, means, sigmas, values);
-    const double price = (bound.side == Side::kLower ? penalty : -penalty) / std::fabs(bound.value);
+    const double price = bound.side == Side::kLower ? penalty * bound.perUnit : -penalty * bound.perUnit;
     const double edge = bound.value;
     for (std::uint32_t k = 0; k < kSurveyed; ++k) {
       const double cost = price * (edge - dimmings[k] * values[k]);

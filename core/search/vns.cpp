@@ -11,18 +11,27 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kIdleSteps = 20000;         // steps without a single trial: no site is free to go to
-constexpr std::uint32_t kGatherings = 64;           // tried before a walk begins at the best of them
-constexpr std::uint32_t kTrialsPerLuminaire = 400;  // of the first walk
-constexpr std::uint32_t kLonger = 4;                // the next one is longer by one part in so many
-constexpr double kReheat = 0.5;                     // of a walk from a good layout
-constexpr std::uint32_t kCenters = 512;             // of gatherings of all luminaires
-constexpr std::uint32_t kFirstRoom = 4;             // layouts remembered, one more for each walk
-constexpr double kCrossShare = 0.3;                 // of other work, that much more with each walk
-constexpr std::uint32_t kWalksFirst = 2;            // before layouts are crossed,
-constexpr std::uint32_t kWalksFirstBounded = 4;     // where there are bounds, to whose edges walks lead
-constexpr std::uint32_t kMostInVain = 15;           // crossings in a row, until there is another walk
-constexpr std::uint32_t kWorthTurns = 2;            // of "far" in the time of a walk: it may end thoroughly
+constexpr std::uint32_t kIdleSteps = 20000;  // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kGatherings = 64;    // tried before a walk begins at the best of them
+constexpr std::uint32_t kLonger = 4;         // the next one is longer by one part in so many
+constexpr std::uint32_t kCenters = 512;      // of gatherings of all luminaires
+constexpr std::uint32_t kFirstRoom = 4;      // layouts remembered, one more for each walk
+constexpr double kCrossShare = 0.3;          // of other work, that much more with each walk
+constexpr std::uint32_t kWalksFirst = 2;     // before layouts are crossed
+constexpr std::uint32_t kCrossings = 2;      // tried before a local search begins at the best of them
+constexpr std::uint32_t kMostInVain = 15;    // crossings in a row, until there is another walk
+
+/// How a search goes about, as suits what its steps are.
+struct Pace {
+  std::uint32_t trialsPerLuminaire;  // of the first walk
+  double reheat;                     // of a walk from a good layout
+  std::uint32_t
+      walksFirstBounded;     // before layouts are crossed where there are bounds, to whose edges they lead
+  std::uint32_t worthTurns;  // of "far" in the time of a walk: it may end thoroughly
+};
+constexpr Pace kSurveying = {250, 0.7, 3, 12}, kTrying = {400, 0.5, 4, 2};
+
+const Pace& paceOf(const Surroundings& at) { return at.maySurvey() ? kSurveying : kTrying; }
 
 bool areUnlike(const PreparedScene& prepared, const std::vector<double>& flux) {
   return (prepared.waysPerPlace() > 1 && !prepared.isTied()) ||
@@ -77,7 +86,7 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       prepared_(prepared),
       rules_(rules),
       areDifferent_(areUnlike(prepared, evaluator_.flux())),
-      length_(kTrialsPerLuminaire * freeSites_.movable().size()),
+      length_(paceOf(here()).trialsPerLuminaire * freeSites_.movable().size()),
       walk_(areDifferent_, evaluator_.objective().hasConstraints()),
       memory_(prepared, evaluator_.flux()) {}
 
@@ -135,13 +144,14 @@ void Vns::begin(const std::vector<std::uint32_t>& sites) {
 void Vns::enter(std::size_t neighborhood) {
   neighborhood_ = neighborhood;
   evaluator_.setPenalty(0);
-  gathering_ = walking_ = scanning_ = easing_ = false;
+  gathering_ = choosing_ = walking_ = scanning_ = easing_ = false;
   fruitless_ = 0;
 }
 
 /// Goes on with the running scan for at most `limit` > 0 evaluations; returns how many it took.
 std::uint32_t Vns::spend(std::uint32_t limit) {
   if (gathering_) return tryGatherings(limit);
+  if (choosing_) return tryCrossings(limit);
   if (!scanning_) openScan();
   const std::uint32_t spent = walking_ ? walk_.trySome(here(), scan_, limit)
                                        : neighborhoods()[neighborhood_].trySome(here(), scan_, limit);
@@ -204,14 +214,14 @@ void Vns::leave() {
 /// anywhere.
 void Vns::shake() {
   remember();
-  if (isCrossingWorthwhile()) return cross();
+  if (isCrossingWorthwhile()) return beginCrossing();
   switch (++walks_ % 3) {
     case 1:
       return beginGatherings();
     case 2:
       return beginWalk(somewhereElse(), 1);
     default:
-      return beginWalk(best_, kReheat);
+      return beginWalk(best_, paceOf(here()).reheat);
   }
 }
 
@@ -226,17 +236,43 @@ void Vns::remember() {
   crossing_ = false;
 }
 
-bool Vns::isCrossingWorthwhile() const {
+bool Vns::isCrossingWorthwhile() {
   const bool bounded = evaluator_.objective().hasConstraints();
-  return walks_ >= (bounded ? kWalksFirstBounded : kWalksFirst) && inVain_ < kMostInVain &&
+  return walks_ >= (bounded ? paceOf(here()).walksFirstBounded : kWalksFirst) && inVain_ < kMostInVain &&
          memory_.hasParents() && freeSites_.movable().size() > 1 &&
          static_cast<double>(crossWork_) < kCrossShare * (1 + walks_) * static_cast<double>(otherWork_);
 }
 
-/// A local search from two good layouts put together: quick, and at first one that may break bounds a little.
-void Vns::cross() {
+/// Two good layouts put together; where trials are quick, twice, for the better of the two.
+void Vns::beginCrossing() {
+  if (!here().maySurvey()) return searchChild(memory_.cross(freeSites_, random_));
+  choosing_ = true;
+  crossed_ = 0;
+  childWorth_ = kUnbounded;
+}
+
+/// Chooses the child that is worth most, bounds at the price of the last walk, of those not known yet.
+std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
+  std::uint32_t spent = 0;
+  for (; crossed_ < kCrossings && spent < limit; ++crossed_, ++spent) {
+    std::vector<std::uint32_t> child = memory_.cross(freeSites_, random_);
+    if (crossed_ == 0) child_ = child;
+    if (memory_.holds(child)) continue;
+    const Evaluation evaluation = evaluator_.evaluate(child);
+    const double worth = evaluation.goal + walk_.penalty() * evaluation.violation;
+    if (!(worth < childWorth_)) continue;
+    childWorth_ = worth;
+    child_ = std::move(child);
+  }
+  work_ += spent;
+  if (crossed_ == kCrossings) searchChild(child_);
+  return spent;
+}
+
+/// A local search from there: quick, and at first one that may break bounds a little.
+void Vns::searchChild(const std::vector<std::uint32_t>& child) {
   thorough_ = false;
-  begin(memory_.cross(freeSites_, random_));
+  begin(child);
   crossing_ = true;
   foundSince_ = false;
   easing_ = walk_.penalty() > 0;
@@ -274,7 +310,7 @@ std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
     gatheredEvaluation_ = evaluator_.current();
   }
   work_ += spent;
-  if (gatherings_ == wanted) beginWalk(gathered_, kReheat);
+  if (gatherings_ == wanted) beginWalk(gathered_, paceOf(here()).reheat);
   return spent;
 }
 
@@ -309,7 +345,7 @@ void Vns::closeStep() {
 void Vns::endWalk() {
   const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
   const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();
-  thorough_ = isPaired || (foundSince_ && walk_.trials() > kWorthTurns * turn);
+  thorough_ = isPaired || (foundSince_ && walk_.trials() > paceOf(here()).worthTurns * turn);
   begin(walked_);
 }
 

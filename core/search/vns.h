@@ -32,7 +32,7 @@ class Vns {
   Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const TiedStart& start,
       const Layout* reference = nullptr);
 
-  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is four), or none when
+  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is five), or none when
   /// nothing can move.
   void advance(std::uint32_t evaluations);
 
@@ -60,8 +60,10 @@ class Vns {
   void leave();
   void shake();
   void remember();
-  bool isCrossingWorthwhile() const;
-  void cross();
+  bool isCrossingWorthwhile();
+  void beginCrossing();
+  std::uint32_t tryCrossings(std::uint32_t limit);
+  void searchChild(const std::vector<std::uint32_t>& child);
   void beginGatherings();
   std::uint32_t tryGatherings(std::uint32_t limit);
   void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
@@ -104,6 +106,12 @@ class Vns {
   std::uint64_t crossWork_ = 0;  // of all crossings,
   std::uint64_t otherWork_ = 0;  // and of all else
   std::uint32_t inVain_ = 0;     // crossings in a row of which nothing was kept
+
+  // Crossings that are being tried, for a local search from the best of them.
+  bool choosing_ = false;
+  std::uint32_t crossed_ = 0;
+  std::vector<std::uint32_t> child_;  // the best so far
+  double childWorth_ = 0;             // a broken bound at its price
 
   // Gatherings that are being tried.
   bool gathering_ = false;

@@ -22,6 +22,8 @@ TEST(LayoutMemory, KeepsTheBestAndNoneTwice) {
   EXPECT_TRUE(memory.offer({1, 2}, worth(5), 2));
   EXPECT_FALSE(memory.offer({2, 1}, worth(5), 2)) << "the same light";
   EXPECT_FALSE(memory.hasParents());
+  EXPECT_TRUE(memory.holds({2, 1}));
+  EXPECT_FALSE(memory.holds({2, 3}));
   EXPECT_TRUE(memory.offer({3, 4}, worth(4), 2));
   EXPECT_FALSE(memory.offer({5, 6}, worth(6), 2)) << "worse than both";
   EXPECT_TRUE(memory.offer({5, 6}, worth(3), 2));

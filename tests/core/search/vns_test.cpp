@@ -195,7 +195,7 @@ TEST(Vns, GoldenLayoutIsTheSameOnEveryMachine) {
   intentions.constraints = {{Statistic::kMean, 5, 8, 1, {2}, {}}};
   Vns vns(prepared, intentions, 2024);
   vns.advance(3000);
-  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{4, 1, 3, 2, 185, 187}));
+  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{190, 186, 4, 2, 3, 174}));
 }
 
 TEST(Vns, StandsStillWhenNothingCanMove) {
