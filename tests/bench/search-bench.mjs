@@ -205,8 +205,8 @@ worst one of 8 % after 25,000 evaluations, a mean of 0.3 % after 250,000, and 0.
 that is bold. The family of true uniformity lights thousands of patches a trial, so it has ${seedsLit} seeds and at most
 ${mostLit.toLocaleString('en')} evaluations.
 
-An evaluation is one trial layout. A step of the search's walks that surveys a luminaire's twenty sites, of means and sigmas only
-(\`core/search/survey.cpp\`), takes as long as four and counts as four.
+An evaluation is one trial layout. A survey of twenty sites for a luminaire, of means and sigmas only
+(\`core/search/survey.cpp\`), takes as long as five and counts as five.
 
 ${table('family', chosen, (name) => runs.filter((run) => run.family === name), evaluations)}
 
