@@ -21,6 +21,7 @@ import { freeGpu } from './stage/free-gpu.ts';
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { betterPlace, quadrantShares } from './room/facing.ts';
+import { breath } from './stage/breath.ts';
 import { planOf, roomFrame } from './room/floor-plan.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
@@ -78,7 +79,7 @@ class RoomViewer implements Viewer {
   #prepared: { readonly glb: ArrayBuffer; readonly root: ReturnType<typeof readGlb> } | null = null;
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
-  #frame: PlanFrame | null = null; // of the room, once it was asked for
+  #frame: PlanFrame | null = null; // of the room, but not of a preview
   #display: Display | null = null;
   #paint: readonly SurfacePaint[] = [];
   #aims: readonly number[] = [];
@@ -158,8 +159,13 @@ class RoomViewer implements Viewer {
     const root = this.#prepared?.glb === glb ? this.#prepared.root : readGlb(glb);
     this.#prepared = null;
     const room = loadRoomMesh(await root, scene, this.#light.uniforms, this.#stage.anisotropy);
+    // What a room that is shown needs is made in tasks of their own: a longer one would hold up the page.
+    await breath();
+    const frame = roomFrame(room);
+    await breath();
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#show(room, scene);
+    this.#frame = frame;
     this.#awaitLight(turn);
     this.#look(turn);
   }
@@ -311,7 +317,6 @@ class RoomViewer implements Viewer {
   }
 
   frame(): PlanFrame | null {
-    if (this.#room && this.#info) this.#frame ??= roomFrame(this.#room);
     return this.#frame;
   }
 

@@ -1,6 +1,7 @@
 /** What colour each patch of a room has: its materials, averaged over the vertices that take their light from it. */
 import { InterleavedBufferAttribute, type BufferAttribute, type Texture, type Vector4 } from 'three';
 import { linearFromSrgb } from '../../document/linear-colour.mjs';
+import { breath } from '../stage/breath.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 const portion = 16_384; // vertices between two breaths: some milliseconds
@@ -90,7 +91,7 @@ export async function patchColors(lit: readonly LitMesh[], patches: number): Pro
     const { count } = each.mesh.geometry.getAttribute('_patches');
     for (let begin = 0; begin < count; begin += portion) {
       addVertices(each, map && pictures.get(map)!, sums, begin, Math.min(count, begin + portion));
-      await new Promise((resolve) => setTimeout(resolve)); // nobody waits for colours: others come first
+      await breath(); // nobody waits for colours: others come first
     }
   }
   return sums;
