@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/transport/cluster_product.h"
+
 namespace fiatlux {
 
 namespace {
@@ -11,15 +13,12 @@ namespace {
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowMatrixD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Eight columns. note: named, for the compiler makes single floats of loops over them.
-using Columns8 = float __attribute__((vector_size(32), aligned(4), may_alias));
-
 /// Adds to `out` what rows get beyond U V^T b, 8 x kBlocks columns.
 template <std::uint32_t kBlocks>
 void correctBlocks(const FormFactors& factors, const float* detail, const float* leaning, float* out) {
   constexpr std::size_t kWidth = 8 * kBlocks;
-  const auto columns = [](const float* at, std::uint32_t block) -> const Columns8& {
-    return *reinterpret_cast<const Columns8*>(at + 8 * std::size_t{block});
+  const auto columns = [](const float* at, std::uint32_t block) {
+    return columns8(at + 8 * std::size_t{block});
   };
   for (std::size_t p = 0; p < factors.rows; ++p) {
     Columns8 sums[kBlocks] = {};
@@ -90,9 +89,7 @@ void reduce(const FormFactors& factors, const float* e, std::uint32_t width, flo
 void irradiance(const FormFactors& factors, const float* b, std::uint32_t width, float* out) {
   std::vector<float> x(std::size_t{factors.clusters} * width);
   reduce(factors, b, width, x.data());
-  Eigen::Map<RowMatrixF>(out, factors.rows, width).noalias() =
-      Eigen::Map<const RowMatrixF>(factors.u.data(), factors.rows, factors.clusters) *
-      Eigen::Map<const RowMatrixF>(x.data(), factors.clusters, width);
+  clusterProduct(factors.u.data(), factors.rows, factors.clusters, x.data(), width, out);
 
   // What V smears: each patch's difference from its cluster's mean.
   std::vector<float> detail(std::size_t{factors.count} * width);

@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "core/transport/cluster_product.h"
+
 namespace fiatlux {
 
 namespace {
@@ -52,8 +54,7 @@ void LowRankRadiosity::respond(const float* x, std::uint32_t width, float* irrad
   const FormFactors& factors = *parts_->factors;
   const RowMatrixD reduced = ConstRowMapF(x, factors.clusters, width).cast<double>();
   const RowMatrixF solved = parts_->core.solve(reduced).cast<float>();
-  RowMapF(irradiance, factors.count, width).noalias() =
-      ConstRowMapF(factors.u.data(), factors.count, factors.clusters) * solved;
+  clusterProduct(factors.u.data(), factors.count, factors.clusters, solved.data(), width, irradiance);
 }
 
 void LowRankRadiosity::solve(const float* e, std::uint32_t width, float* b) const {
