@@ -8,6 +8,7 @@
 #include "core/base/short_number.h"
 #include "precompute/base/error.h"
 #include "precompute/geometry/box_cut.h"
+#include "precompute/geometry/inside.h"
 #include "precompute/geometry/lid.h"
 #include "precompute/geometry/spaces.h"
 
@@ -46,12 +47,12 @@ Kept keptOf(const Spaces& spaces, std::uint32_t from, std::uint32_t openings) {
   return kept;
 }
 
-/// Which triangles belong to the place: those at its air. A large one that touches it beside an opening alone
-/// is the far side of a wall or a floor, and sees nothing of it.
+/// Which triangles belong to the place: those at its air. A large one that touches it beside an opening
+/// alone, or through a thin wall, is the far side of a wall or a floor, and sees nothing of it.
 class AtAir {
  public:
-  AtAir(const CubeGrid& grid, const std::vector<std::uint8_t>& air)
-      : grid_(grid), air_(air), near_(widened(grid, air, 1)) {}
+  AtAir(const CubeGrid& grid, const std::vector<std::uint8_t>& air, const RayTracer& tracer)
+      : grid_(grid), air_(air), tracer_(tracer), near_(widened(grid, air, 1)) {}
 
   bool operator()(const Vec3& a, const Vec3& b, const Vec3& c) const {
     if (!anyCube(grid_, a, b, c, [&](std::size_t cube) { return near_[cube] != 0; })) return false;
@@ -61,7 +62,8 @@ class AtAir {
   }
 
  private:
-  static constexpr double kSmall = 1;  // m
+  static constexpr double kSmall = 1;          // m
+  static constexpr double kInOnePlane = 1e-3;  // m
 
   /// Whether the air that is kept lies before it or behind it anywhere.
   bool looksIntoIt(const Vec3& a, const Vec3& b, const Vec3& c) const {
@@ -71,12 +73,18 @@ class AtAir {
       if (!near_[cube]) return false;
       const Vec3 middle = grid_.cornerAt(grid_.stepsOf(cube)) + toMiddle;
       const Vec3 on = middle - dot(middle - a, normal) * normal;
-      return air_[grid_.indexOf(grid_.stepsTo(on + clear))] || air_[grid_.indexOf(grid_.stepsTo(on - clear))];
+      const auto sees = [&](double side) {
+        const Vec3 to = on + side * clear;
+        return air_[grid_.indexOf(grid_.stepsTo(to))] &&
+               !tracer_.isBlocked(on + side * kInOnePlane * normal, to);
+      };
+      return sees(1) || sees(-1);
     });
   }
 
   const CubeGrid& grid_;
   const std::vector<std::uint8_t>& air_;
+  const RayTracer& tracer_;
   std::vector<std::uint8_t> near_;
 };
 
@@ -100,7 +108,9 @@ Bounds airBeside(const SourceMesh& mesh, const CubeGrid& grid, const std::vector
 
 /// The meshes of a scene as far as they belong to the place; panes go to the lid, where there is one.
 std::vector<SourceMesh> touched(const SourceScene& source, const CubeGrid& grid, const Kept& kept, Lid* lid) {
-  const AtAir isAtAir(grid, kept.air);
+  std::vector<std::string> unsaid;
+  const RayTracer tracer = tracerOf(weld(source, assignRoles(source, {}, unsaid).reflectors));
+  const AtAir isAtAir(grid, kept.air, tracer);
   const Vec3 more{grid.edge, grid.edge, grid.edge};
   const Bounds box{kept.box.low - more, kept.box.high + more};
   std::vector<SourceMesh> meshes;

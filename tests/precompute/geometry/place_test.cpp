@@ -28,30 +28,30 @@ const Vec3 kInFirst{2, 1, 2.5}, kInMiddle{6, 1, 2.5};
 
 /// Rooms along x with doors between them, and a window without glass at the far end of the first; floor and
 /// ceiling are one slab each.
-SourceScene rooms(bool hasGlass = false, double doorWidth = kDoor) {
+SourceScene rooms(bool hasGlass = false, double doorWidth = kDoor, double thick = kThick) {
   TrapRoom made;
   if (hasGlass) {
     TestMesh pane;
-    pane.quad({-kThick / 2, 0.9, 2}, {0, 1, 0}, {0, 0, 1});
+    pane.quad({-thick / 2, 0.9, 2}, {0, 1, 0}, {0, 0, 1});
     made.gltf.node("pane", made.gltf.mesh(pane, made.gltf.material("glass", 0.8, {{"alphaMode", "BLEND"}})));
   }
-  const double far = 3 * kWide + 2 * kThick, door = 2;
+  const double far = 3 * kWide + 2 * thick, door = 2;
   const auto across = [&](const std::string& name, double x, double from, double to, double low,
                           double high) {
-    made.block(name + " before", {x, 0, 0}, {kThick, kTall, from});
-    made.block(name + " after", {x, 0, to}, {kThick, kTall, kDeep - to});
-    if (low > 0) made.block(name + " below", {x, 0, from}, {kThick, low, to - from});
-    made.block(name + " above", {x, high, from}, {kThick, kTall - high, to - from});
+    made.block(name + " before", {x, 0, 0}, {thick, kTall, from});
+    made.block(name + " after", {x, 0, to}, {thick, kTall, kDeep - to});
+    if (low > 0) made.block(name + " below", {x, 0, from}, {thick, low, to - from});
+    made.block(name + " above", {x, high, from}, {thick, kTall - high, to - from});
   };
-  made.block("floor", {-kThick, -kThick, -kThick}, {far + 2 * kThick, kThick, kDeep + 2 * kThick});
-  made.block("ceiling", {-kThick, kTall, -kThick}, {far + 2 * kThick, kThick, kDeep + 2 * kThick});
-  made.block("north", {-kThick, 0, -kThick}, {far + 2 * kThick, kTall, kThick});
-  made.block("south", {-kThick, 0, kDeep}, {far + 2 * kThick, kTall, kThick});
-  across("west", -kThick, 2, 3, 0.9, 1.9);
+  made.block("floor", {-thick, -thick, -thick}, {far + 2 * thick, thick, kDeep + 2 * thick});
+  made.block("ceiling", {-thick, kTall, -thick}, {far + 2 * thick, thick, kDeep + 2 * thick});
+  made.block("north", {-thick, 0, -thick}, {far + 2 * thick, kTall, thick});
+  made.block("south", {-thick, 0, kDeep}, {far + 2 * thick, kTall, thick});
+  across("west", -thick, 2, 3, 0.9, 1.9);
   across("one", kWide, door, door + doorWidth, 0, kDoorTop);
-  across("two", 2 * kWide + kThick, door, door + doorWidth, 0, kDoorTop);
-  made.block("east", {far, 0, 0}, {kThick, kTall, kDeep});
-  made.block("wardrobe", {kWide + kThick + 1, 0, 0}, {1.5, 2.2, 0.6});
+  across("two", 2 * kWide + thick, door, door + doorWidth, 0, kDoorTop);
+  made.block("east", {far, 0, 0}, {thick, kTall, kDeep});
+  made.block("wardrobe", {kWide + thick + 1, 0, 0}, {1.5, 2.2, 0.6});
   return *made.gltf.read();
 }
 
@@ -125,14 +125,21 @@ TEST(Place, ABeamPartsNothing) {
 }
 
 TEST(Place, HasNoFarSidesOfItsWalls) {
-  SourceScene source = rooms();
-  keepPlace({kInFirst, 0, Lid::kWhite}, source);
-  // The walls between end in the doorway, where the place ends; what looks into the next room is left out.
-  const SourceMesh* wall = meshCalled(source, "one after");
-  ASSERT_NE(wall, nullptr);
-  double away = 0;  // m2, that look along x, away from the place
-  for (const auto& t : wall->triangles) away += std::max(0.0, areaVector(wall->positions, t).x);
-  EXPECT_EQ(away, 0);
+  // Nor of thin ones, which a step of the air's cubes reaches through.
+  for (const double thick : {kThick, 0.12, 0.08, 0.05}) {
+    SourceScene source = rooms(false, kDoor, thick);
+    keepPlace({kInFirst, 0, Lid::kWhite}, source);
+    // The walls between end in the doorway, where the place ends; what looks into the next room is left out.
+    const SourceMesh* wall = meshCalled(source, "one after");
+    ASSERT_NE(wall, nullptr) << thick;
+    double away = 0, toward = 0;  // m2, that look along x
+    for (const auto& t : wall->triangles) {
+      const double x = areaVector(wall->positions, t).x;
+      (x > 0 ? away : toward) += std::abs(x);
+    }
+    EXPECT_EQ(away, 0) << thick;
+    EXPECT_NEAR(toward, (kDeep - 2 - kDoor) * kTall, 1e-6) << thick;
+  }
 }
 
 TEST(Place, AMountEndsAtItsWalls) {
