@@ -150,6 +150,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   checkGrids(charts, options, patch, kMostClusters);
 
   addSurfaces(inside.tree, false, room);
+  if (inside.turned) room.assumptions += " turned";
   const AssumedReflectance assumed = assumeReflectance(source, inside.tree);
   if (!assumed.note.empty()) room.warnings.push_back(assumed.note), room.assumptions += " materials=roles";
   const ReflectanceMap reflectance(source, &assumed.ofTriangle);

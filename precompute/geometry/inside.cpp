@@ -53,11 +53,12 @@ struct Look {
   UniqueNames names;
   std::unique_ptr<Outlook> outlook;
   bool turned = false;  // some sheets were
+  std::string note;     // on one-sided faces that were turned; "": none
 };
 
-/// `all`: as if every material were double-sided. Turns triangles of the mesh that look outward.
-Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& mesh, SmallParts& smallParts,
-               bool all) {
+/// `all`: as if every material were double-sided. Turns sheets of the mesh that look outward.
+Look lookOnce(const SourceScene& source, const RayTracer& tracer, WeldedMesh& mesh, SmallParts& smallParts,
+              bool all) {
   Look look;
   look.faces = frontFaces(mesh);
   const std::vector<Face> backs = backFaces(source, mesh, all);
@@ -73,6 +74,19 @@ Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& m
   } else {
     look.names = std::move(firstNames);
   }
+  return look;
+}
+
+/// And one-sided faces that enclose what looks at their backs.
+Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& mesh, SmallParts& smallParts,
+               bool all) {
+  Look look = lookOnce(source, tracer, mesh, smallParts, all);
+  if (all) return look;
+  const std::string note =
+      turnWhatEncloses(mesh, look.tree, *look.outlook, FreeSpace(mesh, tracer, look.faces));
+  if (note.empty()) return look;
+  look = lookOnce(source, tracer, mesh, smallParts, all);
+  look.note = note;
   return look;
 }
 
@@ -170,6 +184,8 @@ Inside findInside(const SourceScene& source, const RoomOptions& options, const R
   Look look = lookRound(source, tracer, mesh, smallParts, options.doubleSided);
   Inside inside;
   inside.mounts = hang(source, options, tracer, mesh, smallParts, look, warnings);
+  inside.turned = !look.note.empty();
+  if (inside.turned) warnings.push_back(look.note);
   inside.tree = std::move(look.tree);
   inside.names = std::move(look.names);
   inside.space.emplace(mesh, tracer, look.faces);

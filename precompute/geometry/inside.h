@@ -36,6 +36,7 @@ struct Inside {
   std::optional<FreeSpace> space;
   std::vector<Mount> mounts;
   Outside outside;
+  bool turned = false;  // one-sided faces that looked outward
 };
 
 /// Finds surfaces and mounts; turns sheets that look outward, and where no ceiling looks into the room, faces

@@ -24,7 +24,8 @@ Outlook::Outlook(const WeldedMesh& mesh, const RayTracer& tracer, const std::vec
     : mesh_(mesh),
       tracer_(tracer),
       sequence_(kManyRays),
-      pieceOfSide_(mesh.triangles.size(), {kNone, kNone}) {
+      pieceOfSide_(mesh.triangles.size(), {kNone, kNone}),
+      swallowed_(mesh.triangles.size(), {0, 0}) {
   if (pieces.empty() || pieces.size() > kMostPieces) return;
   double area = 0;
   for (std::uint32_t p = 0; p < pieces.size(); ++p) {
@@ -63,6 +64,7 @@ void Outlook::cast(std::uint32_t index, std::uint32_t rays, std::uint64_t seed) 
       if (t != kNone) {
         const bool back = dot(direction[i], areaVector(mesh_.positions, mesh_.triangles[t].vertex)) > 0;
         met = pieceOfSide_[t][back];
+        if (met == kNone) ++swallowed_[t][back];
       }
       if (met == kNone)
         ++piece.lost;

@@ -29,6 +29,10 @@ class Outlook {
   /// Share of the rays from this side's piece that met nothing, or a side that is no surface.
   double lost(std::uint32_t triangle, bool back) const;
 
+  /// How many rays of surfaces met this side of a triangle, which is none.
+  std::uint32_t swallowed(std::uint32_t triangle, bool back) const { return swallowed_[triangle][back]; }
+  bool isSurface(std::uint32_t triangle, bool back) const { return pieceOfSide_[triangle][back] != kNone; }
+
   /// To be told when a triangle of the mesh has been turned over.
   void turn(std::uint32_t triangle) { std::swap(pieceOfSide_[triangle][0], pieceOfSide_[triangle][1]); }
 
@@ -58,6 +62,7 @@ class Outlook {
   const RaySequence sequence_;
   std::vector<Piece> pieces_;                              // none: not looked at
   std::vector<std::array<std::uint32_t, 2>> pieceOfSide_;  // kNone: no surface
+  std::vector<std::array<std::uint32_t, 2>> swallowed_;    // rays, of those
 };
 
 }  // namespace fiatlux

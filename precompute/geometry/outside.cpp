@@ -10,9 +10,12 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kVoid = 0.5;          // share of lost rays from which a side looks into the void
-constexpr std::size_t kMostNames = 4;  // in the note
-constexpr double kLittle = 1e-4;       // of the room's area: not worth a line
+constexpr double kVoid = 0.5;            // share of lost rays from which a side looks into the void
+constexpr double kMostlyOneSided = 0.5;  // of a region
+constexpr std::uint32_t kSwallows = 16;  // rays of others, at least, that it must meet
+constexpr double kRoomy = 1;             // m, mean way of rays behind it
+constexpr std::size_t kMostNames = 4;    // in the note
+constexpr double kLittle = 1e-4;         // of the room's area: not worth a line
 
 /// "20 m2" and "'floor' 12 m2, 'wall' 8 m2": what there is of each name, most first.
 struct AreaList {
@@ -53,6 +56,37 @@ bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outl
     turned = true;
   }
   return turned;
+}
+
+std::string turnWhatEncloses(WeldedMesh& mesh, const SurfaceTree& tree, const Outlook& outlook,
+                             const FreeSpace& space) {
+  std::map<std::string, double> areas;
+  for (const SurfaceGroup& group : tree.groups)
+    for (std::size_t r = 0; r < group.regions.size(); ++r) {
+      const Region& region = group.regions[r];
+      double lost = 0, area = 0;
+      std::uint32_t swallowed = 0;
+      std::vector<Face> turned;
+      for (const std::uint32_t f : region.faces) {
+        const Face& face = group.set.faces[f];
+        if (face.back || outlook.isSurface(face.triangle, true)) continue;
+        const double own = length(areaVector(mesh.positions, face.vertex));
+        area += own, lost += own * outlook.lost(face.triangle, false);
+        swallowed += outlook.swallowed(face.triangle, true);
+        turned.push_back(face), std::swap(turned.back().vertex[1], turned.back().vertex[2]);
+      }
+      // note: behind the outer face of a wall, which what ends in the wall looks at, there is no room
+      if (area < kMostlyOneSided * region.area || lost < kVoid * area || swallowed < kSwallows ||
+          space.from(turned, 0).path < kRoomy)
+        continue;
+      for (const Face& face : turned) mesh.triangles[face.triangle].vertex = face.vertex;
+      areas[tree.names[group.leafOfRegion[r]]] += region.area;
+    }
+  if (areas.empty()) return "";
+  const AreaList list(areas);
+  return shortNumber(list.total) +
+         " m2 have one side, which looks away from the room they enclose, and are turned: " + list.text +
+         "; --double-sided gives all faces two sides";
 }
 
 Outside leaveOut(const std::vector<std::array<bool, 2>>& sides, SurfaceTree& tree) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "precompute/geometry/free_space.h"
 #include "precompute/geometry/outlook.h"
 #include "precompute/geometry/surfaces.h"
 
@@ -13,6 +14,11 @@ namespace fiatlux {
 /// Turns over the triangles of double-sided sheets whose front looks into the void while their back looks
 /// into the room; `faces` (fronts first, one per triangle) and `outlook` follow. False where there were none.
 bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook);
+
+/// Turns over the one-sided surfaces that look into the void while what they enclose looks at their backs:
+/// all is to be found anew then. One line on them; "" where there were none.
+std::string turnWhatEncloses(WeldedMesh& mesh, const SurfaceTree& tree, const Outlook& outlook,
+                             const FreeSpace& space);
 
 /// What was left out of a room.
 struct Outside {

@@ -131,6 +131,20 @@ TEST(Ceilings, OfARoomThatIsInsideOutAreTurned) {
   EXPECT_THAT(allWarnings(room->warnings), HasSubstr("taken as double-sided"));
 }
 
+TEST(Ceilings, AreKeptWhereOnlyTheWallsAreTurned) {
+  const auto room = coarse(testing::halfTurned());
+  ASSERT_TRUE(room) << room.error().message;
+  expectUseful(*room);
+  EXPECT_EQ(room->surfaces.size(), 6u);
+  EXPECT_THAT(
+      allWarnings(room->warnings),
+      HasSubstr("61.6 m2 have one side, which looks away from the room they enclose, and are turned: "));
+  EXPECT_THAT(room->assumptions, HasSubstr(" turned"));
+  // Solid blocks look outward, too, and nobody sees their backs.
+  for (TrapRoom made : {testing::terrain(), testing::twoStoreys(), testing::noCeiling()})
+    EXPECT_THAT(allWarnings(coarse(std::move(made))->warnings), Not(HasSubstr("are turned")));
+}
+
 TEST(Ceilings, AreAskedForByPatternsAndMissedByMeaning) {
   TestMesh low, high;
   low.quad({0.5, 2.3, 1}, {2, 0, 0}, {0, 0, 2}), high.quad({3, 2.5, 1}, {2, 0, 0}, {0, 0, 2});

@@ -137,6 +137,18 @@ inline TrapRoom insideOut() {
   return room;
 }
 
+/// A ceiling and a floor that look into the room, and walls that look out of it.
+inline TrapRoom halfTurned() {
+  TrapRoom room;
+  TestMesh level, walls;
+  level.quad({}, {0, 0, kPlan.z}, {kPlan.x, 0, 0});
+  level.quad({0, kStorey, 0}, {kPlan.x, 0, 0}, {0, 0, kPlan.z});
+  const Vec3 up{0, kStorey, 0}, x{kPlan.x, 0, 0}, z{0, 0, kPlan.z};
+  walls.quad({}, up, x), walls.quad(z, x, up), walls.quad({}, z, up), walls.quad(x, up, z);
+  room.add("level", level), room.add("walls", walls);
+  return room;
+}
+
 /// A room drawn in another unit than metres.
 inline TrapRoom inUnits(double perMetre) {
   TrapRoom room;

@@ -33,6 +33,7 @@ std::vector<Trap> traps() {
           {"slab", testing::hollowSlab(), "hang on 's1", 1, 3},
           {"no ceiling", testing::noCeiling(), "hang in a plane 2.7 m above 's0", 1, 3},
           {"inside out", testing::insideOut(), "hang on 'shell", 1, 3},
+          {"half turned", testing::halfTurned(), "hang on 'level/ceiling'", 1, 2},
           {"centimetres", testing::inUnits(100), "hang on 'room/ceiling'", 0.01, 2},
           {"millimetres", testing::inUnits(1000), "hang on 'room/ceiling'", 0.001, 2},
           {"two storeys", testing::twoStoreys(), "hang on 's", 1, 2},
