@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/pipeline/foreseen.h"
 #include "precompute/pipeline/scene_parts.h"
 
 namespace fiatlux {
@@ -41,7 +42,8 @@ SceneOptions optionsOf(const val& asked) {
   options.room.drop = asked["drop"].as<double>();
   options.room.plane = asked["plane"].as<double>();
   options.room.planeRim = asked["planeRim"].as<double>();
-  options.room.isZUp = asked["up"].as<std::string>() == "z";
+  const std::string up = asked["up"].as<std::string>();
+  options.room.up = up == "z" ? UpAxis::kZ : up == "y" ? UpAxis::kY : UpAxis::kGuess;
   const val reflectances = asked["reflectances"];
   for (unsigned i = 0, count = reflectances["length"].as<unsigned>(); i < count; ++i)
     options.room.reflectances.push_back(
@@ -176,9 +178,10 @@ class Builder {
       size.set(0, survey->size.x), size.set(1, survey->size.y), size.set(2, survey->size.z);
       result.set("size", size);
       result.set("scale", survey->scale);
+      result.set("up", std::string(survey->isZUp ? "z" : "y"));
       result.set("patch", survey->patch);
       result.set("rows", survey->rows);
-      result.set("triangles", survey->triangles);
+      result.set("work", coreSeconds(survey->rows, survey->sites, survey->triangles));
       result.set("sites", survey->sites);
       result.set("lost", survey->lost);
       result.set("surfaces", listOf(survey->surfaces));
@@ -201,6 +204,9 @@ class Builder {
       result.set("clusters", room.patches.clusterCount);
       result.set("patchSize", room.patchSize);
       result.set("source", room.sourceHash);
+      result.set("work",
+                 coreSeconds(room.patches.rows(), static_cast<double>(room.sites.size()),
+                             static_cast<double>(room.triangles.size()), optionsOf(asked).transport.rays));
       result.set("memory", parts_->bytes() / 1e9);
       result.set("warnings", listOf(room.warnings));
       return result;

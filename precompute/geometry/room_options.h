@@ -20,11 +20,13 @@ struct NamedReflectance {
   double value = 0;  // 0..kMostReflectance
 };
 
+/// Which axis of the file is up.
+enum class UpAxis { kGuess, kY, kZ };
+
 /// Which part of a building is the room.
 struct PlaceOptions {
-  std::optional<Vec3>
-      inside;               // m, a point in its air, as the model stands after `scale` and `isZUp`; none: all
-  std::uint32_t doors = 0;  // open ones that one may pass from there
+  std::optional<Vec3> inside;  // m, a point in its air, as the model stands after `scale` and `up`; none: all
+  std::uint32_t doors = 0;     // open ones that one may pass from there
   enum class Lid { kNone, kDark, kWhite } lid = Lid::kNone;  // on what then stays open
 };
 
@@ -41,7 +43,7 @@ struct RoomOptions {
   double scale = 0;                   // metres per unit of the file; 0: 1, or a guess where that is absurd
   double plane = 0;                   // m, of a measuring plane over the floor below the mounts; 0: none
   double planeRim = 0.5;              // m, that it stays away from the floor's edges
-  bool isZUp = false;                 // z of the file is up, not y
+  UpAxis up = UpAxis::kGuess;         // y, but where the model would then lie on its back
   std::vector<NamedReflectance> reflectances;
   PlaceOptions place;
   bool doubleSided = false;           // every material is: fronts may look either way

@@ -33,8 +33,14 @@ constexpr std::array kUnits = {Unit{0.01, "centimetres"},   Unit{0.001, "millime
                                Unit{0.0254, "inches"},      Unit{10, "units of 10 m"},
                                Unit{100, "units of 100 m"}, Unit{1000, "kilometres"}};
 
-/// From floors to ceilings, in units of the file; 0 where nothing is above anything.
-double ceilingHeight(const SourceScene& source) {
+std::string sizesOf(const Vec3& size, double scale) {
+  return shortNumber(scale * size.x) + " x " + shortNumber(scale * size.z) + " m and " +
+         shortNumber(scale * size.y) + " m high";
+}
+
+}  // namespace
+
+double heightOfRooms(const SourceScene& source) {
   std::vector<Vec3> positions;
   std::vector<RayTracer::Triangle> triangles;
   std::vector<Fragment> level;
@@ -72,13 +78,6 @@ double ceilingHeight(const SourceScene& source) {
   return heights[static_cast<std::size_t>(kQuantile * static_cast<double>(heights.size() - 1))];
 }
 
-std::string sizesOf(const Vec3& size, double scale) {
-  return shortNumber(scale * size.x) + " x " + shortNumber(scale * size.z) + " m and " +
-         shortNumber(scale * size.y) + " m high";
-}
-
-}  // namespace
-
 double guessedScale(const SourceScene& source) {
   for (const SourceMesh& mesh : source.meshes)
     if (mesh.extras.siteSpacing || mesh.extras.drop) return 1;
@@ -86,7 +85,7 @@ double guessedScale(const SourceScene& source) {
   const double width = bounds.longestEdge(), tall = bounds.size().y;
   if (bounds.empty() || (tall >= kSurelyLow && tall <= kSurelyHigh && width <= kSurelyWide)) return 1;
 
-  const double measured = ceilingHeight(source), height = measured > 0 ? measured : tall;
+  const double measured = heightOfRooms(source), height = measured > 0 ? measured : tall;
   const auto isPossible = [&](double scale) {
     if (scale > 1 && width > kSurelyBroad) return false;
     return scale * height >= kLowest && scale * height <= kHighest && scale * width >= kNarrowest &&

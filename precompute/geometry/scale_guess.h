@@ -11,6 +11,10 @@ namespace fiatlux {
 /// are; 1 where its sizes are possible as they are, or its author gives metres in extras. Deterministic.
 double guessedScale(const SourceScene& source);
 
+/// From floors to the ceilings above, that of most, in units of the positions; 0 where nothing is above
+/// anything.
+double heightOfRooms(const SourceScene& source);
+
 /// Multiplies all positions.
 void scaleBy(double scale, SourceScene& source);
 

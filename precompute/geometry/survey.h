@@ -24,6 +24,7 @@ struct Survey {
   std::vector<std::string> warnings;      // where luminaires would hang comes first
   Vec3 size;                              // m, of all that reflects
   double scale = 1;                       // metres per unit of the file
+  bool isZUp = false;                     // z of the file is up, not y
   double patch = 0;                       // m, edge of a patch, as it would be cut
   double rows = 0;                        // patches and receivers foreseen
   std::uint32_t triangles = 0;            // that light may meet

@@ -9,8 +9,10 @@
 #include "precompute/geometry/place.h"
 #include "precompute/geometry/scale_guess.h"
 #include "precompute/geometry/source_changes.h"
+#include "precompute/geometry/up_guess.h"
 #include "precompute/light/lost_light.h"
 #include "precompute/picture/display_mesh.h"
+#include "precompute/pipeline/foreseen.h"
 #include "precompute/pipeline/provenance.h"
 #include "precompute/pipeline/steps.h"
 
@@ -29,17 +31,20 @@ namespace {
 
 constexpr double kMuchLost = 0.2;  // of the flux
 
-/// A model in metres.
+/// A model in metres, y up.
 struct Measured {
   SourceScene source;
   double scale = 1;                // metres per unit of the file
-  std::vector<std::string> notes;  // one line where that was guessed, one where only a place of it stays
+  bool isZUp = false;              // in the file
+  std::vector<std::string> notes;  // one line where each was guessed, one where only a place of it stays
 };
 
 Measured measured(const ModelFile& model, const RoomOptions& options, const Host& host) {
   const double asked = options.scale > 0 ? options.scale : 1;
   SourceScene source = orThrow(readSourceScene(model.bytes, model.name, asked, host.resolve));
-  if (options.isZUp) standUpright(source);
+  const bool isGuess = options.up == UpAxis::kGuess;
+  const bool isZUp = isGuess ? looksZUp(source, options.scale) : options.up == UpAxis::kZ;
+  if (isZUp) standUpright(source);
   repaint(options.reflectances, source);
   const double guess = options.scale > 0 ? 1 : guessedScale(source);
   std::vector<std::string> notes;
@@ -47,18 +52,20 @@ Measured measured(const ModelFile& model, const RoomOptions& options, const Host
     scaleBy(guess, source);
     notes.push_back(noteOfScale(guess, source));
   }
+  if (isZUp && isGuess) notes.insert(notes.begin(), noteOfUp(source));
   if (options.place.inside) notes.push_back(keepPlace(options.place, source));
-  return {std::move(source), asked * guess, std::move(notes)};
+  return {std::move(source), asked * guess, isZUp, std::move(notes)};
 }
 
 }  // namespace
 
 OpenedRoom opened(const ModelFile& model, const RoomOptions& options, const Host& host) {
   beginStage(host.progress, "reading");
-  auto [source, scale, notes] = measured(model, options, host);
+  auto [source, scale, isZUp, notes] = measured(model, options, host);
   beginStage(host.progress, "patches");
   auto [room, tracer] = orThrow(buildTracedRoom(source, options));
   room.scale = scale;
+  room.isZUp = isZUp;
 
   // What is lost is told after where luminaires hang, and before what is found in the file; where it is much,
   // before all.
@@ -120,6 +127,9 @@ namespace {
 
 MadeScene made(const ModelFile& model, const SceneOptions& options, const Host& host) {
   const auto [source, room, tracer] = opened(model, options.room, host);
+  const std::string time = noteOfTime(room, options.transport.rays, host.threads);
+  if (host.warn && !time.empty())
+    host.warn({time});  // note: not in the file, which is the same on any machine
   Transport transport = orThrow(computeTransport(room, tracer, options.transport));
   return fileOf(model.name, source, room, std::move(transport), options, host);
 }
@@ -137,9 +147,10 @@ Result<OpenedRoom> openRoom(const ModelFile& model, const RoomOptions& options, 
 
 Result<Survey> surveyModel(const ModelFile& model, const RoomOptions& options, const Host& host) {
   const auto survey = [&] {
-    const auto [source, scale, notes] = measured(model, options, host);
+    const auto [source, scale, isZUp, notes] = measured(model, options, host);
     Survey survey = orThrow(surveyRoom(source, options));
     survey.scale = scale;
+    survey.isZUp = isZUp;
     survey.warnings.insert(survey.warnings.begin(), notes.begin(), notes.end());
     return survey;
   };

@@ -45,7 +45,7 @@ struct Host {
   unsigned threads = 1;          // never more are started
   Progress* progress = nullptr;  // stages as they begin, the wish to stop, and the seconds for the provenance
   std::function<void(const std::vector<std::string>&)>
-      warn;  // all warnings once they are known; may be empty
+      warn;  // before the work: all warnings once they are known, and how long it is; may be empty
 };
 
 /// What was made, in numbers.

@@ -36,7 +36,7 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
   for (const std::string& name : options.room.mounts) text << " mount=" << name.size() << ":" << name;
   for (const std::string& name : options.room.measures) text << " measure=" << name.size() << ":" << name;
   if (options.room.doubleSided) text << " double-sided";
-  if (options.room.isZUp) text << " up=z";
+  if (room.isZUp) text << " up=z";
   if (options.room.plane > 0)
     text << " working-plane=" << options.room.plane << " rim=" << options.room.planeRim;
   for (const auto& [material, value] : options.room.reflectances)
@@ -74,7 +74,7 @@ Json optionsJson(const SceneOptions& options, const Room& room) {
           {"ceiling", options.room.ceiling},
           {"plane", options.room.plane},
           {"planeRim", options.room.planeRim},
-          {"up", options.room.isZUp ? "z" : "y"},
+          {"up", room.isZUp ? "z" : "y"},
           {"reflectance", reflectancesJson(options.room.reflectances)},
           {"doubleSided", options.room.doubleSided},
           {"scale", room.scale},

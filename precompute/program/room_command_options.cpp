@@ -80,8 +80,8 @@ void addModelOptions(CLI::App& command, std::string& source, RoomOptions& room, 
       ->check(numberFrom(1e-6, kMost));
   command
       .add_option_function<std::string>(
-          "--up", [&room](const std::string& axis) { room.isZUp = axis == "z"; },
-          "Axis of the file that is up (default: y)")
+          "--up", [&room](const std::string& axis) { room.up = axis == "z" ? UpAxis::kZ : UpAxis::kY; },
+          "Axis of the file that is up (default: y, but where a room would lie on its back)")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("y|z");
   addReflectanceOption(command, room);

@@ -55,6 +55,7 @@ struct Room {
   std::vector<Site> sites;
   double patchSize = 0;               // m, the nominal edge of a patch
   double scale = 1;                   // metres per unit of the file that it was made from
+  bool isZUp = false;                 // z of that file is up, not y
   std::uint32_t floor = kNone;        // the surface that lies below most sites
   std::vector<std::string> leftOut;   // names of surfaces that face the void, wholly or in part
   std::vector<std::string> warnings;  // one readable line each, what matters most first

@@ -14,7 +14,7 @@ export interface BuildOptions {
   readonly ceiling: number; // m, of a plane of luminaires over the largest floor
   readonly plane: number; // m, of a measuring plane over the floor below the luminaires; 0: none
   readonly planeRim: number; // m, that it stays away from the floor's edges
-  readonly up: 'y' | 'z'; // axis of the file
+  readonly up: '' | 'y' | 'z'; // axis of the file; '': y, but where a room would lie on its back
   readonly reflectances: readonly (readonly [material: string, value: number])[]; // whatever the file says
   readonly inside: readonly number[]; // m: x, y, z of a point in the one room of a building that is lit; none: all of it
   readonly doors: number; // open ones that one may pass from there
@@ -39,7 +39,7 @@ export const usualOptions: BuildOptions = {
   ceiling: 0,
   plane: 0,
   planeRim: 0.5,
-  up: 'y',
+  up: '',
   reflectances: [],
   inside: [],
   doors: 0,
@@ -56,6 +56,7 @@ export interface RoomCounts {
   readonly sites: number;
   readonly clusters: number;
   readonly patchSize: number; // m
+  readonly work: number; // s that the command would take on one core, about
   readonly memory: number; // GB that a builder needs which does all of it
   readonly source: string; // hash of the model
   readonly warnings: readonly string[];
@@ -76,10 +77,11 @@ export const uses = { none: 0, mount: 1, floor: 2, plane: 3 } as const;
 export interface Survey {
   readonly size: readonly [number, number, number]; // m
   readonly scale: number; // metres per unit of the file
+  readonly up: 'y' | 'z'; // axis of the file
   readonly patch: number; // m, edge of one
   readonly rows: number; // patches and receivers foreseen
   readonly sites: number; // where a luminaire may hang
-  readonly triangles: number; // that light may meet
+  readonly work: number; // s that the command would take on one core, about
   readonly lost: number; // share of the light of what hangs there, before it is reflected
   readonly surfaces: readonly SurveyedSurface[]; // largest first
   readonly warnings: readonly string[];

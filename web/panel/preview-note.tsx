@@ -1,7 +1,8 @@
 /** What becomes of a dropped model: how far its light is, what stands in the way, and how to end it. */
 import { Copy, PencilRuler, X } from 'lucide-preact';
 import { useApp } from '../app/app.ts';
-import { isDraftOnScreen, titleOf } from '../app/lighting/lighting.ts';
+import { long } from '../app/lighting/foreseen.ts';
+import { isDraftOnScreen, lessWork, titleOf } from '../app/lighting/lighting.ts';
 import type { LightingState } from '../app/state/store.ts';
 import { OpenSheet } from './import-sheet-panel.tsx';
 import { words } from '../language/language.ts';
@@ -88,9 +89,28 @@ function Working({ state }: { readonly state: LightingState }) {
         {secondsLeft !== null && words.value.opening.preview.left(timeLeft(secondsLeft))}
         {words.value.opening.preview.stays}
       </p>
+      <Long state={state} />
       <EditRoom />
       <OpenSheet />
     </section>
+  );
+}
+
+/** What will take long says so while it has hardly begun, and what would take less. */
+function Long({ state: { secondsForeseen = 0 } }: { readonly state: LightingState }) {
+  const { opening } = useApp();
+  if (secondsForeseen <= long) return null;
+  return (
+    <>
+      <p role="status">
+        {words.value.opening.preview.long(timeLeft(secondsForeseen), timeLeft(lessWork * secondsForeseen))}
+      </p>
+      <div class="row">
+        <button class="button small" onClick={() => void opening.lighting.coarser()}>
+          {words.value.opening.preview.coarser}
+        </button>
+      </div>
+    </>
   );
 }
 

@@ -18,7 +18,8 @@ const survey: Survey = {
   patch: 0.1,
   rows: 9400,
   sites: 20,
-  triangles: 12,
+  up: 'y',
+  work: 3,
   lost: 0,
   surfaces: [{ name: 'ceiling', area: 20, high: 3, facing: facings.down, use: uses.mount }],
   warnings: [],
@@ -85,4 +86,13 @@ test('a model that cannot be read so says why; a late answer to an older questio
   sheet.close();
   await settled();
   expect(store.sheet.value).toBeNull();
+});
+
+test('a place is where it was clicked, in a model that is taken to lie on its back, too', async () => {
+  const { store, sheet } = opened(async () => ({ ...survey, scale: 0.01, up: 'z' }));
+  await settled();
+  store.preview.value = 'box.glb';
+  sheet.standAt([100, 200, 300]);
+  expect(store.sheet.value?.choices.inside).toEqual([1, 3, -2]);
+  expect(store.sheet.value?.choices.up).toBe('');
 });

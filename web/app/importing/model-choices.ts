@@ -28,7 +28,7 @@ export interface DrawnPlane {
 
 export interface ModelChoices {
   readonly unit: number; // metres; 0: 1, or a guess where that is absurd
-  readonly up: 'y' | 'z';
+  readonly up: '' | 'y' | 'z'; // '': y, but where a room would lie on its back
   readonly mounts: readonly string[]; // surfaces; none: those that are proposed
   readonly ceiling: number; // m, of a plane over the largest floor; 0: only where there is no ceiling
   readonly patch: number; // m, edge of a patch; 0: as proposed
@@ -47,7 +47,7 @@ export interface ModelChoices {
 
 export const usualChoices: ModelChoices = {
   unit: 0,
-  up: 'y',
+  up: '',
   mounts: [],
   ceiling: 0,
   patch: 0,
@@ -78,7 +78,7 @@ export const mostDoors = 20;
 const metres = v.optional(v.pipe(v.number(), v.finite(), v.minValue(0)), 0);
 const choicesSchema = v.object({
   unit: metres,
-  up: v.optional(v.picklist(['y', 'z']), 'y'),
+  up: v.optional(v.picklist(['', 'y', 'z']), ''),
   mounts: v.optional(v.array(v.string()), []),
   ceiling: metres,
   patch: metres,

@@ -1,17 +1,15 @@
 /**
- * How long a model's full light will take, before it is begun: from sample rooms of 12 to 24 000 triangles, about, and a
- * computer of today. A longer search of rays in a larger model is the square of a logarithm, by the rooms measured.
+ * How long a model's full light will take in this browser, before it is begun: the pipeline tells the work in seconds of
+ * the command on one core, and the same code takes about so many times as long here, with a tracer of its own.
  */
-import type { Survey } from '../../builder/builder.ts';
+import type { RoomCounts } from '../../builder/builder.ts';
 import { usualWorkers } from '../../builder/pool.ts';
 
-const perRow = 40e-6; // s of one worker, times the square of the triangles' logarithm
-const perPair = 2.4e-6; // of a row and a site, times that logarithm
-const perPairAlone = 2.8e-6; // whatever the model
+const timesTheCommand = 2.2; // by the sample rooms
 
-export function secondsForeseen({ rows, sites, triangles }: Survey, workers = usualWorkers()): number {
-  const depth = Math.log2(Math.max(2, triangles));
-  const ofRows = rows * perRow * depth ** 2;
-  const ofPairs = rows * sites * (perPair * depth + perPairAlone);
-  return (ofRows + ofPairs) / workers;
+/** s: beyond, a person hears of it and of larger patches before it begins. */
+export const long = 180;
+
+export function secondsForeseen({ work }: Pick<RoomCounts, 'work'>, workers = usualWorkers()): number {
+  return (timesTheCommand * work) / workers;
 }

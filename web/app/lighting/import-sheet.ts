@@ -12,7 +12,7 @@ const calm = 150; // ms without a change, before a model is looked at anew
 /** A point of the file as the builder has it. */
 function inMetres([x, y, z]: readonly [number, number, number], { choices, survey }: SheetState) {
   const unit = choices.unit || survey?.scale || 1;
-  const [right, up, back] = choices.up === 'z' ? [x, z, -y] : [x, y, z];
+  const [right, up, back] = (choices.up || survey?.up) === 'z' ? [x, z, -y] : [x, y, z];
   return [unit * right, unit * up, unit * back];
 }
 

@@ -27,6 +27,7 @@ import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { siteModel } from './site-model.ts';
+import { secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -35,6 +36,7 @@ import { reasonOf } from '../../document/reason.ts';
 const draft = { coarseness: 2.5, rays: 256, exchange: false };
 
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
+export const lessWork = 1 / coarser ** 2; // then, of the work
 
 const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
 
@@ -233,7 +235,7 @@ export class Lighting {
   ): Promise<Built> {
     const { lighting } = this.#store;
     const left = new TimeLeft(performance.now());
-    const begun = begunOf(model, pass);
+    let begun = begunOf(model, pass);
     lighting.value = begun;
     const tell = ({ stage, share }: Pick<LightingState, 'stage' | 'share'>) => {
       if (signal.aborted) return;
@@ -242,15 +244,17 @@ export class Lighting {
       lighting.value = { ...begun, stage, share: furthest, secondsLeft };
     };
     const wish = { model, signal, tell };
-    const opened = ({ warnings }: RoomCounts) => {
-      if (signal.aborted || this.#store.sheet.peek()) return;
+    const opened = ({ warnings, work }: RoomCounts) => {
+      if (signal.aborted) return;
+      begun = { ...begun, secondsForeseen: secondsForeseen({ work }) };
+      if (pass === 'full' || this.#store.sheet.peek()) return;
       for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
     };
     const { coarseness, rays, exchange } = draft;
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
       ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness, opened })
-      : pool.build({ ...wish, options, isKept: true });
+      : pool.build({ ...wish, options, isKept: true, opened });
   }
 
   /** The identity of the draft; '' where something else was opened meanwhile, which stays. */
@@ -310,8 +314,8 @@ export class Lighting {
     const { drawn, up } = this.#choices;
     if (drawn.length === 0) return model;
     const { withPlanes } = await import('../importing/drawn-planes.ts');
-    const { scale } = await pool.survey(model, chosenOptions(this.#choices));
-    return withPlanes(model, drawn, { scale, up });
+    const survey = await pool.survey(model, chosenOptions(this.#choices));
+    return withPlanes(model, drawn, { scale: survey.scale, up: up || survey.up });
   }
 
   /** Takes the choices that were made for the same model before, and says so. */

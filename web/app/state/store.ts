@@ -70,6 +70,7 @@ export interface LightingState {
   readonly stage: 'reading' | 'casting' | 'exchanging' | 'writing';
   readonly share: number; // 0..1 of this pass
   readonly secondsLeft: number | null; // of this pass, once that can be told
+  readonly secondsForeseen?: number; // of this pass as a whole, once its room is read
   readonly fault: string | null; // why it has ended without light
   readonly isTooLarge?: boolean; // for the memory: larger patches would do
 }

@@ -149,6 +149,7 @@ export const opening: Words['opening'] = {
     notFull: (title) => `„${title}“ bleibt eine Vorschau`,
     staysPreview: 'Zu sehen ist die Vorschau.',
     coarser: 'Mit größeren Teilflächen',
+    long: (time, less) => `Insgesamt dauert das hier etwa ${time}, mit größeren Teilflächen etwa ${less}.`,
   },
   view: {
     notShown: (reason) => `Die Geometrie des Raums kann nicht gezeigt werden: ${reason}`,

@@ -141,6 +141,8 @@ export const opening = {
     notFull: (title: string) => `“${title}” stays a preview`,
     staysPreview: 'What is shown is the preview.',
     coarser: 'With larger patches',
+    long: (time: string, less: string) =>
+      `All of it takes about ${time} here; with larger patches about ${less}.`,
   },
   view: {
     notShown: (reason: string) => `The room's geometry cannot be displayed: ${reason}`,

@@ -84,7 +84,9 @@ function Foreseen({ survey }: { readonly survey: NonNullable<SheetState['survey'
 
 /** What the sections do not say already, by fields instead of options of the command. */
 function Remarks({ lines }: { readonly lines: readonly string[] }) {
-  const other = lines.filter((line) => !/--(scale|doors|mount|ceiling|double-sided|site-spacing)/.test(line));
+  const other = lines.filter(
+    (line) => !/--(scale|up|doors|mount|ceiling|double-sided|site-spacing)/.test(line),
+  );
   if (other.length === 0) return null;
   return (
     <Section title={words.value.sheet.remarks}>

@@ -43,9 +43,10 @@ export function SizeSection({ state: { survey, choices }, choose }: Props) {
           ['y', () => text.upY],
           ['z', () => text.upZ],
         ]}
-        value={choices.up}
+        value={choices.up || (survey?.up ?? null)}
         choose={(up) => choose({ up })}
       />
+      {choices.up === '' && survey?.up === 'z' && <p class="fine-print">{text.guessed(text.upZ)}</p>}
     </Section>
   );
 }

@@ -120,7 +120,8 @@ test('luminaires hang where it is proposed, until somebody says where', () => {
     patch: 0.1,
     rows: 600,
     sites: 4,
-    triangles: 12,
+    up: 'y',
+    work: 1,
     lost: 0,
     warnings: [],
     surfaces: [
