@@ -33,12 +33,12 @@ constexpr std::array kUnits = {Unit{0.01, "centimetres"},   Unit{0.001, "millime
                                Unit{0.0254, "inches"},      Unit{10, "units of 10 m"},
                                Unit{100, "units of 100 m"}, Unit{1000, "kilometres"}};
 
+}  // namespace
+
 std::string sizesOf(const Vec3& size, double scale) {
   return shortNumber(scale * size.x) + " x " + shortNumber(scale * size.z) + " m and " +
          shortNumber(scale * size.y) + " m high";
 }
-
-}  // namespace
 
 double heightOfRooms(const SourceScene& source) {
   std::vector<Vec3> positions;

@@ -15,6 +15,9 @@ double guessedScale(const SourceScene& source);
 /// anything.
 double heightOfRooms(const SourceScene& source);
 
+/// "6 x 5 m and 2.8 m high", of a size in units of so many metres.
+std::string sizesOf(const Vec3& size, double scale);
+
 /// Multiplies all positions.
 void scaleBy(double scale, SourceScene& source);
 

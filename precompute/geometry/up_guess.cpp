@@ -80,7 +80,12 @@ bool looksZUp(const SourceScene& source, double scale) {
     const double rooms = heightOfRooms(scene);
     return (scale > 0 ? 1 : guessedScale(scene)) * (rooms > 0 ? rooms : boundsOf(scene).size().y);
   };
-  SourceScene turned = source;
+  SourceScene turned;  // note: of what has a place alone, for pictures and names weigh much
+  turned.meshes.resize(source.meshes.size());
+  for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+    turned.meshes[m].positions = source.meshes[m].positions;
+    turned.meshes[m].triangles = source.meshes[m].triangles;
+  }
   standUpright(turned);
   const double asZ = heightOf(turned);
   return asZ >= kLowRoom && asZ <= kHighRoom && heightOf(source) > kHigher * asZ;
@@ -89,8 +94,7 @@ bool looksZUp(const SourceScene& source, double scale) {
 std::string noteOfUp(const SourceScene& source) {
   const Vec3 size = boundsOf(source).size();
   return "with y up the model would be " + shortNumber(size.z) + " m high: it is taken to have z up, " +
-         shortNumber(size.x) + " x " + shortNumber(size.z) + " m and " + shortNumber(size.y) +
-         " m high; --up y refuses that";
+         sizesOf(size, 1) + "; --up y refuses that";
 }
 
 }  // namespace fiatlux
