@@ -1,18 +1,14 @@
 // Which axis is up: every room that misleads is known for upright, and for lying on its back.
 #include "precompute/geometry/up_guess.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "precompute/geometry/source_changes.h"
-#include "tests/precompute/commands/command_run.h"
 #include "tests/precompute/geometry/trap_rooms.h"
 
 namespace fiatlux {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::TrapRoom;
 
 /// As a program with z up writes it: a quarter turn back.
@@ -77,26 +73,6 @@ TEST(UpGuess, WhatStandsAndWhatIsCalledACeilingDecide) {
   TrapRoom low = boxOf({5, 2.8, 4});  // too close to call, but for the name
   low.block("ceiling", {0, 2.7, 0}, {5, 0.1, 4});
   EXPECT_TRUE(looksZUp(lying(std::move(low)), 0));
-}
-
-TEST(UpGuess, IsSaidAndCanBeRefused) {
-  const TemporaryFolder folder;
-  TrapRoom made;
-  testing::TestMesh mesh;
-  mesh.box({}, {6, 5, 2.8}, true);
-  made.add("room", mesh);
-  const auto bytes = made.gltf.glb.bytes();
-  writeTextFile(folder / "z.glb", {bytes.begin(), bytes.end()});
-  const CommandRun guessed = runFiatlux(folder, "surfaces z.glb");
-  EXPECT_THAT(guessed.err,
-              HasSubstr("with y up the model would be 5 m high: it is taken to have z up, 6 x 5 m "
-                        "and 2.8 m high; --up y refuses that"));
-  EXPECT_THAT(guessed.err, HasSubstr("hang on 'room/ceiling'"));
-  const CommandRun refused = runFiatlux(folder, "surfaces z.glb --up y");
-  EXPECT_THAT(refused.err, Not(HasSubstr("z up")));
-  const CommandRun said = runFiatlux(folder, "surfaces z.glb --up z");
-  EXPECT_EQ(said.out, guessed.out);
-  EXPECT_THAT(said.err, Not(HasSubstr("taken to have")));
 }
 
 }  // namespace

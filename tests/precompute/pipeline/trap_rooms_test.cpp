@@ -86,5 +86,25 @@ TEST(TrapRooms, LoseNoLightWithinTheirWalls) {
   EXPECT_EQ(open.find("the room is open: 2"), 0u);
 }
 
+TEST(TrapRooms, OneOnItsBackIsStoodUprightWhichCanBeRefused) {
+  const TemporaryFolder folder;
+  TrapRoom made;
+  testing::TestMesh mesh;
+  mesh.box({}, {6, 5, 2.8}, true);
+  made.add("room", mesh);
+  const auto bytes = made.gltf.glb.bytes();
+  writeTextFile(folder / "z.glb", {bytes.begin(), bytes.end()});
+  const CommandRun guessed = runFiatlux(folder, "surfaces z.glb");
+  EXPECT_THAT(guessed.err,
+              HasSubstr("with y up the model would be 5 m high: it is taken to have z up, 6 x 5 m "
+                        "and 2.8 m high; --up y refuses that"));
+  EXPECT_THAT(guessed.err, HasSubstr("hang on 'room/ceiling'"));
+  const CommandRun refused = runFiatlux(folder, "surfaces z.glb --up y");
+  EXPECT_THAT(refused.err, Not(HasSubstr("z up")));
+  const CommandRun said = runFiatlux(folder, "surfaces z.glb --up z");
+  EXPECT_EQ(said.out, guessed.out);
+  EXPECT_THAT(said.err, Not(HasSubstr("taken to have")));
+}
+
 }  // namespace
 }  // namespace fiatlux
