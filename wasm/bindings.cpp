@@ -387,16 +387,23 @@ val advance(Session& session, std::uint32_t evaluations) { return valueOf(sessio
 
 val settle(Session& session, std::uint32_t evaluations) { return valueOf(session.settle(evaluations)); }
 
-val tryAside(Session& session, val asked, std::uint32_t seed, val sites, std::uint32_t evaluations) {
+std::string startAside(Session& session, val asked, std::uint32_t seed, val sites,
+                       std::uint32_t evaluations) {
   const Layout start{vectorOf<std::uint32_t>(sites), {}, 1};
-  const Result<Found> found = session.tryAside(intentionsOf(asked, session), seed,
-                                               start.sites.empty() ? nullptr : &start, evaluations);
+  return errorOf(session.startAside(intentionsOf(asked, session), seed,
+                                    start.sites.empty() ? nullptr : &start, evaluations));
+}
+
+val advanceAside(Session& session, std::uint32_t evaluations) {
+  const Result<std::optional<Found>> found = session.advanceAside(evaluations);
   if (!found) return val(found.error().message);
+  if (!*found) return val::null();
+  const Found& trial = **found;
   val result = val::object();
-  result.set("layout", valueOf(found->layout));
-  result.set("violation", found->evaluation.violation);
-  result.set("goal", found->evaluation.goal);
-  result.set("limit", found->limit ? val(*found->limit) : val::null());
+  result.set("layout", valueOf(trial.layout));
+  result.set("violation", trial.evaluation.violation);
+  result.set("goal", trial.evaluation.goal);
+  result.set("limit", trial.limit ? val(*trial.limit) : val::null());
   return result;
 }
 
@@ -755,7 +762,8 @@ EMSCRIPTEN_BINDINGS(session) {
       .function("startNear", &startNear)
       .function("advance", &advance)
       .function("settle", &settle)
-      .function("tryAside", &tryAside)
+      .function("startAside", &startAside)
+      .function("advanceAside", &advanceAside)
       .function("incumbent", &incumbent)
       .function("show", &show)
       .function("check", &check)

@@ -30,8 +30,12 @@ bool haveBodies(const Scene& scene) {
 bool collide(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   if (scene.hangings.empty()) return false;
   const Vec3 off = scene.sites[b].position - scene.sites[a].position;
+  const Body& bodyA = scene.hangings[a].body;
+  const Body& bodyB = scene.hangings[b].body;
   const double apart = length(off);
-  if (apart >= reachOf(scene.hangings[a].body) + reachOf(scene.hangings[b].body)) return false;
+  // Most pairs are far apart, and that is seen without a root.
+  if (apart >= bodyA.halfLength + bodyA.halfBreadth + bodyB.halfLength + bodyB.halfBreadth) return false;
+  if (apart >= reachOf(bodyA) + reachOf(bodyB)) return false;
   const Vec3& normal = scene.sites[a].normal;
   if (dot(normal, scene.sites[b].normal) < kParallel || std::fabs(dot(off, normal)) > kOneMount) return false;
   const std::array<Vec3, 2> ofA = halvesOf(scene, a), ofB = halvesOf(scene, b);

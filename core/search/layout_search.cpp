@@ -42,29 +42,41 @@ bool isAhead(const Evaluation& a, const Evaluation& b) {
 }  // namespace
 
 LayoutSearch::LayoutSearch(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
-                           const Layout* start, const Layout* reference)
+                           const Layout* start, const Layout* reference, Entering entering)
     : scene_(prepared.scene()), rules_(intentions.luminaires) {
   assert(!prepared.isTied());
-  if (rules_.arrangement.rule == Rule::kField)
+  if (rules_.arrangement.rule == Rule::kField) {
     fields_.emplace(prepared, intentions, reference);
-  else if (rules_.arrangement.rule == Rule::kFree && !countVaries(rules_))
+    return;
+  }
+  if (rules_.arrangement.rule == Rule::kFree && !countVaries(rules_)) {
     free_.emplace(prepared, intentions, seed, start, reference);
-  else
-    enter(prepared, intentions, seed, start, reference);
-}
-
-void LayoutSearch::enter(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
-                         const Layout* start, const Layout* reference) {
+    return;
+  }
+  missing_ = std::make_unique<Missing>(Missing{prepared, intentions, seed, reference, {}});
   const std::vector<std::uint32_t> given = start ? start->sites : std::vector<std::uint32_t>{};
   for (const Ties& ties : tiesUnder(prepared.grid(), rules_))
-    for (const TiedStart& from : startsOf(prepared.scene(), ties, rules_, given)) {
-      Entrant entrant{prepared.tied(ties), nullptr};
-      entrant.search =
-          std::make_unique<Vns>(*entrant.scene, intentions, seed + entrants_.size(), from, reference);
-      ranking_.push_back(static_cast<std::uint32_t>(entrants_.size()));
-      entrants_.push_back(std::move(entrant));
-    }
-  assert(!entrants_.empty());
+    for (TiedStart& from : startsOf(prepared.scene(), ties, rules_, given))
+      missing_->starts.emplace_back(ties, std::move(from));
+  assert(!missing_->starts.empty());
+  while (entering == Entering::kAtOnce && !enterNext()) continue;
+}
+
+bool LayoutSearch::enterNext() {
+  if (!missing_) return true;
+  const auto& [ties, from] = missing_->starts[entrants_.size()];
+  Entrant entrant{missing_->prepared.tied(ties), nullptr};
+  entrant.search = std::make_unique<Vns>(*entrant.scene, missing_->intentions,
+                                         missing_->seed + entrants_.size(), from, missing_->reference);
+  ranking_.push_back(static_cast<std::uint32_t>(entrants_.size()));
+  entrants_.push_back(std::move(entrant));
+  if (entrants_.size() < missing_->starts.size()) return false;
+  missing_.reset();
+  begin();
+  return true;
+}
+
+void LayoutSearch::begin() {
   std::stable_sort(ranking_.begin(), ranking_.end(), [&](std::uint32_t a, std::uint32_t b) {
     return isAhead(entrants_[a].search->evaluation(), entrants_[b].search->evaluation());
   });
@@ -77,6 +89,7 @@ void LayoutSearch::enter(PreparedScene& prepared, const Intentions& intentions, 
 void LayoutSearch::advance(std::uint32_t evaluations) {
   if (free_) return free_->advance(evaluations);
   if (fields_) return fields_->advance(evaluations);
+  while (!enterNext()) continue;
   while (evaluations > 0) {
     Vns& search = *entrants_[ranking_[turn_]].search;
     const std::uint32_t slice = std::min(evaluations, left_);

@@ -7,18 +7,29 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "core/search/arrangements.h"
 #include "core/search/field_scan.h"
 #include "core/search/vns.h"
 
 namespace fiatlux {
 
+/// When the searches that run side by side are made: one a P takes long where there are many.
+enum class Entering : std::uint8_t { kAtOnce, kInSteps };
+
 class LayoutSearch {
  public:
-  /// As Vns, for intentions with any arrangement and range of counts. `prepared` is of sites.
+  /// As Vns, for intentions with any arrangement and range of counts. `prepared` is of sites. `entering`:
+  /// where it is in steps, nothing is known of a layout before enterNext() is true, or the first advance();
+  /// `prepared` and `reference` are there until then.
   LayoutSearch(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed,
-               const Layout* start = nullptr, const Layout* reference = nullptr);
+               const Layout* start = nullptr, const Layout* reference = nullptr,
+               Entering entering = Entering::kAtOnce);
+
+  /// Makes one more of the searches that run side by side: true when none is missing.
+  bool enterNext();
 
   /// Spends `evaluations` more, or fewer when nothing is left to try. Slices of any size take the same path.
   void advance(std::uint32_t evaluations);
@@ -38,8 +49,15 @@ class LayoutSearch {
     std::shared_ptr<PreparedScene> scene;
     std::unique_ptr<Vns> search;
   };
-  void enter(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const Layout* start,
-             const Layout* reference);
+  /// Those that are still to be made, and of what.
+  struct Missing {
+    PreparedScene& prepared;
+    Intentions intentions;
+    std::uint64_t seed = 0;
+    const Layout* reference = nullptr;
+    std::vector<std::pair<Ties, TiedStart>> starts;  // all of them; one an entrant
+  };
+  void begin();
   void closeTurn();
   const Vns& best() const { return *entrants_[ranking_[0]].search; }
 
@@ -47,6 +65,7 @@ class LayoutSearch {
   LuminaireRules rules_;
   std::optional<Vns> free_;
   std::optional<FieldScan> fields_;
+  std::unique_ptr<Missing> missing_;  // nullptr = none is
   std::vector<Entrant> entrants_;
   std::vector<std::uint32_t> ranking_;  // of the entrants, best first as far as they have been compared
   std::uint32_t running_ = 0;           // so many of them are in this round,

@@ -70,8 +70,9 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
       waysPerPlace_(sites.waysPerPlace_),
       gaps_(std::size_t{candidateCount_} * candidateCount_, 0.0f),
       innerDistance_(candidateCount_, kUnbounded) {
+  const std::vector<double>& known = sites.siteGaps();
   const auto gapBetween = [&](std::uint32_t i, std::uint32_t j) {
-    return sites.conflict(i, j, 0) ? 0 : sites.distance(i, j);
+    return known.empty() ? sites.gapOfSites(i, j) : known[std::size_t{i} * sites.candidateCount_ + j];
   };
   const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
     double gap = kUnbounded;
@@ -99,6 +100,22 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
   for (std::uint32_t a = 0; a < candidateCount_; ++a)
     for (std::uint32_t b = 0; b < candidateCount_; ++b)
       if (conflict(a, b, 0)) overlapping_[a].push_back(b);
+}
+
+double PreparedScene::gapOfSites(std::uint32_t a, std::uint32_t b) const {
+  return conflict(a, b, 0) ? 0 : distance(a, b);
+}
+
+/// Every rule ties the same sites again and again: what lies between two is looked up.
+const std::vector<double>& PreparedScene::siteGaps() {
+  assert(!isTied());
+  if (!siteGaps_.empty() || candidateCount_ > kMostInCovariance) return siteGaps_;
+  siteGaps_.resize(std::size_t{candidateCount_} * candidateCount_);
+  for (std::uint32_t a = 0; a < candidateCount_; ++a)
+    for (std::uint32_t b = 0; b <= a; ++b)
+      siteGaps_[std::size_t{a} * candidateCount_ + b] = siteGaps_[std::size_t{b} * candidateCount_ + a] =
+          gapOfSites(a, b);
+  return siteGaps_;
 }
 
 void PreparedScene::findNear(const std::vector<Vec3>& centers) {

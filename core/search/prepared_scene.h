@@ -144,6 +144,10 @@ class PreparedScene {
     std::shared_ptr<const KernelStatistics> statistics;
   };
   void findNear(const std::vector<Vec3>& centers);
+  /// Between two sites, m; 0 where they may not be at once. Precondition: !isTied().
+  double gapOfSites(std::uint32_t a, std::uint32_t b) const;
+  /// Of all pairs, made at first use; empty where they are too many to keep.
+  const std::vector<double>& siteGaps();
   std::shared_ptr<const KernelStatistics> tiedStatistics(const KernelStatistics& ofSites) const;
 
   bool isFactored(Quantity quantity) const;
@@ -169,6 +173,7 @@ class PreparedScene {
   std::vector<float>
       gaps_;  // of ties: distances of all pairs, 0 with itself and where they may not be at once
   std::vector<double> innerDistance_;  // of ties
+  std::vector<double> siteGaps_;       // of sites, for the ties of them
   std::vector<std::vector<std::uint32_t>> overlapping_;
   std::vector<std::shared_ptr<PreparedScene>> tied_;
   std::optional<SiteGrid> grid_;

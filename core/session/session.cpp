@@ -127,6 +127,7 @@ void Session::adopt(Scene scene, Session* room) { adopt(std::make_unique<Scene>(
 void Session::adopt(std::unique_ptr<Scene> scene, Session* room) {
   search_.reset();
   eased_.reset();
+  aside_.reset();
   alpha_.reset();
   bound_.reset();
   before_.reset();
@@ -191,6 +192,7 @@ Result<Done> Session::setIntentions(const Intentions& intentions) {
   }
   search_.reset();
   eased_.reset();
+  aside_.reset();
   alpha_.reset();
   bound_.reset();
   // What is prepared knows zones by their numbers.
@@ -290,8 +292,8 @@ SearchProgress Session::settle(std::uint32_t evaluations) {
   return {eased_->evaluations(), eased_->foundAt(), eased_->evaluation(), eased_->isProved()};
 }
 
-Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
-                                std::uint32_t evaluations) {
+Result<Done> Session::startAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
+                                 std::uint32_t evaluations) {
   if (Result<Done> complete = isComplete(); !complete) return complete.error();
   Result<Done> checked = checkIntentions(*scene_, intentions);
   if (!checked) return checked.error();
@@ -306,11 +308,24 @@ Result<Found> Session::tryAside(const Intentions& intentions, std::uint64_t seed
     if (Result<Done> lit = addDirect(*scene_); !lit) return lit.error();
   Intentions asked = intentions;
   if (start) asked.luminaires.pinned = pinsAsIn(asked.luminaires, start->sites);
-  LayoutSearch search(*prepared_, asked, seed, start);
-  search.advance(evaluations);
-  constexpr std::uint32_t kFields = 1u << 16;
-  while (asked.luminaires.arrangement.rule == Rule::kField && !search.isProved()) search.advance(kFields);
-  return Found{search.incumbent(), search.evaluation(), limitOf(*scene_, asked, search.evaluation())};
+  aside_.reset(new Aside{asked, LayoutSearch(*prepared_, asked, seed, start, nullptr, Entering::kInSteps),
+                         evaluations});
+  return Done{};
+}
+
+Result<std::optional<Found>> Session::advanceAside(std::uint32_t evaluations) {
+  if (!aside_) return Error{"nothing is tried beside what is asked"};
+  auto& [asked, search, left] = *aside_;
+  if (!search.enterNext()) return std::optional<Found>();
+  const bool isOfFields = asked.luminaires.arrangement.rule == Rule::kField;
+  const std::uint32_t spent = isOfFields ? evaluations : std::min(evaluations, left);
+  search.advance(spent);
+  left -= std::min(spent, left);
+  if (left > 0 || (isOfFields && !search.isProved())) return std::optional<Found>();
+  const Evaluation& reached = search.evaluation();
+  Found found{search.incumbent(), reached, limitOf(*scene_, asked, reached)};
+  aside_.reset();
+  return std::optional<Found>(std::move(found));
 }
 
 Result<Shown> Session::incumbent() {

@@ -120,11 +120,14 @@ class Session {
   /// and serve the goals better (eased.h), to be told by incumbent() until the search goes on. Nothing
   /// happens before start().
   SearchProgress settle(std::uint32_t evaluations);
-  /// What so many evaluations find for other intentions, from `start` where given; of a regular field all are
-  /// tried. What is asked and the searches that run stay as they are. Where nothing but an evenness on a grid
-  /// is asked and missed, it says what no layout can exceed (evenness_limit.h).
-  Result<Found> tryAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
-                         std::uint32_t evaluations);
+  /// Begins to try what `evaluations` find for other intentions, from `start` where given; of a regular field
+  /// all are tried. What is asked and the searches that run stay as they are; what is asked next ends it.
+  Result<Done> startAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
+                          std::uint32_t evaluations);
+  /// Some of that, with at most so many evaluations: what has been found once it is done, nothing before.
+  /// Where nothing but an evenness on a grid is asked and missed, it says what no layout can exceed
+  /// (evenness_limit.h). An Error where nothing has begun.
+  Result<std::optional<Found>> advanceAside(std::uint32_t evaluations);
   /// Readings of the best layout so far. Its luminaires are numbered as in the start, each the one that has
   /// the shorter way to its place (identity.h), and goes no further than what it gains is worth (steady.h).
   Result<Shown> incumbent();
@@ -183,6 +186,13 @@ class Session {
   bool isNear_ = false;                           // and that only a few luminaires may leave
   std::optional<Evaluation> told_;                // of the layout that incumbent() told of it
   std::unique_ptr<LayoutSearch> search_, eased_;  // for what is asked; for that as far as it can be met
+  /// For other intentions.
+  struct Aside {
+    Intentions intentions;
+    LayoutSearch search;
+    std::uint32_t left = 0;  // evaluations
+  };
+  std::unique_ptr<Aside> aside_;
   std::unique_ptr<AlphaSearch> alpha_;
   std::unique_ptr<LayoutBound> bound_;
   bool pairsAreTaken_ = false;  // of it

@@ -262,13 +262,13 @@ export interface Session {
    * better, which incumbent() then tells until advance(). Counts its own evaluations; violation is 0.
    */
   settle(evaluations: number): Progress;
-  /** What a short search finds for other intentions, from a layout where it has sites; searches go on untouched. */
-  tryAside(
-    intentions: CoreIntentions,
-    seed: number,
-    start: Uint32Array,
-    evaluations: number,
-  ): OrError<CoreTrial>;
+  /**
+   * Begins a short search for other intentions, from a layout where it has sites. Searches go on untouched; what is asked
+   * next ends it.
+   */
+  startAside(intentions: CoreIntentions, seed: number, start: Uint32Array, evaluations: number): string;
+  /** Some of that, with at most so many evaluations: null until it is done. */
+  advanceAside(evaluations: number): OrError<CoreTrial | null>;
   /** Readings of the best layout so far. */
   incumbent(): OrError<CoreShown>;
   /** Readings of any layout. */
@@ -386,7 +386,8 @@ export const sessionMethods = {
   startNear: 5,
   advance: 1,
   settle: 1,
-  tryAside: 4,
+  startAside: 4,
+  advanceAside: 1,
   incumbent: 0,
   show: 3,
   check: 3,

@@ -19,7 +19,8 @@ export type Searching = Pick<
   | 'startNear'
   | 'advance'
   | 'settle'
-  | 'tryAside'
+  | 'startAside'
+  | 'advanceAside'
   | 'incumbent'
   | 'show'
   | 'paintGains'
@@ -72,10 +73,13 @@ export abstract class HungSession implements Searching {
   advance = (evaluations: number) => this.session.advance(evaluations);
   settle = (evaluations: number) => this.session.settle(evaluations);
   /** `sites`: of the room. */
-  tryAside(asked: CoreIntentions, seed: number, sites: Uint32Array, evaluations: number) {
+  startAside(asked: CoreIntentions, seed: number, sites: Uint32Array, evaluations: number) {
     const [start] = this.take({ sites: [...sites], flux: [], dimming: 1 });
-    const found = this.session.tryAside(this.beneath(asked), seed, start, evaluations);
-    return typeof found === 'string' ? found : { ...found, layout: this.above(found.layout) };
+    return this.session.startAside(this.beneath(asked), seed, start, evaluations);
+  }
+  advanceAside(evaluations: number) {
+    const found = this.session.advanceAside(evaluations);
+    return typeof found === 'string' || !found ? found : { ...found, layout: this.above(found.layout) };
   }
   incumbent = () => this.#shown(this.session.incumbent());
   show = (...layout: LayoutArguments) => this.#shown(this.session.show(...layout));

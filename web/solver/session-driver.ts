@@ -164,7 +164,7 @@ export class SessionDriver {
         this.#bound = message;
         return;
       case 'compare':
-        this.#compare = new CompareTask(message, this.#leaves(message.intentions));
+        this.#compare = new CompareTask(message, this.#leaves(message.intentions), this.#clock);
         return;
       case 'check':
         return this.#attempt(message.revision, this.#check, message);

@@ -114,7 +114,7 @@ TEST(Zones, AreAskedForAndSearched) {
   wrong.zones.clear();
   EXPECT_THAT(session.setIntentions(wrong).error().message, HasSubstr("does not exist"));
   EXPECT_EQ(session.scene()->zones.size(), 1u) << "what was asked before still holds";
-  EXPECT_THAT(session.tryAside(wrong, 1, nullptr, 10).error().message, HasSubstr("area"));
+  EXPECT_THAT(session.startAside(wrong, 1, nullptr, 10).error().message, HasSubstr("area"));
   asked.zones[0] = zoneBetween(*session.scene(), "task 1", 2.4, 2.9);
   ASSERT_TRUE(session.setIntentions(asked));
   ASSERT_TRUE(session.start(1, nullptr));

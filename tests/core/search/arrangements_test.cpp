@@ -361,7 +361,11 @@ TEST(Arrangements, SlicesOfAnySizeGiveTheSameLayout) {
   for (const Rule rule : {Rule::kSymmetric, Rule::kRows, Rule::kField}) {
     Intentions intentions = ask(6, rule);
     intentions.luminaires.countHigh = 8;
-    LayoutSearch whole(prepared, intentions, 11), sliced(prepared, intentions, 11);
+    LayoutSearch whole(prepared, intentions, 11);
+    LayoutSearch sliced(prepared, intentions, 11, nullptr, nullptr, Entering::kInSteps);
+    std::size_t steps = 1;
+    while (!sliced.enterNext()) ++steps;
+    EXPECT_EQ(steps > 1, rule != Rule::kField);
     whole.advance(9000);
     for (std::uint32_t done = 0, slice = 1; done < 9000;
          done += slice, slice = std::min(2 * slice + 1, 9000 - done))

@@ -164,7 +164,7 @@ TEST(PlaneValues, ASittingMakesWhatIsAskedAndKeepsIt) {
   EXPECT_EQ(session.incumbent()->constraints.size(), 6u);
   Intentions turned = faces(plane);
   turned.constraints[4].direction = kZ;
-  EXPECT_FALSE(session.tryAside(turned, 1, nullptr, 10));
+  EXPECT_FALSE(session.startAside(turned, 1, nullptr, 10));
   ASSERT_TRUE(session.setIntentions(turned));
   EXPECT_EQ(session.scene()->planes[0].verticals.size(), 3u);
 }

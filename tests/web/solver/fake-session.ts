@@ -6,6 +6,7 @@ import {
   type ColoredLight,
   type CoreIntentions,
   type CoreShown,
+  type CoreTrial,
   type Session,
 } from '../../../web/solver/core.ts';
 import type { Intentions } from '../../../web/document/types.ts';
@@ -184,6 +185,7 @@ export class FakeSession implements Session {
   }
   setIntentions(intentions: CoreIntentions) {
     this.asked = intentions;
+    this.#aside = null;
     return this.failure;
   }
   start(seed: number) {
@@ -220,14 +222,23 @@ export class FakeSession implements Session {
     return { evaluations, foundAt: 1, violation: 0, goal: 0, proved: false };
   }
   /** One luminaire on each of the first sites; more than three find no room. */
-  tryAside(intentions: CoreIntentions, seed: number, start: Uint32Array) {
-    const { count, flux } = intentions.luminaires;
+  startAside({ luminaires }: CoreIntentions, seed: number, start: Uint32Array, evaluations: number) {
+    const { count, flux } = luminaires;
     this.calls.push(`try ${count} with ${seed} from ${[...start].join(' ')}`);
     if (count > 3) return 'luminaires: no room';
     const sites = Uint32Array.from({ length: count }, (_, i) => i);
     const lumens = Float64Array.from(sites, () => flux[0] ?? 0);
     const layout = { sites, flux: lumens, dimming: 0.5, ties: new Uint32Array() };
-    return { layout, violation: count < 2 ? 0.25 : 0, goal: 0, limit: null };
+    const found = { layout, violation: count < 2 ? 0.25 : 0, goal: 0, limit: null };
+    this.#aside = { found, left: evaluations };
+    return '';
+  }
+  #aside: { readonly found: CoreTrial; left: number } | null = null;
+  advanceAside(evaluations: number) {
+    if (!this.#aside) return 'nothing is tried beside what is asked';
+    this.clock.now += Math.min(evaluations, this.#aside.left) / this.evaluationsPerMillisecond;
+    this.#aside.left -= evaluations;
+    return this.#aside.left > 0 ? null : this.#aside.found;
   }
   incumbent() {
     return shown([0, 1]);

@@ -941,6 +941,30 @@ describe('other ways', () => {
     expect(mounted.calls.filter((call) => call.startsWith('try'))).toHaveLength(1);
   });
 
+  test('are tried in slices, so that whoever asks meanwhile does not wait for one of them', async () => {
+    await opened();
+    await driver.receive({ ...compare(2), variants: [asked], evaluations: 1_000_000 } as ToWorker);
+    let longest = 0;
+    while (driver.busy) {
+      const begun = clock.now;
+      driver.step();
+      longest = Math.max(longest, clock.now - begun);
+    }
+    expect(kinds()).toEqual(['compared 2']);
+    expect(longest).toBeLessThanOrEqual(pace.sliceMilliseconds + 1);
+  });
+
+  test('are begun again where the session was asked something in between', async () => {
+    await opened();
+    await driver.receive({ ...compare(2), variants: [asked], evaluations: 1_000_000 } as ToWorker);
+    driver.step();
+    const layout = { sites: [1], flux: [100], dimming: 1 };
+    await driver.receive({ type: 'show', revision: 3, intentions: asked, layout });
+    settle();
+    expect(session.calls.filter((call) => call.startsWith('try'))).toHaveLength(2);
+    expect(kinds()).toEqual(['improved 3', 'compared 2']);
+  });
+
   test('are forgotten with the wish that they were for', async () => {
     await opened();
     await driver.receive(compare(2));
