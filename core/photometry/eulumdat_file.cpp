@@ -52,7 +52,7 @@ void readLamps(LineReader& reader, Head& head, Photometry& photometry) {
     const std::string_view color = reader.text("a colour temperature");
     if (!photometry.cct) photometry.cct = colorTemperatureOf(color);
     (void)reader.text("a colour rendering index");
-    photometry.watts += reader.blankOrWithin("the watts of a set of lamps", 0, kMaxWatts);
+    photometry.watts += reader.blankOrWithin("the watts of a set of lamps", 0, kMaxWatts, "W");
   }
   if (!reader.failure() && !(head.lampFlux > 0))
     reader.fail("no set of lamps has a flux; write the flux of each in lm");

@@ -108,9 +108,11 @@ std::string refusalOfXml(string_view text) {
 std::optional<std::string> refusalOfForeignFile(std::span<const std::uint8_t> bytes) {
   const string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const string_view head = all.substr(0, kLooked);
-  const bool binary = head.find('\0') != head.npos;
+  const bool zeros = head.find('\0') != head.npos;
+  // note: zeros fill the last block of an old text, often after its end mark
+  const bool binary = zeros && head.find('\0') <= head.find_last_not_of('\0');
   for (const Magic& magic : kPictures)
-    if (head.substr(0, magic.start.size()) == magic.start && (binary || magic.start.size() > 2))
+    if (head.substr(0, magic.start.size()) == magic.start && (zeros || magic.start.size() > 2))
       return "this is " + std::string(magic.kind) +
              ", not a photometric file; take the luminaire's .ies or .ldt file";
   if (head.substr(0, 4) == "PK\x03\x04" || head.substr(0, 4) == "PK\x05\x06") return refusalOfZip(all);

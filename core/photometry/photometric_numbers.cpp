@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kLeastStep = 1e-4;  // degrees between two angles
 
+/// Does `token` end with `unit`, letters in capitals or not?
+bool endsWith(std::string_view token, std::string_view unit) {
+  return token.size() > unit.size() && std::equal(unit.rbegin(), unit.rend(), token.rbegin(),
+                                                  [](char a, char b) { return (a | 0x20) == (b | 0x20); });
+}
+
 }  // namespace
 
 double NumberReader::next(const char* what) {
@@ -86,7 +92,10 @@ std::optional<std::string_view> LineReader::take() {
   return lines_[next_++];
 }
 
-std::optional<double> LineReader::numberOf(std::string_view token) const { return numberOfLine(token); }
+std::optional<double> LineReader::numberOf(std::string_view token) const {
+  token = trimmed(token);
+  return numberOfLine(endsWith(token, unit_) ? token.substr(0, token.size() - unit_.size()) : token);
+}
 
 bool LineReader::numberFollows() { return next_ < lines_.size() && numberOf(lines_[next_]); }
 
@@ -101,6 +110,13 @@ double LineReader::blankOrWithin(const char* what, double least, double most) {
   if (failure() || next_ >= lines_.size() || !trimmed(lines_[next_]).empty())
     return within(what, least, most);
   return take(), 0;
+}
+
+double LineReader::blankOrWithin(const char* what, double least, double most, std::string_view unit) {
+  unit_ = unit;
+  const double value = blankOrWithin(what, least, most);
+  unit_ = {};
+  return value;
 }
 
 std::vector<double> readAngles(NumberReader& reader, std::size_t count, const char* what, double least,

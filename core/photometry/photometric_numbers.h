@@ -77,6 +77,8 @@ class LineReader : public NumberReader {
   std::string_view text(const char* what);
   /// As `within`; a blank line is 0.
   double blankOrWithin(const char* what, double least, double most);
+  /// The same of a number that its unit ("W", in capitals or not) may follow.
+  double blankOrWithin(const char* what, double least, double most, std::string_view unit);
   bool numberFollows() override;
 
  protected:
@@ -85,6 +87,7 @@ class LineReader : public NumberReader {
 
  private:
   std::size_t next_ = 0;
+  std::string_view unit_;  // what may follow the number that is being read
 };
 
 /// `count` ascending angles within [least, most] degrees, at least 1e-4 apart.

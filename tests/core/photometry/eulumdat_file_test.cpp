@@ -59,6 +59,21 @@ TEST(EulumdatFile, TakesDecimalCommasAndBlankLines) {
   EXPECT_EQ(p->candela, expected->candela);
 }
 
+TEST(EulumdatFile, AUnitMayFollowTheWattsOfItsLamps) {
+  for (const char* watts : {"30 W", "30W", " 30,0 w "}) {
+    std::vector<std::string> lines = LdtFile().lines();
+    lines[31] = watts;
+    const Result<Photometry> p = read(textOfLines(lines));
+    ASSERT_TRUE(p) << p.error().message;
+    EXPECT_EQ(p->watts, 30) << watts;
+  }
+  for (const char* watts : {"W", "30 lm", "2x30 W"}) {
+    std::vector<std::string> lines = LdtFile().lines();
+    lines[31] = watts;
+    EXPECT_THAT(refusal(textOfLines(lines)), HasSubstr("line 32: ")) << watts;
+  }
+}
+
 TEST(EulumdatFile, ANameThatIsBlankGivesItsPlaceToTheNumber) {
   LdtFile file;
   file.name = "";

@@ -112,6 +112,18 @@ TEST(Photometry, TheLargestTableIsRead) {
   EXPECT_NEAR(integratedFlux(*p), 4 * std::numbers::pi * 7, 1e-6);
 }
 
+TEST(Photometry, ZerosAfterTheTextAreThePaddingOfItsLastBlock) {
+  const std::string text = IesFile().text();
+  for (const std::string& end :
+       {std::string("\x1a"), std::string(3, '\0'), "\x1a" + std::string(100, '\0')}) {
+    const Result<Photometry> p = read(text + end);
+    ASSERT_TRUE(p) << p.error().message;
+    EXPECT_EQ(p->candela, read(text)->candela);
+  }
+  EXPECT_THAT(refusal(text + std::string("\0x", 2)), HasSubstr("binary"));
+  EXPECT_THAT(refusal(std::string(4, '\0')), HasSubstr("binary"));
+}
+
 // A zip's central entry, as far as it is looked at.
 std::string centralEntry(const std::string& name) {
   std::string entry = std::string("PK\x01\x02") + std::string(24, '\0');
