@@ -26,9 +26,7 @@ export function DropZone() {
         setOver(false);
         if (!hasFiles(event) || !event.dataTransfer) return;
         event.preventDefault();
-        void droppedFiles(event.dataTransfer).then((files) => {
-          if (files.length > 0) void app.opening.files(files);
-        });
+        void droppedFiles(event.dataTransfer).then((files) => void app.opening.files(files));
       },
     };
     const entries = Object.entries(listeners) as [string, EventListener][];

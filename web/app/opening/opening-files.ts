@@ -30,6 +30,19 @@ export function cleanFileName(name: string): string {
   return clean.endsWith(suffix) ? clean : clean.slice(0, -suffix.length) + suffix;
 }
 
+/**
+ * What of a folder is meant: nothing that the system keeps beside the files, no readme beside luminaires or a scene.
+ * Where nothing of it can be opened, all: the first one is refused by name.
+ */
+export function openable(files: readonly File[]): readonly File[] {
+  const seen = files.filter(({ name }) => !name.startsWith('.'));
+  const names = seen.map(({ name }) => name);
+  if (names.some((name) => isModel.test(name)) || isForImport(names)) return seen;
+  const scenes = seen.filter(({ name }) => /\.(flux|fiatlux|json)$/i.test(name));
+  const luminaires = seen.filter(({ name }) => isPhotometricName(name));
+  return [scenes, luminaires].find((each) => each.length > 0) ?? seen;
+}
+
 /** The model in one plain .glb; null where it is broken. Throws one line where what is compressed in it is. */
 async function plainOf({ name, bytes, siblings }: Model): Promise<Model['bytes'] | null> {
   const { needsUnpacking } = await import('../importing/plain-glb.ts');
@@ -65,7 +78,9 @@ export class FileOpening {
   }
 
   /** Photometric files all, in their order; a model with those that it names; of other files the first one. */
-  async open(files: readonly File[]): Promise<void> {
+  async open(all: readonly File[]): Promise<void> {
+    const files = openable(all);
+    if (files.length === 0) return this.#refuse(words.value.opening.emptyFolder);
     const model = files.find(({ name }) => isModel.test(name));
     try {
       const inside = await this.#unzipped(files);

@@ -22,9 +22,10 @@ export const opening = {
       `it has ${count} triangles, and a page can light ${most}: ${percent} % of them are in “${name}”; make it simpler, or use fiatlux precompute`,
     deep: (most: string) => `its nodes lie in each other more than ${most} deep: export it again, flattened`,
   },
+  emptyFolder: 'There is no file in this folder: drop one with a model, a scene or luminaires in it.',
   unreadable: (name: string) => `“${name}” could not be read from the disk.`,
   notOurs: (name: string) =>
-    `“${name}” is not a file of Fiat Lux: it takes .flux, .glb, .gltf, .ies, .ldt and project files.`,
+    `“${name}” is not a file of Fiat Lux: it takes models (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc, .zip), .stf, .flux, .ies, .ldt and project files.`,
   isOpen: (name: string) => `“${name}” is open. It stays on this computer: nothing is uploaded.`,
   gone: (room: string) => `“${room}” is not here any more: open its file again.`,
   readable: 'Open what can be read',
@@ -99,6 +100,10 @@ export const opening = {
       cadModel: 'CAD: export it as glTF, OBJ or STL',
     },
     zipDamaged: (name: string) => `“${name}” is a damaged zip file; fetch it again.`,
+    zipInZip: (name: string) =>
+      `“${name}” holds another zip file: unpack it, and drop the inner one or the model in it.`,
+    zipWithoutModel: (name: string) =>
+      `“${name}” holds nothing that can be opened. A zip may hold a model (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc) with its textures, a room of DIALux or Relux (.stf), a scene (.flux) or luminaires (.ies, .ldt): export one of these, and drop it or its zip.`,
     zipTooLarge: (name: string, size: number, count: number) =>
       `“${name}” unpacks to ${size} MB in ${count === 1 ? 'one file' : `${count} files`}: take out what is not needed.`,
     ifc: {

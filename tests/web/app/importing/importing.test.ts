@@ -50,6 +50,22 @@ describe('a zip', () => {
     expect(await unzippedModel(zip({ 'lamp.ldt': 'x' }))).toBeNull();
   });
 
+  test.each([
+    [{ 'notes.txt': 'x', 'a.png': 'x' }, /“room.zip” holds nothing .*\.glb.*\.stf.*\.ldt.*export/],
+    [{}, /“room.zip” holds nothing/],
+    [{ 'a/house.skp': 'x' }, /“house.skp” .*SketchUp: export it as glTF/],
+    [{ 'inner.zip': 'x' }, /holds another zip file: unpack it/],
+  ])('of %j says what it may hold, or the way for what it holds', async (files, said) => {
+    await expect(unzippedModel(zip(files as Record<string, string>))).rejects.toThrow(said);
+  });
+
+  test('that macOS packed gives the model and nothing that lies beside it', async () => {
+    const files = await unzippedModel(
+      zip({ '__MACOSX/._a.glb': 'Mac OS X', 'a.glb': 'glTF', '._a.bin': '' }),
+    );
+    expect(files?.map(({ name }) => name)).toEqual(['a.glb']);
+  });
+
   /** A zip of one file, whose sizes say what they like. */
   const saying = (size: number, content: Uint8Array<ArrayBuffer>) => {
     const bytes = zipSync({ 'room.obj': content }, { level: 9 }) as Uint8Array<ArrayBuffer>;

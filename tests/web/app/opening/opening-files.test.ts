@@ -1,6 +1,6 @@
-/** What files are called. Covers opening-files. */
+/** What files are called, and which of a folder are meant. Covers opening-files. */
 import { expect, test } from '@jest/globals';
-import { cleanFileName } from '../../../../web/app/opening/opening-files.ts';
+import { cleanFileName, openable } from '../../../../web/app/opening/opening-files.ts';
 
 test('a name that is too long keeps what says what the file is', () => {
   expect(cleanFileName('office.glb')).toBe('office.glb');
@@ -8,4 +8,24 @@ test('a name that is too long keeps what says what the file is', () => {
   const long = cleanFileName(`${'a_very_long_name_'.repeat(14)}.glb`);
   expect(long).toHaveLength(200);
   expect(long).toMatch(/^a_very_long_name_.*\.glb$/);
+});
+
+test.each([
+  [
+    ['._room.glb', 'room.glb', 'wall.png', '.DS_Store'],
+    ['room.glb', 'wall.png'],
+  ],
+  [
+    ['readme.txt', 'a.ldt', 'b.ies'],
+    ['a.ldt', 'b.ies'],
+  ],
+  [['readme.txt', 'room.flux'], ['room.flux']],
+  [
+    ['a.txt', 'b.txt'],
+    ['a.txt', 'b.txt'],
+  ],
+  [['.DS_Store'], []],
+])('of %j, %j are opened', (dropped, meant) => {
+  const files = dropped.map((name) => new File(['x'], name));
+  expect(openable(files).map(({ name }) => name)).toEqual(meant);
 });
