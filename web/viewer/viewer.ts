@@ -503,11 +503,12 @@ class RoomViewer implements Viewer {
       mesh.material.depthWrite = falseColor;
     }
     // Over an opaque plane furniture is drawn as thin lines: what is read there is the light on the plane.
+    // A rug stays: no light reaches the floor below it.
     const covered = falseColor && this.#planes.length > 0;
+    const drawn = new Set([...(this.#room?.standing ?? [])].filter((mesh) => !this.#room!.rugs.has(mesh)));
     this.#light.uniforms.planesShown.value = covered;
-    for (const { mesh } of this.#room?.lit ?? [])
-      if (this.#room?.standing.has(mesh)) mesh.material.visible = !covered;
-    this.#outlines.showAll(falseColor, covered ? (this.#room?.standing ?? null) : null);
+    for (const { mesh } of this.#room?.lit ?? []) if (drawn.has(mesh)) mesh.material.visible = !covered;
+    this.#outlines.showAll(falseColor, covered ? drawn : null);
   }
 
   /** What a pointer can hit: the veil of a plane that is only selected lets it through to what lies below. */

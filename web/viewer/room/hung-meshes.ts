@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, Mesh, type Object3D } from 'three';
 import type { Box } from '../eye/framing.ts';
 import { connectedParts } from './mesh-parts.ts';
-import { hangingSides, isRoomItself, type Side } from './standing.ts';
+import { hangingSides, isRoomItself, isRug, type Side } from './standing.ts';
 
 const splittable = 60_000; // triangles; finer meshes are left whole
 
@@ -82,6 +82,7 @@ function splitMesh(mesh: Mesh, parts: readonly { part: Part; side: Side | null }
 export interface SortedMeshes {
   readonly hanging: ReadonlyMap<Object3D, Side>;
   readonly standing: ReadonlySet<Object3D>;
+  readonly rugs: ReadonlySet<Object3D>; // of what stands, what lies flat on the floor
 }
 
 /** `meshes` have their world matrices. */
@@ -98,11 +99,13 @@ export function splitHungMeshes(meshes: readonly Mesh[], room: Box): SortedMeshe
     list.push({ part, side: sides[i] ?? null });
   });
   const hanging = new Map<Object3D, Side>();
-  const standing = new Set<Object3D>();
+  const [standing, rugs] = [new Set<Object3D>(), new Set<Object3D>()];
   for (const [mesh, own] of perMesh)
     for (const [piece, side] of splitMesh(mesh, own))
       if (side) hanging.set(piece, side);
-      else if (own.every(({ part, side: of }) => of !== null || !isRoomItself(room, part.box)))
+      else if (own.every(({ part, side: of }) => of !== null || !isRoomItself(room, part.box))) {
         standing.add(piece);
-  return { hanging, standing };
+        if (own.every(({ part, side: of }) => of !== null || isRug(room, part.box))) rugs.add(piece);
+      }
+  return { hanging, standing, rugs };
 }

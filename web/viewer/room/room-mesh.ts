@@ -40,6 +40,7 @@ export interface RoomMesh {
   readonly lit: readonly LitMesh[];
   readonly hanging: ReadonlyMap<Object3D, Side>; // on the walls and the ceiling
   readonly standing: ReadonlySet<Object3D>; // furniture
+  readonly rugs: ReadonlySet<Object3D>; // of it, what lies flat on the floor
   readonly box: Box;
   readonly facing: Facing;
   dispose(): void;
@@ -149,7 +150,7 @@ export function loadRoomMesh(
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
   const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
-  const { hanging, standing } = splitHungMeshes(solid, box);
+  const { hanging, standing, rugs } = splitHungMeshes(solid, box);
   const meshes = meshesOf(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
@@ -179,6 +180,7 @@ export function loadRoomMesh(
     lit,
     hanging,
     standing,
+    rugs,
     box,
     facing: facingOf(lit),
     dispose: () => freeMeshes(root, sources),
@@ -195,7 +197,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
       material.metalness = 0; // all is diffuse; a metal with nothing to mirror would be black
     }
   const box = boundsOf(root);
-  const { hanging, standing } = splitHungMeshes(meshesOf(root), box);
+  const { hanging, standing, rugs } = splitHungMeshes(meshesOf(root), box);
   const dispose = () => freeMeshes(root, []);
-  return { root, lit: [], hanging, standing, box, facing: new Map(), dispose };
+  return { root, lit: [], hanging, standing, rugs, box, facing: new Map(), dispose };
 }

@@ -10,6 +10,7 @@ const reach = 0.35; // m: so near to the side of the room's box it does
 const board = 0.15; // m: what begins at the floor and is flatter belongs to the wall (a door), not to the furniture
 const raised = 0.1; // m above the floor: what begins higher is carried by something
 const touch = 0.02; // m: boxes as near as this touch
+const pile = 0.05; // m above the floor: a rug is no higher
 const wide = 0.6; // of the room: what is larger along two axes is the room itself, and carries nothing
 
 /** The side of the room's box that a thing hangs on: axis 0..2 and +1 (high) or -1 (low). */
@@ -35,6 +36,9 @@ export function nearSide(room: Box, thing: Box): Side | null {
 export function leavesPlan(room: Box, thing: Box, { axis }: Side): boolean {
   return axis === 1 || thing.min[1] - room.min[1] > raised || extent(thing, axis) < board;
 }
+
+/** Whether a thing covers the floor like a rug: light is measured on it, for none reaches the floor below. */
+export const isRug = (room: Box, thing: Box): boolean => thing.max[1] - room.min[1] < pile;
 
 function touches(a: Box, b: Box): boolean {
   return ([0, 1, 2] as const).every(

@@ -52,6 +52,17 @@ describe('what hangs on a wall', () => {
     const triangles = root.children.map((mesh) => (mesh as Mesh<BufferGeometry>).geometry.index!.count / 3);
     expect(triangles).toEqual([12, 12, 12]);
   });
+
+  test('a rug is told from furniture: light is measured on it, not on the floor that it covers', () => {
+    const meshes = [{ min: [1, 0.001, 1], max: [3, 0.014, 3] } satisfies Box, table].map((box) => {
+      const { index, positions } = boxes(box);
+      const geometry = new BufferGeometry().setIndex(index);
+      return new Mesh(geometry.setAttribute('position', new Float32BufferAttribute(positions, 3)));
+    });
+    const { standing, rugs } = splitHungMeshes(meshes, room);
+    expect([...standing]).toEqual(meshes);
+    expect([...rugs]).toEqual([meshes[0]]);
+  });
 });
 
 describe('what stands in the room', () => {
