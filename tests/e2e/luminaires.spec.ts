@@ -95,7 +95,12 @@ test('generic luminaires are found and chosen; the page stays accessible', async
   await expect(dialog.getByRole('listitem')).toHaveCount(12);
   await dialog.getByRole('searchbox').fill('spot 24');
   await dialog.getByRole('button', { name: /Spot 24 degrees/ }).click();
-  await expect(card(page, 'Spot 24 degrees')).toContainText('24°');
+  const spot = card(page, 'Spot 24 degrees');
+  await expect(spot).toContainText('24°');
+  await expect(page.getByText('plain squares of light')).toHaveCount(0);
+  await spot.getByRole('button').first().click();
+  await spot.getByRole('checkbox', { name: 'The search may use it' }).uncheck();
+  await expect(page.getByText('plain squares of light')).toBeVisible(); // what lights the room instead
   expect(await violations(page)).toEqual([]);
 });
 

@@ -2,6 +2,7 @@
  * Wishes that no layout meets: which of their bounds conflict, and what would do instead. Nothing is guessed: a bound is
  * said to conflict when the others can be met without it, and every number that is offered was searched for and met.
  */
+import { isOfSquares } from '../document/intentions.ts';
 import { isRatio } from '../document/statistics.ts';
 import type { Constraint, Intentions, Layout } from '../document/types.ts';
 import type { Outcome } from '../solver/protocol.ts';
@@ -189,8 +190,12 @@ async function moreFlux(
   const isOfLight = (constraint: Constraint | undefined) =>
     constraint?.min !== undefined && ['mean', 'chebyshev', 'minimum'].includes(constraint.statistic);
   const { luminaires } = of;
-  const isOfTypes = luminaires.types?.some(({ isAllowed }) => isAllowed);
-  if (isOfTypes || conflict.length === 0 || !conflict.every((i) => isOfLight(of.constraints[i]))) return null;
+  if (
+    !isOfSquares(luminaires) ||
+    conflict.length === 0 ||
+    !conflict.every((i) => isOfLight(of.constraints[i]))
+  )
+    return null;
   return firstThatDoes(roundFlux(luminaires.flux), (flux) =>
     layoutFor({ ...of, luminaires: { ...luminaires, flux } }),
   );

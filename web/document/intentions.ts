@@ -346,3 +346,6 @@ export function withOptional<
   const { [key]: _, ...rest } = card;
   return (value === undefined ? rest : { ...rest, [key]: value }) as Card;
 }
+
+/** Whether no type may be used: luminaires are plain squares of light then. */
+export const isOfSquares = ({ types }: Luminaires): boolean => !types?.some(({ isAllowed }) => isAllowed);

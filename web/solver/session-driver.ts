@@ -3,7 +3,7 @@
  * answers. The worker calls `receive` for each message and `step` between messages as long as `busy`; a request
  * therefore supersedes what runs after one slice (latest wins).
  */
-import { asksForDirect, planesAskedOf } from '../document/intentions.ts';
+import { asksForDirect, isOfSquares, planesAskedOf } from '../document/intentions.ts';
 import type { Intentions, Layout, SceneInfo } from '../document/types.ts';
 import { AlphaTask } from './alpha-task.ts';
 import { BoundTask } from './bound-task.ts';
@@ -520,7 +520,7 @@ function needsOperator(message: Turned): boolean {
   const { luminaires, glare, paint } = message.intentions;
   if (glare !== undefined || paint !== undefined || asksForDirect(message.intentions)) return true;
   if (planesAskedOf(message.intentions).length > 0) return true;
-  return (luminaires.types ?? []).some((type) => type.isAllowed);
+  return !isOfSquares(luminaires);
 }
 
 /** In a room whose file does not tell what lights and hides what, nobody can say what glares or what paint does. */

@@ -1,6 +1,7 @@
 /** What may be used to light the room: how many luminaires, how strong, where not; and the list of them, for the keyboard. */
 import { useApp } from '../../app/app.ts';
 import { takeNumber } from '../../app/comparing.ts';
+import { isOfSquares } from '../../document/intentions.ts';
 import type { Luminaires } from '../../document/types.ts';
 import { AreaList } from './area-list.tsx';
 import { ArrangementChoice } from './arrangement-choice.tsx';
@@ -95,9 +96,10 @@ function SliderRow({ label, value, range, step, unit, whole, most, whyLeast, onI
 function CountAndFlux() {
   const { store } = useApp();
   const { set, end } = useRules();
-  const { count, most: atMost, flux, pinned, types } = store.document.value.luminaires;
+  const { luminaires } = store.document.value;
+  const { count, most: atMost, flux, pinned } = luminaires;
   const pushed = (next: number) => (atMost !== undefined && atMost < next ? { most: next } : {});
-  const isOfTypes = store.scene.value?.hasOperator && types?.some(({ isAllowed }) => isAllowed);
+  const isOfTypes = store.scene.value?.hasOperator && !isOfSquares(luminaires);
   const places = (store.scene.value?.sites.size.length ?? 1) - store.barred.value.length;
   const most = Math.max(1, Math.min(200, places));
   return (

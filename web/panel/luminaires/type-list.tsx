@@ -2,6 +2,7 @@
 import { FileUp, LibraryBig } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { actions } from '../../app/actions.ts';
+import { isOfSquares } from '../../document/intentions.ts';
 import { TypeCard } from './type-card.tsx';
 import { words } from '../../language/language.ts';
 
@@ -9,12 +10,13 @@ const run = (id: string) => actions.find((action) => action.id === id)?.run;
 
 export function TypeList() {
   const app = useApp();
-  const { types = [] } = app.store.document.value.luminaires;
+  const { luminaires } = app.store.document.value;
+  const { types = [] } = luminaires;
   return (
     <section class="types" aria-label={words.value.luminaires.types.name}>
       <div class="field-head">
         <span class="field-name">{words.value.luminaires.types.name}</span>
-        {types.length === 0 && <span class="field-note">{words.value.luminaires.types.squares}</span>}
+        {isOfSquares(luminaires) && <span class="field-note">{words.value.luminaires.types.squares}</span>}
       </div>
       {types.map((type) => (
         <TypeCard key={type.id} type={type} />
