@@ -21,10 +21,10 @@ struct ColumnsByMean {
   const float* column(std::size_t j) const { return entries.data() + j * points; }
 };
 
-ColumnsByMean columnsByMean(const Scene& scene, const Constraint& constraint,
+ColumnsByMean columnsByMean(PreparedScene& prepared, const Constraint& constraint,
                             const std::vector<std::uint32_t>& excluded) {
-  const std::vector<std::shared_ptr<const Responses>> light = lightAtPoints(scene, constraint);
-  std::vector<char> barred(scene.sites.size());
+  const std::vector<std::shared_ptr<const Responses>> light = lightAtPoints(prepared, constraint);
+  std::vector<char> barred(prepared.scene().sites.size());
   for (const std::uint32_t site : excluded) barred[site] = 1;
   ColumnsByMean columns;
   for (const auto& part : light) columns.points += part->rows;
@@ -110,9 +110,9 @@ class EvennessGame {
 
 }  // namespace
 
-double evennessLimit(const Scene& scene, const Constraint& constraint,
+double evennessLimit(PreparedScene& prepared, const Constraint& constraint,
                      const std::vector<std::uint32_t>& excluded) {
-  const ColumnsByMean columns = columnsByMean(scene, constraint, excluded);
+  const ColumnsByMean columns = columnsByMean(prepared, constraint, excluded);
   if (columns.count() == 0) return columns.points == 0 ? 1 : 0;
   const double products = 2 * static_cast<double>(columns.entries.size());
   const int rounds = std::clamp(static_cast<int>(kMostProducts / products), 20, kMostPlayed);

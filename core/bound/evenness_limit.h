@@ -9,13 +9,14 @@
 
 #include "core/scene/scene.h"
 #include "core/search/intentions.h"
+#include "core/search/prepared_scene.h"
 
 namespace fiatlux {
 
 /// No layout that leaves the excluded sites free, of however many luminaires at whatever fluxes, reaches a
 /// uniformity above this on the points that a constraint speaks of. Precondition: as for lightAtPoints
 /// (core/search/plane_values.h).
-double evennessLimit(const Scene& scene, const Constraint& constraint,
+double evennessLimit(PreparedScene& prepared, const Constraint& constraint,
                      const std::vector<std::uint32_t>& excluded);
 
 }  // namespace fiatlux

@@ -56,7 +56,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
       sums_[s].emplace(*set.statistics);
       inTurn_[s].emplace(*set.statistics);
     }
-    if (set.ofPoints) points_[s].emplace(prepared.scene(), *set.ofPoints);
+    if (set.ofPoints) points_[s].emplace(prepared, *set.ofPoints);
     hasPoints_ |= set.ofPoints.has_value();
     if (set.needsExtremes) patches_[s].emplace(prepared.scene(), set.quantity, set.surfaces);
     isFactored |= set.needsVariance && set.statistics->factor;

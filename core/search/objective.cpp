@@ -90,7 +90,7 @@ void Objective::addGlare(PreparedScene& prepared, const Constraint& c) {
 
 /// The mean of its points is a sum of what each luminaire does there, but for a ratio.
 std::uint32_t Objective::planeSet(PreparedScene& prepared, const Constraint& c) {
-  ObjectiveSet set{{}, prepared.rowOf(meanOfPoints(prepared.scene(), c)), false, false, RowOf::kPlanes};
+  ObjectiveSet set{{}, prepared.rowOf(meanOfPoints(prepared, c)), false, false, RowOf::kPlanes};
   if (c.isLeast || c.statistic == Statistic::kModelling || (c.onGrid && c.statistic != Statistic::kMean)) {
     set.ofPoints = c;
     needsExtremes_ = true;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/scene/calculation_grid.h"
-
 namespace fiatlux {
 namespace {
 
@@ -21,24 +19,6 @@ const Responses& verticalOf(const PlaneLight& plane, const Vec3& direction) {
                    [&](const PlaneLight::Vertical& each) { return length(each.direction - direction) == 0; });
   assert(vertical != plane.verticals.end());
   return vertical->light;
-}
-
-/// What each site does at the points of a surface's grid.
-std::shared_ptr<const Responses> lightOnGrid(const Scene& scene, std::uint32_t surface, Quantity quantity) {
-  const Responses& rows = responsesOf(scene, quantity);
-  const std::vector<std::vector<PatchShare>> points = gridPointsOf(scene, surface);
-  auto light = std::make_shared<Responses>();
-  light->rows = static_cast<std::uint32_t>(points.size());
-  light->sites = rows.sites;
-  for (std::uint32_t j = 0; j < rows.sites; ++j) {
-    const float* column = rows.column(j);
-    for (const std::vector<PatchShare>& point : points) {
-      double sum = 0;
-      for (const PatchShare& share : point) sum += share.share * column[share.row];
-      light->illuminance.push_back(static_cast<float>(sum));
-    }
-  }
-  return light;
 }
 
 /// light += flux x the column of a site.
@@ -65,15 +45,15 @@ std::vector<PlaneWish> planesAskedOf(const Intentions& intentions) {
   return wishes;
 }
 
-std::vector<std::shared_ptr<const Responses>> lightAtPoints(const Scene& scene,
+std::vector<std::shared_ptr<const Responses>> lightAtPoints(PreparedScene& prepared,
                                                             const Constraint& constraint) {
   std::vector<std::shared_ptr<const Responses>> all;
   for (const std::uint32_t surface : constraint.surfaces) {
     if (constraint.onGrid) {
-      all.push_back(lightOnGrid(scene, surface, *constraint.quantity));
+      all.push_back(prepared.sites().lightOnGrid(*constraint.quantity, surface));
       continue;
     }
-    const PlaneLight& plane = planeOf(scene, surface);
+    const PlaneLight& plane = planeOf(prepared.scene(), surface);
     const Responses& upright = constraint.statistic == Statistic::kVertical
                                    ? verticalOf(plane, constraint.direction)
                                    : plane.cylindrical;
@@ -88,10 +68,10 @@ double valueOf(const Constraint& constraint, const MeanAndLeast& points) {
   return constraint.isLeast || constraint.statistic == Statistic::kMinimum ? points.least : points.mean;
 }
 
-std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constraint) {
-  std::vector<double> mean(scene.sites.size());
+std::vector<double> meanOfPoints(PreparedScene& prepared, const Constraint& constraint) {
+  std::vector<double> mean(prepared.scene().sites.size());
   std::size_t points = 0;
-  for (const std::shared_ptr<const Responses>& light : lightAtPoints(scene, constraint)) {
+  for (const std::shared_ptr<const Responses>& light : lightAtPoints(prepared, constraint)) {
     points += light->rows;
     for (std::uint32_t j = 0; j < light->sites; ++j)
       for (std::uint32_t p = 0; p < light->rows; ++p) mean[j] += light->column(j)[p];
@@ -100,11 +80,12 @@ std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constrain
   return mean;
 }
 
-PlaneValues::PlaneValues(const Scene& scene, const Constraint& constraint) {
-  const std::vector<std::shared_ptr<const Responses>> asked = lightAtPoints(scene, constraint);
+PlaneValues::PlaneValues(PreparedScene& prepared, const Constraint& constraint) {
+  const std::vector<std::shared_ptr<const Responses>> asked = lightAtPoints(prepared, constraint);
   const bool isRatio = constraint.statistic == Statistic::kModelling;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const Responses* horizontal = isRatio ? &planeOf(scene, constraint.surfaces[i]).horizontal : nullptr;
+    const Responses* horizontal =
+        isRatio ? &planeOf(prepared.scene(), constraint.surfaces[i]).horizontal : nullptr;
     planes_.push_back({asked[i], horizontal, {}, {}});
     points_ += asked[i]->rows;
   }
@@ -139,10 +120,10 @@ MeanAndLeast PlaneValues::changed(const FluxChange* changes, std::uint32_t count
   return result;
 }
 
-MeanAndLeast planeValueUnder(const Scene& scene, const Constraint& constraint, const Layout& layout) {
+MeanAndLeast planeValueUnder(PreparedScene& prepared, const Constraint& constraint, const Layout& layout) {
   std::vector<double> flux = layout.flux;
   for (double& lumens : flux) lumens *= layout.dimming;
-  PlaneValues values(scene, constraint);
+  PlaneValues values(prepared, constraint);
   values.load(layout.sites.data(), flux.data(), static_cast<std::uint32_t>(flux.size()));
   return values.current();
 }

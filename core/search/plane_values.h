@@ -10,6 +10,7 @@
 #include "core/scene/plane_points.h"
 #include "core/search/intentions.h"
 #include "core/search/kernels.h"
+#include "core/search/prepared_scene.h"
 
 namespace fiatlux {
 
@@ -19,18 +20,20 @@ inline bool isOfPoints(const Constraint& c) { return c.onGrid || traitsOf(c.stat
 /// What must be known of which measuring planes, each once.
 std::vector<PlaneWish> planesAskedOf(const Intentions& intentions);
 
-/// What each site does at the points that a constraint speaks of, one surface after the other. May refer to
-/// the scene. Precondition: isOfPoints; planes are there (Scene::planes), and of a grid its quantity is said.
-std::vector<std::shared_ptr<const Responses>> lightAtPoints(const Scene& scene, const Constraint& constraint);
+/// What each site (also where ties are prepared) does at the points that a constraint speaks of, one surface
+/// after the other. May refer to the scene. Precondition: isOfPoints; planes are there (Scene::planes), and
+/// of a grid its quantity is said.
+std::vector<std::shared_ptr<const Responses>> lightAtPoints(PreparedScene& prepared,
+                                                            const Constraint& constraint);
 /// Their mean over all points, an entry a site.
-std::vector<double> meanOfPoints(const Scene& scene, const Constraint& constraint);
+std::vector<double> meanOfPoints(PreparedScene& prepared, const Constraint& constraint);
 /// What a constraint asks of its points.
 double valueOf(const Constraint& constraint, const MeanAndLeast& points);
 
 class PlaneValues {
  public:
   /// As for lightAtPoints.
-  PlaneValues(const Scene& scene, const Constraint& constraint);
+  PlaneValues(PreparedScene& prepared, const Constraint& constraint);
 
   /// Sets the layout that `changed` starts from.
   void load(const std::uint32_t* sites, const double* flux, std::uint32_t count);
@@ -52,6 +55,6 @@ class PlaneValues {
 };
 
 /// Of a constraint under a layout, dimmed.
-MeanAndLeast planeValueUnder(const Scene& scene, const Constraint& constraint, const Layout& layout);
+MeanAndLeast planeValueUnder(PreparedScene& prepared, const Constraint& constraint, const Layout& layout);
 
 }  // namespace fiatlux

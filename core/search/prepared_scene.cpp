@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/scene/calculation_grid.h"
 #include "core/search/kernels.h"
 #include "core/search/variance_sums.h"
 
@@ -25,6 +26,24 @@ std::shared_ptr<const KernelStatistics> kernelStatistics(SurfaceStatistics exact
   result->diagonal.resize(m);
   for (std::size_t i = 0; i < m; ++i) result->diagonal[i] = result->covariance[i * m + i];
   return result;
+}
+
+/// What each site does at the points of a surface's grid.
+std::shared_ptr<const Responses> gridLight(const Scene& scene, std::uint32_t surface, Quantity quantity) {
+  const Responses& rows = responsesOf(scene, quantity);
+  const std::vector<std::vector<PatchShare>> points = gridPointsOf(scene, surface);
+  auto light = std::make_shared<Responses>();
+  light->rows = static_cast<std::uint32_t>(points.size());
+  light->sites = rows.sites;
+  for (std::uint32_t j = 0; j < rows.sites; ++j) {
+    const float* column = rows.column(j);
+    for (const std::vector<PatchShare>& point : points) {
+      double sum = 0;
+      for (const PatchShare& share : point) sum += share.share * column[share.row];
+      light->illuminance.push_back(static_cast<float>(sum));
+    }
+  }
+  return light;
 }
 
 std::shared_ptr<const KernelStatistics> factoredStatistics(std::shared_ptr<const LightFactor> factor) {
@@ -248,6 +267,14 @@ std::shared_ptr<const KernelStatistics> PreparedScene::rowOf(const std::vector<d
     for (const std::uint32_t site : members) result->mean[c] += ofSites[site];
   }
   return result;
+}
+
+std::shared_ptr<const Responses> PreparedScene::lightOnGrid(Quantity quantity, std::uint32_t surface) {
+  assert(!isTied());
+  for (const GridEntry& known : grids_)
+    if (known.quantity == quantity && known.surface == surface) return known.light;
+  grids_.push_back({quantity, surface, gridLight(scene_, surface, quantity)});
+  return grids_.back().light;
 }
 
 std::uint32_t PreparedScene::inWayOf(std::uint32_t like, std::uint32_t there) const {

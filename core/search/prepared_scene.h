@@ -105,6 +105,10 @@ class PreparedScene {
   /// A row of means of the candidates for one of the sites: `ofSites` has an entry each.
   std::shared_ptr<const KernelStatistics> rowOf(const std::vector<double>& ofSites) const;
 
+  /// What each site does at the points of a surface's calculation grid: rows are points. Made at first use
+  /// and kept. Precondition: !isTied().
+  std::shared_ptr<const Responses> lightOnGrid(Quantity quantity, std::uint32_t surface);
+
   /// The `nearCount()` candidates nearest to one, itself left out, nearest first, ties by index.
   const std::uint32_t* nearSites(std::uint32_t site) const {
     return near_.data() + std::size_t{site} * nearCount_;
@@ -143,6 +147,11 @@ class PreparedScene {
     SurfaceSet surfaces;
     std::shared_ptr<const KernelStatistics> statistics;
   };
+  struct GridEntry {
+    Quantity quantity;
+    std::uint32_t surface = 0;
+    std::shared_ptr<const Responses> light;
+  };
   void findNear(const std::vector<Vec3>& centers);
   /// Between two sites, m; 0 where they may not be at once. Precondition: !isTied().
   double gapOfSites(std::uint32_t a, std::uint32_t b) const;
@@ -161,6 +170,7 @@ class PreparedScene {
   Ties ties_;
   std::uint32_t candidateCount_ = 0, heaviest_ = 1, lightest_ = 1, waysPerPlace_ = 1;
   std::vector<Entry> entries_;
+  std::vector<GridEntry> grids_;
   struct Begun {
     Quantity quantity;
     SurfaceSet surfaces;

@@ -94,7 +94,7 @@ ConstraintReading readConstraint(const Lit& lit, const Constraint& c, Quantity q
   if (isOfPoints(c)) {
     Constraint ofQuantity = c;
     ofQuantity.quantity = quantity;
-    below = above = valueOf(c, planeValueUnder(lit.prepared.scene(), ofQuantity, lit.layout));
+    below = above = valueOf(c, planeValueUnder(lit.prepared, ofQuantity, lit.layout));
   } else {
     const Read read = readFor(lit, quantity, c);
     below = valueOf(lit, c.statistic, read, Side::kLower, c.alpha);

@@ -24,12 +24,12 @@ namespace fiatlux {
 namespace {
 
 /// Of what is asked for alone and missed; nothing where no limit is known.
-std::optional<double> limitOf(const Scene& scene, const Intentions& asked, const Evaluation& found) {
+std::optional<double> limitOf(PreparedScene& prepared, const Intentions& asked, const Evaluation& found) {
   if (!asked.goals.empty() || asked.constraints.size() != 1 || found.violation == 0) return std::nullopt;
   Constraint only = asked.constraints[0];
   if (!only.onGrid || only.statistic != Statistic::kUniformity) return std::nullopt;
   only.quantity = quantityOf(asked, only);
-  return evennessLimit(scene, only, asked.luminaires.excluded);
+  return evennessLimit(prepared, only, asked.luminaires.excluded);
 }
 
 }  // namespace
@@ -323,7 +323,7 @@ Result<std::optional<Found>> Session::advanceAside(std::uint32_t evaluations) {
   left -= std::min(spent, left);
   if (left > 0 || (isOfFields && !search.isProved())) return std::optional<Found>();
   const Evaluation& reached = search.evaluation();
-  Found found{search.incumbent(), reached, limitOf(*scene_, asked, reached)};
+  Found found{search.incumbent(), reached, limitOf(*prepared_, asked, reached)};
   aside_.reset();
   return std::optional<Found>(std::move(found));
 }

@@ -23,25 +23,25 @@ Constraint evenFloor() {
   return even;
 }
 
-double uniformityOf(const Scene& scene, const Layout& layout) {
-  return valueOf(evenFloor(), planeValueUnder(scene, evenFloor(), layout));
+double uniformityOf(PreparedScene& prepared, const Layout& layout) {
+  return valueOf(evenFloor(), planeValueUnder(prepared, evenFloor(), layout));
 }
 
 TEST(EvennessLimit, IsAboveEveryLayoutAndNearlyReached) {
-  const Scene& scene = smallRoom();
-  const auto sites = static_cast<std::uint32_t>(scene.sites.size());
-  const double limit = evennessLimit(scene, evenFloor(), {});
+  PreparedScene prepared(smallRoom());
+  const auto sites = static_cast<std::uint32_t>(prepared.scene().sites.size());
+  const double limit = evennessLimit(prepared, evenFloor(), {});
   EXPECT_LT(limit, 1);
   Random random(7);
   Layout layout{{}, std::vector<double>(sites), 1};
   for (std::uint32_t j = 0; j < sites; ++j) layout.sites.push_back(j);
   layout.flux.assign(sites, 100.0);
-  double best = uniformityOf(scene, layout);
+  double best = uniformityOf(prepared, layout);
   for (int trial = 0; trial < 20000; ++trial) {
     Layout other = layout;
     double& flux = other.flux[random.below(sites)];
     flux = std::max(0.0, flux + 60 * (random.unit() - 0.5));
-    const double reached = uniformityOf(scene, other);
+    const double reached = uniformityOf(prepared, other);
     EXPECT_LE(reached, limit * (1 + 1e-9));
     if (reached < best) continue;
     best = reached;
@@ -51,14 +51,14 @@ TEST(EvennessLimit, IsAboveEveryLayoutAndNearlyReached) {
 }
 
 TEST(EvennessLimit, OfOnePlaceIsItsOwn) {
-  const Scene& scene = smallRoom();
+  PreparedScene prepared(smallRoom());
   std::vector<std::uint32_t> others;
-  for (std::uint32_t j = 1; j < scene.sites.size(); ++j) others.push_back(j);
-  const double limit = evennessLimit(scene, evenFloor(), others);
-  EXPECT_NEAR(limit, uniformityOf(scene, {{0}, {100}, 1}), 0.003 * limit);
-  EXPECT_LT(limit, evennessLimit(scene, evenFloor(), {}));
+  for (std::uint32_t j = 1; j < prepared.scene().sites.size(); ++j) others.push_back(j);
+  const double limit = evennessLimit(prepared, evenFloor(), others);
+  EXPECT_NEAR(limit, uniformityOf(prepared, {{0}, {100}, 1}), 0.003 * limit);
+  EXPECT_LT(limit, evennessLimit(prepared, evenFloor(), {}));
   others.push_back(0);
-  EXPECT_EQ(evennessLimit(scene, evenFloor(), others), 0);
+  EXPECT_EQ(evennessLimit(prepared, evenFloor(), others), 0);
 }
 
 }  // namespace
