@@ -6,6 +6,7 @@
 
 #include "core/base/short_number.h"
 #include "core/scene/surface_names.h"
+#include "core/search/eased.h"
 #include "precompute/files/planes_json.h"
 #include "precompute/files/terminal.h"
 
@@ -15,7 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kMet = 1e-6;
-constexpr double kHardlyMissed = 0.001;  // of the bound: noise, but for what is true of each patch
 
 /// "met", "met but for 0.04 %", "NOT met"
 std::string verdictOn(const ConstraintReading& reading, const StatisticTraits& traits) {

@@ -27,6 +27,23 @@ TEST(Eased, OnlyMissedBoundsGiveWayToJustBeyondWhatIsReached) {
   EXPECT_NEAR(eased.constraints[2].upper, 90 * 1.01, 1e-9);
 }
 
+TEST(Eased, WhatCountsAsMetDoesNotGiveWayFurtherThanThat) {
+  Intentions asked;
+  asked.constraints = {{Statistic::kMean, 200, kUnbounded, 1, {0}, {}},
+                       {Statistic::kMean, 0, 300, 1, {1}, {}},
+                       {Statistic::kMinimum, 100, kUnbounded, 1, {1}, {}},
+                       {Statistic::kMean, 200, kUnbounded, 1, {2}, {}}};
+  // By half of what is hardly missed; but true extremes are met or not, and the last is missed by more.
+  const Intentions eased = easedToReach(asked, {{199.9, 0.0005, -0.0005, 0.0005, 0},
+                                                {300.15, 0.0005, -0.0005, 0, 0.0005},
+                                                {99.95, 0.0005, -0.0005, 0.0005, 0},
+                                                {199.6, 0.002, -0.002, 0.002, 0}});
+  EXPECT_NEAR(eased.constraints[0].lower, 200 * (1 - 0.99e-3), 1e-9);
+  EXPECT_NEAR(eased.constraints[1].upper, 300 * (1 + 0.99e-3), 1e-9);
+  EXPECT_NEAR(eased.constraints[2].lower, 99.95 * 0.99, 1e-9);
+  EXPECT_NEAR(eased.constraints[3].lower, 199.6 * 0.99, 1e-9);
+}
+
 TEST(Eased, AmongLayoutsThatMissABoundByHardlyMoreTheGoalDecides) {
   Session session;
   session.adopt(syntheticScene(64, 32));
