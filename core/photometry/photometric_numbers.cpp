@@ -106,15 +106,10 @@ std::string_view LineReader::text(const char* what) {
   return line.value_or(std::string_view());
 }
 
-double LineReader::blankOrWithin(const char* what, double least, double most) {
-  if (failure() || next_ >= lines_.size() || !trimmed(lines_[next_]).empty())
-    return within(what, least, most);
-  return take(), 0;
-}
-
 double LineReader::blankOrWithin(const char* what, double least, double most, std::string_view unit) {
+  if (!failure() && next_ < lines_.size() && trimmed(lines_[next_]).empty()) return take(), 0;
   unit_ = unit;
-  const double value = blankOrWithin(what, least, most);
+  const double value = within(what, least, most);
   unit_ = {};
   return value;
 }

@@ -75,10 +75,8 @@ class LineReader : public NumberReader {
   explicit LineReader(const PhotometricText& text) : NumberReader(text) {}
   /// The next line as it stands.
   std::string_view text(const char* what);
-  /// As `within`; a blank line is 0.
-  double blankOrWithin(const char* what, double least, double most);
-  /// The same of a number that its unit ("W", in capitals or not) may follow.
-  double blankOrWithin(const char* what, double least, double most, std::string_view unit);
+  /// As `within`; a blank line is 0, and a unit ("W", in capitals or not) may follow the number.
+  double blankOrWithin(const char* what, double least, double most, std::string_view unit = {});
   bool numberFollows() override;
 
  protected:

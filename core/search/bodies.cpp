@@ -33,7 +33,7 @@ bool collide(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   const Body& bodyA = scene.hangings[a].body;
   const Body& bodyB = scene.hangings[b].body;
   const double apart = length(off);
-  // Most pairs are far apart, and that is seen without a root.
+  // Most pairs are far apart, and that is seen without the diagonals.
   if (apart >= bodyA.halfLength + bodyA.halfBreadth + bodyB.halfLength + bodyB.halfBreadth) return false;
   if (apart >= reachOf(bodyA) + reachOf(bodyB)) return false;
   const Vec3& normal = scene.sites[a].normal;

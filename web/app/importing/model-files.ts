@@ -3,6 +3,8 @@ import { words } from '../../language/language.ts';
 
 /** Extensions of what is turned into a glTF here. */
 export const modelExtensions: readonly string[] = ['obj', 'stl', 'dae', 'fbx', '3ds', 'ifc'];
+/** All that models end with, as a person reads it. */
+export const modelEndings = ['glb', 'gltf', ...modelExtensions].map((each) => `.${each}`).join(', ');
 const models = new RegExp(`\\.(${modelExtensions.join('|')})$`, 'i');
 
 /** The cure for formats without a reader, by extension. */

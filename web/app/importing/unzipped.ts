@@ -1,6 +1,6 @@
 /** The models in a .zip, with what they name; nothing is inflated that is not wanted or is too large. */
 import { unzipSync } from 'fflate';
-import { cureOf, isModel } from './model-files.ts';
+import { cureOf, isModel, modelEndings } from './model-files.ts';
 import { words } from '../../language/language.ts';
 
 const mostBytes = 256 << 20; // inflated, all together
@@ -46,5 +46,5 @@ function withoutModel(zip: string, names: readonly string[]): string {
   const { comesFrom, zipInZip, zipWithoutModel } = words.value.opening.import;
   const [known] = names.filter((name) => cureOf(name) !== null);
   if (known !== undefined) return comesFrom(known.replace(/^.*[\\/]/, ''), cureOf(known) ?? '');
-  return names.some((name) => /\.zip$/i.test(name)) ? zipInZip(zip) : zipWithoutModel(zip);
+  return names.some((name) => /\.zip$/i.test(name)) ? zipInZip(zip) : zipWithoutModel(zip, modelEndings);
 }

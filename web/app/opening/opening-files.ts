@@ -11,7 +11,7 @@ import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { IfcPlace } from '../importing/ifc/ifc-places.ts';
-import { isForImport } from '../importing/model-files.ts';
+import { isForImport, modelEndings } from '../importing/model-files.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
@@ -142,7 +142,7 @@ export class FileOpening {
     const project = readProject(new TextDecoder().decode(bytes));
     if (typeof project !== 'string') await this.#openProject(project);
     else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(words.value.opening.about(name, project));
-    else this.#refuse(words.value.opening.notOurs(name));
+    else this.#refuse(words.value.opening.notOurs(name, modelEndings));
   }
 
   async #openFlux(name: string, bytes: ArrayBuffer): Promise<void> {

@@ -30,8 +30,8 @@ export const opening: Words['opening'] = {
   emptyFolder:
     'In diesem Ordner ist keine Datei: einen mit einem Modell, einer Szene oder Leuchten hierher ziehen.',
   unreadable: (name) => `„${name}“ konnte nicht vom Datenträger gelesen werden.`,
-  notOurs: (name) =>
-    `„${name}“ ist keine Datei von Fiat Lux: möglich sind Modelle (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc, .zip), .stf, .flux, .ies, .ldt und Projektdateien.`,
+  notOurs: (name, models) =>
+    `„${name}“ ist keine Datei von Fiat Lux: möglich sind Modelle (${models}, .zip), .stf, .flux, .ies, .ldt und Projektdateien.`,
   isOpen: (name) => `„${name}“ ist geöffnet. Die Datei bleibt auf diesem Rechner: Nichts wird hochgeladen.`,
   gone: (room) => `„${room}“ ist nicht mehr da: die Datei noch einmal öffnen.`,
   readable: 'Lesbares öffnen',
@@ -110,8 +110,8 @@ export const opening: Words['opening'] = {
     zipDamaged: (name) => `„${name}“ ist eine beschädigte Zip-Datei; neu herunterladen.`,
     zipInZip: (name) =>
       `„${name}“ enthält eine weitere Zip-Datei: entpacken und die innere oder das Modell darin hierher ziehen.`,
-    zipWithoutModel: (name) =>
-      `„${name}“ enthält nichts, was sich öffnen lässt. Eine Zip-Datei kann ein Modell (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc) mit seinen Texturen enthalten, einen Raum aus DIALux oder Relux (.stf), eine Szene (.flux) oder Leuchten (.ies, .ldt): eines davon exportieren und so oder als Zip hierher ziehen.`,
+    zipWithoutModel: (name, models) =>
+      `„${name}“ enthält nichts, was sich öffnen lässt. Eine Zip-Datei kann ein Modell (${models}) mit seinen Texturen enthalten, einen Raum aus DIALux oder Relux (.stf), eine Szene (.flux) oder Leuchten (.ies, .ldt): eines davon exportieren und so oder als Zip hierher ziehen.`,
     zipTooLarge: (name, size, count) =>
       `„${name}“ entpackt sich zu ${size} MB in ${count === 1 ? 'einer Datei' : `${count} Dateien`}: Unnötiges herausnehmen.`,
     ifc: {

@@ -24,8 +24,8 @@ export const opening = {
   },
   emptyFolder: 'There is no file in this folder: drop one with a model, a scene or luminaires in it.',
   unreadable: (name: string) => `“${name}” could not be read from the disk.`,
-  notOurs: (name: string) =>
-    `“${name}” is not a file of Fiat Lux: it takes models (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc, .zip), .stf, .flux, .ies, .ldt and project files.`,
+  notOurs: (name: string, models: string) =>
+    `“${name}” is not a file of Fiat Lux: it takes models (${models}, .zip), .stf, .flux, .ies, .ldt and project files.`,
   isOpen: (name: string) => `“${name}” is open. It stays on this computer: nothing is uploaded.`,
   gone: (room: string) => `“${room}” is not here any more: open its file again.`,
   readable: 'Open what can be read',
@@ -102,8 +102,8 @@ export const opening = {
     zipDamaged: (name: string) => `“${name}” is a damaged zip file; fetch it again.`,
     zipInZip: (name: string) =>
       `“${name}” holds another zip file: unpack it, and drop the inner one or the model in it.`,
-    zipWithoutModel: (name: string) =>
-      `“${name}” holds nothing that can be opened. A zip may hold a model (.glb, .gltf, .obj, .fbx, .dae, .3ds, .stl, .ifc) with its textures, a room of DIALux or Relux (.stf), a scene (.flux) or luminaires (.ies, .ldt): export one of these, and drop it or its zip.`,
+    zipWithoutModel: (name: string, models: string) =>
+      `“${name}” holds nothing that can be opened. A zip may hold a model (${models}) with its textures, a room of DIALux or Relux (.stf), a scene (.flux) or luminaires (.ies, .ldt): export one of these, and drop it or its zip.`,
     zipTooLarge: (name: string, size: number, count: number) =>
       `“${name}” unpacks to ${size} MB in ${count === 1 ? 'one file' : `${count} files`}: take out what is not needed.`,
     ifc: {
