@@ -68,19 +68,24 @@ void keepWord(Words& words, const std::string& keyword, std::string_view value, 
     words.cct = colorTemperatureIn(value);
 }
 
-/// Reads the [KEYWORD] lines from index `first` to TILT; of a file without them the first line of text.
+/// Reads the [KEYWORD] lines from index `first` to TILT; of a file without them the first line of text, and
+/// the colour that any line tells ("LED 3000K").
 Words wordsAbove(const PhotometricText& text, std::size_t first, std::size_t tiltLine) {
   Words words;
   std::string* last = nullptr;
+  std::optional<double> plainCct;
   for (std::size_t i = first; i + 1 < tiltLine; ++i) {
     const std::string_view line = trimmed(text.lines[i]);
     const std::size_t end = line.find(']');
     if (line.empty()) continue;
-    if (line[0] == '[' && end != line.npos)
+    if (line[0] == '[' && end != line.npos) {
       keepWord(words, upper(trimmed(line.substr(1, end - 1))), line.substr(end + 1), last);
-    else if (words.firstLine.empty())
-      words.firstLine = line;
+      continue;
+    }
+    if (words.firstLine.empty()) words.firstLine = line;
+    if (!plainCct) plainCct = colorTemperatureIn(line);
   }
+  if (!words.cct) words.cct = plainCct;
   return words;
 }
 
@@ -200,15 +205,34 @@ std::size_t tiltLineOf(const PhotometricText& text) {
   return line == text.lines.end() ? 0 : static_cast<std::size_t>(line - text.lines.begin()) + 1;
 }
 
+/// Does the line hold the counts that follow TILT: ten numbers, of which some can be 1 to 3 only?
+bool holdsCounts(const std::string& line, Comma comma) {
+  const PhotometricText alone{{line}};
+  StreamReader reader(alone, 1, comma);
+  std::vector<double> values;
+  while (reader.numberFollows()) values.push_back(reader.next("a count"));
+  const auto whole = [&](std::size_t i, double least, double most) {
+    return values[i] >= least && values[i] <= most && values[i] == std::floor(values[i]);
+  };
+  return values.size() >= 10 && values.size() <= 13 && whole(0, 1, 1e4) && whole(3, 2, kMaxGammas) &&
+         whole(4, 1, kMaxPlanes) && whole(5, 1, 3) && whole(6, 1, 2);
+}
+
+/// What is wrong with a file that has no TILT line.
+Error withoutTilt(const PhotometricText& text) {
+  if (const std::size_t line = countsLineOf(text))
+    return errorAt(line, "the TILT= line is missing before these counts; insert a line TILT=NONE above them");
+  return errorAt(std::max<std::size_t>(1, text.lines.size()),
+                 "the file ends without a TILT= line; it was cut short, fetch it again");
+}
+
 Result<Photometry> readNumbersBy(Comma comma, const PhotometricText& text) {
   Photometry photometry;
   const std::size_t first = firstLineOf(text);
   const std::optional<PhotometricFormat> tag = taggedFormat(text.lines[first]);
   photometry.format = tag.value_or(kLm63_1986);
   const std::size_t tiltLine = tiltLineOf(text);
-  if (tiltLine == 0)
-    return errorAt(std::max<std::size_t>(1, text.lines.size()),
-                   "the file ends without a TILT= line; it was cut short, fetch it again");
+  if (tiltLine == 0) return withoutTilt(text);
   const Words words = wordsAbove(text, first + (tag ? 1 : 0), tiltLine);
   photometry.name = shortText(!words.luminaire.empty()   ? words.luminaire
                               : !words.catalogue.empty() ? words.catalogue
@@ -236,6 +260,13 @@ Result<Photometry> readNumbersBy(Comma comma, const PhotometricText& text) {
 
 bool looksLikeIes(const PhotometricText& text) {
   return !text.lines.empty() && (taggedFormat(text.lines[firstLineOf(text)]) || tiltLineOf(text) > 0);
+}
+
+std::size_t countsLineOf(const PhotometricText& text) {
+  const auto line = std::find_if(text.lines.begin(), text.lines.end(), [](const std::string& line) {
+    return holdsCounts(line, Comma::kParts) || holdsCounts(line, Comma::kIsDecimal);
+  });
+  return line == text.lines.end() ? 0 : static_cast<std::size_t>(line - text.lines.begin()) + 1;
 }
 
 Result<Photometry> readIes(const PhotometricText& text) {

@@ -14,6 +14,10 @@ namespace fiatlux {
 /// Does a line begin with TILT, or the first one (that is not blank) with an LM-63 tag?
 bool looksLikeIes(const PhotometricText& text);
 
+/// The line, from 1, that holds the counts of an LM-63 file; 0 where none does. Tells one that lacks both tag
+/// and TILT line from any other text.
+std::size_t countsLineOf(const PhotometricText& text);
+
 /// Types A and B are turned into C (type_c.h). `flux` is the lamps' lumens, 0 where photometry is absolute.
 Result<Photometry> readIes(const PhotometricText& text);
 

@@ -46,12 +46,12 @@ Result<Photometry> readPhotometry(std::span<const std::uint8_t> bytes) {
     return Error{"the file has " + shortNumber(static_cast<double>(bytes.size()) / 1048576) +
                  " MB, more than the 4 MB of the largest table; is it a photometric file?"};
   const PhotometricText text = textOf(bytes);
-  const bool ies = looksLikeIes(text);
-  if (!ies && !looksLikeEulumdat(text))
+  const bool eulumdat = !looksLikeIes(text) && looksLikeEulumdat(text);
+  if (!eulumdat && !looksLikeIes(text) && countsLineOf(text) == 0)
     return Error{
         "neither LM-63 (no line begins with TILT) nor EULUMDAT (lines 2 to 7 are no numbers); take the "
         "luminaire's .ies or .ldt file"};
-  Result<Photometry> photometry = ies ? readIes(text) : readEulumdat(text);
+  Result<Photometry> photometry = eulumdat ? readEulumdat(text) : readIes(text);
   if (!photometry) return photometry;
   const double flux = integratedFlux(*photometry);
   if (!(flux > 0)) return Error{"the table holds no light: every intensity is 0; export the file again"};

@@ -107,6 +107,17 @@ TEST(IesFile, CountsOf1986MayHavePoints) {
   EXPECT_EQ(p->format, PhotometricFormat::kLm63_1986);
 }
 
+TEST(IesFile, LinesWithoutKeywordsTellTheColour) {
+  IesFile file;
+  file.tag = "";
+  file.words = {"Acme downlight 1500", "LED 3000K CRI90", "Report 4000 K-17"};
+  EXPECT_EQ(read(file.text())->cct, 3000);
+  file.words.push_back("[COLORTEMP] 2700");
+  EXPECT_EQ(read(file.text())->cct, 2700);
+  file.words = {"Acme downlight 3000", "12 W"};
+  EXPECT_FALSE(read(file.text())->cct);
+}
+
 TEST(IesFile, AbsolutePhotometryStatesItsTable) {
   IesFile file;
   file.multiplier = 3;
@@ -262,7 +273,12 @@ TEST(IesFile, EveryFaultIsOneLineWithItsPlace) {
   EXPECT_THAT(refused(lines), HasSubstr("line 9: more numbers follow than the counts of angles announce"));
   lines = sound;
   lines.erase(lines.begin() + 3);
-  EXPECT_THAT(refused(lines), HasSubstr("without a TILT= line"));
+  EXPECT_THAT(refused(lines), HasSubstr("line 4: the TILT= line is missing before these counts; insert"));
+  lines.resize(3);
+  EXPECT_THAT(refused(lines), HasSubstr("without a TILT= line; it was cut short"));
+  // Nor is one without a tag taken for something else.
+  EXPECT_THAT(refusal("Acme\r\n1 1000 1,5 3 1 1 2 0,1 0,2 0\r\n1 1 12,5\r\n0 22,5 90\r\n0\r\n9 5 0\r\n"),
+              HasSubstr("line 2: the TILT= line is missing"));
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ export const photometricFaults: typeof english = {
   tableNeither:
     'Weder LM-63 (keine Zeile beginnt mit TILT) noch EULUMDAT (Zeilen 2 bis 7 sind keine Zahlen); die .ies- oder .ldt-Datei der Leuchte nehmen',
   tableNoTilt: 'Die Datei endet ohne eine Zeile TILT=, sie ist abgeschnitten; noch einmal herunterladen',
+  tableLacksTilt: 'Vor diesen Zahlen fehlt die Zeile TILT=; darüber eine Zeile TILT=NONE einfügen',
   tableNoNumber: (found, what) => `Hier sollte ${what} stehen, ${found} ist keine Zahl; fehlt davor etwas?`,
   tableOutside: (what, value, least, most) =>
     `${what} ist ${value}, erlaubt ist ${least} bis ${most}; berichtigen oder die Datei noch einmal exportieren`,

@@ -74,6 +74,7 @@ export const photometricFaults = {
   tableNeither:
     "neither LM-63 (no line begins with TILT) nor EULUMDAT (lines 2 to 7 are no numbers); take the luminaire's .ies or .ldt file",
   tableNoTilt: 'the file ends without a TILT= line; it was cut short, fetch it again',
+  tableLacksTilt: 'the TILT= line is missing before these counts; insert a line TILT=NONE above them',
   tableNoNumber: (found: string, what: string) =>
     `${found} stands where ${what} should, and is no number; is something missing before it?`,
   tableOutside: (what: string, value: string, least: string, most: string) =>
