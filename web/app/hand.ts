@@ -19,7 +19,7 @@ const exactly = 0.005; // m: half of what a place is written to
 const tag = (luminaire: number) => `L${luminaire + 1}`;
 
 /** "L3", or "4 luminaires". */
-const named = (luminaires: readonly number[]) =>
+export const named = (luminaires: readonly number[]) =>
   luminaires.length === 1 ? tag(luminaires[0]!) : words.value.values.luminaires(luminaires.length);
 
 export class Hand {

@@ -20,6 +20,7 @@ import type { OpeningType } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import { genericFile, genericLuminaires } from './generic-luminaires.ts';
+import { tellOfPlacesLost } from './held-places.ts';
 import { words } from '../../language/language.ts';
 import { typeText } from '../../language/type-names.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -52,6 +53,7 @@ export class LuminaireTypes {
       const files = this.files.value;
       untracked(() => types.forEach((type) => void this.#describe(type, files[type.hash])));
     });
+    tellOfPlacesLost(store, this.descriptions);
   }
 
   /** What luminaires of the types look like, as far as their files are known. */

@@ -122,6 +122,10 @@ export const luminaires: Words['luminaires'] = {
     isHere: (name) => `${name} ist schon da.`,
     added: (name) => `Leuchtentyp hinzugefügt: ${name}.`,
     unreadable: (reason) => `Die Datei einer Leuchte ist nicht lesbar: ${reason}`,
+    cannotStay: (names) =>
+      `${names}: An der fixierten Stelle passt keiner der verwendeten Leuchtentypen; die Leuchte hängt anderswo. Einen passenden Typ zulassen oder rückgängig machen.`,
+    someCannotStay: (count) =>
+      `An ${count === 1 ? 'einer fixierten Stelle' : `${count} fixierten Stellen`} passt keiner der verwendeten Leuchtentypen; was dort fixiert ist, hängt anderswo.`,
     lost: {
       one: (name) =>
         `Diese Anordnung verwendet Leuchten aus ${name}, das hier fehlt: Datei öffnen, dann erscheint das Licht.`,

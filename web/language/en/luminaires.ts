@@ -125,6 +125,10 @@ export const luminaires = {
     isHere: (name: string) => `${name} is here already.`,
     added: (name: string) => `Luminaire type added: ${name}.`,
     unreadable: (reason: string) => `A luminaire’s file cannot be read: ${reason}`,
+    cannotStay: (names: string) =>
+      `${names}: no luminaire type in use fits where this is pinned, so it hangs elsewhere. Allow one that fits there, or undo.`,
+    someCannotStay: (count: number) =>
+      `${count === 1 ? 'One pinned place holds' : `${count} pinned places hold`} none of the luminaire types in use, so what is pinned there hangs elsewhere.`,
     lost: {
       one: (name: string) =>
         `This layout uses luminaires of ${name}, which is not here: open it, and the light appears.`,
