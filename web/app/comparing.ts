@@ -2,7 +2,7 @@
  * What other numbers of luminaires, and other arrangements of them, would reach: tried by the solver beside the search,
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
-import { effect, untracked } from '@preact/signals';
+import { effect, signal, untracked } from '@preact/signals';
 import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
 import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
@@ -118,7 +118,9 @@ export class Comparing {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #relieved: Intentions | null = null; // whose ways out have been asked for
   #choice = 0; // of an arrangement: the latest wins
-  #asked: Intentions | null = null; // whose outcomes are on their way; until then the last ones stay, dimmed
+  // Whose outcomes are on their way; until then the last ones stay, dimmed.
+  readonly #asked = signal<Intentions | null>(null);
+  #tried: Intentions | null = null; // whose outcomes are all there
 
   constructor(store: Store, solving: Solving) {
     this.#store = store;
@@ -126,7 +128,8 @@ export class Comparing {
     effect(() => {
       const { intentions } = store.traced.value;
       const isWanted = store.tab.value === 'luminaires' || (store.shown.value?.violation ?? 0) > 0;
-      const isKnown = this.#asked === intentions || store.comparison.value?.of === intentions;
+      const isTried = this.#tried === intentions && store.comparison.value?.of === intentions;
+      const isKnown = this.#asked.value === intentions || isTried;
       clearTimeout(this.#timer);
       if (!isWanted || isKnown || !store.scene.value) return;
       this.#timer = setTimeout(() => untracked(() => this.#ask(intentions)), pause);
@@ -173,11 +176,14 @@ export class Comparing {
     const counts = countsAround(document.peek().luminaires, places);
     const take = (change: Partial<Comparison>) =>
       void (comparison.value = { of, ...untried, ...currentOf(comparison.peek(), of), ...change });
-    this.#asked = of;
+    this.#asked.value = of;
     const beyond = (tried: readonly CountTried[]) => {
       const isEnough = fewestMet({ counts: tried }) !== null;
       const more = isEnough ? [] : countsBeyond(document.peek().luminaires, places);
-      if (more.length > 0) this.#tryCounts(of, more, (found) => take({ beyond: found }));
+      this.#tryCounts(of, more, (found) => {
+        take({ beyond: found });
+        this.#tried = of;
+      });
     };
     this.#tryCounts(of, counts, (tried) => {
       take({ counts: tried });
@@ -192,7 +198,7 @@ export class Comparing {
   async #tryRules(of: Intentions, told: (found: Comparison['rules']) => void): Promise<void> {
     const asked = rules.map((rule) => this.#arrangementOf(rule, of.luminaires));
     const arrangements = await Promise.all(asked).catch(() => null);
-    if (!arrangements || this.#asked !== of) return;
+    if (!arrangements || this.#asked.peek() !== of) return;
     this.#try(
       arrangements.map((arrangement) => withArrangement(of, arrangement)),
       evaluationsOfRule,
@@ -225,14 +231,19 @@ export class Comparing {
     if (this.#store.traced.peek().intentions === of) this.#store.relief.value = relief;
   }
 
-  /** Tells all outcomes once they are there. */
+  /** Tells all outcomes once they are there; what is dropped before, as by the same search begun anew, is asked again. */
   #try(variants: readonly Intentions[], evaluations: number, told: (outcomes: (Outcome | null)[]) => void) {
     const outcomes: (Outcome | null)[] = [];
     if (variants.length === 0) return told(outcomes);
-    this.#solving.compare(variants, evaluations, ({ outcome, done }) => {
-      outcomes.push(outcome);
-      if (done) told(outcomes);
-    });
+    this.#solving.compare(
+      variants,
+      evaluations,
+      ({ outcome, done }) => {
+        outcomes.push(outcome);
+        if (done) told(outcomes);
+      },
+      () => void (this.#asked.value = null),
+    );
   }
 }
 

@@ -35,11 +35,12 @@ export interface OpenedScene {
   readonly room: ArrayBuffer; // the display mesh, .glb
 }
 
-/** Wishes to be tried beside what is asked, and who is told. */
+/** Wishes to be tried beside what is asked, and who is told, or told that nothing more will come. */
 interface Compared {
   readonly variants: readonly Intentions[];
   readonly evaluations: number;
   readonly told: (answer: Answer<'compared'>) => void;
+  readonly dropped: () => void;
 }
 
 interface Waiting<T> {
@@ -69,7 +70,7 @@ export class Solving {
   #probing: Waiting<Shown> | null = null;
   #file: FileBytes | null = null;
   #first: OpeningLight | null = null; // of the scene that was opened, until something is asked of it
-  #comparing: Compared[] = []; // one after the other, the first of them at the solver
+  readonly #comparing: Compared[] = []; // one after the other, the first of them at the solver
   #checking: Layout | null = null; // was asked to be checked
   #asked: { readonly of: Intentions; readonly factor: number; readonly asNew: Intentions } | null = null;
   #isUntagged = false; // the search that runs began from nowhere, and nobody has said which luminaire is which
@@ -129,13 +130,17 @@ export class Solving {
     );
   }
 
-  /** Tries other intentions beside what is asked, after those that are being tried, until something newer is asked. */
+  /**
+   * Tries other intentions beside what is asked, after those that are being tried, until anything is asked anew, be it the
+   * same: that drops what has not been tried.
+   */
   compare(
     variants: readonly Intentions[],
     evaluations: number,
-    told: (answer: Answer<'compared'>) => void,
+    told: Compared['told'],
+    dropped: Compared['dropped'] = () => undefined,
   ): void {
-    this.#comparing.push({ variants, evaluations, told });
+    this.#comparing.push({ variants, evaluations, told, dropped });
     if (this.#comparing.length === 1) this.#tryNext();
   }
 
@@ -337,7 +342,7 @@ export class Solving {
   #begin(): Intentions {
     this.#probing?.reject(new Superseded());
     this.#probing = null;
-    this.#comparing = [];
+    for (const { dropped } of this.#comparing.splice(0)) dropped();
     if (this.#store.bound.peek()) this.#store.bound.value = null;
     return this.#intentions();
   }

@@ -150,3 +150,32 @@ test('a free layout costs no more than what a stricter rule reached', () => {
   expect(byRule([outcome(15, false), null, rows, null], cost)[0]?.outcome).toBe(rows);
   expect(byRule([outcome(15, false), null, null, field], cost)[0]?.outcome?.met).toBe(false);
 });
+
+test('what the same search begun anew has dropped is asked again: no strip stays that of an older wish', async () => {
+  const { app, solver, settle } = await appInRoom();
+  const { store, solving } = app;
+  const answer = () => {
+    const { revision, variants } = solver.last('compare')!;
+    variants.forEach((_, variant) => {
+      const done = variant === variants.length - 1;
+      solver.say({ type: 'compared', revision, variant, outcome: null, done });
+    });
+  };
+  store.tab.value = 'luminaires';
+  await settle();
+  answer(); // the numbers; the arrangements are on their way
+  await settle();
+  const asked = solver.asked.filter(({ type }) => type === 'compare').length;
+  solving.solve();
+  await settle();
+  expect(solver.asked.filter(({ type }) => type === 'compare')).toHaveLength(asked + 1);
+  answer();
+  await settle();
+  answer();
+  await settle();
+  expect(store.comparison.value?.of).toBe(store.traced.value.intentions);
+  expect(store.comparison.value?.rules).toHaveLength(4);
+  solving.solve();
+  await settle();
+  expect(solver.asked.filter(({ type }) => type === 'compare')).toHaveLength(asked + 2); // all is known
+});
