@@ -85,6 +85,16 @@ export function byRule(
   });
 }
 
+type Standing = Pick<Shown, 'layout' | 'constraints' | 'violation'>;
+
+/** What is shown, as an outcome; null where it misses a bound. */
+function outcomeOf(shown: Standing | null): Outcome | null {
+  if (!shown?.constraints.every(({ met }) => met)) return null;
+  const { layout, violation } = shown;
+  const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
+  return { layout, lumens, met: true, violation };
+}
+
 /**
  * What is known of each number: what its own short trial found or, where that met less, the longer search for the rule that
  * is asked for or the layout shown, which hangs so many, too.
@@ -92,19 +102,42 @@ export function byRule(
 export function countsKnown(
   { counts, rules: tried }: Pick<Comparison, 'counts' | 'rules'>,
   rule: Rule,
-  shown: Pick<Shown, 'layout' | 'constraints' | 'violation'> | null,
+  shown: Standing | null,
 ): readonly CountTried[] {
   const found = tried.find((each) => each.rule === rule)?.outcome;
-  const witnesses = found?.met ? [found] : [];
-  if (shown?.constraints.every(({ met }) => met)) {
-    const { layout, violation } = shown;
-    const lumens = layout.flux.reduce((sum, flux) => sum + flux, 0) * layout.dimming;
-    witnesses.push({ layout, lumens, met: true, violation });
-  }
+  const witnesses = [found?.met ? found : null, outcomeOf(shown)].filter((each) => each !== null);
   return counts.map((each) => {
     const witness = witnesses.find(({ layout }) => layout.sites.length === each.count);
     return each.outcome?.met || !witness ? each : { ...each, outcome: witness };
   });
+}
+
+/** What is known of each rule: of the one that is asked for what hangs, where that meets everything; else what was tried. */
+export function rulesKnown(
+  { rules: tried }: Pick<Comparison, 'rules'>,
+  rule: Rule,
+  shown: Standing | null,
+  cost: (layout: Layout) => number,
+): Comparison['rules'] {
+  const hanging = outcomeOf(shown);
+  if (!hanging) return tried;
+  const outcomes = tried.map((each) => (each.rule === rule ? hanging : each.outcome));
+  return rule === 'free'
+    ? tried.map((each, i) => ({ ...each, outcome: outcomes[i]! }))
+    : byRule(outcomes, cost);
+}
+
+/** What has been tried, and what else is known of these very wishes by then. */
+export function knownOf(store: Store): Comparison | null {
+  const { comparison, traced, shown, progress, efficacy, document } = store;
+  const { intentions } = traced.value;
+  const tried = comparison.value;
+  if (tried?.of !== intentions) return tried;
+  const rule = intentions.luminaires.arrangement?.rule ?? 'free';
+  const settled = ['settled', 'shown'].includes(progress.value.state) ? shown.value : null;
+  const cost = (layout: Layout) => wattsOf(layout, efficacy.value, document.value.luminaires.types);
+  const counts = countsKnown(tried, rule, settled);
+  return { ...tried, counts, rules: rulesKnown(tried, rule, settled, cost) };
 }
 
 /** The least number of luminaires that met everything, as far as has been tried. */

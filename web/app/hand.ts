@@ -72,8 +72,8 @@ export class Hand {
     if (!sites) {
       if (dragging) return;
       this.#solving.relight(); // where it was
-      if (selected.length > 1 && selected.includes(luminaire))
-        this.#store.announcement.value = words.value.bars.selection.noPlace;
+      if (layout && heldTogether(layout, inHand(luminaire, selected), rule).length > 1)
+        this.#store.say('info', words.value.bars.selection.noPlace);
       return;
     }
     const toOf = new Map(layout.sites.map((from, i) => [from, sites[i] ?? from]));

@@ -6,6 +6,7 @@ import {
   countsBeyond,
   countsKnown,
   fewestMet,
+  rulesKnown,
   takeNumber,
   withCount,
   withArrangement,
@@ -128,6 +129,26 @@ test('a number that the layout shown or a longer search meets is not called miss
     false,
     true,
   ]);
+});
+
+test('the rule that is asked for costs what hangs, and a free layout no more', () => {
+  const outcome = (sites: number) => ({
+    layout: { sites: Array<number>(sites).fill(0), flux: Array<number>(sites).fill(1), dimming: 1 },
+    lumens: sites,
+    met: true,
+    violation: 0,
+  });
+  const cost = (layout: { flux: readonly number[] }) => layout.flux.length;
+  const rules = byRule([outcome(22), outcome(22), outcome(24), outcome(24)], cost);
+  const shown = (sites: number) => ({ layout: outcome(sites).layout, violation: 0, constraints: [] });
+  const costs = (...asked: [Parameters<typeof rulesKnown>[1], Parameters<typeof rulesKnown>[2]]) =>
+    rulesKnown({ rules }, ...asked, cost).map((each) => each.outcome?.lumens);
+  expect(costs('symmetric', shown(24))).toEqual([22, 24, 24, 24]);
+  expect(costs('rows', shown(21))).toEqual([21, 22, 21, 24]);
+  expect(costs('free', shown(23))).toEqual([23, 22, 24, 24]);
+  const missed = [{ value: 1, met: false, violation: 1, margin: -1 }];
+  expect(costs('rows', { ...shown(20), constraints: missed })).toEqual([22, 22, 24, 24]);
+  expect(costs('rows', null)).toEqual([22, 22, 24, 24]);
 });
 
 test('a free layout costs no more than what a stricter rule reached', () => {

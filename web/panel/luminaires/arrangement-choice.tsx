@@ -1,6 +1,6 @@
 /** How the luminaires hang together: four little drawings, and what each would cost for the same intentions. */
 import { useApp } from '../../app/app.ts';
-import { rules } from '../../app/comparing.ts';
+import { knownOf, rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Store } from '../../app/state/store.ts';
@@ -32,7 +32,7 @@ export function ArrangementChoice() {
   const { store, comparing } = useApp();
   const { luminaires } = store.traced.value.intentions;
   const asked = luminaires.arrangement?.rule ?? 'free';
-  const comparison = store.comparison.value;
+  const comparison = knownOf(store);
   const isCurrent = comparison?.of === store.traced.value.intentions;
   return (
     <fieldset class="field arrangement">

@@ -1,7 +1,7 @@
 /** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { countsKnown, fewestMet } from '../../app/comparing.ts';
+import { fewestMet, knownOf } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison, Store } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
@@ -14,7 +14,7 @@ export function CountStrip() {
   const shown = store.shown.value?.layout.sites.length;
   const isThere = (store.comparison.value?.counts.length ?? 0) > 1;
   useLayoutEffect(() => centre(strip.current), [shown, isThere]);
-  const comparison = useKnown(store);
+  const comparison = knownOf(store);
   if (!comparison) return null;
   const { pinned, types } = store.document.value.luminaires;
   if (pinned.length > 0 && !comparison.counts.some(({ count, outcome }) => outcome && count !== shown))
@@ -59,15 +59,6 @@ export function CountStrip() {
       )}
     </div>
   );
-}
-
-/** What has been tried, and what else is known of these very wishes by then. */
-function useKnown({ comparison, traced, shown, progress }: Store): Comparison | null {
-  const { intentions } = traced.value;
-  const tried = comparison.value;
-  if (tried?.of !== intentions) return tried;
-  const settled = ['settled', 'shown'].includes(progress.value.state) ? shown.value : null;
-  return { ...tried, counts: countsKnown(tried, intentions.luminaires.arrangement?.rule ?? 'free', settled) };
 }
 
 /** Whether there is anything that a number of luminaires could miss. */
