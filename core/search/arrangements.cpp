@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostCovers = 16;  // ways to hold the pinned sites
 constexpr int kRandomOrders = 12;        // tried to find room for a layout
+constexpr double kSameLine = 2e-3;       // m, as a grid tells coordinates apart
 
 // --- Symmetry
 
@@ -148,11 +149,14 @@ class Occupied {
         types_(scene, rules),
         minDistance_(rules.minDistance),
         hasBodies_(haveBodies(scene)),
+        areRows_(rules.arrangement.rule == Rule::kRows),
         barred_(scene.sites.size(), 0) {
     for (const std::uint32_t site : rules.excluded) barred_[site] = 1;
   }
 
   bool accepts(const std::vector<std::uint32_t>& tie) const {
+    for (const std::vector<std::uint32_t>& row : rows_)
+      if (runTogether(scene_, row, tie)) return false;
     for (std::size_t i = 0; i < tie.size(); ++i) {
       if (barred_[tie[i]]) return false;
       if (minDistance_ <= 0 && !hasBodies_) continue;
@@ -164,6 +168,7 @@ class Occupied {
     return true;
   }
   void take(const std::vector<std::uint32_t>& tie) {
+    if (areRows_) rows_.push_back(tie);
     for (const std::uint32_t site : tie) {
       barred_[site] = 1;
       taken_.push_back(site);
@@ -193,9 +198,10 @@ class Occupied {
   const Scene& scene_;
   TypeCounts types_;
   double minDistance_;
-  bool hasBodies_;
+  bool hasBodies_, areRows_;
   std::vector<char> barred_;
   std::vector<std::uint32_t> taken_;
+  std::vector<std::vector<std::uint32_t>> rows_;  // that were taken
 };
 
 /// The ways to hold the pinned sites from the `next`-th on by ties.
@@ -282,6 +288,26 @@ std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules) {
   Ties alone;
   for (std::uint32_t j = 0; j < sites; ++j) alone.members.push_back({j});
   return {alone};
+}
+
+bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
+                 const std::vector<std::uint32_t>& b) {
+  if (a.size() < 2 || b.size() < 2) return false;
+  const auto place = [&](std::uint32_t site) { return scene.sites[site].position; };
+  const Vec3 origin = place(a[0]), along = normalized(place(a[1]) - origin);
+  const Vec3 across = place(b[0]) - origin;
+  if (length(across - dot(across, along) * along) > kSameLine) return false;
+  const auto spanOf = [&](const std::vector<std::uint32_t>& row) {
+    std::array<double, 2> span = {kUnbounded, -kUnbounded};
+    for (const std::uint32_t site : row) {
+      const double at = dot(place(site) - origin, along);
+      span = {std::min(span[0], at), std::max(span[1], at)};
+    }
+    return span;
+  };
+  const std::array<double, 2> first = spanOf(a), second = spanOf(b);
+  const double pitch = (first[1] - first[0]) / static_cast<double>(a.size() - 1);
+  return std::max(first[0], second[0]) - std::min(first[1], second[1]) < pitch - kSameLine;
 }
 
 std::vector<TiedStart> startsOf(const Scene& scene, const Ties& ties, const LuminaireRules& rules,

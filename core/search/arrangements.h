@@ -33,8 +33,14 @@ struct Ties {
 
 /// Every P that a rule allows, of which a layout uses one. Free: each site alone. Symmetric: the orbits of
 /// the sites under the mirror that keeps most of them, about each axis asked for. Rows: for each axis, number
-/// in a row and pitch the rows that fit on the sites. A field has none.
+/// in a row and pitch the rows that fit on the sites, of which a layout has no two that run together. A field
+/// has none.
 std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules);
+
+/// Do two rows on one line run into each other, or come nearer than their pitch? Nobody would read them as
+/// rows: on a ceiling they are one line of uneven gaps. Precondition: ties of one P of Rule::kRows.
+bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
+                 const std::vector<std::uint32_t>& b);
 
 /// Ties that make a layout, those that hold the pinned sites first.
 struct TiedStart {

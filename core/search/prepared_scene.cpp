@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/scene/calculation_grid.h"
+#include "core/search/arrangements.h"
 #include "core/search/kernels.h"
 #include "core/search/variance_sums.h"
 
@@ -94,6 +95,7 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
     return known.empty() ? sites.gapOfSites(i, j) : known[std::size_t{i} * sites.candidateCount_ + j];
   };
   const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    if (ties_.key.rule == Rule::kRows && runTogether(scene_, a, b)) return 0.0;
     double gap = kUnbounded;
     for (const std::uint32_t i : a)
       for (const std::uint32_t j : b) gap = std::min(gap, gapBetween(i, j));

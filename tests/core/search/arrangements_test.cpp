@@ -185,12 +185,16 @@ bool isField(const Sites& sites) {
   return xs.size() * zs.size() == sites.size() && isEven(xs) && isEven(zs);
 }
 
-/// Rows of `count` sites, `step` apart: whatever comes first in a line begins one.
+/// Rows of `count` sites, `step` apart: whatever comes first in a line begins one, at least that far behind
+/// the end of the one before.
 bool isRows(Sites sites, std::uint32_t count, std::uint32_t step, bool alongX) {
   const auto lineOf = [&](std::uint32_t s) { return alongX ? s / kWidth : s % kWidth; };
   const std::uint32_t jump = alongX ? step : step * kWidth;
+  std::vector<std::uint32_t> begins(kWidth + kDepth, 0);  // of each line, the first site of a next row
   while (!sites.empty()) {
     const std::uint32_t first = sites.front();
+    if (first < begins[lineOf(first)]) return false;
+    begins[lineOf(first)] = first + count * jump;
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto at = std::find(sites.begin(), sites.end(), first + k * jump);
       if (at == sites.end() || lineOf(*at) != lineOf(first)) return false;
@@ -270,6 +274,28 @@ TEST(Arrangements, TheBestFieldIsThatOfAllSets) {
 TEST(Arrangements, TheBestRowsAreThoseOfAllSets) {
   for (const std::uint32_t count : {2u, 4u, 6u})
     expectBest(ask(count, Rule::kRows), 60000, [](const Sites& sites) { return isRows(sites); });
+}
+
+// Two rows whose luminaires alternate on one line are a line of uneven gaps: on a ceiling nobody sees rows.
+TEST(Arrangements, RowsOnOneLineDoNotRunIntoEachOther) {
+  const Scene scene = ceiling();
+  EXPECT_TRUE(runTogether(scene, {0, 5, 10}, {2, 7, 12}));
+  EXPECT_TRUE(runTogether(scene, {2, 7, 12}, {0, 5, 10}));
+  EXPECT_TRUE(runTogether(scene, {0, 2, 4}, {5, 7, 9}));    // nearer than their pitch
+  EXPECT_FALSE(runTogether(scene, {0, 2, 4}, {6, 8, 10}));  // one goes on where the other ends
+  EXPECT_FALSE(runTogether(scene, {0, 2, 4}, {9, 11, 13}));
+  EXPECT_FALSE(runTogether(scene, {0, 5, 10}, {22, 27, 32}));   // on the next line
+  EXPECT_TRUE(runTogether(scene, {0, 40, 80}, {20, 60, 100}));  // across
+
+  PreparedScene prepared(smallRoom());
+  const std::uint32_t line = kWidth;  // all of the small room but its first line is kept free
+  Intentions intentions = ask(4, Rule::kRows, PlanAxis::kX);
+  for (std::uint32_t site = line; site < line * kDepth; ++site)
+    intentions.luminaires.excluded.push_back(site);
+  intentions.luminaires.pinned = {0, 2};  // of a line of five: a row of 0 2, and another of 1 3 would hold it
+  LayoutSearch search(prepared, intentions, 1);
+  search.advance(2000);
+  EXPECT_TRUE(isRows(sorted(search.incumbent().sites))) << search.incumbent().sites[2];
 }
 
 TEST(Arrangements, TheBestSymmetricLayoutIsThatOfAllSets) {
