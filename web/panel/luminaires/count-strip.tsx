@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { fewestMet, knownOf } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
-import type { Comparison, Store } from '../../app/state/store.ts';
+import type { Comparison } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
 import { words } from '../../language/language.ts';
