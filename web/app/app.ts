@@ -293,12 +293,7 @@ export class App {
     });
     effect(() => viewer.setGhosts(store.ghosts.value));
     effect(() => viewer.setAreas(this.markedAreas()));
-    effect(() => {
-      // What areas leave out is marked where areas are edited; what was excluded by hand always.
-      const isPlacing = store.tab.value === 'luminaires';
-      const crossed = isPlacing ? store.barred.value : store.document.value.luminaires.excluded;
-      viewer.setBarred(store.barred.value, crossed);
-    });
+    effect(() => viewer.setBarred(store.barred.value, store.crossed.value));
   }
 }
 

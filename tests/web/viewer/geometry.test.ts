@@ -71,6 +71,11 @@ describe('tags', () => {
       expect(Math.abs(x - 10)).toBeLessThanOrEqual(26);
       expect(Math.abs(y - 10)).toBeLessThanOrEqual(26);
     }
+    // Small ones on a phone stay nearer: what is as far as the next luminaire seems to be that one's.
+    for (const { x, y } of spreadTags(places, 30, 16)) {
+      expect(Math.abs(x - 10)).toBeLessThanOrEqual(8);
+      expect(Math.abs(y - 10)).toBeLessThanOrEqual(8);
+    }
   });
 });
 
@@ -82,4 +87,7 @@ test('tags that find no place of their own become dots, those that matter never'
   ];
   expect(crowdedTags(places, 32, 19, () => false)).toEqual([false, true, false]);
   expect(crowdedTags(places, 32, 19, (index) => index === 1)).toEqual([true, false, false]);
+  // A third of one tag under another was still read as two, and looked like a heap.
+  const heap = [0, 16, 32].map((x) => ({ x, y: 8 }));
+  expect(crowdedTags(heap, 24, 15, () => false)).toEqual([false, true, false]);
 });

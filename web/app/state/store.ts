@@ -175,6 +175,15 @@ export class Store {
     const sites = luminaires.areas && this.scene.value?.sites;
     return sites ? barredSites(luminaires, sites, this.roomPlan.value) : luminaires.excluded;
   });
+  /**
+   * Of these, what bears a cross. What areas leave out is marked where they are drawn, in the plan: around the whole room
+   * it would say nothing. What was excluded by hand always.
+   */
+  readonly crossed = computed(() => {
+    const isPlan = this.camera.value?.plan === true;
+    const isPlacing = isPlan && (this.tab.value === 'luminaires' || this.drawing.value !== null);
+    return isPlacing ? this.barred.value : this.document.value.luminaires.excluded;
+  });
   /** Anew with every change of the document. */
   readonly traced = computed(() => withExcluded(intentionsOf(this.document.value), this.barred.value));
   readonly roomTitle = signal('');

@@ -61,8 +61,8 @@ export class LuminaireTags {
   }
 
   /**
-   * Puts every tag over its luminaire, or beside it where tags would overlap; those behind the eye are hidden, those of hidden ones, and those
-   * left of `from` (px).
+   * Puts every tag over its luminaire, or beside it where tags would overlap; hidden are those behind the eye, of hidden
+   * luminaires, and left of `from` (px).
    */
   follow(
     objects: readonly LuminaireObject[],
@@ -82,7 +82,7 @@ export class LuminaireTags {
       return this.#placeOf(object, camera, width, height);
     });
     const compact = width < 600;
-    const [wide, high] = compact ? [24, 15] : [32, 19];
+    const [wide, high] = compact ? [30, 16] : [36, 19];
     const spread = spreadTags(places, wide, high);
     const dots = crowdedTags(spread, wide, high, (i) => this.#tags[i]!.matches('.is-pinned, .is-selected'));
     spread.forEach(({ x, y }, i) => {

@@ -1,6 +1,8 @@
 /** Keeps tags readable: pushes overlapping ones apart, each only a short way from its luminaire. */
 
-const reach = 26; // px: no tag goes farther from its place
+// In heights of a tag: none goes farther from its place. Small ones of a small picture would wander to the next luminaire.
+const [reach, smallReach] = [1.4, 0.5];
+const small = 17; // px
 const passes = 6;
 
 /** Moved copies of `places` (px, centres of tags of one size), apart where there is room. */
@@ -10,14 +12,15 @@ export function spreadTags(
   height: number,
 ): { x: number; y: number }[] {
   const moved = places.map(({ x, y }) => ({ x, y }));
+  const far = height * (height < small ? smallReach : reach);
   for (let pass = 0; pass < passes; pass++) {
     for (let i = 0; i < moved.length; i++) {
       for (let j = i + 1; j < moved.length; j++) push(moved[i]!, moved[j]!, width, height);
     }
     moved.forEach((place, i) => {
       const home = places[i]!;
-      place.x = Math.min(home.x + reach, Math.max(home.x - reach, place.x));
-      place.y = Math.min(home.y + reach, Math.max(home.y - reach, place.y));
+      place.x = Math.min(home.x + far, Math.max(home.x - far, place.x));
+      place.y = Math.min(home.y + far, Math.max(home.y - far, place.y));
     });
   }
   return moved;
@@ -33,7 +36,7 @@ export function crowdedTags(
   height: number,
   first: (index: number) => boolean,
 ): boolean[] {
-  const overlap = 0.35; // of a tag's size, which still can be read
+  const overlap = 0.1; // of a tag's size: its rounded ends
   const kept: number[] = [];
   const covers = (a: number, b: number) =>
     Math.abs(places[a]!.x - places[b]!.x) < (1 - overlap) * width &&

@@ -18,7 +18,7 @@ import { words } from '../../language/language.ts';
 const maxPixelRatio = 2;
 /** Of the picture's height: a low picture is used to its edge, a plan as far as something is left of it. */
 const mostCovered = 0.27;
-const mostOfPlan = 0.3;
+const leastOfPlan = 0.42;
 
 /**
  * Strips that controls lie over, CSS px: the custom properties --view-top, --view-bottom, --plan-top and --plan-bottom of
@@ -32,6 +32,15 @@ export interface Covered {
 }
 
 const strips = ['top', 'planTop', 'bottom', 'planBottom'] as const;
+
+/** What is kept free of strips as wide as asked for: a low picture is used to its edge. */
+export function coveredBy(asked: Covered, height: number): Covered {
+  const most = mostCovered * height;
+  const [top, bottom] = [Math.min(asked.top, most), Math.min(asked.bottom, most)];
+  const planTop = Math.min(Math.max(top, asked.planTop), (1 - leastOfPlan) * height - bottom);
+  const planBottom = Math.min(Math.max(bottom, asked.planBottom), (1 - leastOfPlan) * height - planTop);
+  return { top, planTop, bottom, planBottom };
+}
 
 export interface StageHost {
   resized(width: number, height: number, pixelRatio: number, covered: Covered): void;
@@ -153,13 +162,16 @@ export class Stage {
   #measure(): void {
     const { width, height } = this;
     const style = getComputedStyle(this.#canvas);
-    const strip = (name: string, most = mostCovered) =>
-      Math.min(Number.parseFloat(style.getPropertyValue(name)) || 0, most * height);
-    const top = strip('--view-top');
-    const planTop = Math.max(top, strip('--plan-top', mostOfPlan));
-    const bottom = strip('--view-bottom');
-    const planBottom = Math.max(bottom, strip('--plan-bottom', mostOfPlan));
-    const covered: Covered = { top, planTop, bottom, planBottom };
+    const strip = (name: string) => Number.parseFloat(style.getPropertyValue(name)) || 0;
+    const covered = coveredBy(
+      {
+        top: strip('--view-top'),
+        planTop: strip('--plan-top'),
+        bottom: strip('--view-bottom'),
+        planBottom: strip('--plan-bottom'),
+      },
+      height,
+    );
     const last = this.#covered;
     if (last && strips.every((name) => last[name] === covered[name])) return;
     this.#covered = covered;
