@@ -32,7 +32,7 @@ export const luminaires = {
     },
     asked: { free: 'a free layout', symmetric: 'a symmetric layout', rows: 'rows', field: 'a regular field' },
     met: { free: 'free layout', symmetric: 'symmetric layout', rows: 'rows', field: 'regular field' },
-    notAs: (rule: string, count: number) => `Not as ${rule} of ${count}. All is met as:`,
+    notAs: (rule: string, count: string) => `Not as ${rule} of ${count}. All is met as:`,
     notApart: (metres: string) => `Not ${metres} m apart. All is met with:`,
     apartBy: (metres: string) => `${metres} m apart`,
     notWithin: 'Not within the areas in plan. All is met:',

@@ -23,7 +23,7 @@ export function RulesFirst() {
       <p>
         {words.value.luminaires.arrangement.notAs(
           words.value.luminaires.arrangement.asked[asked],
-          store.document.value.luminaires.count,
+          numbersOf(store.document.value.luminaires),
         )}
       </p>
       <div class="row">
@@ -36,6 +36,15 @@ export function RulesFirst() {
     </div>
   );
 }
+
+/** "15", or "15–30" where the number is a range: none of these is enough. */
+export const numbersOf = ({
+  count,
+  most = count,
+}: {
+  readonly count: number;
+  readonly most?: number;
+}): string => (most > count ? `${count}–${most}` : `${count}`);
 
 /** Where it is the distance or the areas in plan: what of them would do, and what that costs. */
 export function EasedRules({ rules: ways }: { rules: readonly RuleWay[] }) {
