@@ -242,15 +242,20 @@ export class App {
     return names.find((name) => leavesOf([name], surfaces).some((leaf) => surfaces[leaf]?.measuring));
   }
 
-  /** All areas in plan, to be drawn. */
+  /** All areas in plan, to be drawn: also measuring planes that are not lit yet. */
   markedAreas(): MarkedArea[] {
-    const { document, scene, sceneWithAreas, surface } = this.store;
+    const { document, scene, sceneWithAreas, sheet, surface } = this.store;
     const { luminaires, taskAreas } = document.value;
     const room = scene.value;
     const chosen = sceneWithAreas.value?.surfaces[surface.value ?? -1]?.name ?? null;
     return [
       ...markedAreas(luminaires.areas),
       ...(room && taskAreas ? markedTasks(room, taskAreas, chosen) : []),
+      ...(sheet.value?.choices.drawn ?? []).map(({ outline, height }) => ({
+        kind: 'plane' as const,
+        outline,
+        height,
+      })),
     ];
   }
 

@@ -3,8 +3,9 @@
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
 import { actions, isEnabled } from '../../../web/app/actions.ts';
 import { App } from '../../../web/app/app.ts';
+import { usualChoices } from '../../../web/app/importing/model-choices.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
-import { Store } from '../../../web/app/state/store.ts';
+import { Store, type SheetState } from '../../../web/app/state/store.ts';
 import { outlineOf } from '../../../web/document/areas.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
 import type { ToWorker } from '../../../web/solver/protocol.ts';
@@ -126,6 +127,15 @@ test('a luminaire may have to be of a type, and keeps that when another one goes
   settle();
   app.hand.setType(1, null);
   expect(app.store.document.value.luminaires).not.toHaveProperty('ofType');
+});
+
+test('a measuring plane that is drawn is seen in plan until it is lit, and no longer once the sheet is closed', () => {
+  const outline = [[1, 1], [3, 1], [3, 2]] as const; // prettier-ignore
+  const drawn = [{ name: 'plane 1', outline, height: 0.75, border: 0.1 }];
+  app.store.sheet.value = { choices: { ...usualChoices, drawn } } as unknown as SheetState;
+  expect(app.markedAreas()).toEqual([{ kind: 'plane', outline, height: 0.75 }]);
+  app.store.sheet.value = null;
+  expect(app.markedAreas()).toEqual([]);
 });
 
 test('a kept view is part of the document and asks nothing of the solver', () => {
