@@ -16,6 +16,7 @@ import { LuminaireObjects, sitePosition } from './luminaires/luminaire-objects.t
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { ObserverArrows } from './luminaires/observer-arrows.ts';
 import { Picking } from './hand/picking.ts';
+import { PlaneFootprints } from './room/plane-footprints.ts';
 import { freeGpu } from './stage/free-gpu.ts';
 
 import { PlaneLabels } from './light/plane-labels.ts';
@@ -57,9 +58,10 @@ class RoomViewer implements Viewer {
   #rig: CameraRig;
   #arrival: Arrival;
   #light = new RoomLight(this.#loop);
+  #footprints = new PlaneFootprints(this.#light.uniforms);
   #cutAway = new CutAway();
   #section = new Section(this.#light.uniforms);
-  #outlines = new SurfaceOutlines();
+  #outlines = new SurfaceOutlines(this.#light.uniforms);
   #luminaires = new LuminaireObjects(this.#loop);
   #contacts = new ContactLight(this.#loop, this.#light.uniforms, () =>
     this.#layout ? this.#luminaires.lights(this.#layout) : [],
@@ -387,6 +389,7 @@ class RoomViewer implements Viewer {
       this.#marks,
       this.#areaMarks,
       this.#contacts,
+      this.#footprints,
       this.#light,
       this.#rig,
       this.#stage,
@@ -502,12 +505,13 @@ class RoomViewer implements Viewer {
       if (mesh.visible) this.#planes.push(surface);
       mesh.material.depthWrite = falseColor;
     }
-    // Over an opaque plane furniture is drawn as thin lines: what is read there is the light on the plane.
-    // A rug stays: no light reaches the floor below it.
+    // Over an opaque plane furniture is drawn as thin lines: what is read there is the light on the plane. Beside it
+    // furniture stays: on the floor below it there is no light to be read.
     const covered = falseColor && this.#planes.length > 0;
     const drawn = new Set([...(this.#room?.standing ?? [])].filter((mesh) => !this.#room!.rugs.has(mesh)));
     this.#light.uniforms.planesShown.value = covered;
-    for (const { mesh } of this.#room?.lit ?? []) if (drawn.has(mesh)) mesh.material.visible = !covered;
+    const shown = (this.#room?.lit ?? []).filter(({ mesh, measuring }) => measuring && mesh.visible);
+    if (covered) this.#footprints.set(shown.map(({ mesh }) => mesh), this.#room!.box.min[1]); // prettier-ignore
     this.#outlines.showAll(falseColor, covered ? drawn : null);
   }
 

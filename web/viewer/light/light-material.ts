@@ -21,6 +21,7 @@ import {
 } from 'three';
 import { leastDarkening, mostBrightening } from './brightening.ts';
 import { isoluxShader } from './isolux.ts';
+import { overPlaneShader, planeUniforms } from '../room/plane-footprints.ts';
 
 const vertexShader = /* glsl */ `
 attribute vec4 _patches;
@@ -111,6 +112,7 @@ uniform float pixelRatio;
 uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
 uniform bool standing;    // furniture
+uniform bool yields;      // to what is read on a plane below
 uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
 uniform float section;    // m: what is higher is not drawn
 uniform float storeys;    // whose floors are below it
@@ -136,6 +138,7 @@ flat varying float vStorey;
 varying vec3 vTint;
 #endif
 ${isoluxShader}
+${overPlaneShader}
 
 // Of the lattice: rows along the first edge, each one shorter than the one before.
 int placeAt(ivec2 at) {
@@ -227,6 +230,7 @@ vec3 toneCurve(vec3 color) {
 
 void main() {
   if (vStorey > 0.5 ? vStorey > storeys + 0.5 : vPlace.y > section) discard;
+  if (yields && planesShown && isOverPlane(vPlace, 0.06)) discard;
   vec4 surface = albedo;
 #ifdef MAP_UV
   surface *= texture2D(albedoMap, vMapUv);
@@ -270,6 +274,7 @@ export const noSection = 1e9;
 /** Uniforms that every mesh of the room shares; change a value and draw. */
 export function sharedUniforms() {
   return {
+    ...planeUniforms(),
     lightTexture: { value: null as Texture | null },
     reflectanceTexture: { value: null as Texture | null },
     colorTexture: { value: null as Texture | null },
@@ -316,6 +321,7 @@ export interface LightMaterialOptions {
   readonly albedo: Albedo;
   readonly measuring: boolean;
   readonly standing: boolean;
+  readonly yields: boolean;
   readonly reflectance: number; // mean of its surface: how bright it looks behind an isolux line
 }
 
@@ -335,6 +341,7 @@ export function createLightMaterial(shared: SharedUniforms, options: LightMateri
       alphaCut: { value: albedo.alphaCut },
       measuring: { value: measuring },
       standing: { value: options.standing },
+      yields: { value: options.yields },
       reflectance: { value: options.reflectance },
       tint: { value: 0 },
     },

@@ -75,8 +75,9 @@ export class PlaneLabels {
     for (const surface of surfaces) {
       const known = this.#known(surface);
       if (!known) continue;
-      if (wanted.levels) this.#placeLevels(known, camera, size, light, placed);
+      // The grid is read as a whole; a line can be named at another place.
       if (wanted.values) this.#placeValues(known, camera, size, light, placed);
+      if (wanted.levels) this.#placeLevels(known, camera, size, light, placed);
     }
     for (const label of placed) paint(context, label);
   }

@@ -169,6 +169,7 @@ export function loadRoomMesh(
       albedo: albedoOf(source),
       measuring,
       standing: standing.has(mesh),
+      yields: standing.has(mesh) && !rugs.has(mesh), // no light reaches the floor below a rug
       reflectance,
     });
     mesh.material = material;

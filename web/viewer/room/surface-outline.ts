@@ -18,6 +18,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { surfaceEdges } from './surface-edges.ts';
+import { overPlaneShader, type PlaneUniforms } from './plane-footprints.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 const level = 0.02; // m of height that a ceiling may have
@@ -65,11 +66,35 @@ function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
 
 /**
  * Lines over the light on a measuring plane: no darker where many cross, and lighter than isolux lines, so that a chair is
- * no black spot on what is read there; lighter than little light, so that a sofa in the dark is seen.
+ * no black spot on what is read there; lighter than little light, so that a sofa in the dark is seen. What is hardly below
+ * the plane (seats, desks) is seen through it; beside the plane they are as thin as all others.
  */
-export function outlineOver(): LineBasicMaterial {
+export function outlineOver(uniforms: PlaneUniforms, aside: LineBasicMaterial): LineBasicMaterial {
   // note: "transparent", though it is not, so that it is drawn after the plane
-  return new LineBasicMaterial({ color: 0x62676f, transparent: true, depthTest: false, toneMapped: false });
+  const lines = new LineBasicMaterial({ color: 0x62676f, transparent: true, toneMapped: false });
+  const { r, g, b } = aside.color;
+  lines.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = `${overPlaneShader}
+varying vec3 vPlace;
+${shader.vertexShader.replace(
+  '#include <project_vertex>',
+  `#include <project_vertex>
+  vPlace = (modelMatrix * vec4(transformed, 1.0)).xyz;
+  if (isOverPlane(vPlace, 0.35)) {
+    vec4 nearer = projectionMatrix * vec4(mvPosition.xy, min(mvPosition.z + 0.4, -0.1), 1.0);
+    gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+  }`,
+)}`;
+    shader.fragmentShader = `${overPlaneShader}
+varying vec3 vPlace;
+${shader.fragmentShader.replace(
+  '#include <color_fragment>',
+  `#include <color_fragment>
+  if (!isOverPlane(vPlace, 0.35)) diffuseColor = vec4(${[r, g, b, aside.opacity].map((c) => c.toFixed(3)).join()});`,
+)}`;
+  };
+  return lines;
 }
 
 /** What lines are around: what is selected, what the pointer is over, what something on the page tells of. */
@@ -83,14 +108,15 @@ export class SurfaceOutlines {
   #through = this.#material('#4f9dff', 1.5, 0.35); // where the surface is hidden
   #hovered = this.#material('#ffffff', 2, 0.85);
   #thin = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.42 });
-  #over = outlineOver();
+  #over: LineBasicMaterial;
   #told = this.#material('#4f9dff', 2, 0.9);
   #shown = new Map<Outline, LineSegments2[]>();
   #drawing: LineSegments[] = [];
   #rim = new LineBasicMaterial({ color: 0x20242b, transparent: true, opacity: 0.38 });
   #ceiling: LineSegments | null = null;
 
-  constructor() {
+  constructor(footprints: PlaneUniforms) {
+    this.#over = outlineOver(footprints, this.#thin);
     this.#through.depthTest = false;
   }
 
@@ -133,7 +159,7 @@ export class SurfaceOutlines {
 
   /**
    * Thin lines along every edge of the room, or none. Each mesh carries its own, so they are cut away with it.
-   * `through`: meshes whose lines are seen through everything.
+   * `through`: meshes whose lines are seen on measuring planes below them.
    */
   showAll(visible: boolean, through: ReadonlySet<Object3D> | null): void {
     if (visible && this.#drawing.length === 0) {

@@ -2,6 +2,7 @@
 import { expect, test } from '@jest/globals';
 import { BoxGeometry, Mesh, ShaderMaterial } from 'three';
 import { Emphasis } from '../../../../web/viewer/hand/emphasis.ts';
+import { planeUniforms } from '../../../../web/viewer/room/plane-footprints.ts';
 import { SurfaceOutlines } from '../../../../web/viewer/room/surface-outline.ts';
 import type { LitMesh } from '../../../../web/viewer/room/room-mesh.ts';
 
@@ -15,7 +16,7 @@ function roomOf(surfaces: number): LitMesh[] {
 }
 
 test('a surface that is told of or pointed at is outlined, and a red wall stays red', () => {
-  const outlines = new SurfaceOutlines();
+  const outlines = new SurfaceOutlines(planeUniforms());
   const emphasis = new Emphasis(others as never, outlines, others as never, others as never);
   const room = roomOf(3);
   const tints = () => room.map(({ mesh }) => (mesh.material as ShaderMaterial).uniforms['tint']!.value);
