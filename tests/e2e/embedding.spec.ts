@@ -35,7 +35,14 @@ test('a shared line of HTML shows the room in another page, which moves it and h
 
   const frame = host.frameLocator('iframe');
   await expect(frame.getByText('Box', { exact: true })).toBeVisible();
-  for (const role of ['tab', 'button', 'slider'] as const) await expect(frame.getByRole(role)).toHaveCount(0);
+  await host.evaluate(() => {
+    const view = document.querySelector('iframe')!.contentWindow!;
+    const display = { mode: 'falseColor', range: [10, 500] };
+    view.postMessage({ fiatlux: 1, type: 'display', display }, location.origin);
+  });
+  await expect(frame.getByRole('img', { name: 'From 10 to 500 lx' })).toBeVisible();
+  for (const role of ['tab', 'button', 'slider', 'textbox'] as const)
+    await expect(frame.getByRole(role)).toHaveCount(0);
   const view = frame.getByRole('application');
   await view.hover({ position: { x: 400, y: 250 } });
   await expect.poll(async () => (await heard('pointer')).some(({ lux }) => lux > 0)).toBe(true);

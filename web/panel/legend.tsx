@@ -9,49 +9,18 @@ import { shortest } from '../language/numbers.ts';
 
 const width = 240;
 
-export function Legend() {
-  const app = useApp();
-  const { store } = app;
+/** `lookOnly`: the scale alone, nothing of it may be changed. */
+export function Legend({ lookOnly }: { readonly lookOnly: boolean }) {
+  const { store } = useApp();
   const display = store.display.value;
-  const isLocked = store.legendLocked.value;
   const [low, high] = display.range;
   const unit = unitOf(display.quantity);
-  const setEnd = (range: readonly [number, number]) => {
-    store.legendLocked.value = true;
-    app.setDisplay({ range });
-  };
-  const step = niceStep(Math.max(high - low, 1)) * 5;
   return (
     <section
       class={store.camera.value?.plan ? 'legend is-line' : 'legend'}
       aria-label={words.value.bars.legend.name}
     >
-      <div class="legend-ends">
-        <NumberField
-          label={words.value.bars.legend.low}
-          value={low}
-          step={step}
-          max={high}
-          onInput={(value) => value !== undefined && setEnd([value, high])}
-        />
-        <span>{unit}</span>
-        <NumberField
-          label={words.value.bars.legend.high}
-          value={high}
-          step={step}
-          min={low}
-          onInput={(value) => value !== undefined && setEnd([low, value])}
-        />
-        <button
-          class="icon-button small"
-          aria-pressed={isLocked}
-          aria-label={isLocked ? words.value.bars.legend.unlock : words.value.bars.legend.lock}
-          title={isLocked ? words.value.bars.legend.locked : words.value.bars.legend.follows}
-          onClick={() => (store.legendLocked.value = !isLocked)}
-        >
-          {isLocked ? <Lock size={14} aria-hidden /> : <LockOpen size={14} aria-hidden />}
-        </button>
-      </div>
+      {lookOnly ? <span class="legend-ends">{unit}</span> : <Ends unit={unit} />}
       <svg
         viewBox={`0 0 ${width} 30`}
         width={width}
@@ -78,5 +47,45 @@ export function Legend() {
         ))}
       </svg>
     </section>
+  );
+}
+
+function Ends({ unit }: { readonly unit: string }) {
+  const app = useApp();
+  const { store } = app;
+  const isLocked = store.legendLocked.value;
+  const [low, high] = store.display.value.range;
+  const setEnd = (range: readonly [number, number]) => {
+    store.legendLocked.value = true;
+    app.setDisplay({ range });
+  };
+  const step = niceStep(Math.max(high - low, 1)) * 5;
+  return (
+    <div class="legend-ends">
+      <NumberField
+        label={words.value.bars.legend.low}
+        value={low}
+        step={step}
+        max={high}
+        onInput={(value) => value !== undefined && setEnd([value, high])}
+      />
+      <span>{unit}</span>
+      <NumberField
+        label={words.value.bars.legend.high}
+        value={high}
+        step={step}
+        min={low}
+        onInput={(value) => value !== undefined && setEnd([low, value])}
+      />
+      <button
+        class="icon-button small"
+        aria-pressed={isLocked}
+        aria-label={isLocked ? words.value.bars.legend.unlock : words.value.bars.legend.lock}
+        title={isLocked ? words.value.bars.legend.locked : words.value.bars.legend.follows}
+        onClick={() => (store.legendLocked.value = !isLocked)}
+      >
+        {isLocked ? <Lock size={14} aria-hidden /> : <LockOpen size={14} aria-hidden />}
+      </button>
+    </div>
   );
 }

@@ -41,7 +41,7 @@ export function Stage({ canvas, labels, ready, lookOnly }: Props) {
         }
       />
       <div ref={labels} class="labels" aria-hidden="true" />
-      {ready && (lookOnly ? <Looking /> : <Overlays />)}
+      {ready && (lookOnly ? <Looking only /> : <Overlays />)}
     </main>
   );
 }
@@ -62,14 +62,16 @@ function Overlays() {
   );
 }
 
-/** What tells something about the picture. */
-function Looking() {
+/** What tells something about the picture. `only`: nothing here may be changed. */
+function Looking({ only = false }: { readonly only?: boolean }) {
   const { store } = useApp();
   return (
     <>
       <PlanOverlay />
       <Probe />
-      {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && <Legend />}
+      {store.display.value.mode === 'falseColor' && store.scene.value && !store.preview.value && (
+        <Legend lookOnly={only} />
+      )}
       <Loading />
     </>
   );
