@@ -16,7 +16,7 @@ import { LuminaireObjects, sitePosition } from './luminaires/luminaire-objects.t
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
 import { ObserverArrows } from './luminaires/observer-arrows.ts';
 import { Picking } from './hand/picking.ts';
-import { PlaneFootprints } from './room/plane-footprints.ts';
+import { PlaneFootprints } from './light/plane-footprints.ts';
 import { freeGpu } from './stage/free-gpu.ts';
 
 import { PlaneLabels } from './light/plane-labels.ts';

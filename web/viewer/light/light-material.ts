@@ -21,7 +21,7 @@ import {
 } from 'three';
 import { leastDarkening, mostBrightening } from './brightening.ts';
 import { isoluxShader } from './isolux.ts';
-import { overPlaneShader, planeUniforms } from '../room/plane-footprints.ts';
+import { overPlaneShader, planeUniforms } from './plane-footprints.ts';
 
 const vertexShader = /* glsl */ `
 attribute vec4 _patches;

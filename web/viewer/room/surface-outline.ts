@@ -18,7 +18,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { surfaceEdges } from './surface-edges.ts';
-import { overPlaneShader, type PlaneUniforms } from './plane-footprints.ts';
+import { overPlaneShader, type PlaneUniforms } from '../light/plane-footprints.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 const level = 0.02; // m of height that a ceiling may have

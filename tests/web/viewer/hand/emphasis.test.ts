@@ -2,7 +2,7 @@
 import { expect, test } from '@jest/globals';
 import { BoxGeometry, Mesh, ShaderMaterial } from 'three';
 import { Emphasis } from '../../../../web/viewer/hand/emphasis.ts';
-import { planeUniforms } from '../../../../web/viewer/room/plane-footprints.ts';
+import { planeUniforms } from '../../../../web/viewer/light/plane-footprints.ts';
 import { SurfaceOutlines } from '../../../../web/viewer/room/surface-outline.ts';
 import type { LitMesh } from '../../../../web/viewer/room/room-mesh.ts';
 

@@ -1,7 +1,7 @@
 /** Outlines of furniture over a measuring plane that is read. */
 import { expect, test } from '@jest/globals';
 import { Color, LineBasicMaterial } from 'three';
-import { planeUniforms } from '../../../../web/viewer/room/plane-footprints.ts';
+import { planeUniforms } from '../../../../web/viewer/light/plane-footprints.ts';
 import { outlineOver } from '../../../../web/viewer/room/surface-outline.ts';
 
 test('lines over a plane are no darker where many cross, and seen on much light and on little', () => {

@@ -1,6 +1,6 @@
 // Where furniture gives way to a plane: over it, and not beside it (a sofa there left a dark hole in the plan).
 import { expect, test } from '@jest/globals';
-import { heightsOf } from '../../../../web/viewer/room/plane-footprints.ts';
+import { heightsOf } from '../../../../web/viewer/light/plane-footprints.ts';
 
 /** A level rectangle as two triangles. */
 const level = (x: number, z: number, farX: number, farZ: number, y: number) =>
@@ -11,7 +11,7 @@ function at({ heights, frame }: ReturnType<typeof heightsOf>, x: number, z: numb
   const [column, row] = [Math.floor((x - frame[0]) * frame[2]), Math.floor((z - frame[1]) * frame[3])];
   if (column < 0 || row < 0 || column >= 256 || row >= 256) return [];
   const first = 4 * (row * 256 + column);
-  return [...heights.slice(first, first + 4)].filter((height) => height < 1e6);
+  return Array.from(heights.subarray(first, first + 4)).filter((height) => height < 1e6);
 }
 
 test('a plane has its height where it lies, and none beside it', () => {
