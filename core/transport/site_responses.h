@@ -1,5 +1,6 @@
 // Light of every patch for sources given by their direct light D, all interreflections included:
-//   b = (I - Y V^T) e, e = rho D;   refined by b <- b + (I - Y V^T)(e - (I - R F) b);   g = D + F b.
+//   b = (I - Y V^T) e, e = rho D;   refined by steps along d = (I - Y V^T)(e - (I - R F) b), each made
+//   conjugate to those before it and as long as leaves least unsettled;   g = D + F b.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct ResponseBlock {
 };
 
 /// Solves the block with `refine` refinement steps, or fewer where every residual is below `tolerance`
-/// already. The residual after the last step costs no extra gather: F b is what step 3 needs anyway.
+/// already. Residuals never grow. A step costs one gather F d, and the memory of five blocks until the end.
 void solveResponses(const FormFactors& factors, const Patches& patches, const LowRankRadiosity& lowRank,
                     std::uint32_t refine, double tolerance, ResponseBlock& block);
 

@@ -44,7 +44,7 @@ SolvedBlock Interreflection::solve(std::uint32_t index) const {
     const float* column = cast_.direct.data() + (std::size_t{index} * kBlockWidth + j) * rows;
     for (std::uint32_t p = 0; p < rows; ++p) block.direct[std::size_t{p} * block.width + j] = column[p];
   }
-  solveResponses(cast_.factors, room_.patches, lowRank_, refine_, 0, block);
+  solveResponses(cast_.factors, room_.patches, lowRank_, refine_, kSettled, block);
 
   SolvedBlock solved;
   solved.illuminance.resize(std::size_t{rows} * used);

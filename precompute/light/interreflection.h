@@ -16,7 +16,7 @@ namespace fiatlux {
 /// One block: of sites, or of groups; the other's members are empty.
 struct SolvedBlock {
   std::vector<float> illuminance;  // column-major rows x used, lx per lm
-  std::vector<double> squares;     // refine + 1: of the residuals, summed over its sites
+  std::vector<double> squares;     // steps + 1: of the residuals, summed over its sites
   ExchangeBlock exchange;
 };
 

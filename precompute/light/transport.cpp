@@ -95,9 +95,11 @@ Transport completeTransport(const Room& room, CastLight&& cast, SolvedLight&& li
   result.factors = std::move(cast.factors);
   result.direct = std::move(cast.direct);
   result.responses = std::move(light.responses);
-  result.residuals.assign(options.refine + 1, 0.0);
   for (const std::vector<double>& squares : light.squares)
-    for (std::size_t step = 0; step < squares.size(); ++step) result.residuals[step] += squares[step];
+    result.residuals.resize(std::max(result.residuals.size(), squares.size()), 0.0);
+  for (const std::vector<double>& squares : light.squares)
+    for (std::size_t step = 0; step < result.residuals.size() && !squares.empty(); ++step)
+      result.residuals[step] += squares[std::min(step, squares.size() - 1)];
   for (double& residual : result.residuals)
     residual = std::sqrt(residual / std::max(1u, result.responses.sites));
   if (options.exchange)

@@ -17,9 +17,12 @@
 
 namespace fiatlux {
 
+/// Residual at which a block of responses has settled: refined no further.
+inline constexpr double kSettled = 1e-3;
+
 struct TransportOptions {
   std::uint32_t rays = kUsualRays;  // from every patch and receiver
-  std::uint32_t refine = 2;         // refinement steps after the low-rank answer
+  std::uint32_t refine = 24;  // most refinement steps after the low-rank answer; fewer where it has settled
   bool paper = false;     // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
   bool exchange = false;  // the light operator too, for other photometries; not in paper mode
   std::uint64_t seed = 1;
@@ -34,7 +37,7 @@ struct Transport {
   std::vector<SurfaceStatistics> illuminance, exitance;  // per leaf surface, over the sites
   std::vector<double> lost;                              // per surface, share of its rays
   std::vector<double>
-      residuals;  // refine + 1: |e - (I - R F) b| / |e| over all sites before each step, after the last
+      residuals;  // steps + 1: |e - (I - R F) b| / |e| over all sites before each step, after the last
   std::optional<PaperTransport> paper;
   std::optional<LightOperator> lightOperator;
 };

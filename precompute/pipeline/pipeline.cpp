@@ -120,7 +120,10 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
       provenanceOf({name, source.plan, options, room, report, encoded.ranks, seconds});
   std::vector<std::uint8_t> file = orThrow(closeSceneFile(std::move(encoded), provenance, host.deflate));
   transport.factors = std::move(factors);
-  return {std::move(file), room.warnings, std::move(report)};
+  std::vector<std::string> warnings = room.warnings;
+  if (!report.residuals.empty() && report.residuals.back() > kSettled)
+    warnings.push_back(unsettled(report.residuals.back()));
+  return {std::move(file), std::move(warnings), std::move(report)};
 }
 
 namespace {

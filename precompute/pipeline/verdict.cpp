@@ -58,11 +58,16 @@ std::string uselessness(const Quality& quality) {
     return "the room stays dark: no surface gets more than " + inPercent(balance.mostLit) +
            " of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling";
   if (residual > kMostResidual)
-    return "reflected light has not settled (" + inPercent(residual) + " is missing): pass --refine 8";
+    return "reflected light has not settled (" + inPercent(residual) +
+           " is missing): pass --refine 100 or a smaller --cluster";
   if (error > kMostError)
     return "the file's numbers are off by up to " + inPercent(error) +
            ": surfaces that are nearly dark are too large a part of it; choose fewer places with --mount";
   return "";
+}
+
+std::string unsettled(double residual) {
+  return "reflected light is settled to " + inPercent(residual) + " only, 0.1 % is usual: pass more --refine";
 }
 
 OpeningAsk openingOf(const Room& room, const Transport& transport) {

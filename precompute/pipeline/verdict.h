@@ -26,6 +26,9 @@ struct Quality {
 /// Why a result is of no use, and the likely cause, in one line; "" where it is.
 std::string uselessness(const Quality& quality);
 
+/// What is said of light whose residual stays above kSettled.
+std::string unsettled(double residual);
+
 /// "Illuminate this surface", with luminaires of 3000 lm.
 struct OpeningAsk {
   std::string surface;      // "": there is none below the sites

@@ -105,7 +105,9 @@ void addPrecomputeCommand(CLI::App& app) {
   command->add_option("--cluster", room.cluster, "Patches on a cluster's edge")
       ->check(wholeFrom(1, 64))
       ->capture_default_str();
-  command->add_option("--refine", transport.refine, "Refinement steps after the low-rank answer")
+  command
+      ->add_option("--refine", transport.refine,
+                   "Most refinement steps after the low-rank answer; fewer where 0.1 % is left")
       ->check(wholeFrom(0, 100))
       ->capture_default_str();
   command->add_flag("--paper", transport.paper,

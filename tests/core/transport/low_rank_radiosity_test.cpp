@@ -146,6 +146,74 @@ TEST(SiteResponses, RefinementConvergesToTheFullSolution) {
   }
 }
 
+/// A room whose clusters say little of it: a chain of niches, each of which sees its neighbours alone.
+void niches(std::uint32_t n, FormFactors& factors, Patches& patches) {
+  constexpr std::uint32_t kTogether = 8;
+  const std::uint32_t k = n / kTogether;
+  patches.count = n;
+  patches.clusterCount = k;
+  factors.rows = factors.count = n;
+  factors.clusters = k;
+  factors.u.assign(std::size_t{n} * k, 0.0f);
+  factors.near.resize(n);
+  factors.slopes.resize(n);
+  factors.slopeShare.assign(std::size_t{n} * 2, 0.0f);
+  factors.lost.assign(n, 0.0f);
+  factors.share.assign(n, 1.0 / kTogether);
+  for (std::uint32_t p = 0; p < n; ++p) {
+    patches.area.push_back(1);
+    patches.reflectance.push_back(0.9f);
+    patches.surface.push_back(0);
+    patches.cluster.push_back(p / kTogether);
+    for (const std::uint32_t q : {p == 0 ? n - 1 : p - 1, p + 1 == n ? 0 : p + 1}) {
+      factors.near[p].push_back({q, 0.5f});
+      factors.u[std::size_t{p} * k + q / kTogether] += 0.5f;
+    }
+    std::sort(factors.near[p].begin(), factors.near[p].end(),
+              [](const NearPatch& a, const NearPatch& b) { return a.patch < b.patch; });
+  }
+  factors.cluster = patches.cluster;
+}
+
+/// Steps b <- b + (I - Y V^T)(e - (I - R F) b) until so little is left of e, the light of patch 0.
+std::uint32_t plainSteps(const FormFactors& factors, const Patches& patches, const LowRankRadiosity& lowRank,
+                         double tolerance) {
+  std::vector<float> b(patches.count), gathered(patches.count), residual(patches.count), step(patches.count);
+  residual[0] = 1;
+  for (std::uint32_t steps = 0; steps < 1000; ++steps) {
+    lowRank.solve(residual.data(), 1, step.data());
+    for (std::uint32_t p = 0; p < patches.count; ++p) b[p] += step[p];
+    irradiance(factors, b.data(), 1, gathered.data());
+    double left = 0;
+    for (std::uint32_t p = 0; p < patches.count; ++p) {
+      residual[p] = (p == 0 ? 1.0f : 0.0f) - b[p] + patches.reflectance[p] * gathered[p];
+      left += double{residual[p]} * residual[p];
+    }
+    if (std::sqrt(left) <= tolerance) return steps;
+  }
+  return 1000;
+}
+
+TEST(SiteResponses, AChainOfNichesSettlesInFarFewerStepsThanPlainRefinementTakes) {
+  constexpr std::uint32_t kPatches = 64;
+  FormFactors factors;
+  Patches patches;
+  niches(kPatches, factors, patches);
+  const auto lowRank = LowRankRadiosity::factorize(factors, patches);
+  ASSERT_TRUE(lowRank);
+  ResponseBlock block;
+  block.width = 2;
+  block.direct.assign(kPatches * 2, 0.0f);
+  block.direct[0] = block.direct[2 * 40 + 1] = 1;
+  solveResponses(factors, patches, *lowRank, 24, 1e-3, block);
+  const std::size_t steps = block.residuals.size() / 2 - 1;
+  EXPECT_LE(block.residuals[2 * steps], 1e-3);
+  EXPECT_LE(block.residuals[2 * steps + 1], 1e-3);
+  EXPECT_LT(2 * steps, plainSteps(factors, patches, *lowRank, 1e-3));
+  for (std::size_t at = 2; at < block.residuals.size(); ++at)
+    EXPECT_LE(block.residuals[at], block.residuals[at - 2] * (1 + 1e-6));
+}
+
 TEST(SiteResponses, ResidualsFallWithEveryStep) {
   const RandomRoom room(60, 12, 64);
   const auto lowRank = LowRankRadiosity::factorize(room.factors, room.patches);

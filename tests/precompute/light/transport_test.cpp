@@ -116,8 +116,8 @@ TEST(Transport, RefinementFallsAndTheForwardSolutionAgrees) {
   const Room room = boxWithBlock();
   const auto transport = transportOf(room);
   ASSERT_TRUE(transport);
-  ASSERT_EQ(transport->residuals.size(), 3u);
-  EXPECT_LT(transport->residuals[2], 0.003);
+  ASSERT_GE(transport->residuals.size(), 3u);
+  EXPECT_LE(transport->residuals.back(), kSettled);
   EXPECT_LT(transport->residuals[2], 0.3 * transport->residuals[1]);
   const auto tracer = RayTracer::build(room);
   ASSERT_TRUE(tracer);

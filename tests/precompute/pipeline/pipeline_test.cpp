@@ -102,7 +102,8 @@ TEST(Pipeline, ItsAccountTellsTheSourceTheOptionsAndTheSecondsOfTheHost) {
   EXPECT_EQ(account["seconds"]["form factors"], 2);
   EXPECT_EQ(account["seconds"]["before the file"], 18);
   EXPECT_EQ(account["fewPatches"].size(), 6u);
-  EXPECT_EQ(account["residuals"].size(), 3u);
+  ASSERT_GE(account["residuals"].size(), 2u);
+  EXPECT_LE(account["residuals"].back(), kSettled);
 
   const auto unclocked = makeScene(boxModel(), quickOptions(), plainHost());
   ASSERT_TRUE(unclocked);
