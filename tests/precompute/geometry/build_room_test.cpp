@@ -326,7 +326,7 @@ TEST(BuildRoom, AMeasuringPlaneThatIsTooFineIsRefusedBeforeItIsCut) {
   RoomOptions options;
   options.patch = 0.25;
   options.memory = 0.05;
-  EXPECT_THAT(refusal(gltf, options), HasSubstr("patches of 0.25 m need 4e+06 grid cells"));
+  EXPECT_THAT(refusal(gltf, options), HasSubstr("patches of 0.25 m need 4000000 grid cells"));
 }
 
 TEST(BuildRoom, MountsByNameAndWhatHappensWithoutRoom) {
