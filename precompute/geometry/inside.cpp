@@ -9,6 +9,7 @@
 #include "core/scene/luminaire.h"
 #include "precompute/base/error.h"
 #include "precompute/geometry/charts.h"
+#include "precompute/geometry/glass.h"
 #include "precompute/room/bounds.h"
 
 namespace fiatlux {
@@ -126,7 +127,7 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
     if (std::find(names.begin(), names.end(), name) == names.end()) unknownName("--measure", name, names);
   }
   Roles roles;
-  std::set<std::string> transparent;
+  std::set<std::string> transparent, opaque;  // materials, of these what is called glass
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
     const auto named = [&](const std::string& name) {
@@ -138,15 +139,22 @@ Roles assignRoles(const SourceScene& source, const RoomOptions& options, std::ve
       transparent.insert(source.materials[mesh.material].name);
     } else {
       roles.reflectors.push_back(m);
+      if (isOpaqueGlass(source, mesh)) opaque.insert(source.materials[mesh.material].name);
     }
   }
+  if (!opaque.empty())
+    warnings.push_back("material '" + *opaque.begin() + "'" +
+                       (opaque.size() > 1 ? " and " + std::to_string(opaque.size() - 1) + " more" : "") +
+                       ": called glass but opaque, so it counts as a wall; where light is to pass, make it "
+                       "transparent (alpha BLEND)");
   for (const std::string& name : transparent)
     if (transparent.size() <= kMostTransparent || name == *transparent.begin())
-      warnings.push_back("material '" + name +
-                         "' is transparent (alpha BLEND): it is no wall, light passes it unchanged" +
-                         (transparent.size() <= kMostTransparent
-                              ? ""
-                              : "; so are " + std::to_string(transparent.size() - 1) + " more"));
+      warnings.push_back(
+          "material '" + name +
+          "' is transparent (alpha BLEND or transmission): it is no wall, light passes it unchanged" +
+          (transparent.size() <= kMostTransparent
+               ? ""
+               : "; so are " + std::to_string(transparent.size() - 1) + " more"));
   return roles;
 }
 

@@ -30,6 +30,16 @@ void readTextureTransform(const tinygltf::ExtensionMap& extensions, SourceMateri
   if (set >= 0 && set < kMostTexCoords) material.texCoord = static_cast<int>(set);
 }
 
+/// Light that goes through is light that goes through, whichever way the file says so.
+void readTransmission(const tinygltf::ExtensionMap& extensions, SourceMaterial& material) {
+  constexpr double kMostly = 0.5, kTint = 0.2;  // of the light; of the colour, that the picture keeps
+  const auto found = extensions.find("KHR_materials_transmission");
+  if (found == extensions.end() || !found->second.IsObject()) return;
+  if (!(numberOf(found->second.Get("transmissionFactor"), 0) >= kMostly)) return;
+  material.alpha = SourceMaterial::Alpha::kBlend;
+  material.baseColor[3] = std::min(material.baseColor[3], kTint);
+}
+
 /// "image 3 of material 'oak' and 2 more".
 std::string imageOf(const std::vector<SourceMaterial>& materials, std::size_t image) {
   std::string text = "image " + std::to_string(image);
@@ -67,6 +77,7 @@ std::vector<SourceMaterial> readMaterials(const Model& model, std::vector<std::s
     to.alpha = from.alphaMode == "BLEND"  ? SourceMaterial::Alpha::kBlend
                : from.alphaMode == "MASK" ? SourceMaterial::Alpha::kMask
                                           : SourceMaterial::Alpha::kOpaque;
+    readTransmission(from.extensions, to);
     if (const int texture = pbr.baseColorTexture.index; texture >= 0) {
       to.image = model.textures[texture].source;
       to.texCoord = pbr.baseColorTexture.texCoord;
