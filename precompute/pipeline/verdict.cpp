@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <vector>
+
+#include "core/base/short_number.h"
 
 namespace fiatlux {
 namespace {
 
 constexpr double kAllLost = 0.02,
                  kDark = 0.05;     // shares of the flux: absorbed by all, falling on the most lit
+constexpr double kBlack = 0.01;    // share of what falls on surfaces that they reflect
 constexpr double kBalance = 1.05;  // of the flux: more cannot be absorbed but by rounding
 constexpr double kMostError = 0.05, kMostResidual = 0.01;
 constexpr double kAskedMean = 300, kUsualFlux = 3000;  // lx, lm
@@ -18,9 +20,8 @@ constexpr double kSensibleCount = 24;                  // luminaires
 constexpr double kNearly = 0.9;                        // of what they reach on average
 
 std::string inPercent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-  return text;
+  constexpr int kDigits = 2;
+  return shortNumber(100 * share, share < 1 ? kDigits : kDigits + 1) + " %";
 }
 
 }  // namespace
@@ -37,6 +38,7 @@ LightBalance balanceOf(const Room& room, const Responses& responses) {
       const double flux = room.patches.area[p] * light[p];
       onSurface[room.patches.surface[p]] += flux;
       balance.absorbed += (1 - room.patches.reflectance[p]) * flux / responses.sites;
+      balance.reflected += room.patches.reflectance[p] * flux / responses.sites;
     }
     most.push_back(*std::max_element(onSurface.begin(), onSurface.end()));
   }
@@ -57,6 +59,9 @@ std::string uselessness(const Quality& quality) {
   if (balance.mostLit < kDark)
     return "the room stays dark: no surface gets more than " + inPercent(balance.mostLit) +
            " of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling";
+  if (const double reflects = balance.reflected / (balance.reflected + balance.absorbed); reflects < kBlack)
+    return "everything is black: surfaces reflect " + inPercent(reflects) +
+           " of the light, as where colours were lost on export; pass --reflectance MATERIAL=0.5 for each";
   if (residual > kMostResidual)
     return "reflected light has not settled (" + inPercent(residual) +
            " is missing): pass --refine 100 or a smaller --cluster";

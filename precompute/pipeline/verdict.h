@@ -14,6 +14,7 @@ struct LightBalance {
   double absorbed = 0;  // share of its flux that surfaces take up; the rest is lost
   double mostLit =
       0;  // share of its flux that falls on the surface that gets most, of half the sites at least
+  double reflected = 0;  // what surfaces send on, a lumen each time that it is reflected, in its flux
 };
 LightBalance balanceOf(const Room& room, const Responses& responses);
 

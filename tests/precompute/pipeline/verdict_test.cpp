@@ -28,11 +28,12 @@ TEST(Verdict, TheBalanceIsWhatSurfacesTakeUp) {
   Responses responses{2, 2, {0.4f, 0.2f, 0.1f, 0.3f}};
   const LightBalance balance = balanceOf(twoPatches(), responses);
   EXPECT_NEAR(balance.absorbed, 0.5 * (0.5 * 0.8 + 0.75 * 0.4) + 0.5 * (0.5 * 0.2 + 0.75 * 0.6), 1e-6);
+  EXPECT_NEAR(balance.reflected, 0.5 * (0.5 * 0.8 + 0.25 * 0.4) + 0.5 * (0.5 * 0.2 + 0.25 * 0.6), 1e-6);
   EXPECT_NEAR(balance.mostLit, 0.8, 1e-6);
 }
 
 TEST(Verdict, NamesWhatIsOfNoUse) {
-  const Quality good{{0.8, 0.4}, 1e-3, 1e-3};
+  const Quality good{{0.8, 0.4, 0.5}, 1e-3, 1e-3};
   EXPECT_EQ(uselessness(good), "");
   const auto with = [&](auto change) {
     Quality quality = good;
@@ -42,6 +43,8 @@ TEST(Verdict, NamesWhatIsOfNoUse) {
   EXPECT_THAT(with([](Quality& q) { q.balance.absorbed = 0.01; }), HasSubstr("nearly all light is lost"));
   EXPECT_THAT(with([](Quality& q) { q.balance.mostLit = 0.03; }), HasSubstr("no surface gets more than 3 %"));
   EXPECT_THAT(with([](Quality& q) { q.balance.absorbed = 1.2; }), HasSubstr("does not close"));
+  EXPECT_THAT(with([](Quality& q) { q.balance.absorbed = 1.2; }), HasSubstr("(120 % of"));
+  EXPECT_THAT(with([](Quality& q) { q.balance.reflected = 0.001; }), HasSubstr("surfaces reflect 0.12 %"));
   EXPECT_THAT(with([](Quality& q) { q.residual = 0.07; }), HasSubstr("pass --refine"));
   EXPECT_THAT(with([](Quality& q) { q.error = 0.1; }), HasSubstr("off by up to 10 %"));
 }

@@ -51,6 +51,16 @@ test('a fault is told in the language of the page, with what it tells of its own
   ).toBe(
     'Keine gefundene Anordnung gibt mindestens 2,47 lm/m2 auf jeder Teilfläche von yellow wall: Schon die Mittelwerte reichen nicht.',
   );
+  expect(
+    inOurWords(
+      "material 'Verre' and 2 more: called glass but opaque, so it counts as a wall; where light is to pass, make it transparent (alpha BLEND)",
+    ),
+  ).toMatch(/^Material „Verre“ und 2 weitere: heißt Glas/);
+  expect(
+    inOurWords(
+      'the room is open: 21.3 % of the light of its luminaires meets nothing and is lost; it leaves upward (97 %), towards +x (20 %)',
+    ),
+  ).toMatch(/21,3 % des Lichts .* es entweicht nach oben \(97 %\), nach \+x \(20 %\)$/);
   expect(inOurWords('[r1] Height=high is not a number')).toBe('[r1] Height=high ist keine Zahl');
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });

@@ -4,7 +4,7 @@
  */
 import * as v from 'valibot';
 import type { SceneInfo } from '../../document/types.ts';
-import { percent } from './format.ts';
+import { percent, sentence } from './format.ts';
 import { placesText } from './places.ts';
 import { inOurWords } from '../../language/faults.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
@@ -59,6 +59,17 @@ export function roomWarnings(scene: SceneInfo): string[] {
     .sort((a, b) => b.lost - a.lost)
     .map(({ name, lost }) => words.value.results.room.facts.lostAt(percent(lost), surfaceText(name)));
   return [...warnings.map(inOurWords), ...losing];
+}
+
+const muchLost = 0.2; // of the flux: more is said over the picture
+
+/** What must be known of a room's light before anything is read off it: why it is of little use, or how much is lost. */
+export function lightNote(scene: Pick<SceneInfo, 'provenance'>): { title: string; text: string } | null {
+  const { useless, lostLight = 0 } = readProvenance(scene.provenance);
+  const said = words.value.bars.useless;
+  if (useless) return { title: said.title, text: sentence(useless) };
+  if (lostLight > muchLost) return { title: said.muchLost, text: said.lost(percent(lostLight)) };
+  return null;
 }
 
 /** What the mask of hidden area leaves out of every figure, m2: a number a surface that has any, most first. */

@@ -93,6 +93,9 @@ export const bars: Words['bars'] = {
   useless: {
     name: 'Über dieses Licht',
     title: 'Dieses Licht ist von geringem Nutzen',
+    muchLost: 'Viel Licht geht verloren',
+    lost: (share) =>
+      `${share} davon verlassen das Modell oder treffen auf Rückseiten. Die Ergebnisse gelten für den Raum, wie er gezeichnet ist; wo Öffnungen zu sein sollen, sie im Modell schließen oder im Importblatt einen Deckel wählen.`,
     close: 'Hinweis schließen',
   },
   plan: {

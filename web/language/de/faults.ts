@@ -2,6 +2,14 @@
 import type { Words } from '../en.ts';
 import { photometricFaults } from './photometric-faults.ts';
 
+/** Ways by which light leaves. */
+const inGerman = (ways: string): string =>
+  ways
+    .replaceAll('towards', 'nach')
+    .replaceAll('upward', 'nach oben')
+    .replaceAll('downward', 'nach unten')
+    .replaceAll('in all directions', 'nach allen Seiten');
+
 export const faults: Words['faults'] = {
   ...photometricFaults,
   connectionLost:
@@ -61,6 +69,32 @@ export const faults: Words['faults'] = {
     'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; siehe fiatlux surfaces, dann --mount, --ceiling oder --double-sided',
   staysDark: (share) =>
     `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; siehe fiatlux surfaces, dann --mount oder --ceiling`,
+  black: (share) =>
+    `Alles ist schwarz: Die Flächen reflektieren ${share} des Lichts, wie wenn beim Export die Farben verloren gehen; im Importblatt Reflexionsgrade eingeben (oder --reflectance MATERIAL=0.5)`,
+  glassMore: (name, more) =>
+    `Material „${name}“ und ${more} weitere: heißt Glas, ist aber undurchsichtig und zählt als Wand; wo Licht hindurch soll, durchsichtig machen (alpha BLEND)`,
+  glass: (name) =>
+    `Material „${name}“: heißt Glas, ist aber undurchsichtig und zählt als Wand; wo Licht hindurch soll, durchsichtig machen (alpha BLEND)`,
+  transparent: (name) =>
+    `Material „${name}“ ist durchsichtig (alpha BLEND oder Transmission): Es ist keine Wand, Licht geht unverändert hindurch`,
+  roomOpen: (share, ways) =>
+    `Der Raum ist offen: ${share} des Lichts seiner Leuchten trifft auf nichts und ist verloren; es entweicht ${inGerman(ways)}`,
+  backsNear: (share, names) =>
+    `${share} des Lichts schlucken Rückseiten, und zwar die von ${names}: Sie liegen dicht über etwas und verdecken es; Verdecktes ausschneiden, sonst zählt es als dunkel`,
+  backs: (share, names) =>
+    `${share} des Lichts schlucken Rückseiten, und zwar die von ${names}: ihre Dreiecke umdrehen oder ihr Material zweiseitig machen`,
+  foreseenLoss: (share) =>
+    `Etwa ${share} des Lichts ginge verloren: Es verlässt das Modell oder trifft auf Rückseiten; Öffnungen schließen, Dreiecke umdrehen oder alle Flächen zweiseitig nehmen (--double-sided)`,
+  outside: (area, names) =>
+    `${area} m² sehen ins Leere oder liegen auf etwas, dorthin kommt kein Licht, und sie sind weggelassen: ${names}`,
+  shutOff: (area, names) =>
+    `${area} m² sind von allen Plätzen für Leuchten abgeschlossen und bleiben dunkel (ein versiegelter Raum, das Innere einer Wand): ${names}`,
+  turned: (area, names) =>
+    `${area} m² haben nur eine Seite, die von dem Raum wegsieht, den sie umschließen, und sind umgedreht: ${names}; --double-sided gibt allen Flächen zwei Seiten`,
+  twoSided:
+    'Keine Decke sieht in den Raum: Alle Flächen gelten als zweiseitig, und die nach außen sehen, sind umgedreht',
+  fileLights:
+    'Lichter und leuchtende Materialien der Datei leuchten nicht: nur die Leuchten, die aufgehängt werden',
   fitsNowhere: (name) => `${name} passt auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen`,
   fitNowhere: (names) => `${names} passen auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen`,
   noLuminousArea: (name) =>

@@ -88,7 +88,14 @@ export const bars = {
       'With a luminaire selected, the arrow keys move it. Surfaces and luminaires are also listed in the panel.',
     role: '3D view',
   },
-  useless: { name: 'About this light', title: 'This light is of little use', close: 'Close the note' },
+  useless: {
+    name: 'About this light',
+    title: 'This light is of little use',
+    muchLost: 'Much of the light is lost',
+    lost: (share: string) =>
+      `${share} of it leaves the model or meets the backs of faces. Results are true for the room as it is drawn; where openings are to be closed, close them in the model, or choose a lid on its sheet.`,
+    close: 'Close the note',
+  },
   plan: {
     scale: (metres: string, north: string) => `Scale bar of ${metres} m; north is ${north}`,
     towards: ['up', 'to the right', 'down', 'to the left'],

@@ -59,6 +59,32 @@ export const faults = {
     'nearly all light is lost: the luminaires hang outdoors or look at backs; see fiatlux surfaces, then --mount, --ceiling or --double-sided',
   staysDark: (share: string) =>
     `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; see fiatlux surfaces, then --mount or --ceiling`,
+  black: (share: string) =>
+    `everything is black: surfaces reflect ${share} of the light, as where colours were lost on export; pass --reflectance MATERIAL=0.5 for each`,
+  glassMore: (name: string, more: string) =>
+    `material '${name}' and ${more} more: called glass but opaque, so it counts as a wall; where light is to pass, make it transparent (alpha BLEND)`,
+  glass: (name: string) =>
+    `material '${name}': called glass but opaque, so it counts as a wall; where light is to pass, make it transparent (alpha BLEND)`,
+  transparent: (name: string) =>
+    `material '${name}' is transparent (alpha BLEND or transmission): it is no wall, light passes it unchanged`,
+  roomOpen: (share: string, ways: string) =>
+    `the room is open: ${share} of the light of its luminaires meets nothing and is lost; it leaves ${ways}`,
+  backsNear: (share: string, names: string) =>
+    `${share} of the light is swallowed by backs, those of ${names}: they lie close over something and hide it; cut away what is hidden, or it counts as dark`,
+  backs: (share: string, names: string) =>
+    `${share} of the light is swallowed by backs, those of ${names}: turn their faces, or make their material double-sided`,
+  foreseenLoss: (share: string) =>
+    `about ${share} of the light would be lost: it leaves the model, or meets the backs of faces; close the openings, turn the faces, or pass --double-sided`,
+  outside: (area: string, names: string) =>
+    `${area} m2 face the void or rest on something, no light comes there, and they are left out: ${names}`,
+  shutOff: (area: string, names: string) =>
+    `${area} m2 are shut off from all places for luminaires and stay dark (a sealed room, the inside of a wall): ${names}`,
+  turned: (area: string, names: string) =>
+    `${area} m2 have one side, which looks away from the room they enclose, and are turned: ${names}; --double-sided gives all faces two sides`,
+  twoSided:
+    'no ceiling looks into the room: all faces are taken as double-sided, and those that look outward are turned',
+  fileLights:
+    'lights and emissive materials of the file do not shine: only the luminaires that are placed do',
   fitsNowhere: (name: string) => `${name} fits on no place of this room: take a smaller luminaire`,
   fitNowhere: (names: string) => `${names} fit on no place of this room: take a smaller luminaire`,
   noLuminousArea: (name: string) =>
