@@ -68,6 +68,8 @@ const report = (page: Page) => page.getByRole('dialog', { name: 'Report' });
 test('the report of the office prints on three pages and says what the app says', async ({ page }) => {
   test.slow(); // a picture, axe and a PDF
   await openApp(page);
+  await page.getByRole('combobox', { name: 'Add at …' }).selectOption({ label: 'meeting table' });
+  await expect(page.getByRole('group', { name: 'task 1' })).toBeVisible();
   const rows = await results(page);
   const totals = await page.locator('.totals dd').allInnerTexts();
   const at = await places(page);
@@ -84,6 +86,7 @@ test('the report of the office prints on three pages and says what the app says'
   const holds = (what: string) => expect(text).toContain(bare(what));
   holds('Open office');
   holds('12.00 × 7.80 × 2.80 m');
+  holds('task 1 surround');
   for (const total of [totals[0], totals[2]]) holds(total!);
   const plane = rows.find((row) => row.startsWith('working plane'))!;
   holds(plane.split('\t').slice(0, 1).join(''));

@@ -288,7 +288,7 @@ function Light({ report: { plan, light } }: Props) {
 function Surfaces({ report: { surfaces, quantity } }: Props) {
   const { mean: meanWord, min: minWord, max: maxWord } = words.value.report.surfaces;
   return (
-    <table class="break-before">
+    <table class="dense break-before">
       <caption>{words.value.report.surfaces.caption(unitOf(quantity))}</caption>
       <thead>
         <tr>
