@@ -11,7 +11,7 @@ import { documentOf } from '../../document/linked-document.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import type { Viewer } from '../../viewer/types.ts';
 import type { IfcPlace } from '../importing/ifc/ifc-places.ts';
-import { isForImport, modelEndings } from '../importing/model-files.ts';
+import { isForImport, isModel as isForeignModel, modelEndings } from '../importing/model-files.ts';
 import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
@@ -21,6 +21,7 @@ import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 const largestFile = 256 << 20; // bytes
+const mostNamed = 4; // models that are not opened
 const isModel = /\.gl(b|tf)$/i;
 
 /** Of a long name the end is kept as well: it says what the file is. */
@@ -41,6 +42,19 @@ export function openable(files: readonly File[]): readonly File[] {
   const scenes = seen.filter(({ name }) => /\.(flux|fiatlux|json)$/i.test(name));
   const luminaires = seen.filter(({ name }) => isPhotometricName(name));
   return [scenes, luminaires].find((each) => each.length > 0) ?? seen;
+}
+
+/** Of several models in one drop: the one that is opened, and the names of the others; null where there are not two. */
+export function modelOfSeveral(files: readonly File[]): { opened: string; others: string[] } | null {
+  const names = files.map(({ name }) => name);
+  // In the order in which they are looked for: what is read as it is, what is turned into that, then plans.
+  const ranked = [
+    ...names.filter((name) => isModel.test(name)),
+    ...names.filter(isForeignModel),
+    ...names.filter((name) => /\.stf$/i.test(name)),
+  ];
+  const [opened, ...others] = ranked;
+  return opened !== undefined && others.length > 0 ? { opened, others } : null;
 }
 
 /** The model in one plain .glb; null where it is broken. Throws one line where what is compressed in it is. */
@@ -85,6 +99,7 @@ export class FileOpening {
     try {
       const inside = await this.#unzipped(files);
       if (inside) return await this.open(inside);
+      this.#nameOthers(files);
       if (!model && isForImport(files.map(({ name }) => name))) return await this.#import(files);
     } catch (error) {
       return this.#refuse(reasonOf(error));
@@ -97,6 +112,16 @@ export class FileOpening {
     for (const file of arePhotometric ? files : files.slice(0, 1)) await this.#open(file, []);
     if (!arePhotometric && files.length > 1)
       this.#store.say('info', words.value.opening.firstOf(files.length));
+  }
+
+  /** Of several models one is opened: which, and which not. */
+  #nameOthers(files: readonly File[]): void {
+    const models = modelOfSeveral(files);
+    if (!models) return;
+    const names = models.others.slice(0, mostNamed).map((name) => `“${cleanFileName(name)}”`);
+    const more = models.others.length - names.length;
+    const said = words.value.opening.oneOfModels(cleanFileName(models.opened), names.join(', '), more);
+    this.#store.say('info', said);
   }
 
   /** What a zip holds of a model; null where the files are none, or other things are in it. */

@@ -16,6 +16,8 @@ export const opening: Words['opening'] = {
     `der Raum „${room}“ konnte nicht geladen werden: keine Verbindung; noch einmal versuchen`,
   roomMissing: (room) => `der Raum „${room}“ ist nicht auf diesem Server; mit npm run build erstellen`,
   firstOf: (count) => `Von ${count} Dateien wird die erste geöffnet.`,
+  oneOfModels: (opened, others, more) =>
+    `Von diesen Modellen ist „${opened}“ geöffnet; nicht geöffnet: ${others.replaceAll('“', '„').replaceAll('”', '“')}${more > 0 ? ` und ${more} weitere` : ''}. Ein anderes allein hineinziehen, um es zu beleuchten.`,
   tooLarge: (name) => `„${name}“ ist größer als 256 MB; mehr kann der Browser nicht halten.`,
   damagedMesh: 'ein komprimiertes Netz darin ist beschädigt: noch einmal exportieren, oder ohne Kompression',
   tooMuch: {

@@ -12,6 +12,8 @@ export const opening = {
   roomOffline: (room: string) => `the room "${room}" could not be loaded: no connection; try again`,
   roomMissing: (room: string) => `the room "${room}" is not on this server; build it with: npm run build`,
   firstOf: (count: number) => `Of ${count} files the first is opened.`,
+  oneOfModels: (opened: string, others: string, more: number) =>
+    `Of these models “${opened}” is opened; not opened: ${others}${more > 0 ? ` and ${more} more` : ''}. To light another, drop it by itself.`,
   tooLarge: (name: string) => `“${name}” is larger than 256 MB, which is more than the browser can hold.`,
   damagedMesh: 'a compressed mesh of it is damaged: export it again, or without compression',
   tooMuch: {

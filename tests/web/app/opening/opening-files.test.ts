@@ -1,6 +1,6 @@
 /** What files are called, and which of a folder are meant. Covers opening-files. */
 import { expect, test } from '@jest/globals';
-import { cleanFileName, openable } from '../../../../web/app/opening/opening-files.ts';
+import { cleanFileName, modelOfSeveral, openable } from '../../../../web/app/opening/opening-files.ts';
 
 test('a name that is too long keeps what says what the file is', () => {
   expect(cleanFileName('office.glb')).toBe('office.glb');
@@ -28,4 +28,16 @@ test.each([
 ])('of %j, %j are opened', (dropped, meant) => {
   const files = dropped.map((name) => new File(['x'], name));
   expect(openable(files).map(({ name }) => name)).toEqual(meant);
+});
+
+test.each([
+  [['b.glb', 'a.glb', 'wall.png'], { opened: 'b.glb', others: ['a.glb'] }],
+  [
+    ['plan.stf', 'house.obj', 'house.mtl', 'room.gltf'],
+    { opened: 'room.gltf', others: ['house.obj', 'plan.stf'] },
+  ],
+  [['house.obj', 'house.mtl'], null],
+  [['a.ldt', 'b.ldt'], null],
+])('of %j one model is opened, and the others have a name: %j', (dropped, said) => {
+  expect(modelOfSeveral(dropped.map((name) => new File(['x'], name)))).toEqual(said);
 });
