@@ -1,5 +1,5 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
-import { DoubleSide, FrontSide, Mesh, Ray, Vector3 } from 'three';
+import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3 } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -88,6 +88,7 @@ class RoomViewer implements Viewer {
   #layout: Layout | null = null;
   #bodies: readonly LuminaireBody[] = [];
   #planes: number[] = []; // leaves of the measuring planes that are drawn
+  #besidePlanes: readonly Box3[] = []; // furniture
   #opening = 0; // the latest open or preview wins
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
@@ -512,6 +513,9 @@ class RoomViewer implements Viewer {
     this.#light.uniforms.planesShown.value = covered;
     const shown = (this.#room?.lit ?? []).filter(({ mesh, measuring }) => measuring && mesh.visible);
     if (covered) this.#footprints.set(shown.map(({ mesh }) => mesh), this.#room!.box.min[1]); // prettier-ignore
+    this.#besidePlanes = covered
+      ? this.#footprints.beside([...drawn].map((mesh) => new Box3().setFromObject(mesh)))
+      : [];
     this.#outlines.showAll(falseColor, covered ? drawn : null);
   }
 
@@ -555,6 +559,7 @@ class RoomViewer implements Viewer {
       falseColor ? this.#planes : [],
       { values: display?.values ?? false, levels: display?.isolux ?? false },
       this.#tags.places,
+      this.#besidePlanes,
     );
     labels.canvas.style.clipPath = to - from < width ? `inset(0 ${width - to}px 0 ${from}px)` : '';
   }

@@ -6,9 +6,11 @@ import {
   DataTexture,
   FloatType,
   NearestFilter,
+  Ray,
   RGBAFormat,
   Vector3,
   Vector4,
+  type Box3,
   type Mesh,
   type Texture,
 } from 'three';
@@ -33,6 +35,11 @@ bool isOverPlane(vec3 place, float below) {
 }
 `;
 
+interface Footprints {
+  readonly heights: Float32Array<ArrayBuffer>; // four a cell
+  readonly frame: [number, number, number, number];
+}
+
 /** Of the shader. */
 export const planeUniforms = () => ({
   planeHeights: { value: null as Texture | null },
@@ -44,6 +51,7 @@ export type PlaneUniforms = ReturnType<typeof planeUniforms>;
 export class PlaneFootprints {
   #uniforms: PlaneUniforms;
   #shown = '';
+  #map: Footprints = { heights: new Float32Array(0), frame: [0, 0, -1, -1] };
 
   constructor(uniforms: PlaneUniforms) {
     this.#uniforms = uniforms;
@@ -55,7 +63,8 @@ export class PlaneFootprints {
     if (shown === this.#shown) return;
     this.#shown = shown;
     this.#uniforms.planeHeights.value?.dispose();
-    const { heights, frame } = heightsOf(planes.map(cornersOf), floor);
+    this.#map = heightsOf(planes.map(cornersOf), floor);
+    const { heights, frame } = this.#map;
     this.#uniforms.planeFrame.value.fromArray(frame);
     const texture = new DataTexture(heights, cells, cells, RGBAFormat, FloatType);
     texture.minFilter = texture.magFilter = NearestFilter;
@@ -63,9 +72,36 @@ export class PlaneFootprints {
     this.#uniforms.planeHeights.value = texture;
   }
 
+  /** Those of some pieces of furniture (their boxes) that stand beside all planes, and hide what is behind them. */
+  beside(boxes: readonly Box3[]): Box3[] {
+    return boxes.filter(({ min, max }) => {
+      const middle = [(min.x + max.x) / 2, (min.z + max.z) / 2] as const;
+      const places = [[min.x, min.z], [max.x, min.z], [min.x, max.z], [max.x, max.z], middle] as const; // prettier-ignore
+      return !places.some(([x, z]) => isPlaneAt(this.#map, x, z));
+    });
+  }
+
   dispose(): void {
     this.#uniforms.planeHeights.value?.dispose();
   }
+}
+
+/** Whether a plane lies at a place of the map. */
+export function isPlaneAt({ heights, frame }: Footprints, x: number, z: number): boolean {
+  const [column, row] = [Math.floor((x - frame[0]) * frame[2]), Math.floor((z - frame[1]) * frame[3])];
+  if (column < 0 || row < 0 || column >= cells || row >= cells) return false;
+  const first = levels * (row * cells + column);
+  return heights.subarray(first, first + levels).some((height) => height < none);
+}
+
+/** Whether something stands between an eye and a place. */
+export function isBehind(boxes: readonly Box3[], eye: Vector3, place: Vector3): boolean {
+  const ray = new Ray(eye, place.clone().sub(eye).normalize());
+  const met = new Vector3();
+  return boxes.some((box) => {
+    const hit = ray.intersectBox(box, met);
+    return hit !== null && hit.distanceTo(eye) < place.distanceTo(eye) - alike;
+  });
 }
 
 /** Corners of triangles in the room, xyz each. */
@@ -83,10 +119,7 @@ function cornersOf({ geometry, matrixWorld }: Mesh): Float32Array {
 }
 
 /** The map of planes (corners of their triangles): four heights a cell, and the frame of the shader. */
-export function heightsOf(
-  planes: readonly Float32Array[],
-  floor: number,
-): { heights: Float32Array<ArrayBuffer>; frame: [number, number, number, number] } {
+export function heightsOf(planes: readonly Float32Array[], floor: number): Footprints {
   const heights = new Float32Array(levels * cells * cells).fill(none);
   const level = planes
     .map((corners) => ({ corners, low: least(corners, 1), high: most(corners, 1) }))

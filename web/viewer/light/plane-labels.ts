@@ -2,11 +2,12 @@
  * Numbers over the measuring planes of a false-colour picture: readings in lux on a grid whose step follows the scale
  * of the picture, and levels on isolux lines. Drawn flat over the 3D picture, so that they stay sharp and upright.
  */
-import { Vector3, type Camera } from 'three';
+import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import type { SceneInfo } from '../../document/types.ts';
 import type { TagPlace } from '../types.ts';
 import { formatLight } from './false-color.ts';
 import { isoluxLevels } from './isolux.ts';
+import { isBehind } from './plane-footprints.ts';
 import { crossings, gridPatches, neighbours, type Plane, type Reading } from './plane-readings.ts';
 
 const steps = [0.25, 0.5, 1, 2, 4, 8]; // m
@@ -42,6 +43,7 @@ export class PlaneLabels {
   #planes = new Map<number, Known>(); // by leaf surface
   #drawn = false;
   #tags: readonly TagPlace[] = [];
+  #before: readonly Box3[] = [];
   #point = new Vector3();
 
   constructor(labels: HTMLElement) {
@@ -55,7 +57,8 @@ export class PlaneLabels {
   }
 
   /**
-   * Numbers for the planes in `surfaces` (leaves), seen by `camera`, beside the `tags`; what is not wanted is not drawn.
+   * Numbers for the planes in `surfaces` (leaves), seen by `camera`, beside the `tags` and not on what stands `before` a
+   * plane; what is not wanted is not drawn.
    */
   draw(
     camera: Camera,
@@ -64,8 +67,10 @@ export class PlaneLabels {
     surfaces: readonly number[],
     wanted: { readonly values: boolean; readonly levels: boolean },
     tags: readonly TagPlace[],
+    before: readonly Box3[],
   ): void {
     this.#tags = tags;
+    this.#before = before;
     const isWanted = light !== null && surfaces.length > 0 && (wanted.values || wanted.levels);
     if (!isWanted && !this.#drawn) return;
     const context = this.#clear(size);
@@ -148,13 +153,20 @@ export class PlaneLabels {
     return Math.max(1, ...reach.map((there) => Math.hypot(there.x - here.x, there.y - here.y)));
   }
 
+  /** From above nothing that is drawn hides a plane. */
+  #isHidden(camera: Camera): boolean {
+    return camera instanceof PerspectiveCamera && isBehind(this.#before, camera.position, this.#point);
+  }
+
   #project(
     point: ArrayLike<number>,
     camera: Camera,
     { width, height }: Size,
     anywhere = false,
   ): { x: number; y: number } | null {
-    this.#point.set(point[0]!, point[1]!, point[2]!).project(camera);
+    this.#point.set(point[0]!, point[1]!, point[2]!);
+    if (!anywhere && this.#isHidden(camera)) return null;
+    this.#point.project(camera);
     const { x, y, z } = this.#point;
     if (!anywhere && (Math.abs(z) > 1 || Math.abs(x) > 1 || Math.abs(y) > 1)) return null;
     return { x: (0.5 + 0.5 * x) * width, y: (0.5 - 0.5 * y) * height };

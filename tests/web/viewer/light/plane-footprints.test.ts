@@ -1,6 +1,7 @@
 // Where furniture gives way to a plane: over it, and not beside it (a sofa there left a dark hole in the plan).
 import { expect, test } from '@jest/globals';
-import { heightsOf } from '../../../../web/viewer/light/plane-footprints.ts';
+import { Box3, Vector3 } from 'three';
+import { heightsOf, isBehind, isPlaneAt } from '../../../../web/viewer/light/plane-footprints.ts';
 
 /** A level rectangle as two triangles. */
 const level = (x: number, z: number, farX: number, farZ: number, y: number) =>
@@ -27,4 +28,14 @@ test('planes of several heights lie in one map, and what lies underfoot or uprig
   expect(at(map, 1, 1)).toEqual([0.75, 1.25]);
   expect(at(map, 3, 1)).toEqual([1.25]);
   expect(at(heightsOf([wall], 0), 1, 0)).toEqual([]);
+});
+
+test('a number of the plane is not written on a cabinet that stands before it', () => {
+  const cabinet = new Box3(new Vector3(1, 0, 3), new Vector3(2, 1.2, 3.4));
+  const eye = new Vector3(1.5, 2, 6);
+  expect(isBehind([cabinet], eye, new Vector3(1.5, 0.75, 2.5))).toBe(true);
+  expect(isBehind([cabinet], eye, new Vector3(3, 0.75, 2.5))).toBe(false);
+  expect(isBehind([cabinet], eye, new Vector3(1.5, 1.3, 4))).toBe(false);
+  const map = heightsOf([level(0, 0, 4, 2.6, 0.75)], 0);
+  expect([isPlaneAt(map, 1.5, 2.5), isPlaneAt(map, 1.5, 3.2)]).toEqual([true, false]);
 });
