@@ -310,6 +310,27 @@ bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
   return std::max(first[0], second[0]) - std::min(first[1], second[1]) < pitch - kSameLine;
 }
 
+std::vector<Ties> tiesOfEachType(const Scene& scene, const Ties& ties, const LuminaireRules& rules) {
+  const std::uint32_t types = typeCountOf(scene);
+  if (types < 2) return {};
+  const std::vector<TypeRange> ranges = rangesOf(rules, types);
+  const auto others = [&](std::uint32_t type) {
+    std::uint32_t least = 0;
+    for (std::uint32_t t = 0; t < ranges.size(); ++t) least += t == type ? 0 : ranges[t].least;
+    return least;
+  };
+  std::vector<Ties> each;
+  for (std::uint32_t type = 0; type < types; ++type) {
+    if (others(type) > 0 || ranges[type].most < rules.count) continue;
+    Ties alone{ties.key, {}};
+    alone.key.type = type;
+    for (const std::vector<std::uint32_t>& members : ties.members)
+      if (scene.hangings[members.front()].type == type) alone.members.push_back(members);
+    if (!alone.members.empty()) each.push_back(std::move(alone));
+  }
+  return each;
+}
+
 std::vector<TiedStart> startsOf(const Scene& scene, const Ties& ties, const LuminaireRules& rules,
                                 const std::vector<std::uint32_t>& given) {
   std::vector<std::uint32_t> pins;

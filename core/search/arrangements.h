@@ -19,9 +19,11 @@ struct TieKey {
   Rule rule = Rule::kFree;
   PlanAxis axis = PlanAxis::kFound;     // that they are mirrored about, or run along
   std::uint32_t perTie = 1, pitch = 0;  // of rows: luminaires in each, and their distance in mm
+  std::uint32_t type = kNone;           // whose ties alone; kNone = of all types
 
   bool operator==(const TieKey& other) const {
-    return rule == other.rule && axis == other.axis && perTie == other.perTie && pitch == other.pitch;
+    return rule == other.rule && axis == other.axis && perTie == other.perTie && pitch == other.pitch &&
+           type == other.type;
   }
 };
 
@@ -41,6 +43,10 @@ std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules);
 /// rows: on a ceiling they are one line of uneven gaps. Precondition: ties of one P of Rule::kRows.
 bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
                  const std::vector<std::uint32_t>& b);
+
+/// Those of `ties` whose luminaires are of one type, for each type of which a layout may consist alone; none
+/// where the scene has one type only. A search among these finds what one among all is slow to find.
+std::vector<Ties> tiesOfEachType(const Scene& scene, const Ties& ties, const LuminaireRules& rules);
 
 /// Ties that make a layout, those that hold the pinned sites first.
 struct TiedStart {

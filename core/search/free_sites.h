@@ -60,6 +60,8 @@ class FreeSites {
     return isClear(toA) && isClear(toB) && !conflict(toA, toB);
   }
   bool isTied() const { return prepared_.isTied(); }
+  /// Are they the sites of one type, each a tie of its own, and as many as luminaires?
+  bool isOfOneType() const { return !counts_ && prepared_.isTied() && prepared_.isOfOneType(); }
   /// The most candidates that a place has.
   std::uint32_t waysPerPlace() const { return prepared_.waysPerPlace(); }
   /// Do candidates differ in weight, or layouts in their count?

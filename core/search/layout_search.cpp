@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/search/identity.h"
+#include "core/search/type_counts.h"
 
 namespace fiatlux {
 namespace {
@@ -23,6 +24,7 @@ Layout numbered(const Layout& layout, const LuminaireRules& rules) {
     order[i] = static_cast<std::uint32_t>(at - layout.sites.begin());
     placed[order[i]] = 1;
   }
+  if (layout.ties.empty()) return layout;  // of sites: it has them already
   Layout result{{}, {}, layout.dimming};
   std::uint32_t next = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -49,28 +51,47 @@ LayoutSearch::LayoutSearch(PreparedScene& prepared, const Intentions& intentions
     fields_.emplace(prepared, intentions, reference);
     return;
   }
-  if (rules_.arrangement.rule == Rule::kFree && !countVaries(rules_)) {
+  missing_ = std::make_unique<Missing>(Missing{prepared, intentions, seed, reference, {}});
+  const std::vector<std::uint32_t> given = start ? start->sites : std::vector<std::uint32_t>{};
+  const bool ofSites = rules_.arrangement.rule == Rule::kFree && !countVaries(rules_);
+  if (ofSites && typeCountOf(scene_) > 1) addStarts(given, true);
+  if (!ofSites) addStarts(given, false);
+  if (ofSites && missing_->starts.empty()) {
+    missing_.reset();
     free_.emplace(prepared, intentions, seed, start, reference);
     return;
   }
-  missing_ = std::make_unique<Missing>(Missing{prepared, intentions, seed, reference, {}});
-  const std::vector<std::uint32_t> given = start ? start->sites : std::vector<std::uint32_t>{};
-  for (const Ties& ties : tiesUnder(prepared.grid(), rules_))
-    for (TiedStart& from : startsOf(prepared.scene(), ties, rules_, given))
-      missing_->starts.emplace_back(ties, std::move(from));
+  if (ofSites) enter({nullptr, std::make_unique<Vns>(prepared, intentions, seed, start, reference)});
   assert(!missing_->starts.empty());
   while (entering == Entering::kAtOnce && !enterNext()) continue;
 }
 
+/// What is to be searched: the layouts of all ties, where types are not only wanted alone, and of each
+/// type's.
+void LayoutSearch::addStarts(const std::vector<std::uint32_t>& given, bool onlyAlone) {
+  std::vector<Ties> all = tiesUnder(missing_->prepared.grid(), rules_), alone;
+  for (const Ties& ties : all)
+    for (Ties& each : tiesOfEachType(scene_, ties, rules_)) alone.push_back(std::move(each));
+  if (onlyAlone) all.clear();
+  for (Ties& each : alone) all.push_back(std::move(each));
+  for (const Ties& ties : all)
+    for (TiedStart& from : startsOf(scene_, ties, rules_, given))
+      missing_->starts.emplace_back(ties, std::move(from));
+}
+
+void LayoutSearch::enter(Entrant entrant) {
+  ranking_.push_back(static_cast<std::uint32_t>(entrants_.size()));
+  entrants_.push_back(std::move(entrant));
+}
+
 bool LayoutSearch::enterNext() {
   if (!missing_) return true;
-  const auto& [ties, from] = missing_->starts[entrants_.size()];
+  const auto& [ties, from] = missing_->starts[missing_->next++];
   Entrant entrant{missing_->prepared.tied(ties), nullptr};
   entrant.search = std::make_unique<Vns>(*entrant.scene, missing_->intentions,
                                          missing_->seed + entrants_.size(), from, missing_->reference);
-  ranking_.push_back(static_cast<std::uint32_t>(entrants_.size()));
-  entrants_.push_back(std::move(entrant));
-  if (entrants_.size() < missing_->starts.size()) return false;
+  enter(std::move(entrant));
+  if (missing_->next < missing_->starts.size()) return false;
   missing_.reset();
   begin();
   return true;

@@ -1,7 +1,8 @@
 // The search for a layout under the arrangement that is asked for. Free and of a fixed count: a variable
 // neighbourhood search over sites. A field: every one is tried. Else a search over each P that the rule
 // allows (arrangements.h), the better half of which goes on for twice as long, until one is left and all
-// begin again.
+// begin again. Of several types each is also searched alone: a layout of one type is far from where types are
+// mixed, for a bound may forbid every way between.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +47,7 @@ class LayoutSearch {
  private:
   /// One P with one way to hold the pinned sites, and the search over its ties.
   struct Entrant {
-    std::shared_ptr<PreparedScene> scene;
+    std::shared_ptr<PreparedScene> scene;  // nullptr: that of the sites
     std::unique_ptr<Vns> search;
   };
   /// Those that are still to be made, and of what.
@@ -56,7 +57,10 @@ class LayoutSearch {
     std::uint64_t seed = 0;
     const Layout* reference = nullptr;
     std::vector<std::pair<Ties, TiedStart>> starts;  // all of them; one an entrant
+    std::size_t next = 0;
   };
+  void addStarts(const std::vector<std::uint32_t>& given, bool onlyAlone);
+  void enter(Entrant entrant);
   void begin();
   void closeTurn();
   const Vns& best() const { return *entrants_[ranking_[0]].search; }

@@ -31,7 +31,8 @@ struct Surroundings {
 
   /// May one luminaire's moves be surveyed?
   bool maySurvey() const {
-    return evaluator.maySurvey() && freeSites.waysPerPlace() == 1 && !freeSites.isTied();
+    return evaluator.maySurvey() && freeSites.waysPerPlace() == 1 &&
+           (!freeSites.isTied() || freeSites.isOfOneType());
   }
 };
 

@@ -19,6 +19,15 @@ std::uint64_t keyOf(std::uint32_t place, std::uint32_t way) { return (std::uint6
 
 constexpr std::size_t kMostTiedEntries = 4'000'000;  // of one covariance of each of the ties that are kept
 
+/// Of the candidates at one place; `type`: of those of one type, kNone of all.
+std::uint32_t mostWays(const Scene& scene, std::uint32_t type) {
+  std::unordered_map<std::uint32_t, std::uint32_t> ways;
+  std::uint32_t most = 1;
+  for (const Hanging& hanging : scene.hangings)
+    if (type == kNone || hanging.type == type) most = std::max(most, ++ways[hanging.place]);
+  return most;
+}
+
 std::shared_ptr<const KernelStatistics> kernelStatistics(SurfaceStatistics exact) {
   auto result = std::make_shared<KernelStatistics>();
   const std::size_t m = exact.mean.size();
@@ -73,12 +82,9 @@ PreparedScene::PreparedScene(const Scene& scene, VarianceForm form)
   std::vector<Vec3> centers;
   for (const Site& site : scene.sites) centers.push_back(site.position);
   findNear(centers);
-  std::unordered_map<std::uint32_t, std::uint32_t> ways;
-  for (std::uint32_t c = 0; c < scene.hangings.size(); ++c) {
-    const Hanging& hanging = scene.hangings[c];
-    inWay_.emplace(keyOf(hanging.place, hanging.way), c);
-    waysPerPlace_ = std::max(waysPerPlace_, ++ways[hanging.place]);
-  }
+  for (std::uint32_t c = 0; c < scene.hangings.size(); ++c)
+    inWay_.emplace(keyOf(scene.hangings[c].place, scene.hangings[c].way), c);
+  waysPerPlace_ = mostWays(scene, kNone);
 }
 
 PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
@@ -87,7 +93,7 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
       sites_(&sites),
       ties_(std::move(ties)),
       candidateCount_(static_cast<std::uint32_t>(ties_.members.size())),
-      waysPerPlace_(sites.waysPerPlace_),
+      waysPerPlace_(mostWays(scene_, ties_.key.type)),
       gaps_(std::size_t{candidateCount_} * candidateCount_, 0.0f),
       innerDistance_(candidateCount_, kUnbounded) {
   const std::vector<double>& known = sites.siteGaps();

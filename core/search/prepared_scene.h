@@ -74,6 +74,8 @@ class PreparedScene {
   }
   /// Are they ways to hang luminaires of types?
   bool isOfTypes() const { return !scene_.hangings.empty(); }
+  /// Ties of one site each, of one of the types?
+  bool isOfOneType() const { return isTied() && ties_.key.rule == Rule::kFree && ties_.key.type != kNone; }
   /// The most of them at one place.
   std::uint32_t waysPerPlace() const { return waysPerPlace_; }
   /// The type of its luminaires; 0 where there are no types.

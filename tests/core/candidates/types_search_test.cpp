@@ -98,6 +98,46 @@ TEST(TypesInOneSearch, AreNeverWorseThanTheBetterOneAlone) {
   }
 }
 
+TEST(TypesInOneSearch, TiesOfEachTypeAreSearchedAlone) {
+  PreparedScene prepared(mixed());
+  LuminaireRules rules = evenFloor(2).luminaires;
+  const Ties all = tiesUnder(prepared.grid(), rules).front();
+  const std::vector<Ties> each = tiesOfEachType(mixed(), all, rules);
+  ASSERT_EQ(each.size(), 2u);
+  EXPECT_EQ(each[0].members.size() + each[1].members.size(), all.members.size());
+  for (std::uint32_t type = 0; type < 2; ++type)
+    for (const std::vector<std::uint32_t>& members : each[type].members)
+      EXPECT_EQ(mixed().hangings[members.front()].type, type);
+  EXPECT_FALSE(each[0].key == all.key);
+  rules.types = {{1, 6}, {0, 6}};  // there is a flood in every layout
+  EXPECT_EQ(tiesOfEachType(mixed(), all, rules).size(), 1u);
+}
+
+/// What a search finds by so many evaluations.
+Evaluation found(const Scene& scene, const Intentions& intentions, std::uint32_t evaluations) {
+  PreparedScene prepared(scene);
+  LayoutSearch search(prepared, intentions, 1);
+  search.advance(evaluations);
+  return search.evaluation();
+}
+
+/// Each type searched alone as well, what a bound parts from most mixed layouts is found soon.
+TEST(TypesInOneSearch, ABoundThatPartsThemKeepsNobodyFromTheBetterOne) {
+  const Scene room = operatorScene(12, 12);
+  const std::vector<CandidateType> types = {typeOf(1, 900, 9), typeOf(20, 400, 3.9)};
+  Result<CandidateScene> making = CandidateScene::begin(room, types, candidatesOf(room, types, {{}, {}}));
+  while (!making->advance(100)) continue;
+  const Scene scene = making->finish(Quantity::kIlluminance);
+  Intentions intentions = evenFloor(1);
+  intentions.luminaires.countHigh = 10;
+  intentions.goals = {{Statistic::kPower, Sense::kMinimize, 1, {}, {}}};
+  for (const auto& [floor, wall] : {std::pair(140.0, 22.5), {180.0, 22.5}, {280.0, 33.75}}) {
+    intentions.constraints = {{Statistic::kMean, floor, kUnbounded, 1, {0}, {}},
+                              {Statistic::kMean, -kUnbounded, wall, 1, {1}, {}}};
+    EXPECT_FALSE(isBetter(found(scene, intentions, 40000), found(scene, intentions, 1000))) << floor;
+  }
+}
+
 /// Of a range of counts of the types; the search's best at every step.
 void expectKept(std::uint32_t count, std::uint32_t high, TypeRange first, TypeRange second) {
   Intentions intentions = evenFloor(count);
