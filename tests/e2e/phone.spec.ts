@@ -93,6 +93,18 @@ test('the narrowest screen shows tags below the toolbar and no half of a figure'
   const bar = (await page.getByRole('toolbar', { name: 'View' }).boundingBox())!;
   const tags = await page.locator('[data-luminaire]').all();
   for (const tag of tags) expect((await tag.boundingBox())!.y).toBeGreaterThanOrEqual(bar.y + bar.height);
+  // What is compared is in one bar, whole, with every button that it can have.
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.getByRole('menuitem', { name: /Keep this layout/ }).click();
+  const compared = page.getByRole('toolbar', { name: 'Comparison' });
+  await expect(compared).toBeVisible();
+  const ends = await compared
+    .getByRole('button')
+    .evaluateAll((all) => all.map((each) => each.getBoundingClientRect().right));
+  expect(Math.max(...ends)).toBeLessThanOrEqual(320);
+  expect((await compared.getByRole('combobox').boundingBox())!.width).toBeGreaterThan(48);
+  await compared.getByRole('button', { name: 'End the comparison' }).click();
+
   const figures = page.locator('.status-figures');
   const [frame, text] = [(await figures.boundingBox())!, (await figures.locator('span').boundingBox())!];
   const isWhole = text.x + text.width <= frame.x + frame.width + 1;
