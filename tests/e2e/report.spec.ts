@@ -3,6 +3,8 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import DxfParser from 'dxf-parser';
+import { PNG } from 'pngjs';
+import decodeQR from 'qr/decode.js';
 import { decodeLink } from '../../web/document/share-link.ts';
 import { readStf } from '../../web/document/stf.ts';
 import { bare, pdfPages } from './pdf-text.ts';
@@ -100,6 +102,12 @@ test('the report of the office prints on three pages and says what the app says'
   const address = await report(page).getByRole('link').getAttribute('href');
   const read = decodeLink(new URL(address!).hash);
   expect(read.ok && read.link.layout?.positions).toHaveLength(at.length);
+  const code = report(page).getByRole('link').locator('svg');
+  // As near as a phone comes, on the paper's white.
+  const near = { position: 'fixed', inset: 0, zIndex: 9, width: '760px', background: '#fff' };
+  await code.evaluate((svg, style) => Object.assign((svg as SVGElement).style, style), near);
+  const photo = PNG.sync.read(await code.screenshot({ caret: 'initial', scale: 'css' }));
+  expect(decodeQR(photo)).toBe(address);
   await page.keyboard.press('Escape');
   await expect(report(page)).toHaveCount(0);
 });
