@@ -19,9 +19,6 @@ constexpr double kNearEdges = 2, kFarEdges = 8;
 // Distance between two patches, in edges of both, from which on Gauss's 2 x 2 points of each are a fair
 // quadrature.
 constexpr double kCloseEdges = 1.5;
-// Form factor of a cluster from which on it is asked again in full where it is seen in part, below in
-// proportion: most of a furnished room's shadow rays would go to clusters that give next to nothing.
-constexpr double kAskedInFull = 0.016;
 constexpr std::uint32_t kLastSlope = std::numeric_limits<std::uint16_t>::max();
 
 std::int8_t inSlopeUnits(double slope) {
@@ -218,19 +215,15 @@ void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSample
   const std::uint32_t few = effort, many = effort * std::max(4u, effort);  // kMostRays at most
   castShadows(seed, few, sampler, 0, candidates.size(), candidates);
 
-  // A cluster that is seen in part is asked again, the more often the brighter it would be.
+  // A cluster that is seen in part is asked again, more often.
   for (std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
     std::uint32_t seen = 0, asked = 0;
-    double unhidden = 0;
     for (last = first; last < candidates.size() && candidates[last].cluster == candidates[first].cluster;
          ++last) {
       seen += candidates[last].visible;
       asked += candidates[last].asked;
-      unhidden += candidates[last].kernel;
     }
-    const auto again = static_cast<std::uint32_t>(std::lround(many * std::min(1.0, unhidden / kAskedInFull)));
-    if (seen > 0 && seen < asked && again > few)
-      castShadows(mixBits(seed), again, sampler, first, last, candidates);
+    if (seen > 0 && seen < asked) castShadows(mixBits(seed), many, sampler, first, last, candidates);
     write(candidates.data() + first, candidates.data() + last, p, row);
   }
 }

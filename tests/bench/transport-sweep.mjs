@@ -219,11 +219,6 @@ at its own patches, in one run: 35.7 without, 19.3 with hulls, 17.6 where slopes
 at a time, 14.9 with fewer points, 14.0 where U is read once, in its order; \`git log\` has them by stage. The open office at patches of
 0.25 m gains little, 70.3 for 72.3 before the last of these: something stands between most of its places. A hull for each patch and cluster was
 tried, too: in a furnished room it costs more than the few rays that it saves.
-What helps there is to ask clusters that are seen in part a second time in proportion to what they can give: of 247 million
-shadow rays of the office most went to clusters of less than a thousandth. At patches of 0.2 m, two runs after each other:
-form factors 23.3 s before, 12.5 s after. Means are better for it, too, 0.24 % before and 0.17 % after (RMS, 24 layouts,
-against 4096 rays; the home at 0.1 m: 0.20 and 0.11): a second look at what the first took for hidden in part, and none at
-what it took for all visible, leans to the bright side.
 
 ## Rays and refinement
 
