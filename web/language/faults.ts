@@ -8,7 +8,7 @@ import { language, words } from './language.ts';
 type Name = keyof typeof en.faults;
 type Telling = string | ((...told: string[]) => string);
 
-const marks = ['\u0001', '\u0002', '\u0003', '\u0004'];
+const marks = ['\u0001', '\u0002', '\u0003', '\u0004', '\u0005', '\u0006'];
 const say = (telling: Telling, told: readonly string[]): string =>
   typeof telling === 'string' ? telling : telling(...told);
 

@@ -75,18 +75,67 @@ function sources(): string {
   return files.join('\n').replace(/"\s*\n?\s*"/g, '');
 }
 
+test('remarks on a model are told in the language of the page, to their last clause', async () => {
+  await speak('de');
+  const told = (remark: string) => inOurWords(remark);
+  expect(
+    told(
+      'as metres the model would be 556 x 559 m and 549 m high: it is taken to be in centimetres, 5.56 x 5.59 m and 5.49 m high; --scale 1 refuses that',
+    ),
+  ).toBe(
+    'Als Meter gelesen wäre das Modell 556 × 559 m groß und 549 m hoch; es gilt als in Zentimetern gezeichnet: 5,56 × 5,59 m groß und 5,49 m hoch; --scale 1 lehnt das ab',
+  );
+  expect(
+    told(
+      'with y up the model would be 6 m high: it is taken to have z up, 6 x 4 m and 2.8 m high; --up y refuses that',
+    ),
+  ).toMatch(/^Mit Y nach oben wäre das Modell 6 m hoch; .*: 6 × 4 m groß und 2,8 m hoch;/);
+  expect(
+    told(
+      '1 mesh has no material: ceilings are taken to reflect 0.7, walls 0.5, floors 0.2, other things 0.4',
+    ),
+  ).toMatch(/^Ein Netz hat kein Material: Decken gelten mit Reflexionsgrad 0,7, Wände 0,5, Böden 0,2, /);
+  expect(
+    told(
+      "12 meshes have no material but white ('Default'): ceilings are taken to reflect 0.7, walls 0.5, floors 0.2, other things 0.4",
+    ),
+  ).toMatch(/^12 Netze haben kein Material außer Weiß \(„Default“\):/);
+  expect(
+    told(
+      'only the place around 1,1.2,3 stays, 4 x 5 m and 2.8 m high: 1 of 6 rooms, and the rest is left out; --doors N takes in what lies behind so many open doors',
+    ),
+  ).toMatch(/^Nur der Ort um 1,1.2,3 bleibt, 4 × 5 m groß und 2,8 m hoch: 1 von 6 Räumen,/);
+  expect(
+    told(
+      "no mount is marked: luminaires are proposed to hang on 'slab' (54.2 m2, 2.94 m above the floor), of other storeys 'roof' (50 m2, 2.5 m above the floor); choose with --mount",
+    ),
+  ).toMatch(
+    /an „slab“ \(54,2 m², 2,94 m über dem Boden\), in anderen Geschossen „roof“ \(50 m², 2,5 m über dem Boden\); mit --mount/,
+  );
+  expect(
+    told(
+      "159 m2 face the void or rest on something, no light comes there, and they are left out: 'a (back)' 31.1 m2, 'b' 30 m2 and 3 more",
+    ),
+  ).toMatch(/: „a \(back\)“ 31,1 m², „b“ 30 m² und 3 weitere$/);
+  expect(
+    told(
+      "image 0 of material 'oak' is KTX2, which is not read (use PNG or JPEG): it counts as the material's plain colour",
+    ),
+  ).toMatch(/^Bild 0 des Materials „oak“ ist KTX2, das hier nicht gelesen wird/);
+});
+
 test('each is what the sources say, word for word', () => {
   const text = sources();
   for (const [name, telling] of Object.entries(en.faults)) {
     const whole =
       typeof telling === 'string'
         ? telling
-        : (telling as (...told: string[]) => string)(...Array<string>(4).fill('\u0001'));
+        : (telling as (...told: string[]) => string)(...Array<string>(6).fill('\u0001'));
     const missing = whole.split('\u0001').filter((piece) => piece.length > 3 && !text.includes(piece));
     // A sentence that is put together of several strings is there in its parts.
     const parts = missing.flatMap((piece) =>
       piece.split(
-        /(?<=[:;,]) | (?=compression$|it$|--scale says how|says how|centimetres|millimetres: pass --scale 0.001$)/,
+        /(?<=[:;,]) | (?=compression$|it$|--scale says how|says how|centimetres|millimetres: pass --scale 0.001$)|(?<= no material)(?=:| but)/,
       ),
     );
     expect([name, parts.filter((part) => !text.includes(part.trim()))]).toEqual([name, []]);

@@ -10,6 +10,20 @@ const inGerman = (ways: string): string =>
     .replaceAll('downward', 'nach unten')
     .replaceAll('in all directions', 'nach allen Seiten');
 
+/** "1 mesh has", "3 meshes have". */
+const withoutMaterial = (meshes: string, what: string): string =>
+  meshes === '1 mesh has' ? `Ein Netz hat ${what}` : `${Number.parseInt(meshes, 10)} Netze haben ${what}`;
+
+/** Surfaces in a list, with their areas: "'wall' 20.5 m2, 'floor' 3 m2 and 2 more". */
+const listed = (names: string): string =>
+  names
+    .replace(/'([^']*)'/g, '„$1“')
+    .replace(/(\d)\.(\d+) m/g, '$1,$2 m')
+    .replaceAll(' m2', ' m²')
+    .replaceAll(' m above the floor', ' m über dem Boden')
+    .replace(', of other storeys ', ', in anderen Geschossen ')
+    .replace(/ and (\d+) more$/, ' und $1 weitere');
+
 export const faults: Words['faults'] = {
   ...photometricFaults,
   connectionLost:
@@ -56,10 +70,66 @@ export const faults: Words['faults'] = {
     `Der Raum ist ${width} m breit, die Datei ist wohl in Millimetern; in Metern exportieren (oder --scale 0.001)`,
   centimetres: (width) =>
     `Der Raum ist ${width} m breit, die Datei ist wohl in Zentimetern oder Millimetern; in Metern exportieren (oder --scale 0.01, --scale 0.001)`,
+  guessedUnit: (before, unit, after) =>
+    `Als Meter gelesen wäre das Modell ${before}; es gilt als in ${unit} gezeichnet: ${after}; --scale 1 lehnt das ab`,
+  guessedUp: (height, sizes) =>
+    `Mit Y nach oben wäre das Modell ${height} m hoch; es gilt als mit Z nach oben gezeichnet: ${sizes}; --up y lehnt das ab`,
+  sizes: (width, depth, height) => `${width} × ${depth} m groß und ${height} m hoch`,
+  inCentimetres: 'Zentimetern',
+  inMillimetres: 'Millimetern',
+  inInches: 'Zoll',
+  inUnitsOf: (metres) => `Einheiten von ${metres} m`,
+  inKilometres: 'Kilometern',
+  onlyPlace: (where, sizes, kept, all) =>
+    `Nur der Ort um ${where} bleibt, ${sizes}: ${kept} von ${all} Räumen, alles andere ist weggelassen; --doors N nimmt dazu, was hinter so vielen offenen Türen liegt`,
+  noSuchPlace: (where) =>
+    `--inside ${where}: Dort ist keine Luft, die zu einem Raum gehört; einen Punkt etwa einen Meter über dessen Boden nennen`,
+  noMaterial: (meshes, ceilings, walls, floors, others) =>
+    `${withoutMaterial(meshes, 'kein Material')}: Decken gelten mit Reflexionsgrad ${ceilings}, Wände ${walls}, Böden ${floors}, anderes ${others}`,
+  whiteMaterial: (meshes, name, ceilings, walls, floors, others) =>
+    `${withoutMaterial(meshes, `kein Material außer Weiß („${name}“)`)}: Decken gelten mit Reflexionsgrad ${ceilings}, Wände ${walls}, Böden ${floors}, anderes ${others}`,
+  smallParts: (count) =>
+    `${count} Knoten: Was kleiner ist als 0,5 % der Fläche, zählt zum Boden, zu den Wänden, zur Decke oder zu den Dingen seines Raums`,
+  smallThings: (count, name) =>
+    `${count} Knoten: Was kleiner ist als 0,5 % der Fläche, ist zusammen eine Fläche, „${name}“`,
+  clusters: (edge, other, most) =>
+    `Gruppen haben ${edge} × ${other} Teilflächen, damit es höchstens ${most} sind`,
+  tooLow: (count, all, mount, drop) =>
+    `${count} von ${all} Plätzen an „${mount}“ sind weggelassen: Etwas ist weniger als ${drop} m unter ihnen; tiefer nicht abhängen (--drop)`,
+  noSquare: (mount, size) =>
+    `An „${mount}“ hat kein ganzes Quadrat von ${size} m Platz; die Plätze enger setzen (--site-spacing)`,
+  nowhere: (names) =>
+    `Leuchten können nirgends hängen: Nichts ist als Montageort markiert, nichts sieht auf einen Boden hinab, und über keinem Boden ist freier Raum; mit --mount eines davon nennen: ${names}`,
+  noSite: (mount) =>
+    `An keinem Montageort (${mount}) hat eine Leuchte Platz: die Plätze enger setzen (--site-spacing) oder einen anderen Ort wählen (--mount)`,
+  noSuchName: (option, name, names) =>
+    `${option} „${name}“: Kein Knoten und keine Fläche heißt so; am ähnlichsten sind ${names}`,
+  allWithoutArea:
+    'Die Datei enthält keine Flächen: Alle Dreiecke sind ohne Flächeninhalt; die Skalierung der Knoten prüfen',
+  clampedMore: (count, most, taken) =>
+    `${count} weitere Materialien reflektieren mehr als ${most}; gerechnet wird mit ${taken}`,
+  clampedNode: (name, share, most) => `Knoten „${name}“: Reflexionsgrad ${share}; gerechnet wird mit ${most}`,
+  clampedColour: (name) => `Material „${name}“: Seine Farbe liegt außerhalb von 0 bis 1 und wird begrenzt`,
+  plainColour: (image, why) => `${image} ist ${why}: Es zählt die einfache Farbe des Materials`,
+  imageOfMaterial: (index, name) => `Bild ${index} des Materials „${name}“`,
+  pictureFormat: (format) => `${format}, das hier nicht gelesen wird (PNG oder JPEG nehmen)`,
+  pictureUnknown: 'weder PNG noch JPEG',
+  pictureDamaged: 'beschädigt',
+  pictureLarge: (width, height) => `größer als ${width} × ${height} Pixel`,
+  animated: 'Die Datei ist animiert: Sie steht in ihrer Ruhelage',
+  skinned: 'Die Datei enthält Netze mit Gelenken: Sie stehen so, wie deren Ruhelage sie biegt',
+  unbalanced: (share) =>
+    `Die Bilanz des Lichts geht nicht auf (${share} des ausgesandten werden geschluckt): Sind Flächen doppelt gezeichnet? Mehr Strahlen nehmen (--rays)`,
+  notSettled: (share) =>
+    `Das reflektierte Licht ist nicht zur Ruhe gekommen (${share} fehlen): --refine 100 oder kleinere Gruppen nehmen (--cluster)`,
+  settledOnly: (share) =>
+    `Das reflektierte Licht ist nur auf ${share} genau, üblich ist 0,1 %: mehr Schritte nehmen (--refine)`,
+  numbersOff: (share) =>
+    `Die Zahlen der Datei stimmen nur auf ${share}: Fast dunkle Flächen sind ein zu großer Teil von ihr; weniger Montageorte wählen (--mount)`,
   noArea: (count) => `Dreiecke ohne Fläche sind weggelassen: ${count}`,
   repeated: (count) => `Dreiecke, die andere wiederholen, sind weggelassen: ${count}`,
   proposedMount: (where) =>
-    `Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an ${where}; mit --mount wählen`,
+    `Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an ${listed(where)}; mit --mount wählen`,
   proposedPlane: (height, floor, area) =>
     `Nichts ist eine Decke: Leuchten sind vorgeschlagen in einer Ebene ${height} m über „${floor}“ (${area} m²); --ceiling nennt eine andere Höhe, --mount einen anderen Ort`,
   ceilingHeight: (height) =>
@@ -77,20 +147,22 @@ export const faults: Words['faults'] = {
     `Material „${name}“: heißt Glas, ist aber undurchsichtig und zählt als Wand; wo Licht hindurch soll, durchsichtig machen (alpha BLEND)`,
   transparent: (name) =>
     `Material „${name}“ ist durchsichtig (alpha BLEND oder Transmission): Es ist keine Wand, Licht geht unverändert hindurch`,
+  transparentMore: (name, more) =>
+    `Material „${name}“ ist durchsichtig (alpha BLEND oder Transmission): Es ist keine Wand, Licht geht unverändert hindurch; ebenso ${more} weitere`,
   roomOpen: (share, ways) =>
     `Der Raum ist offen: ${share} des Lichts seiner Leuchten trifft auf nichts und ist verloren; es entweicht ${inGerman(ways)}`,
   backsNear: (share, names) =>
-    `${share} des Lichts schlucken Rückseiten, und zwar die von ${names}: Sie liegen dicht über etwas und verdecken es; Verdecktes ausschneiden, sonst zählt es als dunkel`,
+    `${share} des Lichts schlucken Rückseiten, und zwar die von ${listed(names)}: Sie liegen dicht über etwas und verdecken es; Verdecktes ausschneiden, sonst zählt es als dunkel`,
   backs: (share, names) =>
-    `${share} des Lichts schlucken Rückseiten, und zwar die von ${names}: ihre Dreiecke umdrehen oder ihr Material zweiseitig machen`,
+    `${share} des Lichts schlucken Rückseiten, und zwar die von ${listed(names)}: ihre Dreiecke umdrehen oder ihr Material zweiseitig machen`,
   foreseenLoss: (share) =>
     `Etwa ${share} des Lichts ginge verloren: Es verlässt das Modell oder trifft auf Rückseiten; Öffnungen schließen, Dreiecke umdrehen oder alle Flächen zweiseitig nehmen (--double-sided)`,
   outside: (area, names) =>
-    `${area} m² sehen ins Leere oder liegen auf etwas, dorthin kommt kein Licht, und sie sind weggelassen: ${names}`,
+    `${area} m² sehen ins Leere oder liegen auf etwas, dorthin kommt kein Licht, und sie sind weggelassen: ${listed(names)}`,
   shutOff: (area, names) =>
-    `${area} m² sind von allen Plätzen für Leuchten abgeschlossen und bleiben dunkel (ein versiegelter Raum, das Innere einer Wand): ${names}`,
+    `${area} m² sind von allen Plätzen für Leuchten abgeschlossen und bleiben dunkel (ein versiegelter Raum, das Innere einer Wand): ${listed(names)}`,
   turned: (area, names) =>
-    `${area} m² haben nur eine Seite, die von dem Raum wegsieht, den sie umschließen, und sind umgedreht: ${names}; --double-sided gibt allen Flächen zwei Seiten`,
+    `${area} m² haben nur eine Seite, die von dem Raum wegsieht, den sie umschließen, und sind umgedreht: ${listed(names)}; --double-sided gibt allen Flächen zwei Seiten`,
   twoSided:
     'Keine Decke sieht in den Raum: Alle Flächen gelten als zweiseitig, und die nach außen sehen, sind umgedreht',
   fileLights:

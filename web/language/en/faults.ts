@@ -45,6 +45,69 @@ export const faults = {
     `the room is ${width} m wide: the file is probably in millimetres: pass --scale 0.001`,
   centimetres: (width: string) =>
     `the room is ${width} m wide: the file is probably in centimetres or millimetres: pass --scale 0.01 or 0.001`,
+  guessedUnit: (before: string, unit: string, after: string) =>
+    `as metres the model would be ${before}: it is taken to be in ${unit}, ${after}; --scale 1 refuses that`,
+  guessedUp: (height: string, sizes: string) =>
+    `with y up the model would be ${height} m high: it is taken to have z up, ${sizes}; --up y refuses that`,
+  sizes: (width: string, depth: string, height: string) => `${width} x ${depth} m and ${height} m high`,
+  inCentimetres: 'centimetres',
+  inMillimetres: 'millimetres',
+  inInches: 'inches',
+  inUnitsOf: (metres: string) => `units of ${metres} m`,
+  inKilometres: 'kilometres',
+  onlyPlace: (where: string, sizes: string, kept: string, all: string) =>
+    `only the place around ${where} stays, ${sizes}: ${kept} of ${all} rooms, and the rest is left out; --doors N takes in what lies behind so many open doors`,
+  noSuchPlace: (where: string) =>
+    `--inside ${where}: there is no air that belongs to a room; name a point about a metre over its floor`,
+  noMaterial: (meshes: string, ceilings: string, walls: string, floors: string, others: string) =>
+    `${meshes} no material: ceilings are taken to reflect ${ceilings}, walls ${walls}, floors ${floors}, other things ${others}`,
+  whiteMaterial: (
+    meshes: string,
+    name: string,
+    ceilings: string,
+    walls: string,
+    floors: string,
+    others: string,
+  ) =>
+    `${meshes} no material but white ('${name}'): ceilings are taken to reflect ${ceilings}, walls ${walls}, floors ${floors}, other things ${others}`,
+  smallParts: (count: string) =>
+    `${count} nodes: those below 0.5 % of the area are the floor, walls, ceiling or things of the room that they are in`,
+  smallThings: (count: string, name: string) =>
+    `${count} nodes: those below 0.5 % of the area are one surface, '${name}'`,
+  clusters: (edge: string, _: string, most: string) =>
+    `clusters are ${edge} x ${_} patches, so that there are at most ${most}`,
+  tooLow: (count: string, all: string, mount: string, drop: string) =>
+    `${count} of ${all} sites of mount '${mount}' are left out: something is less than ${drop} m below them; pass a smaller --drop`,
+  noSquare: (mount: string, size: string) =>
+    `mount '${mount}' has no room for a whole square of ${size} m; pass a smaller --site-spacing`,
+  nowhere: (names: string) =>
+    `nowhere to hang luminaires: no node is marked as mount, nothing faces down over a floor, and there is no floor with free space above; pass --mount with one of ${names}`,
+  noSite: (mount: string) =>
+    `no site fits on any mount (${mount}): pass a smaller --site-spacing, or another --mount`,
+  noSuchName: (option: string, name: string, names: string) =>
+    `${option} '${name}': no node or surface is called that; the closest are ${names}`,
+  allWithoutArea: 'no surfaces: every triangle has zero area; check the scale of the nodes',
+  clampedMore: (count: string, most: string, taken: string) =>
+    `${count} more materials reflect more than ${most} and are taken as ${taken}`,
+  clampedNode: (name: string, share: string, most: string) =>
+    `node '${name}': reflectance ${share} is taken as ${most}`,
+  clampedColour: (name: string) => `material '${name}': its base colour lies outside 0..1 and is clamped`,
+  plainColour: (image: string, why: string) => `${image} is ${why}: it counts as the material's plain colour`,
+  imageOfMaterial: (index: string, name: string) => `image ${index} of material '${name}'`,
+  pictureFormat: (format: string) => `${format}, which is not read (use PNG or JPEG)`,
+  pictureUnknown: 'neither PNG nor JPEG',
+  pictureDamaged: 'damaged',
+  pictureLarge: (width: string, height: string) => `larger than ${width} x ${height} pixels`,
+  animated: 'the file is animated: its rest pose is used',
+  skinned: 'the file holds skinned meshes: they stand as the rest pose of their joints bends them',
+  unbalanced: (share: string) =>
+    `the balance of light does not close (${share} of what is emitted is absorbed): are faces drawn twice? pass more --rays`,
+  notSettled: (share: string) =>
+    `reflected light has not settled (${share} is missing): pass --refine 100 or a smaller --cluster`,
+  settledOnly: (share: string) =>
+    `reflected light is settled to ${share} only, 0.1 % is usual: pass more --refine`,
+  numbersOff: (share: string) =>
+    `the file's numbers are off by up to ${share}: surfaces that are nearly dark are too large a part of it; choose fewer places with --mount`,
   noArea: (count: string) => `triangles without area are left out: ${count}`,
   repeated: (count: string) => `triangles that repeat others are left out: ${count}`,
   proposedMount: (where: string) =>
@@ -67,6 +130,8 @@ export const faults = {
     `material '${name}': called glass but opaque, so it counts as a wall; where light is to pass, make it transparent (alpha BLEND)`,
   transparent: (name: string) =>
     `material '${name}' is transparent (alpha BLEND or transmission): it is no wall, light passes it unchanged`,
+  transparentMore: (name: string, more: string) =>
+    `material '${name}' is transparent (alpha BLEND or transmission): it is no wall, light passes it unchanged; so are ${more} more`,
   roomOpen: (share: string, ways: string) =>
     `the room is open: ${share} of the light of its luminaires meets nothing and is lost; it leaves ${ways}`,
   backsNear: (share: string, names: string) =>

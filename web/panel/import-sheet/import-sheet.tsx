@@ -19,7 +19,7 @@ import { PlaceSection } from './place-section.tsx';
 import { PlaneSection } from './plane-section.tsx';
 import { SizeSection } from './size-section.tsx';
 
-const mostRemarks = 4;
+const mostRemarks = 5; // that are seen without asking for more
 const muchLost = 0.2; // share of the light
 
 export function ImportSheet() {
@@ -90,14 +90,24 @@ function Remarks({ lines }: { readonly lines: readonly string[] }) {
   if (other.length === 0) return null;
   return (
     <Section title={words.value.sheet.remarks}>
-      <ul class="sheet-remarks">
-        {other.slice(0, mostRemarks).map((line) => (
-          <li key={line}>{sentence(line)}</li>
-        ))}
-      </ul>
+      <RemarkList lines={other.slice(0, mostRemarks)} />
+      {other.length > mostRemarks && (
+        <details class="sheet-remarks">
+          <summary>{words.value.results.room.more(other.length - mostRemarks)}</summary>
+          <RemarkList lines={other.slice(mostRemarks)} />
+        </details>
+      )}
     </Section>
   );
 }
+
+const RemarkList = ({ lines }: { readonly lines: readonly string[] }) => (
+  <ul class="sheet-remarks">
+    {lines.map((line) => (
+      <li key={line}>{sentence(line)}</li>
+    ))}
+  </ul>
+);
 
 /** Said before anything is computed. */
 function Lost({ state, setDoubleSided }: { state: SheetState; setDoubleSided: (on: boolean) => void }) {
