@@ -49,9 +49,11 @@ test('the first light waits for few files: a browser asks a host for six at a ti
   await expect.poll(() => isFull(page)).toBe(true);
   // What is fetched in idle moments after the light is no wait for it, however late this test notices the light.
   const lit = await page.evaluate(
-    () => performance.timeOrigin + performance.getEntriesByName('light set')[0].startTime,
+    () => performance.timeOrigin + performance.getEntriesByName('light set')[0]!.startTime,
   );
-  const before = asked.filter((request) => request.timing().startTime <= lit).map((request) => new URL(request.url()).pathname);
+  const before = asked
+    .filter((request) => request.timing().startTime <= lit)
+    .map((request) => new URL(request.url()).pathname);
   const room = before.findIndex((name) => name.endsWith('.flux'));
   expect(room).toBeGreaterThan(0);
   expect(room).toBeLessThanOrEqual(12);

@@ -88,10 +88,9 @@ export const faults: Words['faults'] = {
     `${withoutMaterial(meshes, 'kein Material')}: Decken gelten mit Reflexionsgrad ${ceilings}, Wände ${walls}, Böden ${floors}, anderes ${others}`,
   whiteMaterial: (meshes, name, ceilings, walls, floors, others) =>
     `${withoutMaterial(meshes, `kein Material außer Weiß („${name}“)`)}: Decken gelten mit Reflexionsgrad ${ceilings}, Wände ${walls}, Böden ${floors}, anderes ${others}`,
-  smallParts: (count) =>
-    `${count} Knoten: Was kleiner ist als 0,5 % der Fläche, zählt zum Boden, zu den Wänden, zur Decke oder zu den Dingen seines Raums`,
-  smallThings: (count, name) =>
-    `${count} Knoten: Was kleiner ist als 0,5 % der Fläche, ist zusammen eine Fläche, „${name}“`,
+  smallNodes: (count, what) => `${count} Knoten: Die unter 0,5 % der Fläche sind ${what}`,
+  partsOfRoom: 'der Boden, die Wände, die Decke oder die Dinge ihres Raums',
+  oneSurface: (name) => `zusammen eine Fläche, „${name}“`,
   clusters: (edge, other, most) =>
     `Gruppen haben ${edge} × ${other} Teilflächen, damit es höchstens ${most} sind`,
   tooLow: (count, all, mount, drop) =>

@@ -70,10 +70,9 @@ export const faults = {
     others: string,
   ) =>
     `${meshes} no material but white ('${name}'): ceilings are taken to reflect ${ceilings}, walls ${walls}, floors ${floors}, other things ${others}`,
-  smallParts: (count: string) =>
-    `${count} nodes: those below 0.5 % of the area are the floor, walls, ceiling or things of the room that they are in`,
-  smallThings: (count: string, name: string) =>
-    `${count} nodes: those below 0.5 % of the area are one surface, '${name}'`,
+  smallNodes: (count: string, what: string) => `${count} nodes: those below 0.5 % of the area are ${what}`,
+  partsOfRoom: 'the floor, walls, ceiling or things of the room that they are in',
+  oneSurface: (name: string) => `one surface, '${name}'`,
   clusters: (edge: string, _: string, most: string) =>
     `clusters are ${edge} x ${_} patches, so that there are at most ${most}`,
   tooLow: (count: string, all: string, mount: string, drop: string) =>
