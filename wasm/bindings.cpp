@@ -323,7 +323,8 @@ LuminaireRules rulesOf(const val& v) {
   LuminaireRules rules;
   rules.count = v["count"].as<std::uint32_t>();
   rules.countHigh = v["countHigh"].as<std::uint32_t>();
-  rules.arrangement = {enumOf<Rule>(v, "rule"), enumOf<PlanAxis>(v, "axis")};
+  rules.arrangement = {enumOf<Rule>(v, "rule"), enumOf<PlanAxis>(v, "axis"),
+                       v["leastInRow"].as<std::uint32_t>()};
   rules.flux = vectorOf<double>(v["flux"]);
   rules.dimmingLow = v["dimmingLow"].as<double>();
   rules.dimmingHigh = v["dimmingHigh"].as<double>();

@@ -131,7 +131,7 @@ std::vector<Ties> rowTies(const SiteGrid& grid, const LuminaireRules& rules) {
   std::vector<Ties> result;
   for (const PlanAxis axis : {PlanAxis::kX, PlanAxis::kZ}) {
     if (rules.arrangement.axis != axis && rules.arrangement.axis != PlanAxis::kFound) continue;
-    for (std::uint32_t count = std::min(2u, most); count <= most; ++count)
+    for (std::uint32_t count = std::min(rules.arrangement.leastInRow, most); count <= most; ++count)
       if (most / count * count >= rules.count) addRows(grid, axis == PlanAxis::kX ? 0 : 1, count, result);
   }
   result.erase(std::remove_if(result.begin(), result.end(), [](const Ties& t) { return t.members.empty(); }),

@@ -35,8 +35,8 @@ struct Ties {
 
 /// Every P that a rule allows, of which a layout uses one. Free: each site alone. Symmetric: the orbits of
 /// the sites under the mirror that keeps most of them, about each axis asked for. Rows: for each axis, number
-/// in a row and pitch the rows that fit on the sites, of which a layout has no two that run together. A field
-/// has none.
+/// in a row (as many as are asked for at least) and pitch the rows that fit on the sites, of which a layout
+/// has no two that run together. A field has none.
 std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules);
 
 /// Do two rows on one line run into each other, or come nearer than their pitch? Nobody would read them as

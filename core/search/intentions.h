@@ -54,6 +54,7 @@ inline constexpr const char* kPlanAxisNames[] = {"found", "x", "z", "both"};  //
 struct Arrangement {
   Rule rule = Rule::kFree;
   PlanAxis axis = PlanAxis::kFound;  // of symmetric layouts and rows; a field's, found: it may be anywhere
+  std::uint32_t leastInRow = 3;      // of rows: fewer only where there are not so many in all
 };
 
 /// How many luminaires of one type there may be.

@@ -48,16 +48,19 @@ Result<Done> checkArrangement(const Scene& scene, const LuminaireRules& rules) {
     return Error{"arrangement: \"" + name + "\" has no axis; drop it"};
   if (asked.rule == Rule::kRows && asked.axis == PlanAxis::kBoth)
     return Error{"arrangement: rows run along one axis; say \"x\", \"z\" or \"found\""};
+  if (asked.leastInRow < 2)
+    return Error{"arrangement: a row has at least two luminaires; say so many as \"leastInRow\""};
   if (rules.flux.size() > 1 && asked.rule != Rule::kFree)
     return Error{"arrangement: luminaires that are tied are all alike; give one flux"};
   if (rules.flux.size() > 1 && countVaries(rules))
     return Error{"luminaires: where their count may vary they are all alike; give one flux"};
   if (hasRoom(scene, rules)) return Done{};
   const char* const what[] = {"layout", "symmetric layout", "layout in rows", "regular field"};
+  const bool areRows = asked.rule == Rule::kRows;
   return Error{"arrangement: found no " + std::string(what[static_cast<std::size_t>(asked.rule)]) + " of " +
-               countText(rules) +
-               " luminaires on the free sites; change the count, give it a range, or free " +
-               "the arrangement"};
+               countText(rules) + " luminaires" +
+               (areRows ? ", at least " + text(std::size_t{asked.leastInRow}) + " in each," : "") +
+               " on the free sites; change the count, give it a range, or free the arrangement"};
 }
 
 Result<Done> checkFluxes(const LuminaireRules& rules) {

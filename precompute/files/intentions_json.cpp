@@ -69,11 +69,15 @@ void readCount(const JsonField& json, LuminaireRules& rules) {
 }
 
 Arrangement arrangementOf(const JsonField& json) {
-  json.requireKeys({"rule", "axis"});
+  json.requireKeys({"rule", "axis", "leastInRow"});
   Arrangement arrangement;
   arrangement.rule =
       json.at("rule", "say \"free\", \"symmetric\", \"rows\" or \"field\"").oneOf(namedBy<Rule>(kRuleNames));
   if (const auto axis = json.find("axis")) arrangement.axis = axis->oneOf(namedBy<PlanAxis>(kPlanAxisNames));
+  if (const auto least = json.find("leastInRow")) {
+    if (arrangement.rule != Rule::kRows) least->fail("only \"rows\" have a least number in each; drop it");
+    arrangement.leastInRow = least->whole();
+  }
   return arrangement;
 }
 

@@ -3,13 +3,21 @@
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
 import { effect, signal, untracked } from '@preact/signals';
-import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
+import type { Draft } from 'immer';
+import type {
+  Arrangement,
+  FiatLuxDocument,
+  Intentions,
+  Layout,
+  Luminaires,
+  Rule,
+} from '../document/types.ts';
 import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
 import type { Solving } from './solving.ts';
 import { wattsOf } from './state/power.ts';
-import type { Comparison, CountTried, Store } from './state/store.ts';
+import type { Answering, Comparison, CountTried, Store } from './state/store.ts';
 
 export const rules: readonly Rule[] = ['free', 'symmetric', 'rows', 'field'];
 
@@ -58,7 +66,8 @@ export const withArrangement = (asked: Intentions, arrangement: Arrangement): In
  */
 export function arrangementsOf(rule: Rule, luminaires: Luminaires): readonly [Arrangement, ...Arrangement[]] {
   const { axis, rule: had } = luminaires.arrangement ?? {};
-  const isNewField = rule === 'field' && had !== 'field' && (axis === undefined || had === 'rows');
+  if (luminaires.arrangement && rule === had) return [luminaires.arrangement];
+  const isNewField = rule === 'field' && (axis === undefined || had === 'rows');
   if (isNewField && luminaires.pinned.length === 0)
     return [{ rule, axis: 'both' }, { rule, axis: 'x' }, { rule, axis: 'z' }, { rule }];
   if (axis === undefined || rule === 'free') return [{ rule }];
@@ -140,6 +149,14 @@ export function knownOf(store: Store): Comparison | null {
   return { ...tried, counts, rules: rulesKnown(tried, rule, settled, cost) };
 }
 
+/** What was found for a number of luminaires. */
+export const countFound = (counts: readonly CountTried[], count: number): Outcome | null =>
+  counts.find((each) => each.count === count)?.outcome ?? null;
+
+/** A search for what is told to be met begins where that was found, so that it is. */
+export const fromFound = (outcome: Outcome | null): Answering =>
+  outcome?.met ? { by: 'search', from: outcome.layout } : { by: 'search' };
+
 /** The least number of luminaires that met everything, as far as has been tried. */
 export function fewestMet({ counts }: Pick<Comparison, 'counts'>): number | null {
   return counts.find(({ outcome }) => outcome?.met)?.count ?? null;
@@ -183,15 +200,24 @@ export class Comparing {
     const choice = ++this.#choice;
     const { luminaires } = this.#store.traced.peek().intentions;
     const arrangement = await this.#arrangementOf(rule, luminaires).catch(() => null);
-    if (arrangement && choice === this.#choice) this.arrange(arrangement);
+    if (arrangement && choice === this.#choice) this.arrange(arrangement, this.#foundAs(rule));
   }
 
-  arrange(arrangement: Arrangement): void {
+  arrange(arrangement: Arrangement, found: Outcome | null = null): void {
     this.#choice++;
-    this.#store.edit(words.value.steps.arrangement, (draft) => {
+    const take = (draft: Draft<FiatLuxDocument>) => {
       if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
       else draft.luminaires.arrangement = { ...arrangement };
-    });
+    };
+    this.#store.edit(words.value.steps.arrangement, take, null, fromFound(found));
+  }
+
+  /** What is known of a rule for the very wishes of now. */
+  #foundAs(rule: Rule): Outcome | null {
+    const { comparison, traced } = this.#store;
+    const known = comparison.peek();
+    if (known?.of !== traced.peek().intentions) return null;
+    return known.rules.find((each) => each.rule === rule)?.outcome ?? null;
   }
 
   async #arrangementOf(rule: Rule, luminaires: Luminaires): Promise<Arrangement> {
@@ -272,7 +298,7 @@ export class Comparing {
       variants,
       evaluations,
       ({ outcome, done }) => {
-        outcomes.push(outcome);
+        outcomes.push(outcome && { ...outcome, layout: this.#solving.asRead(outcome.layout) });
         if (done) told(outcomes);
       },
       () => void (this.#asked.value = null),

@@ -123,6 +123,7 @@ const dimming = v.pipe(
 const arrangement = v.object({
   rule: v.picklist(['free', 'symmetric', 'rows', 'field']),
   axis: v.exactOptional(v.picklist(['found', 'x', 'z', 'both'])),
+  leastInRow: v.exactOptional(v.pipe(number(2, mostLuminaires), v.integer())),
 });
 
 const factor = number(0.05, 1);

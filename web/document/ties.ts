@@ -4,6 +4,9 @@
  */
 import type { Layout, PlanAxis, Rule } from './types.ts';
 
+/** What a row has at least where nothing is said of it, as in intentions.json. */
+export const usualInRow = 3;
+
 const samePlace = 0.02; // m
 
 type Tied = Pick<Layout, 'sites' | 'ties'>;

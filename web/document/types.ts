@@ -112,6 +112,7 @@ export type PlanAxis = 'found' | 'x' | 'z' | 'both'; // both: not of rows
 export interface Arrangement {
   readonly rule: Rule;
   readonly axis?: PlanAxis; // absent = found; of a field: anywhere
+  readonly leastInRow?: number; // luminaires, of rows; absent = as usual (ties.ts)
 }
 
 /** A rectangle in plan, in the room's axes, m: the smaller x and z, then the larger ones. */

@@ -1,6 +1,7 @@
 /** From the document's words to the core's numbers: names become leaf indices, missing bounds become infinite. */
 import { boundedBy } from '../document/intentions.ts';
 import { paintByLeaf } from '../document/paint.ts';
+import { usualInRow } from '../document/ties.ts';
 import type {
   Constraint,
   Glare,
@@ -47,6 +48,7 @@ export function coreLuminaires(luminaires: Luminaires): CoreIntentions['luminair
     countHigh: luminaires.most ?? 0,
     rule: codes.rule[luminaires.arrangement?.rule ?? 'free'],
     axis: codes.axis[luminaires.arrangement?.axis ?? 'found'],
+    leastInRow: luminaires.arrangement?.leastInRow ?? usualInRow,
     flux: Float64Array.of(luminaires.flux),
     dimmingLow: luminaires.dimming[0],
     dimmingHigh: luminaires.dimming[1],

@@ -171,6 +171,7 @@ export interface CoreIntentions {
     readonly countHigh: number; // the most; 0 = exactly `count`
     readonly rule: number;
     readonly axis: number;
+    readonly leastInRow: number; // of rows
     readonly flux: Float64Array; // lm: one for all, or one each
     readonly dimmingLow: number;
     readonly dimmingHigh: number;

@@ -204,8 +204,8 @@ bool isRows(Sites sites, std::uint32_t count, std::uint32_t step, bool alongX) {
   return true;
 }
 
-bool isRows(const Sites& sites) {
-  for (std::uint32_t count = 2; count <= sites.size(); ++count)
+bool isRows(const Sites& sites, std::uint32_t least) {
+  for (std::uint32_t count = least; count <= sites.size(); ++count)
     for (std::uint32_t step = 1; step < kWidth; ++step)
       if (sites.size() % count == 0 &&
           (isRows(sites, count, step, true) || isRows(sites, count, step, false)))
@@ -272,8 +272,39 @@ TEST(Arrangements, TheBestFieldIsThatOfAllSets) {
 }
 
 TEST(Arrangements, TheBestRowsAreThoseOfAllSets) {
-  for (const std::uint32_t count : {2u, 4u, 6u})
-    expectBest(ask(count, Rule::kRows), 60000, [](const Sites& sites) { return isRows(sites); });
+  for (const std::uint32_t count : {2u, 4u, 6u}) {
+    Intentions intentions = ask(count, Rule::kRows);
+    for (const std::uint32_t least : {2u, 3u}) {
+      intentions.luminaires.arrangement.leastInRow = least;
+      const auto obeys = [&](const Sites& sites) { return isRows(sites, std::min(least, count)); };
+      expectBest(intentions, 60000, obeys);
+    }
+  }
+}
+
+// Twelve pairs are no rows on a ceiling.
+TEST(Arrangements, ARowHasAsManyAsAreAskedFor) {
+  LuminaireRules rules;
+  rules.count = 12;
+  rules.arrangement = {Rule::kRows};
+  const auto shortest = [&](const Scene& scene) {
+    std::uint32_t least = kNone;
+    for (const Ties& ties : tiesUnder(SiteGrid(scene), rules)) least = std::min(least, ties.key.perTie);
+    return least;
+  };
+  const Scene scene = ceiling();
+  EXPECT_EQ(shortest(scene), 3u);  // what is not said
+  rules.arrangement.leastInRow = 5;
+  EXPECT_EQ(shortest(scene), 6u);  // twelve do not go into fives
+  rules.arrangement.leastInRow = 2;
+  EXPECT_EQ(shortest(scene), 2u);
+  rules.arrangement.leastInRow = 20;
+  EXPECT_EQ(shortest(scene), 12u);  // all in one
+  const Result<Done> result = checkRules(ceiling(5, 5), rules);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("at least 20 in each"), std::string::npos);
+  rules.arrangement.leastInRow = 1;
+  EXPECT_FALSE(checkRules(scene, rules));
 }
 
 // Two rows whose luminaires alternate on one line are a line of uneven gaps: on a ceiling nobody sees rows.
@@ -290,12 +321,13 @@ TEST(Arrangements, RowsOnOneLineDoNotRunIntoEachOther) {
   PreparedScene prepared(smallRoom());
   const std::uint32_t line = kWidth;  // all of the small room but its first line is kept free
   Intentions intentions = ask(4, Rule::kRows, PlanAxis::kX);
+  intentions.luminaires.arrangement.leastInRow = 2;
   for (std::uint32_t site = line; site < line * kDepth; ++site)
     intentions.luminaires.excluded.push_back(site);
   intentions.luminaires.pinned = {0, 2};  // of a line of five: a row of 0 2, and another of 1 3 would hold it
   LayoutSearch search(prepared, intentions, 1);
   search.advance(2000);
-  EXPECT_TRUE(isRows(sorted(search.incumbent().sites))) << search.incumbent().sites[2];
+  EXPECT_TRUE(isRows(sorted(search.incumbent().sites), 2)) << search.incumbent().sites[2];
 }
 
 TEST(Arrangements, TheBestSymmetricLayoutIsThatOfAllSets) {

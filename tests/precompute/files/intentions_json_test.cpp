@@ -61,6 +61,11 @@ TEST(IntentionsJson, ReadsAnArrangementAndARangeOfCounts) {
   EXPECT_EQ(result->luminaires.arrangement.axis, PlanAxis::kBoth);
   expectRefusal(R"({"luminaires": {"count": [3]}})", "luminaires.count: a range of counts is [least, most]");
   expectRefusal(R"({"luminaires": {"count": [8, 3]}})", "luminaires.count: a range of counts");
+  const Result<Intentions> rows = parseIntentions(
+      namedRoom(), R"({"luminaires": {"count": 8}, "arrangement": {"rule": "rows", "leastInRow": 4}})");
+  ASSERT_TRUE(rows) << rows.error().message;
+  EXPECT_EQ(rows->luminaires.arrangement.leastInRow, 4u);
+  expectRefusal(R"({"arrangement": {"rule": "field", "leastInRow": 6}})", "arrangement.leastInRow: ");
   expectRefusal(R"({"arrangement": {"axis": "x"}})", "arrangement: ");
   expectRefusal(R"({"arrangement": {"rule": "circle"}})", "arrangement.rule: ");
   expectRefusal(R"({"arrangement": {"rule": "rows", "axis": "y"}})", "arrangement.axis: ");

@@ -2,10 +2,12 @@ import { describe, expect, test } from '@jest/globals';
 import {
   arrangementsOf,
   byRule,
+  countFound,
   countsAround,
   countsBeyond,
   countsKnown,
   fewestMet,
+  fromFound,
   rulesKnown,
   takeNumber,
   withCount,
@@ -49,6 +51,8 @@ test('another number is exactly that, another rule keeps the axis that it has a 
   const both = { ...luminaires, arrangement: { rule: 'symmetric', axis: 'both' } } as const;
   expect(arrangementsOf('rows', luminaires)).toEqual([{ rule: 'rows' }]);
   expect(arrangementsOf('rows', both)).toEqual([{ rule: 'rows' }]);
+  const long = { rule: 'rows', axis: 'x', leastInRow: 6 } as const;
+  expect(arrangementsOf('rows', { ...luminaires, arrangement: long })).toEqual([long]);
   expect(arrangementsOf('symmetric', both)).toEqual([{ rule: 'symmetric', axis: 'both' }]);
   expect(arrangementsOf('field', both)).toEqual([{ rule: 'field', axis: 'both' }]);
 });
@@ -199,4 +203,55 @@ test('what the same search begun anew has dropped is asked again: no strip stays
   solving.solve();
   await settle();
   expect(solver.asked.filter(({ type }) => type === 'compare')).toHaveLength(asked + 2); // all is known
+});
+
+test('what is told to be met is met where it is chosen: the search begins there', async () => {
+  const { app, solver, settle } = await appInRoom();
+  const { store, comparing } = app;
+  const layout = (first: number) => ({ sites: [first, 7, 13], flux: [900, 900, 900], dimming: 1 });
+  const answer = () => {
+    const { revision, variants } = solver.last('compare')!;
+    variants.forEach((_, variant) => {
+      const [met, done] = [variant === 1, variant === variants.length - 1]; // as a symmetric layout alone
+      const outcome = { layout: layout(variant), lumens: 2700, met, violation: met ? 0 : 1 };
+      solver.say({ type: 'compared', revision, variant, outcome, done });
+    });
+  };
+  const choose = async (rule: 'symmetric' | 'rows') => {
+    const chosen = comparing.choose(rule);
+    solver.flush();
+    await chosen;
+    return [...solver.last('solve')!.start!.sites].sort((a, b) => a - b);
+  };
+  store.tab.value = 'luminaires';
+  await settle();
+  answer(); // the numbers
+  await settle();
+  answer(); // the arrangements
+  await settle();
+  const shown = [...store.shown.value!.layout.sites].sort((a, b) => a - b);
+  expect(await choose('rows')).toEqual(shown);
+  store.undo();
+  await settle();
+  answer();
+  await settle();
+  answer();
+  await settle();
+  expect(await choose('symmetric')).toEqual([1, 7, 13]);
+});
+
+test('a search for what missed a bound begins where it would anyway', () => {
+  const outcome = (met: boolean) => ({
+    layout: { sites: [4], flux: [1], dimming: 1 },
+    lumens: 1,
+    met,
+    violation: met ? 0 : 1,
+  });
+  const counts = [
+    { count: 1, outcome: outcome(true) },
+    { count: 2, outcome: outcome(false) },
+  ];
+  expect(fromFound(countFound(counts, 1))).toEqual({ by: 'search', from: outcome(true).layout });
+  expect(fromFound(countFound(counts, 2))).toEqual({ by: 'search' });
+  expect(fromFound(countFound(counts, 3))).toEqual({ by: 'search' });
 });

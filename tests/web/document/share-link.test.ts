@@ -62,6 +62,9 @@ test('a link carries an arrangement and a range of counts', () => {
     luminaires: { ...link.luminaires, most: 9, arrangement: { rule: 'symmetric', axis: 'both' } },
   };
   expect(decodeLink(encodeLink(arranged))).toEqual({ ok: true, link: arranged });
+  const rows = { rule: 'rows', axis: 'z', leastInRow: 4 } as const;
+  const inRows: Link = { ...link, luminaires: { ...link.luminaires, arrangement: rows } };
+  expect(decodeLink(encodeLink(inRows))).toEqual({ ok: true, link: inRows });
   const broken = forged(JSON.stringify({ ...plain, l: { ...rules, arrangement: { rule: 'circle' } } }));
   expect(decodeLink(broken)).toMatchObject({ ok: false, message: expect.stringContaining('arrangement') });
 });

@@ -15,6 +15,7 @@ export const luminaires: Words['luminaires'] = {
   arrangement: {
     name: 'Anordnung',
     noRoom: 'kein Platz',
+    about: (cost) => `etwa ${cost}`,
     rowsRun: 'Reihen verlaufen',
     mirrored: 'Gespiegelt an',
     rowsFound: 'in der besseren Richtung',
@@ -23,6 +24,7 @@ export const luminaires: Words['luminaires'] = {
     rowsLong: 'längs im Raum',
     axisLong: 'der langen Achse',
     rowsShort: 'quer im Raum',
+    leastInRow: 'In jeder Reihe mindestens',
     axisShort: 'der kurzen Achse',
     both: 'beiden Achsen',
     rules: {

@@ -14,6 +14,7 @@ export const luminaires = {
   arrangement: {
     name: 'Arrangement',
     noRoom: 'no room',
+    about: (cost: string) => `about ${cost}`,
     rowsRun: 'Rows run',
     mirrored: 'Mirrored about',
     rowsFound: 'the better way',
@@ -22,6 +23,7 @@ export const luminaires = {
     rowsLong: 'along the room',
     axisLong: 'the long axis',
     rowsShort: 'across the room',
+    leastInRow: 'In each row at least',
     axisShort: 'the short axis',
     both: 'both axes',
     rules: {

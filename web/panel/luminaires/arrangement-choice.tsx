@@ -4,8 +4,11 @@ import { knownOf, rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Store } from '../../app/state/store.ts';
-import type { Arrangement, Layout, PlanAxis, Rule } from '../../document/types.ts';
+import { mostLuminaires } from '../../document/schema.ts';
+import { usualInRow } from '../../document/ties.ts';
+import type { Layout, PlanAxis, Rule } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
+import { NumberRow } from '../controls/number-row.tsx';
 
 /** Dots of the drawings, in a square of 40 x 28. */
 const dots: Record<Rule, readonly (readonly [number, number])[]> = {
@@ -40,6 +43,7 @@ export function ArrangementChoice() {
       <div class="drawings" data-current={isCurrent}>
         {rules.map((rule) => {
           const tried = comparison?.rules.find((each) => each.rule === rule);
+          const isRough = rule !== asked && rule !== 'field'; // of fields all are tried
           return (
             <label key={rule} class="drawing" title={words.value.luminaires.arrangement.rules[rule].hint}>
               <input
@@ -50,7 +54,7 @@ export function ArrangementChoice() {
               />
               <Drawing rule={rule} />
               <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
-              <small>{tried ? costText(tried.outcome, store) : '\u00a0'}</small>
+              <small>{tried ? costText(tried.outcome, store, isRough) : '\u00a0'}</small>
             </label>
           );
         })}
@@ -59,27 +63,33 @@ export function ArrangementChoice() {
         <Axis
           rule={asked}
           axis={luminaires.arrangement?.axis ?? 'found'}
-          choose={(arrangement) => comparing.arrange(arrangement)}
+          choose={(axis) => {
+            const { axis: _, ...others } = luminaires.arrangement ?? { rule: asked };
+            comparing.arrange(axis === 'found' ? others : { ...others, axis });
+          }}
         />
       )}
+      {asked === 'rows' && <LeastInRow least={luminaires.arrangement?.leastInRow ?? usualInRow} />}
     </fieldset>
   );
 }
 
-/** "482 W", "not met", "no room". */
+/** "482 W", "not met", "no room"; "about 482 W" of what was not searched for as long as what hangs. */
 export function costText(
   outcome: { readonly met: boolean; readonly layout: Layout } | null,
   { efficacy, document }: Pick<Store, 'efficacy' | 'document'>,
+  isRough = false,
 ): string {
   if (!outcome) return words.value.luminaires.arrangement.noRoom;
   if (!outcome.met) return words.value.values.unmet;
-  return `${compact(wattsOf(outcome.layout, efficacy.value, document.value.luminaires.types))} W`;
+  const cost = `${compact(wattsOf(outcome.layout, efficacy.value, document.value.luminaires.types))} W`;
+  return isRough ? words.value.luminaires.arrangement.about(cost) : cost;
 }
 
 interface AxisProps {
   readonly rule: Exclude<Rule, 'free'>;
   readonly axis: PlanAxis;
-  readonly choose: (arrangement: Arrangement) => void;
+  readonly choose: (axis: PlanAxis) => void;
 }
 
 function Axis({ rule, axis, choose }: AxisProps) {
@@ -90,14 +100,7 @@ function Axis({ rule, axis, choose }: AxisProps) {
   return (
     <label class="setting-row">
       <span>{isRows ? said.rowsRun : said.mirrored}</span>
-      <select
-        class="select"
-        value={axis}
-        onChange={(event) => {
-          const next = event.currentTarget.value as PlanAxis;
-          choose(next === 'found' ? { rule } : { rule, axis: next });
-        }}
-      >
+      <select class="select" value={axis} onChange={(event) => choose(event.currentTarget.value as PlanAxis)}>
         {offered.map(([value, text]) => (
           <option key={value} value={value}>
             {text}
@@ -105,6 +108,33 @@ function Axis({ rule, axis, choose }: AxisProps) {
         ))}
       </select>
     </label>
+  );
+}
+
+/** How long a row is that somebody would read as one. */
+function LeastInRow({ least }: { least: number }) {
+  const { store } = useApp();
+  const name = words.value.luminaires.arrangement.leastInRow;
+  const take = (next: number) =>
+    store.edit(
+      words.value.steps.arrangement,
+      ({ luminaires }) => {
+        if (luminaires.arrangement) luminaires.arrangement.leastInRow = next;
+      },
+      name,
+    );
+  return (
+    <NumberRow
+      name={name}
+      label={name}
+      value={least}
+      step={1}
+      min={2}
+      max={mostLuminaires}
+      whole
+      onInput={take}
+      onEnd={() => store.endGesture()}
+    />
   );
 }
 

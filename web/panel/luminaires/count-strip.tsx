@@ -1,7 +1,7 @@
 /** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { fewestMet, knownOf } from '../../app/comparing.ts';
+import { countFound, fewestMet, fromFound, knownOf } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
@@ -23,10 +23,15 @@ export function CountStrip() {
   const isCurrent = comparison.of === store.traced.value.intentions;
   const isBounded = hasBounds(store.traced.value.intentions);
   const take = (count: number) =>
-    store.edit(words.value.steps.count, ({ luminaires }) => {
-      luminaires.count = count;
-      delete luminaires.most;
-    });
+    store.edit(
+      words.value.steps.count,
+      ({ luminaires }) => {
+        luminaires.count = count;
+        delete luminaires.most;
+      },
+      null,
+      fromFound(isCurrent ? countFound(comparison.counts, count) : null),
+    );
   const { counts, arrangement } = words.value.luminaires;
   return (
     <div class="field count-strip" data-current={isCurrent}>

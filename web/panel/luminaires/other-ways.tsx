@@ -1,7 +1,9 @@
 /** Ways out of what cannot be met that lie with the luminaires: another arrangement, or more of them. Each was tried. */
 import { useApp } from '../../app/app.ts';
-import { fewestMet, rules } from '../../app/comparing.ts';
+import type { Draft } from 'immer';
+import { countFound, fewestMet, fromFound, rules } from '../../app/comparing.ts';
 import type { RuleWay } from '../../app/relief.ts';
+import type { FiatLuxDocument } from '../../document/types.ts';
 import { shortest } from '../../language/numbers.ts';
 import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
@@ -29,7 +31,7 @@ export function RulesFirst() {
       <div class="row">
         {others.map(({ rule, outcome }) => (
           <button key={rule} class="button small" onClick={() => void comparing.choose(rule)}>
-            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store)}
+            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store, rule !== 'field')}
           </button>
         ))}
       </div>
@@ -84,16 +86,16 @@ export function MoreLuminaires() {
   const comparison = store.comparison.value;
   const { count, most = count } = store.document.value.luminaires;
   if (comparison?.of !== store.traced.value.intentions) return null;
-  const fewest = fewestMet({
-    counts: [...comparison.counts, ...comparison.beyond].filter((each) => each.count > most),
-  });
+  const counts = [...comparison.counts, ...comparison.beyond].filter((each) => each.count > most);
+  const fewest = fewestMet({ counts });
   if (fewest === null) return null;
   const more = fewest - most;
+  const take = ({ luminaires }: Draft<FiatLuxDocument>) => {
+    if (luminaires.most === undefined) luminaires.count = fewest;
+    else luminaires.most = fewest;
+  };
   const add = () =>
-    store.edit(words.value.steps.addLuminaires, ({ luminaires }) => {
-      if (luminaires.most === undefined) luminaires.count = fewest;
-      else luminaires.most = fewest;
-    });
+    store.edit(words.value.steps.addLuminaires, take, null, fromFound(countFound(counts, fewest)));
   return (
     <button class="button small" onClick={add}>
       {words.value.luminaires.arrangement.more(more)}
