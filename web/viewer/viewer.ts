@@ -485,7 +485,8 @@ class RoomViewer implements Viewer {
   #applyDisplay(): void {
     const display = this.#display;
     if (!display || !this.#room) return;
-    this.#section.set(display.section ?? null, display.cutAway);
+    const hasBacks = this.#info?.surfaces.some(({ name }) => name.endsWith(' (back)')) ?? false;
+    this.#section.set(display.section ?? null, display.cutAway, hasBacks);
     const side = display.cutAway ? FrontSide : DoubleSide;
     const litSide = this.#section.isBuilding ? DoubleSide : side;
     for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = litSide;

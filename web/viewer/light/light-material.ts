@@ -93,6 +93,12 @@ void main() {
 }
 `;
 
+/** m: as high as no room is. */
+export const noSection = 1e9;
+
+export const darkShell = 0.02; // of the usual light
+export const levelShell = 0.5; // of a normal: steeper is a wall
+
 const fragmentShader = /* glsl */ `
 uniform sampler2D albedoMap;
 uniform vec4 albedo;
@@ -118,6 +124,7 @@ uniform float section;    // m: what is higher is not drawn
 uniform float storeys;    // whose floors are below it
 uniform bool building;    // seen from outside
 uniform float openFrom;   // m: backs that are higher are cut away
+uniform float openTo;     // m: the middle of a room that is seen from outside and cut away
 uniform float colored;
 uniform float usualLight; // lx, what an eye is adapted to
 uniform highp sampler2D opennessTexture;
@@ -207,6 +214,15 @@ bool isOutside(float light) {
   return dot(step(distance, vec4(edge)) * step(vec4(-inward), facing), vec4(1.0)) > 0.5;
 }
 
+// Of a room that is cut away: dark and looking away from its middle, such as the inside of a wall behind its outer face.
+bool isShell(float light) {
+  if (measuring || openTo >= ${noSection.toExponential()} || light > ${darkShell} * usualLight) return false;
+  vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+  vec3 way = vPlace - vec3(0.5 * (sides.x + sides.z), openTo, 0.5 * (sides.y + sides.w));
+  if (abs(normal.y) > ${levelShell}) return normal.y > 0.0 && way.y > 0.0;
+  return !standing && dot(normal.xz, way.xz) > 0.0;
+}
+
 vec3 colorOnLegend(float quantity) {
   float value = logarithmic ? log(max(quantity, 1e-12)) : quantity;
   float at = clamp((value - legend.x) / (legend.y - legend.x), 0.0, 1.0);
@@ -248,6 +264,7 @@ void main() {
   }
   // What is lit for the eye alone has no colour of light: that of the little which is there can be any.
   float light = litHere();
+  if (isShell(light)) discard;
   float drawn = drawnLight(light);
   if (colored > 0.0) surface.rgb *= mix(vec3(1.0), vLightColor, min(1.0, light / max(drawn, 1e-6)));
   bool isOut = !measuring && isOutside(light);
@@ -267,9 +284,6 @@ void main() {
   gl_FragColor = linearToOutputTexel(vec4(color, alpha));
 }
 `;
-
-/** m: as high as no room is. */
-export const noSection = 1e9;
 
 /** Uniforms that every mesh of the room shares; change a value and draw. */
 export function sharedUniforms() {
@@ -301,6 +315,7 @@ export function sharedUniforms() {
     storeys: { value: 0 },
     building: { value: false },
     openFrom: { value: noSection },
+    openTo: { value: noSection },
     usualLight: { value: 0 },
   };
 }

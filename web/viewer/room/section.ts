@@ -7,7 +7,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Box } from '../eye/framing.ts';
-import { noSection, type SharedUniforms } from '../light/light-material.ts';
+import { darkShell, levelShell, noSection, type SharedUniforms } from '../light/light-material.ts';
 import { forEachCut, type Solid } from './columns.ts';
 import { partsOf, type Part } from './hung-meshes.ts';
 import type { RoomMesh } from './room-mesh.ts';
@@ -60,6 +60,7 @@ export class Section {
   #cut: readonly Solid[] | null = null; // what the cut goes through
   #height: number | null = null;
   #cutAway = true;
+  #hasBacks = false;
 
   constructor(uniforms: SharedUniforms) {
     this.#uniforms = uniforms;
@@ -72,13 +73,17 @@ export class Section {
     this.#room = room;
     this.#storeys = this.#pieces = this.#cut = null;
     this.#uniforms.building.value = false;
-    this.#uniforms.openFrom.value = noSection;
+    this.#uniforms.openFrom.value = this.#uniforms.openTo.value = noSection;
     this.#show();
   }
 
-  /** m, or null for the whole room; `cutAway`: the walls in front of the highest storey that is shown are not drawn. */
-  set(height: number | null, cutAway: boolean): void {
+  /**
+   * m, or null for the whole room; `cutAway`: the walls in front of the highest storey that is shown are not drawn;
+   * `hasBacks`: some of the room's surfaces are the other sides of sheets, as those within walls are.
+   */
+  set(height: number | null, cutAway: boolean, hasBacks = false): void {
     const isNew = height !== this.#height;
+    this.#hasBacks = hasBacks;
     this.#height = height;
     this.#cutAway = cutAway;
     if (isNew) this.#show();
@@ -103,11 +108,17 @@ export class Section {
     return this.isBuilding && this.storeys.some(({ floor }) => Math.abs(y - floor) < floorDepth);
   }
 
-  /** Before a picture: from within, a building has no outsides, and the storeys below the highest shown one are closed. */
+  /**
+   * Before a picture: from within, a building has no outsides, and the storeys below the highest shown one are closed. A
+   * single room with walls that have two sides shows no shell to an eye outside, where it is cut away.
+   */
   look(eye: Vector3): void {
     const box = this.#room?.box;
-    if (!box || !this.isBuilding) return;
+    if (!box) return;
     const isWithin = eye.toArray().every((at, i) => at > box.min[i]! && at < box.max[i]!);
+    const isOpened = this.#hasBacks && this.#cutAway && !isWithin && !this.isBuilding;
+    this.#uniforms.openTo.value = isOpened ? (box.min[1] + box.max[1]) / 2 : noSection;
+    if (!this.isBuilding) return;
     const floor = isWithin ? -noSection : (this.#shown.at(-1)?.floor ?? -noSection);
     this.#uniforms.building.value = !isWithin;
     this.#uniforms.openFrom.value = this.#cutAway ? floor - plates : noSection;
@@ -127,9 +138,25 @@ export class Section {
   /** Whether a point of a mesh is not drawn, by one of its vertices; `isBack`: it is seen from behind. */
   hides(geometry: BufferGeometry, vertex: number, y: number, isBack: boolean): boolean {
     if (isBack && y > this.#uniforms.openFrom.value) return true;
+    if (!isBack && this.#isShell(geometry, vertex)) return true;
     if (this.#height === null) return false;
     const storey = geometry.getAttribute(attribute)?.getX(vertex) ?? 0;
     return storey > 0 ? storey > this.#uniforms.storeys.value : y > this.#height;
+  }
+
+  /** As the shader of the light has it. */
+  #isShell(geometry: BufferGeometry, vertex: number): boolean {
+    const { openTo, usualLight, lightTexture, sides } = this.#uniforms;
+    const [patches, normals] = [geometry.getAttribute('_patches'), geometry.getAttribute('normal')];
+    const light = (lightTexture.value?.image as { data: Float32Array } | undefined)?.data;
+    if (openTo.value >= noSection || !patches || !normals || !light) return false;
+    if ((light[patches.getX(vertex)] ?? 0) > darkShell * usualLight.value) return false;
+    const normal = new Vector3().fromBufferAttribute(normals, vertex);
+    const way = new Vector3().fromBufferAttribute(geometry.getAttribute('position'), vertex);
+    const { x, y, z, w } = sides.value;
+    way.sub(new Vector3((x + z) / 2, openTo.value, (y + w) / 2));
+    if (Math.abs(normal.y) > levelShell) return normal.y > 0 && way.y > 0;
+    return normal.x * way.x + normal.z * way.z > 0;
   }
 
   dispose(): void {

@@ -1,0 +1,49 @@
+/** What of a single room is open to an eye outside, and that none of it is open from within or where nothing is cut away. */
+import { expect, test } from '@jest/globals';
+import { BufferAttribute, BufferGeometry, type DataTexture, Group, Vector3 } from 'three';
+import { noSection, sharedUniforms } from '../../../../web/viewer/light/light-material.ts';
+import type { RoomMesh } from '../../../../web/viewer/room/room-mesh.ts';
+import { Section } from '../../../../web/viewer/room/section.ts';
+
+const room = {
+  root: new Group(),
+  lit: [],
+  box: { min: [0, 0, 0], max: [4, 3, 5] },
+} as unknown as RoomMesh;
+
+test('the dark shell of a room is cut away for an eye outside alone', () => {
+  const uniforms = sharedUniforms();
+  const section = new Section(uniforms);
+  section.setRoom(room);
+  section.set(null, true, true);
+  section.look(new Vector3(9, 8, 9));
+  expect(uniforms.openTo.value).toBe(1.5);
+  section.look(new Vector3(2, 1.6, 2));
+  expect(uniforms.openTo.value).toBe(noSection);
+  section.set(null, false, true);
+  section.look(new Vector3(9, 8, 9));
+  expect(uniforms.openTo.value).toBe(noSection);
+  section.set(null, true, false); // of walls with one side the dark ones are meant
+  section.look(new Vector3(9, 8, 9));
+  expect(uniforms.openTo.value).toBe(noSection);
+});
+
+test('what is cut away of a dark shell is not met by a pointer, lit walls are', () => {
+  const uniforms = sharedUniforms();
+  const section = new Section(uniforms);
+  section.setRoom(room);
+  section.set(null, true, true);
+  section.look(new Vector3(9, 8, 9));
+  uniforms.sides.value.set(0, 0, 4, 5);
+  uniforms.usualLight.value = 100;
+  uniforms.lightTexture.value = { image: { data: new Float32Array([0.5, 50]) } } as unknown as DataTexture;
+  const wall = (x: number, nx: number, patch: number) => {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array([x, 1, 2]), 3));
+    geometry.setAttribute('normal', new BufferAttribute(new Float32Array([nx, 0, 0]), 3));
+    geometry.setAttribute('_patches', new BufferAttribute(new Float32Array([patch, 0, 0, 0]), 4));
+    return section.hides(geometry, 0, 1, false);
+  };
+  expect(wall(4, 1, 0)).toBe(true);
+  expect([wall(4, 1, 1), wall(4, -1, 0), wall(0, 1, 0)]).toEqual([false, false, false]);
+});
