@@ -137,4 +137,12 @@ std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh, b
   return faces;
 }
 
+std::vector<std::uint32_t> closedBodies(const SourceScene& source, const WeldedMesh& mesh) {
+  Sheets sheets = findSheets(source, mesh, true);
+  std::vector<std::uint32_t> bodies(mesh.triangles.size(), kNone);
+  for (std::uint32_t t = 0; t < bodies.size(); ++t)
+    if (const Sheet& sheet = sheets.of(t); !sheet.open && sheet.volume > 0) bodies[t] = sheets.sets.find(t);
+  return bodies;
+}
+
 }  // namespace fiatlux

@@ -52,4 +52,7 @@ inline Vec3 areaVector(const std::vector<Vec3>& positions, const std::array<std:
 /// pieces need none: nothing can be seen from behind them. `all`: as if every material were double-sided.
 std::vector<Face> backFaces(const SourceScene& source, const WeldedMesh& mesh, bool all = false);
 
+/// By triangle: one that stands for its closed piece, where the fronts of that look outward; else kNone.
+std::vector<std::uint32_t> closedBodies(const SourceScene& source, const WeldedMesh& mesh);
+
 }  // namespace fiatlux

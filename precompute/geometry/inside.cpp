@@ -84,7 +84,7 @@ Look lookRound(const SourceScene& source, const RayTracer& tracer, WeldedMesh& m
   Look look = lookOnce(source, tracer, mesh, smallParts, all);
   if (all) return look;
   const std::string note =
-      turnWhatEncloses(mesh, look.tree, *look.outlook, FreeSpace(mesh, tracer, look.faces));
+      turnWhatEncloses(source, mesh, look.tree, *look.outlook, FreeSpace(mesh, tracer, look.faces));
   if (note.empty()) return look;
   look = lookOnce(source, tracer, mesh, smallParts, all);
   look.note = note;

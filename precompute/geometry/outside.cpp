@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kVoid = 0.5;            // share of lost rays from which a side looks into the void
 constexpr double kMostlyOneSided = 0.5;  // of a region
+constexpr double kMostlyEncloses = 0.5;  // of a closed body
 constexpr std::uint32_t kSwallows = 16;  // rays of others, at least, that it must meet
 constexpr double kRoomy = 1;             // m, mean way of rays behind it
 constexpr std::size_t kMostNames = 4;    // in the note
@@ -40,27 +41,16 @@ bool liesOn(const std::vector<std::array<bool, 2>>& sides, const SurfaceGroup& g
   });
 }
 
-}  // namespace
+/// A region whose front looks into the void, and whose back is met by what it encloses.
+struct Enclosing {
+  std::uint32_t leaf = 0;
+  double area = 0;           // m2
+  std::vector<Face> turned;  // its one-sided faces, as they would be turned
+};
 
-bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook) {
-  assert(faces.size() >= mesh.triangles.size());
-  bool turned = false;
-  for (std::size_t f = mesh.triangles.size(); f < faces.size(); ++f) {
-    Face& back = faces[f];
-    Face& front = faces[back.triangle];
-    if (mesh.triangles[back.triangle].backMesh != kNone) continue;  // two sheets, each with its own name
-    if (outlook.lost(back.triangle, false) < kVoid || outlook.lost(back.triangle, true) >= kVoid) continue;
-    std::swap(front.vertex, back.vertex);
-    mesh.triangles[back.triangle].vertex = front.vertex;
-    outlook.turn(back.triangle);
-    turned = true;
-  }
-  return turned;
-}
-
-std::string turnWhatEncloses(WeldedMesh& mesh, const SurfaceTree& tree, const Outlook& outlook,
-                             const FreeSpace& space) {
-  std::map<std::string, double> areas;
+std::vector<Enclosing> whatEncloses(const WeldedMesh& mesh, const SurfaceTree& tree, const Outlook& outlook,
+                                    const FreeSpace& space) {
+  std::vector<Enclosing> found;
   for (const SurfaceGroup& group : tree.groups)
     for (std::size_t r = 0; r < group.regions.size(); ++r) {
       const Region& region = group.regions[r];
@@ -79,9 +69,56 @@ std::string turnWhatEncloses(WeldedMesh& mesh, const SurfaceTree& tree, const Ou
       if (area < kMostlyOneSided * region.area || lost < kVoid * area || swallowed < kSwallows ||
           space.from(turned, 0).path < kRoomy)
         continue;
-      for (const Face& face : turned) mesh.triangles[face.triangle].vertex = face.vertex;
-      areas[tree.names[group.leafOfRegion[r]]] += region.area;
+      found.push_back({group.leafOfRegion[r], region.area, std::move(turned)});
     }
+  return found;
+}
+
+/// A closed body is a room drawn from outside where most of it encloses; else it stands in an open room, on a
+/// floor that goes on below it and looks at the backs.
+void leaveBodiesWhole(const SourceScene& source, const WeldedMesh& mesh, std::vector<Enclosing>& found) {
+  const std::vector<std::uint32_t> bodies = closedBodies(source, mesh);
+  std::vector<double> encloses(bodies.size(), 0), whole(bodies.size(), 0);
+  const auto add = [&](std::uint32_t t, std::vector<double>& areas) {
+    if (bodies[t] != kNone) areas[bodies[t]] += length(areaVector(mesh.positions, mesh.triangles[t].vertex));
+  };
+  for (std::uint32_t t = 0; t < bodies.size(); ++t) add(t, whole);
+  for (const Enclosing& region : found)
+    for (const Face& face : region.turned) add(face.triangle, encloses);
+  std::erase_if(found, [&](const Enclosing& region) {
+    const std::uint32_t body = bodies[region.turned.front().triangle];
+    return body != kNone && encloses[body] < kMostlyEncloses * whole[body];
+  });
+}
+
+}  // namespace
+
+bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook) {
+  assert(faces.size() >= mesh.triangles.size());
+  bool turned = false;
+  for (std::size_t f = mesh.triangles.size(); f < faces.size(); ++f) {
+    Face& back = faces[f];
+    Face& front = faces[back.triangle];
+    if (mesh.triangles[back.triangle].backMesh != kNone) continue;  // two sheets, each with its own name
+    if (outlook.lost(back.triangle, false) < kVoid || outlook.lost(back.triangle, true) >= kVoid) continue;
+    std::swap(front.vertex, back.vertex);
+    mesh.triangles[back.triangle].vertex = front.vertex;
+    outlook.turn(back.triangle);
+    turned = true;
+  }
+  return turned;
+}
+
+std::string turnWhatEncloses(const SourceScene& source, WeldedMesh& mesh, const SurfaceTree& tree,
+                             const Outlook& outlook, const FreeSpace& space) {
+  std::vector<Enclosing> found = whatEncloses(mesh, tree, outlook, space);
+  if (found.empty()) return "";
+  leaveBodiesWhole(source, mesh, found);
+  std::map<std::string, double> areas;
+  for (const Enclosing& region : found) {
+    for (const Face& face : region.turned) mesh.triangles[face.triangle].vertex = face.vertex;
+    areas[tree.names[region.leaf]] += region.area;
+  }
   if (areas.empty()) return "";
   const AreaList list(areas);
   return shortNumber(list.total) +

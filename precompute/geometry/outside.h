@@ -16,9 +16,10 @@ namespace fiatlux {
 bool turnOutwardSheets(WeldedMesh& mesh, std::vector<Face>& faces, Outlook& outlook);
 
 /// Turns over the one-sided surfaces that look into the void while what they enclose looks at their backs:
-/// all is to be found anew then. One line on them; "" where there were none.
-std::string turnWhatEncloses(WeldedMesh& mesh, const SurfaceTree& tree, const Outlook& outlook,
-                             const FreeSpace& space);
+/// all is to be found anew then. A closed body is turned as a whole or not at all. One line on them; "" where
+/// there were none.
+std::string turnWhatEncloses(const SourceScene& source, WeldedMesh& mesh, const SurfaceTree& tree,
+                             const Outlook& outlook, const FreeSpace& space);
 
 /// What was left out of a room.
 struct Outside {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "precompute/light/lost_light.h"
 #include "tests/precompute/gltf/gltf_builder.h"
@@ -217,6 +218,32 @@ TEST(Outside, WhatRestsOnTheFloorHasNoUnderside) {
     if (triangle.chart == kNone) {
       EXPECT_EQ(room->leftOut[triangle.leftOut], "chest");
     }
+}
+
+TEST(Outside, ABodyBeforeTheOpenSideOfARoomIsNotTurned) {
+  // Its north side looks out of the room, and the floor below it at the backs of its sides.
+  for (const bool doubleSided : {false, true}) {
+    TestGltf gltf = shell(false, false, doubleSided);
+    TestMesh body;
+    body.box({1, 0, 2.5}, {2, 2, 2}, false);
+    gltf.node("body", gltf.mesh(body, 0));
+    const Result<Room> room = gltf.build(coarse());
+    ASSERT_TRUE(room) << room.error().message;
+    EXPECT_THAT(allWarnings(room->warnings), Not(HasSubstr("are turned")));
+    double area = 0;
+    for (std::uint32_t p = 0; p < room->patches.count; ++p) {
+      const Vec3& at = room->patches.center[p];
+      if (std::max(std::abs(at.x - 2), std::abs(at.z - 3.5)) > 1.01) continue;
+      if (at.y > 0.01 && at.y < 2.01) {
+        area += room->patches.area[p];
+        EXPECT_GT(dot(at - Vec3{2, 1, 3.5}, room->patches.normal[p]), 0);
+      }
+      if (at.y < 0.01 && std::max(std::abs(at.x - 2), std::abs(at.z - 3.5)) < 0.99) {
+        EXPECT_FALSE(room->patches.counts(p)) << at.x << " " << at.z;
+      }
+    }
+    EXPECT_NEAR(area, 20, 1e-6);
+  }
 }
 
 TEST(Outside, WhatAPersonAskedForStays) {
