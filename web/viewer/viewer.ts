@@ -1,5 +1,5 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
-import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3 } from 'three';
+import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type ShaderMaterial } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -128,7 +128,11 @@ class RoomViewer implements Viewer {
       (event) => this.#input.forwardWheel(event),
     );
     this.#emphasis = new Emphasis(this.#loop, this.#outlines, this.#luminaires, this.#tags);
-    this.#picking = new Picking(canvas, (...place) => this.#section.hides(...place));
+    this.#picking = new Picking(
+      canvas,
+      ({ geometry, material }, vertex, place, isBack) =>
+        this.#section.hides(geometry, vertex, place.y, isBack) || this.#givesWay(material.uniforms, place),
+    );
     const shared = {
       canvas,
       rig: this.#rig,
@@ -525,6 +529,13 @@ class RoomViewer implements Viewer {
     if (!this.#room || !this.#info) return [];
     const planesToo = this.#display?.measuringPlanes || this.#display?.mode === 'falseColor';
     return this.#room.lit.filter(({ measuring }) => planesToo || !measuring);
+  }
+
+  /** Whether a place of a material is drawn as outlines alone, for what is read on a plane. */
+  #givesWay({ yields }: ShaderMaterial['uniforms'], place: Vector3): boolean {
+    return (
+      yields!.value === true && this.#light.uniforms.planesShown.value && this.#footprints.isGiven(place)
+    );
   }
 
   #setPreviewSide(side: typeof FrontSide | typeof DoubleSide): void {

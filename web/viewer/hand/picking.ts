@@ -5,7 +5,6 @@ import {
   Raycaster,
   Vector2,
   Vector3,
-  type BufferGeometry,
   type Camera,
   type Mesh,
   type Object3D,
@@ -31,8 +30,8 @@ interface Indexed {
   readonly tree: TriangleTree;
 }
 
-/** Whether a place (its height) on a mesh, near one of its vertices, is not drawn; `isBack`: as seen from behind. */
-export type Hidden = (geometry: BufferGeometry, vertex: number, y: number, isBack: boolean) => boolean;
+/** Whether a place on a mesh, near one of its vertices, is not drawn; `isBack`: as seen from behind. */
+export type Hidden = (mesh: LitMesh['mesh'], vertex: number, place: Vector3, isBack: boolean) => boolean;
 
 const past = 1e-4; // m: so far behind a hit that does not count the next is looked for
 
@@ -121,8 +120,8 @@ export class Picking {
       const hit = tree.cast(start.toArray(), direction.toArray(), both, limit - from);
       if (!hit) return null;
       const distance = from + hit.distance;
-      const y = origin.y + distance * direction.y;
-      if (!this.#hidden(mesh.geometry, index[hit.first]!, y, tree.isBack)) return { ...hit, distance };
+      const place = this.#caster.ray.at(distance, new Vector3());
+      if (!this.#hidden(mesh, index[hit.first]!, place, tree.isBack)) return { ...hit, distance };
       from = distance + past;
     }
   }

@@ -246,7 +246,7 @@ vec3 toneCurve(vec3 color) {
 
 void main() {
   if (vStorey > 0.5 ? vStorey > storeys + 0.5 : vPlace.y > section) discard;
-  if (yields && planesShown && isOverPlane(vPlace, 0.06)) discard;
+  if (yields && planesShown && isOverPlane(vPlace)) discard;
   vec4 surface = albedo;
 #ifdef MAP_UV
   surface *= texture2D(albedoMap, vMapUv);

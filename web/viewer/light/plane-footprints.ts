@@ -20,17 +20,19 @@ const levels = 4;
 const none = 1e9; // m: no plane is as high
 const alike = 0.05; // m: planes of one height
 const flat = 0.05; // m: a plane that is no flatter is not seen from above
+const given = 0.06; // m under a plane: so far down furniture gives way
+const storey = 2; // m over it
 const underfoot = 0.1; // m over the floor: nothing hides a lower plane but what stands on it
 
-/** In GLSL: whether a place lies from `below` (m) under a plane to a storey over it. */
+/** In GLSL: whether a place lies over a plane, or hardly under it. */
 export const overPlaneShader = /* glsl */ `
 uniform highp sampler2D planeHeights;
 uniform vec4 planeFrame; // m: low x, low z; cells a metre along x and z
-bool isOverPlane(vec3 place, float below) {
+bool isOverPlane(vec3 place) {
   vec2 at = (place.xz - planeFrame.xy) * planeFrame.zw;
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(${cells}.0)))) return false;
   vec4 over = place.y - texelFetch(planeHeights, ivec2(at), 0);
-  vec4 isOver = step(vec4(-below), over) * step(over, vec4(2.0));
+  vec4 isOver = step(vec4(-${given.toFixed(2)}), over) * step(over, vec4(${storey.toFixed(1)}));
   return dot(isOver, vec4(1.0)) > 0.5;
 }
 `;
@@ -81,17 +83,32 @@ export class PlaneFootprints {
     });
   }
 
+  /** Whether a place lies where furniture gives way. */
+  isGiven(place: Vector3): boolean {
+    return isOverPlane(this.#map, place);
+  }
+
   dispose(): void {
     this.#uniforms.planeHeights.value?.dispose();
   }
 }
 
-/** Whether a plane lies at a place of the map. */
-export function isPlaneAt({ heights, frame }: Footprints, x: number, z: number): boolean {
+/** Of the planes at a place of the map. */
+function heightsAt({ heights, frame }: Footprints, x: number, z: number): Float32Array {
   const [column, row] = [Math.floor((x - frame[0]) * frame[2]), Math.floor((z - frame[1]) * frame[3])];
-  if (column < 0 || row < 0 || column >= cells || row >= cells) return false;
+  if (column < 0 || row < 0 || column >= cells || row >= cells) return new Float32Array(0);
   const first = levels * (row * cells + column);
-  return heights.subarray(first, first + levels).some((height) => height < none);
+  return heights.subarray(first, first + levels);
+}
+
+/** Whether a plane lies at a place of the map. */
+export function isPlaneAt(map: Footprints, x: number, z: number): boolean {
+  return heightsAt(map, x, z).some((height) => height < none);
+}
+
+/** As the shader has it. */
+export function isOverPlane(map: Footprints, { x, y, z }: Vector3): boolean {
+  return heightsAt(map, x, z).some((height) => y - height >= -given && y - height <= storey);
 }
 
 /** Whether something stands between an eye and a place. */

@@ -55,3 +55,20 @@ test('a mount is found over a place, whatever measures light between', () => {
   expect(picking.reach(up, [plane(3, false), plane(2, true)])).toBeCloseTo(1.5);
   expect(picking.reach(up, [plane(1, false)])).toBe(Infinity);
 });
+
+test('what is not drawn where it is met lets through to what lies behind it', () => {
+  const sheet = (surface: number, height: number) => {
+    const mesh = new Mesh(new PlaneGeometry(4, 4));
+    mesh.rotateX(-Math.PI / 2); // seen from above
+    mesh.position.y = height;
+    mesh.updateMatrixWorld(true);
+    return { mesh, measuring: false, surface } as unknown as LitMesh;
+  };
+  const [above, below] = [sheet(0, 1.2), sheet(1, 0.8)];
+  const surface = (isOutline: boolean) =>
+    new Picking(
+      canvas as unknown as HTMLCanvasElement,
+      (mesh, _, place) => isOutline && mesh === above.mesh && place.y > 1.1,
+    ).pick(50, 50, eyeAt(9), [above, below], [], null, null)?.surface;
+  expect([surface(false), surface(true)]).toEqual([0, 1]);
+});

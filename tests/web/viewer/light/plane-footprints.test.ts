@@ -1,7 +1,12 @@
 // Where furniture gives way to a plane: over it, and not beside it (a sofa there left a dark hole in the plan).
 import { expect, test } from '@jest/globals';
 import { Box3, Vector3 } from 'three';
-import { heightsOf, isBehind, isPlaneAt } from '../../../../web/viewer/light/plane-footprints.ts';
+import {
+  heightsOf,
+  isBehind,
+  isOverPlane,
+  isPlaneAt,
+} from '../../../../web/viewer/light/plane-footprints.ts';
 
 /** A level rectangle as two triangles. */
 const level = (x: number, z: number, farX: number, farZ: number, y: number) =>
@@ -38,4 +43,11 @@ test('a number of the plane is not written on a cabinet that stands before it', 
   expect(isBehind([cabinet], eye, new Vector3(1.5, 1.3, 4))).toBe(false);
   const map = heightsOf([level(0, 0, 4, 2.6, 0.75)], 0);
   expect([isPlaneAt(map, 1.5, 2.5), isPlaneAt(map, 1.5, 3.2)]).toEqual([true, false]);
+});
+
+test('furniture gives way over a plane and hardly below it, and nowhere beside it', () => {
+  const map = heightsOf([level(0, 0, 4, 2.6, 0.75)], 0);
+  const gives = (x: number, y: number, z: number) => isOverPlane(map, new Vector3(x, y, z));
+  expect([gives(1, 1.1, 1), gives(1, 0.72, 1), gives(1, 0.6, 1)]).toEqual([true, true, false]);
+  expect([gives(1, 3, 1), gives(1, 1.1, 2.9)]).toEqual([false, false]);
 });
