@@ -26,6 +26,20 @@ function packedBox(): Promise<Uint8Array> {
   return packedWithDraco(positions, Uint32Array.from(corners));
 }
 
+/** A box without a material, as Collada. */
+const plainDae = [
+  '<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">',
+  '<asset><unit meter="1"/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="g"><mesh>',
+  '<source id="p"><float_array id="a" count="24">0 0 0 4 0 0 0 3 0 4 3 0 0 0 5 4 0 5 0 3 5 4 3 5</float_array>',
+  '<technique_common><accessor source="#a" count="8" stride="3"><param name="X" type="float"/>',
+  '<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>',
+  '<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="12">',
+  '<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 3 0 3 2 4 6 7 4 7 5 0 4 5 0 5 1 2 3 7 2 7 6 0 2 6 0 6 4',
+  ' 1 5 7 1 7 3</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>',
+  '<visual_scene id="s"><node name="room"><instance_geometry url="#g"/></node></visual_scene>',
+  '</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>',
+].join('');
+
 test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room maker; others say the way; compressed ones are lit, too', async ({
   page,
 }) => {
@@ -47,6 +61,12 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   await sheet.getByText('Measure on a plane over the floor').click();
   await expect(sheet.getByText('20 places for luminaires')).toBeVisible();
   await expect(sheet.getByText(/^About .* on this computer, a first picture sooner\.$/)).toBeVisible();
+  await sheet.getByRole('button', { name: 'Close without a change' }).click();
+
+  await drop(page, { 'plain.dae': plainDae });
+  await expect(page.getByRole('heading', { name: 'Preview of “plain”' })).toBeVisible({ timeout: 60_000 });
+  await page.getByRole('button', { name: 'How it was understood' }).click();
+  await expect(sheet.getByLabel(/^Reflectance of/)).toHaveAttribute('placeholder', 'by its surface');
   await sheet.getByRole('button', { name: 'Close without a change' }).click();
 
   await drop(page, { 'house.skp': 'x' });

@@ -2,12 +2,15 @@
 import { words } from './language.ts';
 
 const numbered = /^(.*\D) (\d+)$/;
+const otherSide = /^(.+) \(back\)$/;
 const partOfPlane = /^(.+) (surround|background)$/;
 
 /** In the page's language where it has words for the name, or for that of a family ("desk 3"); else as the room has it. */
 export function surfaceText(name: string): string {
-  const { names, surround, background } = words.value.surfaces;
+  const { names, surround, background, back } = words.value.surfaces;
   if (Object.hasOwn(names, name)) return names[name as keyof typeof names];
+  const [, sheet] = otherSide.exec(name) ?? [];
+  if (sheet) return back(surfaceText(sheet));
   if (name.includes('/')) return name.split('/').map(surfaceText).join('/');
   const [, whole, part] = partOfPlane.exec(name) ?? [];
   if (whole) return (part === 'surround' ? surround : background)(surfaceText(whole));

@@ -122,6 +122,9 @@ test('remarks on a model are told in the language of the page, to their last cla
       "image 0 of material 'oak' is KTX2, which is not read (use PNG or JPEG): it counts as the material's plain colour",
     ),
   ).toMatch(/^Bild 0 des Materials „oak“ ist KTX2, das hier nicht gelesen wird/);
+  expect(told("material 'VR_Gallery' reflects 0.99 of the light: taken as 0.95")).toBe(
+    'Material „VR_Gallery“ reflektiert 0,99 des Lichts; gerechnet wird mit 0,95',
+  );
 });
 
 test('each is what the sources say, word for word', () => {

@@ -14,6 +14,8 @@ test('a name is read in the language of the page, alone, in a family and as a pa
     'constructor',
     'Fauteuil 2',
     'storey 1/room 2/floor',
+    'Cube/wall 3 (back)',
+    'Cube/rest',
   ];
   expect(names.map(surfaceText)).toEqual(names);
   await speak('de');
@@ -24,6 +26,8 @@ test('a name is read in the language of the page, alone, in a family and as a pa
     'constructor',
     'Fauteuil 2',
     'Geschoss 1/Raum 2/Fußboden',
+    'Cube/Wand 3 (Rückseite)',
+    'Cube/Rest',
   ]);
   expect(isFoundBy('schreib', 'desk 3') && isFoundBy('DESK', 'desk 3')).toBe(true);
   expect(isFoundBy('stuhl', 'desk 3')).toBe(false);

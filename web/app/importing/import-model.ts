@@ -2,7 +2,17 @@
  * Models of other programs as binary glTF: .obj with its .mtl, .stl, .dae, .fbx and .3ds, each read by its own loader,
  * which is fetched when such a file comes. Files that are dropped together know each other by name.
  */
-import { Box3, Group, LoadingManager, Mesh, MeshStandardMaterial, Vector3, type Object3D } from 'three';
+import {
+  Box3,
+  type Color,
+  Group,
+  Loader,
+  LoadingManager,
+  Mesh,
+  MeshStandardMaterial,
+  Vector3,
+  type Object3D,
+} from 'three';
 import { isModel } from './model-files.ts';
 import { reasonOf } from '../../document/reason.ts';
 import { words } from '../../language/language.ts';
@@ -37,6 +47,7 @@ export async function importModel(files: readonly File[]): Promise<Imported> {
     });
     manager.itemEnd(main.name);
     await pictures;
+    uncolour(object);
     const note = fitted(object);
     const { GLTFExporter } = await import('three/examples/jsm/exporters/GLTFExporter.js');
     const glb = await new GLTFExporter().parseAsync(object, { binary: true });
@@ -106,6 +117,15 @@ function standing(object: Object3D): Object3D {
   object.rotation.x = -Math.PI / 2;
   group.add(object);
   return group;
+}
+
+/** What has no material is white, as all that has no colour yet, and not what a loader gives it: grey or magenta. */
+function uncolour(object: Object3D): void {
+  object.traverse((mesh) => {
+    if (!(mesh instanceof Mesh)) return;
+    for (const material of [mesh.material].flat() as { name: string; color?: Color }[])
+      if (material.name === Loader.DEFAULT_MATERIAL_NAME) material.color?.setRGB(1, 1, 1);
+  });
 }
 
 /** Metres, by what the size says; the sentence that tells so. */

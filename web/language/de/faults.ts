@@ -107,6 +107,7 @@ export const faults: Words['faults'] = {
     'Die Datei enthält keine Flächen: Alle Dreiecke sind ohne Flächeninhalt; die Skalierung der Knoten prüfen',
   clampedMore: (count, most, taken) =>
     `${count} weitere Materialien reflektieren mehr als ${most}; gerechnet wird mit ${taken}`,
+  ofMaterial: (name) => `Material „${name}“`,
   clampedNode: (name, share, most) => `Knoten „${name}“: Reflexionsgrad ${share}; gerechnet wird mit ${most}`,
   clampedColour: (name) => `Material „${name}“: Seine Farbe liegt außerhalb von 0 bis 1 und wird begrenzt`,
   plainColour: (image, why) => `${image} ist ${why}: Es zählt die einfache Farbe des Materials`,

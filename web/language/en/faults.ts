@@ -88,6 +88,7 @@ export const faults = {
   allWithoutArea: 'no surfaces: every triangle has zero area; check the scale of the nodes',
   clampedMore: (count: string, most: string, taken: string) =>
     `${count} more materials reflect more than ${most} and are taken as ${taken}`,
+  ofMaterial: (name: string) => `material '${name}'`,
   clampedNode: (name: string, share: string, most: string) =>
     `node '${name}': reflectance ${share} is taken as ${most}`,
   clampedColour: (name: string) => `material '${name}': its base colour lies outside 0..1 and is clamped`,
