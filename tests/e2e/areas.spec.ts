@@ -40,3 +40,27 @@ test('an area that is drawn in the plan stays free of luminaires', async ({ page
   await several.getByRole('button', { name: 'Pin here' }).click();
   await expect(page.locator('.luminaire-tag.is-pinned')).toHaveCount(4);
 });
+
+test('a room type judges the desks that are drawn, and its verdict fits beside the room', async ({
+  page,
+}) => {
+  await openRoom(page, 'Open office');
+  for (const desk of ['desk 1', 'desk 6']) await page.getByLabel(/^Add at/).selectOption({ label: desk });
+  await page.getByRole('button', { name: 'Ready-made intentions from standards' }).click();
+  await page
+    .getByRole('dialog')
+    .getByRole('button', { name: /Office, writing/ })
+    .click();
+  const verdict = page.getByRole('table', { name: /^Verdict/ });
+  await expect(verdict.getByRole('row', { name: /^task 2 surround .* 300 lx/ })).toBeVisible();
+  await settled(page);
+  await expect(verdict.locator('.verdict-best').first()).toBeVisible({ timeout: 60_000 }); // felt between the desks
+  const beyond = await verdict.evaluate((table) => {
+    const { clientWidth, ownerDocument } = table.parentElement!;
+    const { paddingLeft, paddingRight } = ownerDocument.defaultView!.getComputedStyle(table.parentElement!);
+    return (
+      (table as HTMLElement).offsetWidth - clientWidth + parseFloat(paddingLeft) + parseFloat(paddingRight)
+    );
+  });
+  expect(beyond).toBeLessThanOrEqual(0);
+});

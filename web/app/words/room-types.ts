@@ -101,14 +101,14 @@ export function placesOf({ onFloor, numbers }: RoomType, surfaces: Surfaces) {
   const exhibits = named(surfaces, /picture (?!frames)|exhibit|sculpture/i);
   const lit = onFloor || planes.length === 0 ? floor : planes;
   const all = surfaces.map(({ name }) => name);
-  const ways = onFloor ? drawnOn(surfaces, numbers.centreLine === undefined ? floor : all) : [];
-  const isOfWays = numbers.centreLine !== undefined || (numbers.required !== undefined && ways.length > 0);
-  const task = isOfWays ? ways : numbers.most !== undefined ? exhibits : lit;
-  const around = (names: string[]) => (isOfWays ? names.filter((name) => all.includes(name)) : []);
+  const drawn = drawnOn(surfaces, numbers.centreLine === undefined ? lit : all);
+  const isOfDrawn = numbers.centreLine !== undefined || (numbers.required !== undefined && drawn.length > 0);
+  const task = isOfDrawn ? drawn : numbers.most !== undefined ? exhibits : lit;
+  const around = (names: string[]) => (isOfDrawn ? names.filter((name) => all.includes(name)) : []);
   return {
     task,
     surround: around(task.map(surroundOf)),
-    background: around(floor.map(backgroundOf)),
+    background: around(lit.map(backgroundOf)),
     walls: named(surfaces, /(^|\/| )walls?\b/i),
     ceiling: named(surfaces, /ceiling/i),
   };
@@ -121,7 +121,7 @@ interface AskedOfGrid {
   readonly uniformity: number | undefined;
 }
 
-/** What is asked on grids: of planes together, of ways that were drawn and of what is around them each by itself. */
+/** What is asked on grids: of planes together, of task areas that were drawn and of what is around them each by itself. */
 export function askedOfGrids(type: RoomType, surfaces: Surfaces): AskedOfGrid[] {
   const { required, uniformity } = type.numbers;
   const { task, surround, background } = placesOf(type, surfaces);

@@ -78,7 +78,9 @@ function Row({ row, best }: RowProps) {
             <strong>{valueText(actual, unit)}</strong>
           )}
           {spare && <small class="verdict-margin">{spare}</small>}
-          {met === false && best !== undefined && <small class="verdict-margin">{bestText(row, best)}</small>}
+          {met === false && best !== undefined && (
+            <small class="verdict-margin verdict-best">{bestText(row, best)}</small>
+          )}
         </td>
         <td>
           {met !== null && (

@@ -94,6 +94,24 @@ test('long luminaires of the site run neither into each other nor into walls', (
   expect(v.is(documentSchema, store.document.peek())).toBe(true);
 });
 
+test('a room type asks of task areas that were drawn, of the bands around them and of the rest', () => {
+  const { scene } = storeOf('writing');
+  const floor = scene.surfaces.findIndex(({ name }) => name === 'floor'); // there is no plane
+  const rows = [...scene.surfaceOfPatch.keys()].filter((row) => scene.surfaceOfPatch[row] === floor);
+  const along = (axis: number) => rows.map((row) => scene.patchCenter[3 * row + axis]!);
+  const [x, z] = [Math.min(...along(0)), Math.min(...along(2))];
+  const outline = [[x - 0.5, z - 0.5], [x + 0.6, z - 0.5], [x + 0.6, z + 0.6], [x - 0.5, z + 0.6]] as const; // prettier-ignore
+  const { surfaces: divided } = withTaskAreas(scene, [{ name: 'desk', surface: 'floor', outline }]);
+  const names = divided.map(({ name }) => name).filter((name) => /^desk |background/.test(name));
+  const grids = cardsOf(typeOf('writing'), divided).filter(({ onGrid }) => onGrid);
+  expect(grids[0]).toMatchObject({ surfaces: ['desk'], mean: { min: 500 }, uniformity: 0.6 });
+  expect(names).toHaveLength(2);
+  expect(grids.slice(1).map(({ surfaces: [name] }) => name)).toEqual(names);
+  expect(grids.slice(1).map(({ mean }) => mean?.min)).toEqual(
+    names.map((name) => (/background/.test(name) ? 100 : 300)),
+  );
+});
+
 describe('a room type', () => {
   test('writes cards for task, walls and ceiling', () => {
     expect(cardsOf(typeOf('writing'), surfaces)).toMatchObject([
