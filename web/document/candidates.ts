@@ -93,22 +93,32 @@ function mountOf(sites: Sites): Mount {
   return known;
 }
 
+/** m, from a site to the nearest other one; infinite where there is none. */
+function pitchAt({ position }: Sites, site: number): number {
+  const [x, y, z] = [position[3 * site]!, position[3 * site + 1]!, position[3 * site + 2]!];
+  let least = Infinity; // m2
+  for (let at = 0; at < position.length; at += 3)
+    if (at !== 3 * site)
+      least = Math.min(
+        least,
+        (position[at]! - x) ** 2 + (position[at + 1]! - y) ** 2 + (position[at + 2]! - z) ** 2,
+      );
+  return Math.sqrt(least);
+}
+
 /** What the sites tell of the surfaces that luminaires hang on: squares as large as a site, or as far as to the next one. */
 class Mount {
   readonly #sites: Sites;
   readonly #reach: Float64Array; // m, half the edge of each site's square
+  readonly #farthest: number; // m, from the middle of a square to its corner, at most
 
   constructor(sites: Sites) {
     this.#sites = sites;
-    const places = Array.from(sites.size, (_, site) => positionOf(sites, site));
     this.#reach = Float64Array.from(sites.size, (size, site) => {
-      const [x, y, z] = places[site]!;
-      let pitch = Infinity;
-      places.forEach((place, other) => {
-        if (other !== site) pitch = Math.min(pitch, Math.hypot(place[0] - x, place[1] - y, place[2] - z));
-      });
+      const pitch = pitchAt(sites, site);
       return Math.max(size, Number.isFinite(pitch) ? Math.min(pitch, 2 * size) : 0) / 2 + slack;
     });
+    this.#farthest = Math.SQRT2 * this.#reach.reduce((most, reach) => Math.max(most, reach), 0) + slack;
   }
 
   /** Whether the luminous area, laid flat, stays on the mount: its corners and the middles of its edges do. */
@@ -121,32 +131,37 @@ class Mount {
     ];
     const [x, y] = longAxis === 'C0' ? [luminous.length, luminous.width] : [luminous.width, luminous.length];
     const place = positionOf(this.#sites, site);
-    return [-1, 0, 1].every((u) =>
-      [-1, 0, 1].every((v) =>
-        this.#isOn(
-          site,
-          [0, 1, 2].map((i) => place[i]! + (u * x * along[i]!) / 2 + (v * y * across[i]!) / 2),
-        ),
-      ),
+    const at = (u: number, v: number, i: 0 | 1 | 2) =>
+      place[i] + (u * x * along[i]) / 2 + (v * y * across[i]) / 2;
+    const points = [-1, 0, 1].flatMap((u) =>
+      [-1, 0, 1].map((v): Point => [at(u, v, 0), at(u, v, 1), at(u, v, 2)]),
     );
+    if (points.every((point) => this.#covers(site, point))) return true;
+    const around = this.#around(site, Math.hypot(x, y) / 2);
+    return points.every((point) => around.some((other) => this.#covers(other, point)));
   }
 
-  #isOn(site: number, point: readonly number[]): boolean {
-    if (this.#covers(site, point)) return true;
-    for (let other = 0; other < this.#reach.length; other++) if (this.#covers(other, point)) return true;
-    return false;
+  /** The sites whose squares may come as near to a site as so many metres. */
+  #around(site: number, metres: number): number[] {
+    const { position } = this.#sites;
+    const [x, y, z] = [position[3 * site]!, position[3 * site + 1]!, position[3 * site + 2]!];
+    const most = (metres + this.#farthest) ** 2;
+    const sites: number[] = [];
+    for (let at = 0; at < position.length; at += 3) {
+      const away = (position[at]! - x) ** 2 + (position[at + 1]! - y) ** 2 + (position[at + 2]! - z) ** 2;
+      if (away <= most) sites.push(at / 3);
+    }
+    return sites;
   }
 
-  #covers(site: number, point: readonly number[]): boolean {
+  #covers(site: number, [x, y, z]: Point): boolean {
     const reach = this.#reach[site]!;
     const { position, normal, axis } = this.#sites;
-    const at = (list: Float32Array, i: number) => list[3 * site + i] ?? 0;
-    const off = [0, 1, 2].map((i) => point[i]! - at(position, i));
-    const dot = (list: Float32Array) => off.reduce((sum, value, i) => sum + value * at(list, i), 0);
-    const [away, side] = [dot(normal), dot(axis)];
-    const rest = Math.sqrt(
-      Math.max(0, off.reduce((sum, value) => sum + value * value, 0) - away ** 2 - side ** 2),
-    );
+    const at = 3 * site;
+    const [dx, dy, dz] = [x - position[at]!, y - position[at + 1]!, z - position[at + 2]!];
+    const away = dx * normal[at]! + dy * normal[at + 1]! + dz * normal[at + 2]!;
+    const side = dx * axis[at]! + dy * axis[at + 1]! + dz * axis[at + 2]!;
+    const rest = Math.sqrt(Math.max(0, dx * dx + dy * dy + dz * dz - away ** 2 - side ** 2));
     return Math.abs(away) < slack && Math.abs(side) <= reach && rest <= reach;
   }
 }

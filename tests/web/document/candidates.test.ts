@@ -52,3 +52,20 @@ test('what is longer than its place is offered where its neighbours carry it', (
   expect(fitsSomewhere(type, area(1.8, 0.1), scene)).toBe(true);
   expect(fitsSomewhere(type, area(5, 0.1), scene)).toBe(false);
 });
+
+test('a hall’s places are listed while nobody waits, those for long luminaires too', () => {
+  const side = 50;
+  const place = Array.from({ length: side * side }, (_, i) => [i % side, 3, Math.floor(i / side)]);
+  const each = (values: readonly number[]) => Float32Array.from(place.flatMap(() => values));
+  const sites = {
+    position: Float32Array.from(place.flat()),
+    normal: each([0, -1, 0]),
+    axis: each([1, 0, 0]),
+    size: each([0.5]),
+  };
+  const begin = process.cpuUsage();
+  const listed = candidatesOf([type], () => area(1.8, 0.1), { ...scene, sites });
+  expect(listed).toHaveLength(side * (side - 2));
+  // Where each corner looks at all places it takes ten seconds and more.
+  expect(process.cpuUsage(begin).user / 1e6).toBeLessThan(4);
+});
