@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fiatlux {
 namespace {
@@ -17,7 +18,13 @@ void addShare(Shares& shares, std::uint32_t patch, double share) {
   shares.emplace_back(patch, share);
 }
 
-void addChart(const Chart& chart, const Vec3& point, double factor, Shares& shares) {
+/// The mean of what is covered says nothing of a place beside it: it counts where there is nothing else.
+void leaveOutCovered(const Patches& patches, Shares& shares) {
+  const auto counts = [&](const auto& entry) { return patches.counts(entry.first); };
+  if (std::any_of(shares.begin(), shares.end(), counts)) std::erase_if(shares, std::not_fn(counts));
+}
+
+void addChart(const Patches& patches, const Chart& chart, const Vec3& point, double factor, Shares& shares) {
   const Vec3 local = point - chart.origin;
   const double x = dot(local, chart.uAxis) / chart.cellU - 0.5,
                y = dot(local, chart.vAxis) / chart.cellV - 0.5;
@@ -29,7 +36,6 @@ void addChart(const Chart& chart, const Vec3& point, double factor, Shares& shar
   const auto [column, fx] = split(x);
   const auto [row, fy] = split(y);
   Shares own;
-  double sum = 0;
   // note: by columns, so that a vertex repeats what its neighbour said, which compresses well
   for (int dc = 0; dc < 2; ++dc)
     for (int dr = 0; dr < 2; ++dr) {
@@ -39,8 +45,10 @@ void addChart(const Chart& chart, const Vec3& point, double factor, Shares& shar
       const double share = (dr ? fy : 1 - fy) * (dc ? fx : 1 - fx);
       if (patch == kNone || share <= 0) continue;
       addShare(own, patch, share);
-      sum += share;
     }
+  leaveOutCovered(patches, own);
+  double sum = 0;
+  for (const auto& entry : own) sum += entry.second;
   for (const auto& entry : own) addShare(shares, entry.first, factor * entry.second / sum);
 }
 
@@ -95,7 +103,7 @@ PatchBlender::PatchBlender(const Room& room) : room_(room) {
 
 PatchBlend PatchBlender::inChart(std::uint32_t chart, const Vec3& point) const {
   Shares shares;
-  addChart(room_.charts[chart], point, 1, shares);
+  addChart(room_.patches, room_.charts[chart], point, 1, shares);
   if (shares.empty()) {  // outside all cells by more than rounding: the nearest cell answers
     const Chart& c = room_.charts[chart];
     for (const std::uint32_t patch : c.patchOfCell)
@@ -116,7 +124,8 @@ PatchBlend PatchBlender::atVertex(std::uint32_t v, std::uint32_t chart, const Ve
   std::sort(charts.begin(), charts.end());
   Shares shares;
   for (const std::uint32_t c : charts)
-    addChart(room_.charts[c], room_.positions[v], 1.0 / static_cast<double>(charts.size()), shares);
+    addChart(room_.patches, room_.charts[c], room_.positions[v], 1.0 / static_cast<double>(charts.size()),
+             shares);
   return shares.empty() ? inChart(chart, room_.positions[v]) : rounded(shares);
 }
 

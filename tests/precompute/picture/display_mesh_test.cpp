@@ -172,6 +172,35 @@ TEST(DisplayMesh, StripsRoundADoorLeaveNoCracks) {
   }
 }
 
+TEST(DisplayMesh, WhatIsCoveredDarkensNothingBesideIt) {
+  TestGltf gltf = boxRoom({4, 3, 5}, 1);
+  TestMesh box;
+  box.box({1, 0.01, 1}, {1, 0.5, 1}, false);
+  gltf.node("box", gltf.mesh(box));
+  const auto scene = gltf.read();
+  RoomOptions options;
+  options.patch = 0.25;
+  const auto room = buildRoom(*scene, options);
+  ASSERT_TRUE(room);
+  const Patches& patches = room->patches;
+  const Glb glb(displayMesh(*scene, *room));
+  int besideIt = 0, within = 0;
+  for (const auto& node : glb.json["nodes"]) {
+    if (node["name"] != "floor") continue;
+    const auto& attributes = glb.json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"];
+    const auto blended = glb.values<std::array<std::uint16_t, 4>>(attributes["_PATCHES"]);
+    const auto shares = glb.values<std::array<std::uint8_t, 4>>(attributes["_WEIGHTS"]);
+    for (std::size_t v = 0; v < blended.size(); ++v) {
+      int covered = 0;
+      for (int i = 0; i < 4; ++i) covered += patches.counts(blended[v][i]) ? 0 : shares[v][i];
+      EXPECT_TRUE(covered == 0 || covered == 255);
+      ++(covered ? within : besideIt);
+    }
+  }
+  EXPECT_GT(besideIt, 0);
+  EXPECT_GT(within, 0);
+}
+
 TEST(DisplayMesh, LightDoesNotLeakRoundAnEdge) {
   TestGltf gltf = boxRoom({4, 3, 5}, 1);
   TestMesh box;
