@@ -248,9 +248,7 @@ Result<Done> Session::start(std::uint64_t seed, const Layout* start) {
   isNear_ = false;
   if (start) {
     pinAsIn(*start);
-    const bool isOfRoom = std::all_of(start->sites.begin(), start->sites.end(),
-                                      [&](std::uint32_t site) { return site < scene_->sites.size(); });
-    if (isOfRoom) before_ = *start;
+    if (isOfRoom(*start)) before_ = *start;
   }
   search_ = std::make_unique<LayoutSearch>(*prepared_, intentions_, seed, start);
   return Done{};
@@ -266,6 +264,16 @@ Result<Done> Session::startNear(std::uint64_t seed, const Layout& start,
     isNear_ = true;
   }
   return Done{};
+}
+
+bool Session::isOfRoom(const Layout& layout) const {
+  return std::all_of(layout.sites.begin(), layout.sites.end(),
+                     [&](std::uint32_t site) { return site < scene_->sites.size(); });
+}
+
+/// Those that hung before keep their numbers.
+Layout Session::numberedSince(const Layout& before, const LuminaireRules& rules, const Layout& layout) const {
+  return ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, layout, before));
 }
 
 /// Whoever hangs on a pinned site is the luminaire that is pinned.
@@ -308,14 +316,15 @@ Result<Done> Session::startAside(const Intentions& intentions, std::uint64_t see
     if (Result<Done> lit = addDirect(*scene_); !lit) return lit.error();
   Intentions asked = intentions;
   if (start) asked.luminaires.pinned = pinsAsIn(asked.luminaires, start->sites);
-  aside_.reset(new Aside{asked, LayoutSearch(*prepared_, asked, seed, start, nullptr, Entering::kInSteps),
-                         evaluations});
+  aside_.reset(new Aside{
+      asked, LayoutSearch(*prepared_, asked, seed, start, nullptr, Entering::kInSteps), evaluations, {}});
+  if (start && isOfRoom(*start)) aside_->before = *start;
   return Done{};
 }
 
 Result<std::optional<Found>> Session::advanceAside(std::uint32_t evaluations) {
   if (!aside_) return Error{"nothing is tried beside what is asked"};
-  auto& [asked, search, left] = *aside_;
+  auto& [asked, search, left, before] = *aside_;
   if (!search.enterNext()) return std::optional<Found>();
   const bool isOfFields = asked.luminaires.arrangement.rule == Rule::kField;
   const std::uint32_t spent = isOfFields ? evaluations : std::min(evaluations, left);
@@ -324,6 +333,7 @@ Result<std::optional<Found>> Session::advanceAside(std::uint32_t evaluations) {
   if (left > 0 || (isOfFields && !search.isProved())) return std::optional<Found>();
   const Evaluation& reached = search.evaluation();
   Found found{search.incumbent(), reached, limitOf(*prepared_, asked, reached)};
+  if (before) found.layout = numberedSince(*before, asked.luminaires, found.layout);
   aside_.reset();
   return std::optional<Found>(std::move(found));
 }
@@ -334,8 +344,7 @@ Result<Shown> Session::incumbent() {
                          eased_->evaluation().goal < search_->evaluation().goal;
   const Layout best = (isSettled ? eased_ : search_)->incumbent();
   if (!before_) return shownOf(*prepared_, intentions_, best);
-  const LuminaireRules& rules = intentions_.luminaires;
-  const Layout numbered = ofTypesAsked(*scene_, rules, numberedAs(*scene_, rules, best, *before_));
+  const Layout numbered = numberedSince(*before_, intentions_.luminaires, best);
   if (isNear_) return shownOf(*prepared_, intentions_, numbered);  // few have left their places anyway
   const Steadied calm = steadied(*prepared_, intentions_, numbered, *before_);
   if (!isSettled) told_ = calm.evaluation;

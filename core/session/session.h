@@ -124,7 +124,8 @@ class Session {
   /// all are tried. What is asked and the searches that run stay as they are; what is asked next ends it.
   Result<Done> startAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                           std::uint32_t evaluations);
-  /// Some of that, with at most so many evaluations: what has been found once it is done, nothing before.
+  /// Some of that, with at most so many evaluations: what has been found once it is done, nothing before. Who
+  /// hung in the layout that it started from keeps the number.
   /// Where nothing but an evenness on a grid is asked and missed, it says what no layout can exceed
   /// (evenness_limit.h). An Error where nothing has begun.
   Result<std::optional<Found>> advanceAside(std::uint32_t evaluations);
@@ -162,6 +163,8 @@ class Session {
   Result<Done> ready() const;
   Result<Done> lightFor(const Intentions& intentions);
   void pinAsIn(const Layout& layout);
+  bool isOfRoom(const Layout& layout) const;
+  Layout numberedSince(const Layout& before, const LuminaireRules& rules, const Layout& layout) const;
   void adopt(std::unique_ptr<Scene> scene, Session* room);
 
   std::optional<SceneReader> reader_;
@@ -190,7 +193,8 @@ class Session {
   struct Aside {
     Intentions intentions;
     LayoutSearch search;
-    std::uint32_t left = 0;  // evaluations
+    std::uint32_t left = 0;        // evaluations
+    std::optional<Layout> before;  // that it started from: who hangs there keeps the number
   };
   std::unique_ptr<Aside> aside_;
   std::unique_ptr<AlphaSearch> alpha_;

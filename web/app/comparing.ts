@@ -298,7 +298,7 @@ export class Comparing {
       variants,
       evaluations,
       ({ outcome, done }) => {
-        outcomes.push(outcome && { ...outcome, layout: this.#solving.asRead(outcome.layout) });
+        outcomes.push(outcome);
         if (done) told(outcomes);
       },
       () => void (this.#asked.value = null),

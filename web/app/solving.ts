@@ -50,10 +50,6 @@ interface Waiting<T> {
 
 type Answer<Type extends FromWorker['type']> = Extract<FromWorker, { readonly type: Type }>;
 
-/** Whether no luminaire is told apart from the others. */
-const hasNoNumbers = ({ pinned, ofType = [] }: Luminaires): boolean =>
-  pinned.length === 0 && ofType.length === 0;
-
 /** When the input came that is being answered, ms since 1970. */
 function askedAt(): number {
   const { event } = globalThis;
@@ -107,7 +103,8 @@ export class Solving {
   solve(start: Layout | null = this.#showing.held, moved: readonly number[] = []): void {
     if (!this.#store.scene.peek()) return;
     const intentions = this.#begin();
-    this.#isUntagged = start === null && hasNoNumbers(intentions.luminaires);
+    const { pinned, ofType = [] } = intentions.luminaires;
+    this.#isUntagged = start === null && pinned.length === 0 && ofType.length === 0;
     const from = start ?? this.#foreseen(intentions);
     this.#showing.hold(from);
     this.#client.solve(intentions, from, this.#store.document.peek().seed, askedAt(), moved);
@@ -306,7 +303,7 @@ export class Solving {
     if (!light || light.layout.sites.length < count || light.layout.sites.length > most) return null;
     const factor = this.#factor;
     const { illuminance } = light;
-    const layout = this.#isUntagged ? this.asRead(light.layout) : light.layout;
+    const layout = this.#isUntagged ? this.#asRead(light.layout) : light.layout;
     this.#showing.foresee({ layout, illuminance: illuminance.map((value) => value * factor) });
     return layout;
   }
@@ -416,19 +413,18 @@ export class Solving {
     this.#forgetRefusal();
     const state = evaluations === 0 ? 'shown' : type === 'settled' ? 'settled' : 'improving';
     const read = this.#read(shown);
-    const seen = this.#isUntagged && state !== 'shown' ? { ...read, layout: this.asRead(read.layout) } : read;
+    const seen =
+      this.#isUntagged && state !== 'shown' ? { ...read, layout: this.#asRead(read.layout) } : read;
     this.#showing.present(seen, { state, evaluations, milliseconds }, (told) => {
       if (state === 'settled') this.#settled(told);
     });
   }
 
-  /** With tags as a plan is read, where there is a plan and no luminaire has its number by the wishes. */
-  asRead(layout: Layout): Layout {
-    const { scene, roomPlan, document } = this.#store;
+  /** With tags as a plan is read, where there is a plan. */
+  #asRead(layout: Layout): Layout {
+    const { scene, roomPlan } = this.#store;
     const [sites, plan] = [scene.peek()?.sites, roomPlan.peek()];
-    return sites && plan && hasNoNumbers(document.peek().luminaires)
-      ? renumbered(layout, readingOrder(layout, sites, plan.frame))
-      : layout;
+    return sites && plan ? renumbered(layout, readingOrder(layout, sites, plan.frame)) : layout;
   }
 
   /** Readings of the core as a person gets them. */

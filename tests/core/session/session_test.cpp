@@ -4,14 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "tests/core/corridor_scene.h"
 #include "tests/core/synthetic_scene.h"
 
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Intentions evenLight() {
   Intentions intentions;
@@ -52,6 +54,26 @@ TEST(Session, LooksForRoomAlsoWhileSomethingElseIsAsked) {
   rules.count = 9;
   EXPECT_FALSE(session.hasRoom(rules));
   EXPECT_TRUE(session.start(1, nullptr));
+}
+
+TEST(Session, WhatIsTriedAsideKeepsTheNumbersOfWhoHangs) {
+  Session session;
+  session.adopt(fiatlux::testing::longCorridor());
+  Intentions rows = evenLight();
+  rows.luminaires.count = 6;
+  rows.goals[0].surfaces = {0};
+  ASSERT_TRUE(session.setIntentions(rows));
+  rows.luminaires.arrangement.rule = Rule::kRows;
+  const auto found = [&](const Layout* start) {
+    EXPECT_TRUE(session.startAside(rows, 1, start, 5000));
+    for (;;)
+      if (const auto tried = session.advanceAside(1000); *tried) return (*tried)->layout.sites;
+  };
+  Layout hanging{found(nullptr), std::vector<double>(6, 1000), 1};
+  std::reverse(hanging.sites.begin(), hanging.sites.end());
+  const std::vector<std::uint32_t> sites = found(&hanging);
+  ASSERT_TRUE(std::is_permutation(sites.begin(), sites.end(), hanging.sites.begin()));
+  EXPECT_EQ(sites, hanging.sites);
 }
 
 TEST(Session, IntentionsThatCannotBeLeaveTheOldOnes) {
