@@ -48,6 +48,9 @@ test('files that are dropped become cards, several at once', async ({ page }) =>
   await expect(cube).toContainText('Maker & Sons');
   await expect(cube).toContainText('1\u202f257 lm'); // 4 pi x 100 cd
   await expect(cube).toContainText('20.0 W');
+
+  await drop(page, { 'spot-12.ies': generic('spot-12.ies') });
+  await expect(card(page, 'Spot 12 degrees')).toContainText('< 10'); // it sends nothing to any eye
 });
 
 test('a luminaire that is dropped lights the room: picture, layout and link change', async ({ page }) => {

@@ -3,7 +3,7 @@ import { ChevronRight, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact, sentence } from '../../app/words/format.ts';
 import { fitsSomewhere } from '../../document/candidates.ts';
-import type { PhotometricDescription } from '../../document/photometry.ts';
+import { hasLuminousArea, type PhotometricDescription } from '../../document/photometry.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { PolarCurve } from './polar-curve.tsx';
 import { TypeUse } from './type-use.tsx';
@@ -59,9 +59,10 @@ function usedText(used: number, isAllowed: boolean): string {
 
 const unknown = '–';
 
-/** Below 10 a unified glare rating says no more than that nothing glares. */
-function glareText(rating: number | null | undefined): string {
-  if (typeof rating !== 'number') return unknown;
+/** Below 10 a unified glare rating says no more than that nothing glares; a narrow beam sends nothing there at all. */
+function glareText(description: PhotometricDescription | undefined): string {
+  if (!description || !hasLuminousArea(description)) return unknown;
+  const rating = description.ugr4h8h ?? 0;
   return rating < 10 ? '< 10' : fixed(rating, 1);
 }
 
@@ -77,7 +78,7 @@ function Facts({ type, description }: Described) {
     [words.value.luminaires.type.efficacy, watts > 0 ? `${compact(flux / watts)} lm/W` : unknown],
     [words.value.luminaires.type.beam, description ? `${Math.round(description.beamAngle)}°` : unknown],
     [words.value.luminaires.type.color, description?.cct ? `${Math.round(description.cct)} K` : unknown],
-    ['UGR 4H 8H', glareText(description?.ugr4h8h)],
+    ['UGR 4H 8H', glareText(description)],
   ];
   return (
     <div>
