@@ -4,6 +4,7 @@ import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
 import { fixed } from '../../language/numbers.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 import { Check } from '../controls/check.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { Section } from '../room-maker/field.tsx';
@@ -30,7 +31,7 @@ export function MountsSection({ state, sheet }: Props) {
         <ul class="sheet-list">
           {hangable(state, most).map(({ name, area, high }) => (
             <li key={name}>
-              <Check label={name} checked={hung.includes(name)} set={() => sheet.hang(name)} />
+              <Check label={surfaceText(name)} checked={hung.includes(name)} set={() => sheet.hang(name)} />
               <span class="fine-print">{text.surface(fixed(area, 1), fixed(high, 2))}</span>
             </li>
           ))}
