@@ -79,6 +79,7 @@ test('the report of the office prints on three pages and says what the app says'
   await expect(report(page).getByRole('heading', { level: 1 })).toHaveText('Open office');
   const view = report(page).getByRole('img', { name: 'The room as it is lit' });
   await expect(view).toBeVisible({ timeout: 90_000 }); // drawn by software
+  await expect(view).toHaveCSS('object-fit', 'contain'); // what hangs at its edge is on the paper, too
 
   expect(await violations(page)).toEqual([]);
   const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
