@@ -15,7 +15,7 @@ export interface Verdict {
   readonly where: string;
   readonly what: string; // "mean at least"
   readonly target: number | null; // null: as much, as little or as even as can be
-  readonly actual: number | null; // null: nothing here tells it, "not in this file"
+  readonly actual: number | null; // null: nobody has computed it
   readonly unit: string; // of both; '' for a ratio
   readonly margin: number | null; // relative, negative = short; null where nothing is to be met
   readonly met: boolean | null; // null = a wish without a bound
@@ -71,7 +71,7 @@ export function verdicts(
 
 /** "612 lx", "0.62". */
 export function valueText(value: number | null, unit: string): string {
-  if (value === null) return words.value.values.notInFile;
+  if (value === null) return words.value.values.notComputed;
   if (unit === 'UGR') return ugrText(value);
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
 }

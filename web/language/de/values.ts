@@ -20,7 +20,7 @@ export const values: Words['values'] = {
   within: (share) => `bis auf ${share}`,
   toSpare: (share) => `${share} Reserve`,
   short: (share) => `${share} zu wenig`,
-  notInFile: 'nicht in dieser Datei',
+  notComputed: 'nicht berechnet',
   best: {
     illuminate: 'Mittelwert so hoch wie möglich',
     overshadow: 'Mittelwert so niedrig wie möglich',

@@ -19,7 +19,7 @@ export const values = {
   within: (share: string) => `within ${share}`,
   toSpare: (share: string) => `${share} to spare`,
   short: (share: string) => `${share} short`,
-  notInFile: 'not in this file',
+  notComputed: 'not computed',
   best: {
     illuminate: 'mean as high as can be',
     overshadow: 'mean as low as can be',

@@ -73,7 +73,7 @@ function Row({ row, best }: RowProps) {
         <td class="number">{targetText(row)}</td>
         <td class="number">
           {actual === null ? (
-            <small>{words.value.values.notInFile}</small>
+            <small>{words.value.values.notComputed}</small>
           ) : (
             <strong>{valueText(actual, unit)}</strong>
           )}

@@ -167,7 +167,7 @@ describe('a room type', () => {
     expect(store.document.peek().luminaires.types).toBeUndefined();
   });
 
-  test('is judged on its grid first; what the file does not tell is said so', () => {
+  test('is judged on its grid first; what nobody has computed is said so', () => {
     const { store, scene } = storeOf('corridor');
     const rows = everyVerdict(store);
     expect(rows.slice(0, 3).map(({ where, what }) => `${where}: ${what}`)).toEqual([
@@ -178,7 +178,7 @@ describe('a room type', () => {
     expect(rows.some(({ what }) => what === 'mean at least')).toBe(false); // said on the grid already
     const cylindrical = rows.find(({ what }) => what.startsWith('cylindrical'))!;
     expect(cylindrical).toMatchObject({ actual: null, met: null, target: 50 });
-    expect(valueText(cylindrical.actual, cylindrical.unit)).toBe('not in this file');
+    expect(valueText(cylindrical.actual, cylindrical.unit)).toBe('not computed'); // the file may hold it
     const mean = rows[0]!;
     expect(mean.met).toBe(mean.actual! >= 100);
     expect(targetText(mean)).toBe('100 lx');
