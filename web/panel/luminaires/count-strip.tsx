@@ -1,7 +1,7 @@
 /** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { countFound, fewestMet, fromFound, knownOf } from '../../app/comparing.ts';
+import { fewestMet, knownOf } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import type { Intentions } from '../../document/types.ts';
@@ -22,16 +22,12 @@ export function CountStrip() {
   if (comparison.counts.length < 2) return null;
   const isCurrent = comparison.of === store.traced.value.intentions;
   const isBounded = hasBounds(store.traced.value.intentions);
+  // From the layout shown, so that those that stay keep their numbers: trials were made one from the other.
   const take = (count: number) =>
-    store.edit(
-      words.value.steps.count,
-      ({ luminaires }) => {
-        luminaires.count = count;
-        delete luminaires.most;
-      },
-      null,
-      fromFound(isCurrent ? countFound(comparison.counts, count) : null),
-    );
+    store.edit(words.value.steps.count, ({ luminaires }) => {
+      luminaires.count = count;
+      delete luminaires.most;
+    });
   const { counts, arrangement } = words.value.luminaires;
   return (
     <div class="field count-strip" data-current={isCurrent}>
