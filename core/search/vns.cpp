@@ -202,7 +202,8 @@ void Vns::keepBest() {
 
 /// To the next neighbourhood that is worth while; after the last one the local search has ended.
 void Vns::leave() {
-  if (easing_) return enter(0);
+  // Within all bounds none becomes better when they are firm: it would have been taken at a price, too.
+  if (easing_ && evaluator_.current().violation > 0) return enter(0);
   for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
     const Neighborhood& row = neighborhoods()[next];
     if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
