@@ -1,4 +1,6 @@
-/** What the calculation grid of EN 12464-1 reads of a surface. */
+/** What the calculation grid of EN 12464-1 reads of a surface, and which cards may ask at its points. */
+import { surfaceSetOf, type NamedSurface } from '../../document/surface-names.ts';
+import type { Card, SurfaceNames } from '../../document/types.ts';
 import type { GridResult, Shown } from '../../solver/protocol.ts';
 
 export interface GridLight {
@@ -17,4 +19,18 @@ export function gridLightOf({ grids }: Pick<Shown, 'grids'>, surface: string): G
   const min = Math.min(...pieces.map((piece) => piece.min));
   const max = Math.max(...pieces.map((piece) => piece.max));
   return { mean, uniformity: mean > 0 ? min / mean : 0, min, max };
+}
+
+/** A card for other surfaces: it asks of their patches where none of them has a point of a grid. */
+export function withSurfaces(
+  card: Card,
+  surfaces: SurfaceNames,
+  leaves: readonly NamedSurface[],
+  shown: Pick<Shown, 'grids'> | null,
+): Card {
+  const { onGrid, ...rest } = card;
+  const hasPoint = (leaf: number) => shown !== null && gridLightOf(shown, leaves[leaf]!.name) !== null;
+  return onGrid && surfaceSetOf(surfaces, leaves).some(hasPoint)
+    ? { ...rest, surfaces, onGrid }
+    : { ...rest, surfaces };
 }

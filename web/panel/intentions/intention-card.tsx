@@ -2,6 +2,7 @@
 import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { withSurfaces } from '../../app/state/grid-light.ts';
 import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
@@ -166,7 +167,9 @@ function CardBody({ card }: CardProps) {
         label={words.value.intentions.card.surfaces}
         names={card.surfaces}
         onChange={(surfaces) =>
-          app.changeCard(card.id, words.value.steps.surfaces, (each) => ({ ...each, surfaces }))
+          app.changeCard(card.id, words.value.steps.surfaces, (each) =>
+            withSurfaces(each, surfaces, store.sceneWithAreas.value?.surfaces ?? [], store.shown.value),
+          )
         }
       />
       {isKeep ? <MeanRange {...{ card, axis }} /> : <AimField {...{ card, axis }} />}
