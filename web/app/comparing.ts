@@ -3,15 +3,7 @@
  * shortly after the wish has changed, while somebody looks at the luminaires or a bound is not met.
  */
 import { effect, signal, untracked } from '@preact/signals';
-import type { Draft } from 'immer';
-import type {
-  Arrangement,
-  FiatLuxDocument,
-  Intentions,
-  Layout,
-  Luminaires,
-  Rule,
-} from '../document/types.ts';
+import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
 import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
@@ -153,6 +145,9 @@ export function knownOf(store: Store): Comparison | null {
 export const countFound = (counts: readonly CountTried[], count: number): Outcome | null =>
   counts.find((each) => each.count === count)?.outcome ?? null;
 
+/** Whether what is known of a rule comes of a short trial: that which is asked is searched for, and of fields all are tried. */
+export const isTrial = (rule: Rule, asked: Rule): boolean => rule !== asked && rule !== 'field';
+
 /** A search for what is told to be met begins where that was found, so that it is. */
 export const fromFound = (outcome: Outcome | null): Answering =>
   outcome?.met ? { by: 'search', from: outcome.layout } : { by: 'search' };
@@ -205,11 +200,15 @@ export class Comparing {
 
   arrange(arrangement: Arrangement, found: Outcome | null = null): void {
     this.#choice++;
-    const take = (draft: Draft<FiatLuxDocument>) => {
-      if (arrangement.rule === 'free') delete draft.luminaires.arrangement;
-      else draft.luminaires.arrangement = { ...arrangement };
-    };
-    this.#store.edit(words.value.steps.arrangement, take, null, fromFound(found));
+    this.#store.edit(
+      words.value.steps.arrangement,
+      ({ luminaires }) => {
+        if (arrangement.rule === 'free') delete luminaires.arrangement;
+        else luminaires.arrangement = { ...arrangement };
+      },
+      null,
+      fromFound(found),
+    );
   }
 
   /** What is known of a rule for the very wishes of now. */

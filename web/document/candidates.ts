@@ -93,16 +93,23 @@ function mountOf(sites: Sites): Mount {
   return known;
 }
 
-/** m, from a site to the nearest other one; infinite where there is none. */
-function pitchAt({ position }: Sites, site: number): number {
+/** Tells of each site how far it is from one of them, m2: all pairs of a hall are asked. */
+function forEachAway(
+  { position }: Sites,
+  site: number,
+  visit: (other: number, squared: number) => void,
+): void {
   const [x, y, z] = [position[3 * site]!, position[3 * site + 1]!, position[3 * site + 2]!];
+  for (let other = 0, at = 0; at < position.length; other++, at += 3)
+    visit(other, (position[at]! - x) ** 2 + (position[at + 1]! - y) ** 2 + (position[at + 2]! - z) ** 2);
+}
+
+/** m, from a site to the nearest other one; infinite where there is none. */
+function pitchAt(sites: Sites, site: number): number {
   let least = Infinity; // m2
-  for (let at = 0; at < position.length; at += 3)
-    if (at !== 3 * site)
-      least = Math.min(
-        least,
-        (position[at]! - x) ** 2 + (position[at + 1]! - y) ** 2 + (position[at + 2]! - z) ** 2,
-      );
+  forEachAway(sites, site, (other, squared) => {
+    if (other !== site) least = Math.min(least, squared);
+  });
   return Math.sqrt(least);
 }
 
@@ -143,14 +150,11 @@ class Mount {
 
   /** The sites whose squares may come as near to a site as so many metres. */
   #around(site: number, metres: number): number[] {
-    const { position } = this.#sites;
-    const [x, y, z] = [position[3 * site]!, position[3 * site + 1]!, position[3 * site + 2]!];
     const most = (metres + this.#farthest) ** 2;
     const sites: number[] = [];
-    for (let at = 0; at < position.length; at += 3) {
-      const away = (position[at]! - x) ** 2 + (position[at + 1]! - y) ** 2 + (position[at + 2]! - z) ** 2;
-      if (away <= most) sites.push(at / 3);
-    }
+    forEachAway(this.#sites, site, (other, squared) => {
+      if (squared <= most) sites.push(other);
+    });
     return sites;
   }
 

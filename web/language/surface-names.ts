@@ -1,16 +1,16 @@
 /** Names of surfaces as a person reads them. Files, links and the solver know each by the name that its room gives it. */
+import { frontOf } from '../document/surface-names.ts';
 import { words } from './language.ts';
 
 const numbered = /^(.*\D) (\d+)$/;
-const otherSide = /^(.+) \(back\)$/;
 const partOfPlane = /^(.+) (surround|background)$/;
 
 /** In the page's language where it has words for the name, or for that of a family ("desk 3"); else as the room has it. */
 export function surfaceText(name: string): string {
   const { names, surround, background, back } = words.value.surfaces;
   if (Object.hasOwn(names, name)) return names[name as keyof typeof names];
-  const [, sheet] = otherSide.exec(name) ?? [];
-  if (sheet) return back(surfaceText(sheet));
+  const front = frontOf(name);
+  if (front !== null) return back(surfaceText(front));
   if (name.includes('/')) return name.split('/').map(surfaceText).join('/');
   const [, whole, part] = partOfPlane.exec(name) ?? [];
   if (whole) return (part === 'surround' ? surround : background)(surfaceText(whole));

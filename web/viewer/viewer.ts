@@ -1,5 +1,6 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type ShaderMaterial } from 'three';
+import { frontOf } from '../document/surface-names.ts';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -418,7 +419,10 @@ class RoomViewer implements Viewer {
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
-    this.#section.setRoom(room);
+    this.#section.setRoom(
+      room,
+      info?.surfaces.some(({ name }) => frontOf(name) !== null),
+    );
     this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims), keepView);
     this.#applyDisplay();
     this.#loop.invalidate();
@@ -489,8 +493,7 @@ class RoomViewer implements Viewer {
   #applyDisplay(): void {
     const display = this.#display;
     if (!display || !this.#room) return;
-    const hasBacks = this.#info?.surfaces.some(({ name }) => name.endsWith(' (back)')) ?? false;
-    this.#section.set(display.section ?? null, display.cutAway, hasBacks);
+    this.#section.set(display.section ?? null, display.cutAway);
     const side = display.cutAway ? FrontSide : DoubleSide;
     const litSide = this.#section.isBuilding ? DoubleSide : side;
     for (const { mesh, measuring } of this.#room.lit) if (!measuring) mesh.material.side = litSide;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
+#include <string>
 
 #include "tests/precompute/gltf/skinned_sail.h"
 
@@ -35,6 +37,32 @@ struct Glb {
     std::vector<T> out(a["count"].get<std::size_t>());
     std::memcpy(out.data(), bin.data() + view["byteOffset"].get<std::size_t>(), out.size() * sizeof(T));
     return out;
+  }
+};
+
+/// A room with a box in it, and its picture.
+struct RoomWithBox {
+  Result<Room> room = Error{"not built"};
+  std::optional<Glb> glb;
+
+  RoomWithBox(const Vec3& low, const Vec3& size, double patch) {
+    TestGltf gltf = boxRoom({4, 3, 5}, 1);
+    TestMesh box;
+    box.box(low, size, false);
+    gltf.node("box", gltf.mesh(box));
+    const auto scene = gltf.read();
+    RoomOptions options;
+    options.patch = patch;
+    room = buildRoom(*scene, options);
+    if (room) glb.emplace(displayMesh(*scene, *room));
+  }
+
+  /// The attributes of a node's vertices; null where there is no such node.
+  nlohmann::json attributesOf(const std::string& name) const {
+    for (const auto& node : glb->json["nodes"])
+      if (node["name"] == name)
+        return glb->json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"];
+    return nullptr;
   }
 };
 
@@ -173,57 +201,35 @@ TEST(DisplayMesh, StripsRoundADoorLeaveNoCracks) {
 }
 
 TEST(DisplayMesh, WhatIsCoveredDarkensNothingBesideIt) {
-  TestGltf gltf = boxRoom({4, 3, 5}, 1);
-  TestMesh box;
-  box.box({1, 0.01, 1}, {1, 0.5, 1}, false);
-  gltf.node("box", gltf.mesh(box));
-  const auto scene = gltf.read();
-  RoomOptions options;
-  options.patch = 0.25;
-  const auto room = buildRoom(*scene, options);
-  ASSERT_TRUE(room);
-  const Patches& patches = room->patches;
-  const Glb glb(displayMesh(*scene, *room));
+  const RoomWithBox made({1, 0.01, 1}, {1, 0.5, 1}, 0.25);
+  ASSERT_TRUE(made.room);
+  const nlohmann::json floor = made.attributesOf("floor");
+  const auto blended = made.glb->values<std::array<std::uint16_t, 4>>(floor["_PATCHES"]);
+  const auto shares = made.glb->values<std::array<std::uint8_t, 4>>(floor["_WEIGHTS"]);
   int besideIt = 0, within = 0;
-  for (const auto& node : glb.json["nodes"]) {
-    if (node["name"] != "floor") continue;
-    const auto& attributes = glb.json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"];
-    const auto blended = glb.values<std::array<std::uint16_t, 4>>(attributes["_PATCHES"]);
-    const auto shares = glb.values<std::array<std::uint8_t, 4>>(attributes["_WEIGHTS"]);
-    for (std::size_t v = 0; v < blended.size(); ++v) {
-      int covered = 0;
-      for (int i = 0; i < 4; ++i) covered += patches.counts(blended[v][i]) ? 0 : shares[v][i];
-      EXPECT_TRUE(covered == 0 || covered == 255);
-      ++(covered ? within : besideIt);
-    }
+  for (std::size_t v = 0; v < blended.size(); ++v) {
+    int covered = 0;
+    for (int i = 0; i < 4; ++i) covered += made.room->patches.counts(blended[v][i]) ? 0 : shares[v][i];
+    EXPECT_TRUE(covered == 0 || covered == 255);
+    ++(covered ? within : besideIt);
   }
   EXPECT_GT(besideIt, 0);
   EXPECT_GT(within, 0);
 }
 
 TEST(DisplayMesh, LightDoesNotLeakRoundAnEdge) {
-  TestGltf gltf = boxRoom({4, 3, 5}, 1);
-  TestMesh box;
-  box.box({1, 1, 1}, {0.4, 0.4, 0.4}, false);
-  gltf.node("box", gltf.mesh(box));
-  const auto scene = gltf.read();
-  RoomOptions options;
-  options.patch = 0.2;
-  const auto room = buildRoom(*scene, options);
-  ASSERT_TRUE(room);
-  const Glb glb(displayMesh(*scene, *room));
-  for (const auto& node : glb.json["nodes"]) {
-    if (node["name"] != "box") continue;
-    const auto& attributes = glb.json["meshes"][node["mesh"].get<int>()]["primitives"][0]["attributes"];
-    const auto patches = glb.values<std::array<std::uint16_t, 4>>(attributes["_PATCHES"]);
-    const auto shares = glb.values<std::array<std::uint8_t, 4>>(attributes["_WEIGHTS"]);
-    const auto normals = glb.values<std::array<std::int8_t, 4>>(attributes["NORMAL"]);
-    for (std::size_t v = 0; v < patches.size(); ++v)
-      for (int i = 0; i < 4; ++i) {
-        const Vec3 n{normals[v][0] / 127.0, normals[v][1] / 127.0, normals[v][2] / 127.0};
-        ASSERT_TRUE(shares[v][i] == 0 || dot(room->patches.normal[patches[v][i]], n) > 0.99);
-      }
-  }
+  const RoomWithBox made({1, 1, 1}, {0.4, 0.4, 0.4}, 0.2);
+  ASSERT_TRUE(made.room);
+  const nlohmann::json box = made.attributesOf("box");
+  const auto patches = made.glb->values<std::array<std::uint16_t, 4>>(box["_PATCHES"]);
+  const auto shares = made.glb->values<std::array<std::uint8_t, 4>>(box["_WEIGHTS"]);
+  const auto normals = made.glb->values<std::array<std::int8_t, 4>>(box["NORMAL"]);
+  ASSERT_FALSE(patches.empty());
+  for (std::size_t v = 0; v < patches.size(); ++v)
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 n{normals[v][0] / 127.0, normals[v][1] / 127.0, normals[v][2] / 127.0};
+      ASSERT_TRUE(shares[v][i] == 0 || dot(made.room->patches.normal[patches[v][i]], n) > 0.99);
+    }
 }
 
 TEST(DisplayMesh, TheLightAndThePictureHaveTheSamePose) {

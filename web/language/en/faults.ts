@@ -73,8 +73,8 @@ export const faults = {
   smallNodes: (count: string, what: string) => `${count} nodes: those below 0.5 % of the area are ${what}`,
   partsOfRoom: 'the floor, walls, ceiling or things of the room that they are in',
   oneSurface: (name: string) => `one surface, '${name}'`,
-  clusters: (edge: string, _: string, most: string) =>
-    `clusters are ${edge} x ${_} patches, so that there are at most ${most}`,
+  clusters: (edge: string, other: string, most: string) =>
+    `clusters are ${edge} x ${other} patches, so that there are at most ${most}`,
   tooLow: (count: string, all: string, mount: string, drop: string) =>
     `${count} of ${all} sites of mount '${mount}' are left out: something is less than ${drop} m below them; pass a smaller --drop`,
   noSquare: (mount: string, size: string) =>

@@ -1,6 +1,6 @@
 /** How the luminaires hang together: four little drawings, and what each would cost for the same intentions. */
 import { useApp } from '../../app/app.ts';
-import { knownOf, rules } from '../../app/comparing.ts';
+import { isTrial, knownOf, rules } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Store } from '../../app/state/store.ts';
@@ -43,7 +43,6 @@ export function ArrangementChoice() {
       <div class="drawings" data-current={isCurrent}>
         {rules.map((rule) => {
           const tried = comparison?.rules.find((each) => each.rule === rule);
-          const isRough = rule !== asked && rule !== 'field'; // of fields all are tried
           return (
             <label key={rule} class="drawing" title={words.value.luminaires.arrangement.rules[rule].hint}>
               <input
@@ -54,7 +53,7 @@ export function ArrangementChoice() {
               />
               <Drawing rule={rule} />
               <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
-              <small>{tried ? costText(tried.outcome, store, isRough) : '\u00a0'}</small>
+              <small>{tried ? costText(tried.outcome, store, isTrial(rule, asked)) : '\u00a0'}</small>
             </label>
           );
         })}
@@ -121,7 +120,7 @@ function LeastInRow({ least }: { least: number }) {
       ({ luminaires }) => {
         if (luminaires.arrangement) luminaires.arrangement.leastInRow = next;
       },
-      name,
+      'least in row',
     );
   return (
     <NumberRow

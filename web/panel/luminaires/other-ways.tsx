@@ -1,9 +1,7 @@
 /** Ways out of what cannot be met that lie with the luminaires: another arrangement, or more of them. Each was tried. */
 import { useApp } from '../../app/app.ts';
-import type { Draft } from 'immer';
-import { countFound, fewestMet, fromFound, rules } from '../../app/comparing.ts';
+import { countFound, fewestMet, fromFound, isTrial, rules } from '../../app/comparing.ts';
 import type { RuleWay } from '../../app/relief.ts';
-import type { FiatLuxDocument } from '../../document/types.ts';
 import { shortest } from '../../language/numbers.ts';
 import { costText } from './arrangement-choice.tsx';
 import { words } from '../../language/language.ts';
@@ -31,7 +29,7 @@ export function RulesFirst() {
       <div class="row">
         {others.map(({ rule, outcome }) => (
           <button key={rule} class="button small" onClick={() => void comparing.choose(rule)}>
-            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store, rule !== 'field')}
+            {words.value.luminaires.arrangement.met[rule]}, {costText(outcome, store, isTrial(rule, asked))}
           </button>
         ))}
       </div>
@@ -90,12 +88,16 @@ export function MoreLuminaires() {
   const fewest = fewestMet({ counts });
   if (fewest === null) return null;
   const more = fewest - most;
-  const take = ({ luminaires }: Draft<FiatLuxDocument>) => {
-    if (luminaires.most === undefined) luminaires.count = fewest;
-    else luminaires.most = fewest;
-  };
   const add = () =>
-    store.edit(words.value.steps.addLuminaires, take, null, fromFound(countFound(counts, fewest)));
+    store.edit(
+      words.value.steps.addLuminaires,
+      ({ luminaires }) => {
+        if (luminaires.most === undefined) luminaires.count = fewest;
+        else luminaires.most = fewest;
+      },
+      null,
+      fromFound(countFound(counts, fewest)),
+    );
   return (
     <button class="button small" onClick={add}>
       {words.value.luminaires.arrangement.more(more)}

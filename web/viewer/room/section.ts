@@ -69,21 +69,19 @@ export class Section {
     this.lines.frustumCulled = false;
   }
 
-  setRoom(room: RoomMesh | null): void {
+  /** `hasBacks`: some of its surfaces are the other sides of sheets, as those within walls are. */
+  setRoom(room: RoomMesh | null, hasBacks = false): void {
     this.#room = room;
+    this.#hasBacks = hasBacks;
     this.#storeys = this.#pieces = this.#cut = null;
     this.#uniforms.building.value = false;
     this.#uniforms.openFrom.value = this.#uniforms.openTo.value = noSection;
     this.#show();
   }
 
-  /**
-   * m, or null for the whole room; `cutAway`: the walls in front of the highest storey that is shown are not drawn;
-   * `hasBacks`: some of the room's surfaces are the other sides of sheets, as those within walls are.
-   */
-  set(height: number | null, cutAway: boolean, hasBacks = false): void {
+  /** m, or null for the whole room; `cutAway`: the walls in front of the highest storey that is shown are not drawn. */
+  set(height: number | null, cutAway: boolean): void {
     const isNew = height !== this.#height;
-    this.#hasBacks = hasBacks;
     this.#height = height;
     this.#cutAway = cutAway;
     if (isNew) this.#show();

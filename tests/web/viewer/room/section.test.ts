@@ -11,29 +11,31 @@ const room = {
   box: { min: [0, 0, 0], max: [4, 3, 5] },
 } as unknown as RoomMesh;
 
-test('the dark shell of a room is cut away for an eye outside alone', () => {
+const outside = new Vector3(9, 8, 9);
+
+/** The section of that room, looked at from outside. */
+function sectionOf(hasBacks: boolean) {
   const uniforms = sharedUniforms();
   const section = new Section(uniforms);
-  section.setRoom(room);
-  section.set(null, true, true);
-  section.look(new Vector3(9, 8, 9));
+  section.setRoom(room, hasBacks);
+  section.set(null, true);
+  section.look(outside);
+  return { uniforms, section };
+}
+
+test('the dark shell of a room is cut away for an eye outside alone', () => {
+  const { uniforms, section } = sectionOf(true);
   expect(uniforms.openTo.value).toBe(1.5);
   section.look(new Vector3(2, 1.6, 2));
   expect(uniforms.openTo.value).toBe(noSection);
-  section.set(null, false, true);
-  section.look(new Vector3(9, 8, 9));
+  section.set(null, false);
+  section.look(outside);
   expect(uniforms.openTo.value).toBe(noSection);
-  section.set(null, true, false); // of walls with one side the dark ones are meant
-  section.look(new Vector3(9, 8, 9));
-  expect(uniforms.openTo.value).toBe(noSection);
+  expect(sectionOf(false).uniforms.openTo.value).toBe(noSection); // of walls with one side the dark ones are meant
 });
 
 test('what is cut away of a dark shell is not met by a pointer, lit walls are', () => {
-  const uniforms = sharedUniforms();
-  const section = new Section(uniforms);
-  section.setRoom(room);
-  section.set(null, true, true);
-  section.look(new Vector3(9, 8, 9));
+  const { uniforms, section } = sectionOf(true);
   uniforms.sides.value.set(0, 0, 4, 5);
   uniforms.usualLight.value = 100;
   uniforms.lightTexture.value = { image: { data: new Float32Array([0.5, 50]) } } as unknown as DataTexture;
