@@ -1,5 +1,5 @@
 // What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings,
-// result-lines, report, report-page, plan-figure, light-figure, schedule, verdict.
+// result-lines, dimension-chain, report, report-page, plan-figure, light-figure, schedule, verdict.
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import DxfParser from 'dxf-parser';
@@ -16,6 +16,17 @@ async function saved(page: Page, entry: RegExp): Promise<string> {
   await page.getByRole('button', { name: 'File and export' }).click();
   await page.getByRole('menuitem', { name: entry }).click();
   return readFileSync(await (await download).path(), 'utf8');
+}
+
+/** What is written along each side of the plan, in m: from wall to luminaire, from luminaire to luminaire, to the wall. */
+async function chains(page: Page): Promise<number[][]> {
+  const plan = report(page).getByRole('img', { name: 'The plan with its luminaires' });
+  const texts = await plan
+    .locator('.chain')
+    .evaluateAll((all) =>
+      all.map((chain) => [...chain.querySelectorAll('text')].map((each) => each.textContent)),
+    );
+  return texts.map((chain) => chain.map(Number));
 }
 
 /** Half of the last digit of a place in the list. */
@@ -95,6 +106,13 @@ test('the report of the office prints on three pages and says what the app says'
   holds(plane.split('\t').slice(0, 1).join(''));
   for (const figure of plane.split('\t').slice(1, 5)) holds(figure);
   at.forEach((place, i) => holds(`L${i + 1} ${place}`));
+  const stops = [0, 1].map((axis) => new Set(at.map((place) => place.split(', ')[axis])).size);
+  const measured = await chains(page);
+  expect(measured.map((chain) => chain.length)).toEqual(stops.map((count) => count + 1));
+  expect(measured.map((chain) => chain.reduce((sum, gap) => sum + gap, 0).toFixed(2))).toEqual([
+    '12.00',
+    '7.80',
+  ]);
   holds('at 1.2 m cylindrical');
   holds('500 lx');
   holds('maintenance factor 0.80');

@@ -9,6 +9,7 @@ import type { BestFigure } from '../app/best-figures.ts';
 import { bestText, impossibleText } from '../app/words/best-text.ts';
 import { nameOf, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
+import { chainOf } from '../document/dimension-chain.ts';
 import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
@@ -240,10 +241,12 @@ function Schedule({ report: { schedule } }: Props) {
 
 function Plan({ report: { plan, luminaires, areas, kept } }: Props) {
   const { at, millimetre: mm } = figureOf(plan);
+  const places = luminaires.map(({ place }) => place);
+  const chains = [chainOf(places, plan.frame, 0), chainOf(places, plan.frame, 1)] as const;
   return (
     <figure class="break-before">
       <figcaption>{words.value.report.plan.caption(words.value.values.corner)}</figcaption>
-      <PlanFigure plan={plan} label={words.value.report.plan.label}>
+      <PlanFigure plan={plan} label={words.value.report.plan.label} chains={chains}>
         {areas.map(({ name, outline }) => (
           <g key={name} class="task-area">
             <path
