@@ -1,8 +1,10 @@
 /**
  * Faults that the solver, the builder and the readers of files tell in English, in the page's language: each is found by its
- * English sentence in the dictionary, whose arguments stand where a fault tells something of its own.
+ * English sentence in the dictionary, whose arguments stand where a fault tells something of its own. What names options of
+ * the command is told with what the page has instead, in English, too.
  */
 import { en } from './en.ts';
+import { pageFaults } from './en/page-faults.ts';
 import { language, words } from './language.ts';
 
 type Name = keyof typeof en.faults;
@@ -12,10 +14,11 @@ const marks = ['\u0001', '\u0002', '\u0003', '\u0004', '\u0005', '\u0006'];
 const say = (telling: Telling, told: readonly string[]): string =>
   typeof telling === 'string' ? telling : telling(...told);
 
-/** "room.glb: " may stand before a sentence. */
+/** "room.glb: " may stand before a sentence, and an option of the command. */
 function patternOf(telling: Telling): RegExp {
   const escaped = say(telling, marks).replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&');
-  return new RegExp(`^(.*?: )?${marks.reduce((text, mark) => text.replace(mark, '(.+?)'), escaped)}$`, 's');
+  const sentence = marks.reduce((text, mark) => text.replace(mark, '(.+?)'), escaped);
+  return new RegExp(`^((?!--).*?: )?(?:--[a-z-]+:? )?${sentence}$`, 's');
 }
 
 const patterns = Object.entries(en.faults).map(
@@ -24,14 +27,16 @@ const patterns = Object.entries(en.faults).map(
 
 const decimal = (told: string): string => told.replace(/^(\d+)\.(\d+)( %)?$/, '$1,$2$3');
 
-/** A fault as it was told, in the language of the page where that has words for it. */
+/** A fault as it was told, in the language of the page where that has words for it, and without options of the command. */
 export function inOurWords(fault: string): string {
-  if (language.value === 'en') return fault;
+  const own: Partial<typeof en.faults> = language.value === 'en' ? pageFaults : words.value.faults;
   for (const [name, pattern] of patterns) {
+    const telling = own[name];
+    if (telling === undefined) continue;
     const [found, place = '', ...told] = pattern.exec(fault) ?? [];
     if (found === undefined) continue;
-    const own = told.map((text) => inOurWords(language.value === 'de' ? decimal(text) : text));
-    return place + say(words.value.faults[name] as Telling, own);
+    const parts = told.map((text) => inOurWords(language.value === 'de' ? decimal(text) : text));
+    return place + say(telling as Telling, parts);
   }
   return fault;
 }

@@ -275,9 +275,11 @@ test('what is wrong with a model is known before anything is computed', async ()
 
 test('what is wrong with a room is told before it is computed, once', async () => {
   const { store, room, lighting } = lightingOf(draft);
-  room.warnings = ['the room is open: 28 % of its rays meet nothing; --lid white closes it'];
+  room.warnings = [
+    'the ceiling is 9.2 m above the floor: is that so? --scale says how many metres a unit of the file has',
+  ];
   await lighting.light({ name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() });
-  expect(room.told).toEqual(['“a”: The room is open: 28 % of its rays meet nothing.']);
+  expect(room.told).toEqual(['“a”: The ceiling is 9.2 m above the floor: is that so?']);
   expect(store.messages.peek()).toHaveLength(1);
 });
 

@@ -4,8 +4,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { en } from '../../../web/language/en.ts';
+import { pageFaults } from '../../../web/language/en/page-faults.ts';
 import { inOurWords } from '../../../web/language/faults.ts';
-import { speak } from '../../../web/language/language.ts';
+import { speak, words } from '../../../web/language/language.ts';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
 
@@ -66,8 +67,10 @@ test('a fault is told in the language of the page, with what it tells of its own
 });
 
 /** The text of what says them, its broken strings joined. */
-function sources(): string {
-  const files = ['core', 'precompute', 'web/solver', 'web/builder', 'web/document'].flatMap((folder) =>
+function sources(
+  folders: readonly string[] = ['core', 'precompute', 'web/solver', 'web/builder', 'web/document'],
+): string {
+  const files = folders.flatMap((folder) =>
     readdirSync(path.join(root, folder), { recursive: true, encoding: 'utf8' })
       .filter((name) => /\.(cpp|h|ts)$/.test(name))
       .map((name) => readFileSync(path.join(root, folder, name), 'utf8')),
@@ -83,13 +86,13 @@ test('remarks on a model are told in the language of the page, to their last cla
       'as metres the model would be 556 x 559 m and 549 m high: it is taken to be in centimetres, 5.56 x 5.59 m and 5.49 m high; --scale 1 refuses that',
     ),
   ).toBe(
-    'Als Meter gelesen wäre das Modell 556 × 559 m groß und 549 m hoch; es gilt als in Zentimetern gezeichnet: 5,56 × 5,59 m groß und 5,49 m hoch; --scale 1 lehnt das ab',
+    'Als Meter gelesen wäre das Modell 556 × 559 m groß und 549 m hoch; es gilt als in Zentimetern gezeichnet: 5,56 × 5,59 m groß und 5,49 m hoch',
   );
   expect(
     told(
       'with y up the model would be 6 m high: it is taken to have z up, 6 x 4 m and 2.8 m high; --up y refuses that',
     ),
-  ).toMatch(/^Mit Y nach oben wäre das Modell 6 m hoch; .*: 6 × 4 m groß und 2,8 m hoch;/);
+  ).toMatch(/^Mit Y nach oben wäre das Modell 6 m hoch; .*: 6 × 4 m groß und 2,8 m hoch$/);
   expect(
     told(
       '1 mesh has no material: ceilings are taken to reflect 0.7, walls 0.5, floors 0.2, other things 0.4',
@@ -104,13 +107,15 @@ test('remarks on a model are told in the language of the page, to their last cla
     told(
       'only the place around 1,1.2,3 stays, 4 x 5 m and 2.8 m high: 1 of 6 rooms, and the rest is left out; --doors N takes in what lies behind so many open doors',
     ),
-  ).toMatch(/^Nur der Ort um 1,1.2,3 bleibt, 4 × 5 m groß und 2,8 m hoch: 1 von 6 Räumen,/);
+  ).toMatch(
+    /^Nur der Ort um 1,1.2,3 bleibt, 4 × 5 m groß und 2,8 m hoch: 1 von 6 Räumen, alles andere ist weggelassen$/,
+  );
   expect(
     told(
       "no mount is marked: luminaires are proposed to hang on 'slab' (54.2 m2, 2.94 m above the floor), of other storeys 'roof' (50 m2, 2.5 m above the floor); choose with --mount",
     ),
   ).toMatch(
-    /an „slab“ \(54,2 m², 2,94 m über dem Boden\), in anderen Geschossen „roof“ \(50 m², 2,5 m über dem Boden\); mit --mount/,
+    /an „slab“ \(54,2 m², 2,94 m über dem Boden\), in anderen Geschossen „roof“ \(50 m², 2,5 m über dem Boden\)$/,
   );
   expect(
     told(
@@ -143,4 +148,46 @@ test('each is what the sources say, word for word', () => {
     );
     expect([name, parts.filter((part) => !text.includes(part.trim()))]).toEqual([name, []]);
   }
+});
+
+test('a page has no command line: what names options is told with what can be done on the page', async () => {
+  const remarks = [
+    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor); choose with --mount",
+    'the ceiling is 9.2 m above the floor: is that so? --scale says how many metres a unit of the file has',
+    "hall.glb: 3 of 8 sites of mount 'slab' are left out: something is less than 1 m below them; pass a smaller --drop",
+    "--mount 'celing': no node or surface is called that; the closest are 'ceiling'",
+  ];
+  expect(remarks.map(inOurWords)).toEqual([
+    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor)",
+    'the ceiling is 9.2 m above the floor: is that so?',
+    "hall.glb: 3 of 8 places on 'slab' are left out: something is less than 1 m below them; hang luminaires less low",
+    "'celing': no node or surface is called that; the closest are 'ceiling'",
+  ]);
+  await speak('de');
+  expect(inOurWords(remarks[0]!)).toBe(
+    'Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an „slab“ (20 m², 2,5 m über dem Boden)',
+  );
+  expect(inOurWords(remarks[1]!)).toBe('Die Decke liegt 9,2 m über dem Boden: Ist das so?');
+});
+
+test('no words of the page name an option, and each sentence on a model that does has words of the page', async () => {
+  const said = (name: string, telling: unknown): string =>
+    typeof telling === 'function'
+      ? (telling as (...told: string[]) => string)(...Array<string>(6).fill('x'))
+      : `${name} ${String(telling)}`;
+  const withOption = ([name, telling]: [string, unknown]) => said(name, telling).includes('--');
+  await speak('de');
+  expect(Object.entries(words.value.faults).filter(withOption)).toEqual([]);
+  expect(Object.entries(pageFaults).filter(withOption)).toEqual([]);
+  for (const [name, telling] of Object.entries(en.faults))
+    if (said(name, telling).includes('--')) expect([name, name in pageFaults]).toEqual([name, true]);
+
+  // What is said while a model is read, surveyed and lit; not what an option itself must be.
+  const below = ['gltf', 'geometry', 'rays', 'light'].map((folder) => `precompute/${folder}`);
+  const literals = sources(below).match(/"[^"\n]*"/g) ?? [];
+  const texts = literals.map((text) => text.slice(1, -1).trim());
+  const options = texts.filter((text) => /[ (]--[a-z]/.test(text));
+  const known = Object.entries(en.faults).map(([name, telling]) => said(name, telling));
+  expect(options.length).toBeGreaterThan(12);
+  expect(options.filter((text) => !known.some((each) => each.includes(text.slice(-22))))).toEqual([]);
 });

@@ -22,7 +22,7 @@ import { askedAsField } from '../rooms/opening-field.ts';
 import { askedOfUnknown, documentFrom, type Asked } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
-import { sentence, withoutOption } from '../words/format.ts';
+import { sentence } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
@@ -373,8 +373,8 @@ export class Lighting {
   }
 
   #warn(title: string, warning: string): void {
-    const said = sentence(withoutOption(warning));
-    this.#warnings.push(this.#store.say('warning', words.value.opening.about(title, said)));
+    const said = words.value.opening.about(title, sentence(warning));
+    this.#warnings.push(this.#store.say('warning', said));
   }
 
   /** They were of a room, or of a choice, that is left behind. */

@@ -95,10 +95,6 @@ export function easedBound(value: number, end: 'min' | 'max'): number {
   return Number(Math.max(0, eased).toPrecision(4));
 }
 
-/** What is told, without a last clause that is about an option of the command. */
-export const withoutOption = (told: string): string =>
-  inOurWords(told.trim()).replace(/(; (choose with |mit )?|(?<=\?) )--[^;?]*$/, '');
-
 /** "no connection" -> "No connection."; a fault that is told in English in the page's words. */
 export function sentence(text: string): string {
   const clean = inOurWords(text.trim());

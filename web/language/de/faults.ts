@@ -65,15 +65,16 @@ export const faults: Words['faults'] = {
     `dafür wären ${needed} GB nötig, und eine Seite darf ${most} belegen (zu viele: ${what}): größere Teilflächen nehmen, den Raum verkleinern oder den Befehl verwenden`,
   noMemory: 'Das Modell braucht mehr Speicher, als da ist; das Modell verkleinern',
   narrow: (width) =>
-    `Der Raum ist nur ${width} m breit; das Modell in Metern exportieren (oder --scale mit den Metern je Einheit)`,
+    `Der Raum ist nur ${width} m breit; die Einheit der Datei wählen (Wie es verstanden wurde)`,
   millimetres: (width) =>
-    `Der Raum ist ${width} m breit, die Datei ist wohl in Millimetern; in Metern exportieren (oder --scale 0.001)`,
+    `Der Raum ist ${width} m breit, die Datei ist wohl in Millimetern; diese Einheit wählen (Wie es verstanden wurde)`,
   centimetres: (width) =>
-    `Der Raum ist ${width} m breit, die Datei ist wohl in Zentimetern oder Millimetern; in Metern exportieren (oder --scale 0.01, --scale 0.001)`,
+    `Der Raum ist ${width} m breit, die Datei ist wohl in Zentimetern oder Millimetern; eine dieser Einheiten wählen (Wie es verstanden wurde)`,
+  farNode: (name, metres) => `Knoten „${name}“ reicht bis ${metres} m vom Ursprung; seine Skalierung prüfen`,
   guessedUnit: (before, unit, after) =>
-    `Als Meter gelesen wäre das Modell ${before}; es gilt als in ${unit} gezeichnet: ${after}; --scale 1 lehnt das ab`,
+    `Als Meter gelesen wäre das Modell ${before}; es gilt als in ${unit} gezeichnet: ${after}`,
   guessedUp: (height, sizes) =>
-    `Mit Y nach oben wäre das Modell ${height} m hoch; es gilt als mit Z nach oben gezeichnet: ${sizes}; --up y lehnt das ab`,
+    `Mit Y nach oben wäre das Modell ${height} m hoch; es gilt als mit Z nach oben gezeichnet: ${sizes}`,
   sizes: (width, depth, height) => `${width} × ${depth} m groß und ${height} m hoch`,
   inCentimetres: 'Zentimetern',
   inMillimetres: 'Millimetern',
@@ -81,9 +82,14 @@ export const faults: Words['faults'] = {
   inUnitsOf: (metres) => `Einheiten von ${metres} m`,
   inKilometres: 'Kilometern',
   onlyPlace: (where, sizes, kept, all) =>
-    `Nur der Ort um ${where} bleibt, ${sizes}: ${kept} von ${all} Räumen, alles andere ist weggelassen; --doors N nimmt dazu, was hinter so vielen offenen Türen liegt`,
+    `Nur der Ort um ${where} bleibt, ${sizes}: ${kept} von ${all} Räumen, alles andere ist weggelassen`,
   noSuchPlace: (where) =>
-    `--inside ${where}: Dort ist keine Luft, die zu einem Raum gehört; einen Punkt etwa einen Meter über dessen Boden nennen`,
+    `Bei ${where} ist keine Luft, die zu einem Raum gehört; im Raum auf den Boden oder eine Wand klicken`,
+  manyCells: (patch, cells) =>
+    `Teilflächen von ${patch} m brauchen ${cells} Rasterzellen, mehr als der Speicher fasst; größere nehmen`,
+  roomMemory: 'Nicht genug Speicher für diesen Raum; größere Teilflächen nehmen',
+  lightMemory: 'Nicht genug Speicher für das Licht; größere Teilflächen nehmen',
+  runMemory: 'Nicht genug Speicher; größere Teilflächen nehmen',
   noMaterial: (meshes, ceilings, walls, floors, others) =>
     `${withoutMaterial(meshes, 'kein Material')}: Decken gelten mit Reflexionsgrad ${ceilings}, Wände ${walls}, Böden ${floors}, anderes ${others}`,
   whiteMaterial: (meshes, name, ceilings, walls, floors, others) =>
@@ -94,15 +100,19 @@ export const faults: Words['faults'] = {
   clusters: (edge, other, most) =>
     `Gruppen haben ${edge} × ${other} Teilflächen, damit es höchstens ${most} sind`,
   tooLow: (count, all, mount, drop) =>
-    `${count} von ${all} Plätzen an „${mount}“ sind weggelassen: Etwas ist weniger als ${drop} m unter ihnen; tiefer nicht abhängen (--drop)`,
+    `${count} von ${all} Plätzen an „${mount}“ sind weggelassen: Etwas ist weniger als ${drop} m unter ihnen; weniger tief abhängen`,
   noSquare: (mount, size) =>
-    `An „${mount}“ hat kein ganzes Quadrat von ${size} m Platz; die Plätze enger setzen (--site-spacing)`,
+    `An „${mount}“ hat kein ganzes Quadrat von ${size} m Platz; die Plätze enger setzen`,
   nowhere: (names) =>
-    `Leuchten können nirgends hängen: Nichts ist als Montageort markiert, nichts sieht auf einen Boden hinab, und über keinem Boden ist freier Raum; mit --mount eines davon nennen: ${names}`,
+    `Leuchten können nirgends hängen: Nichts ist als Montageort markiert, nichts sieht auf einen Boden hinab, und über keinem Boden ist freier Raum; eine Fläche wählen (Wie es verstanden wurde), etwa ${names}`,
   noSite: (mount) =>
-    `An keinem Montageort (${mount}) hat eine Leuchte Platz: die Plätze enger setzen (--site-spacing) oder einen anderen Ort wählen (--mount)`,
-  noSuchName: (option, name, names) =>
-    `${option} „${name}“: Kein Knoten und keine Fläche heißt so; am ähnlichsten sind ${names}`,
+    `An keinem Montageort (${mount}) hat eine Leuchte Platz: die Plätze enger setzen oder einen anderen Ort wählen`,
+  tooLarge: (sizes) => `${sizes} m sind zu viel, um Räume zu unterscheiden; einen Teil davon exportieren`,
+  noSuchName: (name, names) =>
+    `„${name}“: Kein Knoten und keine Fläche heißt so; am ähnlichsten sind ${names}`,
+  noSuchMaterial: (name, which) => `„${name}“: Kein Material heißt so; ${which}`,
+  noMaterials: 'das Modell hat keines',
+  closest: (names) => `am ähnlichsten sind ${names}`,
   allWithoutArea:
     'Die Datei enthält keine Flächen: Alle Dreiecke sind ohne Flächeninhalt; die Skalierung der Knoten prüfen',
   clampedMore: (count, most, taken) =>
@@ -119,28 +129,26 @@ export const faults: Words['faults'] = {
   animated: 'Die Datei ist animiert: Sie steht in ihrer Ruhelage',
   skinned: 'Die Datei enthält Netze mit Gelenken: Sie stehen so, wie deren Ruhelage sie biegt',
   unbalanced: (share) =>
-    `Die Bilanz des Lichts geht nicht auf (${share} des ausgesandten werden geschluckt): Sind Flächen doppelt gezeichnet? Mehr Strahlen nehmen (--rays)`,
+    `Die Bilanz des Lichts geht nicht auf (${share} des ausgesandten werden geschluckt): Sind Flächen doppelt gezeichnet?`,
   notSettled: (share) =>
-    `Das reflektierte Licht ist nicht zur Ruhe gekommen (${share} fehlen): --refine 100 oder kleinere Gruppen nehmen (--cluster)`,
-  settledOnly: (share) =>
-    `Das reflektierte Licht ist nur auf ${share} genau, üblich ist 0,1 %: mehr Schritte nehmen (--refine)`,
+    `Das reflektierte Licht ist nicht zur Ruhe gekommen (${share} fehlen): Es geht durch zu viele Räume; einen davon wählen (Wie es verstanden wurde)`,
+  settledOnly: (share) => `Das reflektierte Licht ist nur auf ${share} genau, üblich ist 0,1 %`,
   numbersOff: (share) =>
-    `Die Zahlen der Datei stimmen nur auf ${share}: Fast dunkle Flächen sind ein zu großer Teil von ihr; weniger Montageorte wählen (--mount)`,
+    `Die Zahlen der Datei stimmen nur auf ${share}: Fast dunkle Flächen sind ein zu großer Teil von ihr; weniger Montageorte wählen (Wie es verstanden wurde)`,
   noArea: (count) => `Dreiecke ohne Fläche sind weggelassen: ${count}`,
   repeated: (count) => `Dreiecke, die andere wiederholen, sind weggelassen: ${count}`,
   proposedMount: (where) =>
-    `Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an ${listed(where)}; mit --mount wählen`,
+    `Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an ${listed(where)}`,
   proposedPlane: (height, floor, area) =>
-    `Nichts ist eine Decke: Leuchten sind vorgeschlagen in einer Ebene ${height} m über „${floor}“ (${area} m²); --ceiling nennt eine andere Höhe, --mount einen anderen Ort`,
-  ceilingHeight: (height) =>
-    `Die Decke liegt ${height} m über dem Boden: Ist das so? --scale sagt, wie viele Meter eine Einheit der Datei hat`,
+    `Nichts ist eine Decke: Leuchten sind vorgeschlagen in einer Ebene ${height} m über „${floor}“ (${area} m²)`,
+  ceilingHeight: (height) => `Die Decke liegt ${height} m über dem Boden: Ist das so?`,
   clamped: (name, share, most) => `${name} reflektiert ${share} des Lichts; gerechnet wird mit ${most}`,
   lightLost:
-    'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; siehe fiatlux surfaces, dann --mount, --ceiling oder --double-sided',
+    'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; andere Montageorte, eine Ebene oder zweiseitige Flächen wählen (Wie es verstanden wurde)',
   staysDark: (share) =>
-    `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; siehe fiatlux surfaces, dann --mount oder --ceiling`,
+    `Der Raum bleibt dunkel: Keine Fläche bekommt mehr als ${share} des Lichts, die Leuchten hängen in einem Hohlraum; andere Montageorte oder eine Ebene wählen (Wie es verstanden wurde)`,
   black: (share) =>
-    `Alles ist schwarz: Die Flächen reflektieren ${share} des Lichts, wie wenn beim Export die Farben verloren gehen; im Importblatt Reflexionsgrade eingeben (oder --reflectance MATERIAL=0.5)`,
+    `Alles ist schwarz: Die Flächen reflektieren ${share} des Lichts, wie wenn beim Export die Farben verloren gehen; Reflexionsgrade eingeben (Wie es verstanden wurde)`,
   glassMore: (name, more) =>
     `Material „${name}“ und ${more} weitere: heißt Glas, ist aber undurchsichtig und zählt als Wand; wo Licht hindurch soll, durchsichtig machen (alpha BLEND)`,
   glass: (name) =>
@@ -156,13 +164,13 @@ export const faults: Words['faults'] = {
   backs: (share, names) =>
     `${share} des Lichts schlucken Rückseiten, und zwar die von ${listed(names)}: ihre Dreiecke umdrehen oder ihr Material zweiseitig machen`,
   foreseenLoss: (share) =>
-    `Etwa ${share} des Lichts ginge verloren: Es verlässt das Modell oder trifft auf Rückseiten; Öffnungen schließen, Dreiecke umdrehen oder alle Flächen zweiseitig nehmen (--double-sided)`,
+    `Etwa ${share} des Lichts ginge verloren: Es verlässt das Modell oder trifft auf Rückseiten; Öffnungen schließen, Dreiecke umdrehen oder alle Flächen zweiseitig nehmen`,
   outside: (area, names) =>
     `${area} m² sehen ins Leere oder liegen auf etwas, dorthin kommt kein Licht, und sie sind weggelassen: ${listed(names)}`,
   shutOff: (area, names) =>
     `${area} m² sind von allen Plätzen für Leuchten abgeschlossen und bleiben dunkel (ein versiegelter Raum, das Innere einer Wand): ${listed(names)}`,
   turned: (area, names) =>
-    `${area} m² haben nur eine Seite, die von dem Raum wegsieht, den sie umschließen, und sind umgedreht: ${listed(names)}; --double-sided gibt allen Flächen zwei Seiten`,
+    `${area} m² haben nur eine Seite, die von dem Raum wegsieht, den sie umschließen, und sind umgedreht: ${listed(names)}`,
   twoSided:
     'Keine Decke sieht in den Raum: Alle Flächen gelten als zweiseitig, und die nach außen sehen, sind umgedreht',
   fileLights:
@@ -171,9 +179,9 @@ export const faults: Words['faults'] = {
   fitNowhere: (names) => `${names} passen auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen`,
   noLuminousArea: (name) =>
     `${name} hat keine leuchtende Fläche, also lässt sich nicht sagen, wie sie blendet: eine andere Leuchte nehmen oder nicht nach Blendung fragen`,
-  noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene (--plane) liegen könnte',
+  noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene liegen könnte',
   narrowFloor: (rim) =>
-    `Keine Nutzebene: Der Boden ist schmaler als zwei Randzonen von ${rim} m; die Randzone kleiner machen (--plane-rim)`,
+    `Keine Nutzebene: Der Boden ist schmaler als zwei Randzonen von ${rim} m; die Randzone kleiner machen`,
   stfTooLarge: 'die Datei ist größer als 8 MB',
   stfNoSection: (section) => `der Abschnitt [${section}] fehlt`,
   stfNoLine: (section, name) => `in [${section}] fehlt die Zeile ${name}=`,

@@ -45,6 +45,8 @@ export const faults = {
     `the room is ${width} m wide: the file is probably in millimetres: pass --scale 0.001`,
   centimetres: (width: string) =>
     `the room is ${width} m wide: the file is probably in centimetres or millimetres: pass --scale 0.01 or 0.001`,
+  farNode: (name: string, metres: string) =>
+    `node '${name}' reaches ${metres} m from the origin; check its scale, or pass --scale`,
   guessedUnit: (before: string, unit: string, after: string) =>
     `as metres the model would be ${before}: it is taken to be in ${unit}, ${after}; --scale 1 refuses that`,
   guessedUp: (height: string, sizes: string) =>
@@ -58,7 +60,12 @@ export const faults = {
   onlyPlace: (where: string, sizes: string, kept: string, all: string) =>
     `only the place around ${where} stays, ${sizes}: ${kept} of ${all} rooms, and the rest is left out; --doors N takes in what lies behind so many open doors`,
   noSuchPlace: (where: string) =>
-    `--inside ${where}: there is no air that belongs to a room; name a point about a metre over its floor`,
+    `${where}: there is no air that belongs to a room; name a point about a metre over its floor`,
+  manyCells: (patch: string, cells: string) =>
+    `patches of ${patch} m need ${cells} grid cells, more than --memory allows; pass a larger --patch`,
+  roomMemory: 'not enough memory for this room; pass a larger --patch',
+  lightMemory: 'not enough memory for the light; pass a larger --patch',
+  runMemory: 'not enough memory; pass a larger --patch or fewer --rays',
   noMaterial: (meshes: string, ceilings: string, walls: string, floors: string, others: string) =>
     `${meshes} no material: ceilings are taken to reflect ${ceilings}, walls ${walls}, floors ${floors}, other things ${others}`,
   whiteMaterial: (
@@ -83,8 +90,12 @@ export const faults = {
     `nowhere to hang luminaires: no node is marked as mount, nothing faces down over a floor, and there is no floor with free space above; pass --mount with one of ${names}`,
   noSite: (mount: string) =>
     `no site fits on any mount (${mount}): pass a smaller --site-spacing, or another --mount`,
-  noSuchName: (option: string, name: string, names: string) =>
-    `${option} '${name}': no node or surface is called that; the closest are ${names}`,
+  tooLarge: (sizes: string) => `${sizes} m are too much for rooms to be told apart; export a part of it`,
+  noSuchName: (name: string, names: string) =>
+    `'${name}': no node or surface is called that; the closest are ${names}`,
+  noSuchMaterial: (name: string, which: string) => `'${name}': no material is called that; ${which}`,
+  noMaterials: 'the model has none',
+  closest: (names: string) => `the closest are ${names}`,
   allWithoutArea: 'no surfaces: every triangle has zero area; check the scale of the nodes',
   clampedMore: (count: string, most: string, taken: string) =>
     `${count} more materials reflect more than ${most} and are taken as ${taken}`,

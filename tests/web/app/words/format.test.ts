@@ -11,7 +11,6 @@ import {
   ratio,
   sentence,
   tabular,
-  withoutOption,
 } from '../../../../web/app/words/format.ts';
 import { speak } from '../../../../web/language/language.ts';
 
@@ -71,20 +70,4 @@ test('an eased bound can be met by what is reached', () => {
 test('a sentence begins with a capital, but the name of a file is left as it is', () => {
   expect(sentence('no connection')).toBe('No connection.');
   expect(sentence('my hall.glb: that is no model')).toBe('my hall.glb: that is no model.');
-});
-
-test('what a page tells of a model has no clause on options of the command, in either language', async () => {
-  const remarks = [
-    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor); choose with --mount",
-    'the ceiling is 9.2 m above the floor: is that so? --scale says how many metres a unit of the file has',
-  ];
-  expect(remarks.map(withoutOption)).toEqual([
-    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor)",
-    'the ceiling is 9.2 m above the floor: is that so?',
-  ]);
-  await speak('de');
-  expect(remarks.map(withoutOption)).toEqual([
-    'Nichts ist als Montageort markiert: Leuchten sind vorgeschlagen an „slab“ (20 m², 2,5 m über dem Boden)',
-    'Die Decke liegt 9,2 m über dem Boden: Ist das so?',
-  ]);
 });

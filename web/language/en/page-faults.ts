@@ -1,0 +1,60 @@
+/**
+ * What the pipeline tells with options of the command, as the page says it: with what can be done on the page. Other languages
+ * say the faults as the page does from the first.
+ */
+import { faults } from './faults.ts';
+
+export const pageFaults: Partial<typeof faults> = {
+  narrow: (width) => `the room is only ${width} m wide: choose the unit of the file (How it was understood)`,
+  millimetres: (width) =>
+    `the room is ${width} m wide: the file is probably in millimetres; choose that unit (How it was understood)`,
+  centimetres: (width) =>
+    `the room is ${width} m wide: the file is probably in centimetres or millimetres; choose one of these units (How it was understood)`,
+  farNode: (name, metres) => `node '${name}' reaches ${metres} m from the origin; check its scale`,
+  guessedUnit: (before, unit, after) =>
+    `as metres the model would be ${before}: it is taken to be in ${unit}, ${after}`,
+  guessedUp: (height, sizes) =>
+    `with y up the model would be ${height} m high: it is taken to have z up, ${sizes}`,
+  onlyPlace: (where, sizes, kept, all) =>
+    `only the place around ${where} stays, ${sizes}: ${kept} of ${all} rooms, and the rest is left out`,
+  tooLarge: faults.tooLarge, // the option before it is left out
+  noSuchPlace: (where) =>
+    `${where}: there is no air that belongs to a room; click on a floor or a wall within the room`,
+  manyCells: (patch, cells) =>
+    `patches of ${patch} m need ${cells} grid cells, more than memory allows; take larger patches`,
+  roomMemory: 'not enough memory for this room; take larger patches',
+  lightMemory: 'not enough memory for the light; take larger patches',
+  runMemory: 'not enough memory; take larger patches',
+  tooLow: (count, all, mount, drop) =>
+    `${count} of ${all} places on '${mount}' are left out: something is less than ${drop} m below them; hang luminaires less low`,
+  noSquare: (mount, size) => `'${mount}' has no room for a whole square of ${size} m; take a closer grid`,
+  nowhere: (names) =>
+    `nowhere to hang luminaires: no node is marked as mount, nothing faces down over a floor, and there is no floor with free space above; choose a surface (How it was understood), such as ${names}`,
+  noSite: (mount) => `no place fits on any mount (${mount}): take a closer grid, or another mount`,
+  noSuchName: faults.noSuchName,
+  noSuchMaterial: faults.noSuchMaterial,
+  unbalanced: (share) =>
+    `the balance of light does not close (${share} of what is emitted is absorbed): are faces drawn twice?`,
+  notSettled: (share) =>
+    `reflected light has not settled (${share} is missing): light passes too many rooms; choose one of them (How it was understood)`,
+  settledOnly: (share) => `reflected light is settled to ${share} only, 0.1 % is usual`,
+  numbersOff: (share) =>
+    `the file's numbers are off by up to ${share}: surfaces that are nearly dark are too large a part of it; choose fewer mounts (How it was understood)`,
+  proposedMount: (where) => `no mount is marked: luminaires are proposed to hang on ${where}`,
+  proposedPlane: (height, floor, area) =>
+    `nothing is a ceiling: luminaires are proposed to hang in a plane ${height} m above '${floor}' (${area} m2)`,
+  ceilingHeight: (height) => `the ceiling is ${height} m above the floor: is that so?`,
+  lightLost:
+    'nearly all light is lost: the luminaires hang outdoors or look at backs; choose other mounts, a plane, or two-sided faces (How it was understood)',
+  staysDark: (share) =>
+    `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; choose other mounts or a plane (How it was understood)`,
+  black: (share) =>
+    `everything is black: surfaces reflect ${share} of the light, as where colours were lost on export; enter reflectances (How it was understood)`,
+  foreseenLoss: (share) =>
+    `about ${share} of the light would be lost: it leaves the model, or meets the backs of faces; close the openings, turn the faces, or take all as two-sided`,
+  turned: (area, names) =>
+    `${area} m2 have one side, which looks away from the room they enclose, and are turned: ${names}`,
+  noFloor: 'there is no floor for a working plane to lie over',
+  narrowFloor: (rim) =>
+    `no working plane: the floor is narrower than two rims of ${rim} m; make the rim smaller`,
+};
