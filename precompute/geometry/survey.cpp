@@ -8,6 +8,7 @@
 #include "precompute/base/error.h"
 #include "precompute/geometry/inside.h"
 #include "precompute/geometry/patch_size.h"
+#include "precompute/geometry/sites.h"
 #include "precompute/geometry/working_plane.h"
 #include "precompute/room/bounds.h"
 
@@ -57,8 +58,8 @@ SurveyedSurface surveyed(const std::string& name, const Sum& sum, double ground)
 
 /// The surfaces on which luminaires would hang, and those that lie below them. Returns the share of light
 /// that is lost, of the mount that loses most.
-double suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surfaces) {
-  double lost = 0;
+double suggestMounts(const WeldedMesh& mesh, const Inside& inside, std::vector<SurveyedSurface>& surfaces) {
+  double lost = 0, area = 0;
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> leafOfSide;
   for (const SurfaceGroup& group : inside.tree.groups)
     for (std::size_t r = 0; r < group.regions.size(); ++r)
@@ -66,19 +67,21 @@ double suggestMounts(const Inside& inside, std::vector<SurveyedSurface>& surface
         leafOfSide[{group.set.faces[f].triangle, group.set.faces[f].back}] = group.leafOfRegion[r];
   for (const Mount& mount : inside.mounts) {
     std::vector<std::size_t> below(surfaces.size(), 0);
-    for (const Face& face : mount.faces)
+    const std::vector<Face> faces = mount.lift > 0 ? mount.faces : facesForSites(mesh, mount.faces);
+    for (const Face& face : faces)
       if (const auto leaf = leafOfSide.find({face.triangle, face.back}); leaf != leafOfSide.end())
         surfaces[leaf->second].use = mount.lift > 0 ? Use::kFloor : Use::kMount;
     if (mount.lift > 0) continue;
-    const FreeSpace::View view = inside.space->from(mount.faces, 0);
-    lost = std::max(lost, view.lost);
+    const FreeSpace::View view = inside.space->from(faces, 0);
+    const double own = mountArea(mesh, faces);
+    lost += own * view.lost, area += own;
     for (const auto& side : view.floorSides)
       if (const auto leaf = leafOfSide.find(side); leaf != leafOfSide.end()) ++below[leaf->second];
     const auto most = std::max_element(below.begin(), below.end());
     if (most != below.end() && *most > 0)
       surfaces[static_cast<std::size_t>(most - below.begin())].use = Use::kFloor;
   }
-  return lost;
+  return area > 0 ? lost / area : 0;
 }
 
 std::string warningOfLoss(double lost) {
@@ -131,7 +134,7 @@ Survey survey(const SourceScene& source, const RoomOptions& options) {
   const std::vector<Sum> sums = sumsOf(mesh, inside.tree);
   for (std::size_t s = 0; s < sums.size(); ++s)
     result.surfaces.push_back(surveyed(inside.tree.names[s], sums[s], ground));
-  result.lost = suggestMounts(inside, result.surfaces);
+  result.lost = suggestMounts(mesh, inside, result.surfaces);
   if (result.lost > kMuchLost) result.warnings.insert(result.warnings.begin(), warningOfLoss(result.lost));
   suggestPlanes(result.surfaces);
 

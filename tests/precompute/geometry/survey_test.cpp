@@ -13,6 +13,7 @@ namespace fiatlux {
 namespace {
 
 using testing::allWarnings;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::surfaceIndex;
@@ -83,6 +84,21 @@ TEST(Survey, SaysWhatWouldBeLostBeforeItIs) {
   EXPECT_GT(survey->lost, 0.2);
   EXPECT_LT(survey->lost, 0.7);
   EXPECT_THAT(survey->warnings[0], HasSubstr("% of the light would be lost"));
+}
+
+TEST(Survey, WhatCountsAsLostIsWhatThePlacesShine) {
+  // Storeys under slabs of which luminaires hang on the undersides alone, not on what looks to the sky.
+  const auto source = testing::twoStoreys().gltf.read();
+  RoomOptions options;
+  for (const std::string& mount : {std::string("s1"), std::string("s2")}) {
+    options.mounts = {mount};
+    const auto survey = surveyRoom(*source, options);
+    ASSERT_TRUE(survey) << survey.error().message;
+    EXPECT_LT(survey->lost, 0.2);
+    EXPECT_THAT(survey->warnings, Not(Contains(HasSubstr("would be lost"))));
+    for (const SurveyedSurface& surface : survey->surfaces)
+      if (surface.use == Use::kMount) EXPECT_EQ(surface.facing, Facing::kDown) << surface.name;
+  }
 }
 
 TEST(PlainReflectance, PureWhiteIsNoMaterialYet) {
