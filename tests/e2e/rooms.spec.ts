@@ -114,7 +114,9 @@ test('families of surfaces are one row until they are opened', async ({ page }) 
   await settled(page);
 });
 
-test('a selected measuring plane is a veil that keeps the realistic picture', async ({ page }) => {
+test('a selected measuring plane is a veil over the realistic picture; in false colours furniture lies on it as lines', async ({
+  page,
+}) => {
   await openRoom(page, 'Open office');
   await page.emulateMedia({ reducedMotion: 'reduce' });
   const before = await picture(page);
@@ -127,6 +129,16 @@ test('a selected measuring plane is a veil that keeps the realistic picture', as
   let sum = 0;
   for (let i = 0; i < after.data.length; i++) sum += Math.abs(after.data[i]! - before.data[i]!);
   expect(sum / (0.75 * after.data.length)).toBeLessThan(16);
+
+  await page.getByRole('button', { name: 'False colour' }).click();
+  const grey = [0x62, 0x67, 0x6f]; // of lines over a plane
+  const lines = ({ data }: typeof after) => {
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (grey.every((value, c) => Math.abs(data[i + c]! - value) < 4)) count += 1;
+    return count;
+  };
+  await expect.poll(async () => lines(await picture(page))).toBeGreaterThan(1000);
 });
 
 /** Nothing moves on the picture any more. */

@@ -24,17 +24,18 @@ const given = 0.06; // m under a plane: so far down furniture gives way
 const storey = 2; // m over it
 const underfoot = 0.1; // m over the floor: nothing hides a lower plane but what stands on it
 
-/** In GLSL: whether a place lies over a plane, or hardly under it. */
+/** In GLSL: whether a place lies from `below` (m) under a plane to a storey over it; without, where furniture gives way. */
 export const overPlaneShader = /* glsl */ `
 uniform highp sampler2D planeHeights;
 uniform vec4 planeFrame; // m: low x, low z; cells a metre along x and z
-bool isOverPlane(vec3 place) {
+bool isOverPlane(vec3 place, float below) {
   vec2 at = (place.xz - planeFrame.xy) * planeFrame.zw;
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(${cells}.0)))) return false;
   vec4 over = place.y - texelFetch(planeHeights, ivec2(at), 0);
-  vec4 isOver = step(vec4(-${given.toFixed(2)}), over) * step(over, vec4(${storey.toFixed(1)}));
+  vec4 isOver = step(vec4(-below), over) * step(over, vec4(${storey.toFixed(1)}));
   return dot(isOver, vec4(1.0)) > 0.5;
 }
+bool isOverPlane(vec3 place) { return isOverPlane(place, ${given.toFixed(2)}); }
 `;
 
 interface Footprints {
