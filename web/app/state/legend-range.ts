@@ -10,7 +10,8 @@ export function fitLegend(store: Store, shown: Shown): void {
   const range = roundRange(Math.max(1, mean * 2.5), display.logarithmic, display.steps);
   // Ends that still hold the light stay: a legend that twitches at every answer cannot be read.
   const [low, high] = display.range;
-  const isRound = low === roundRange(high, display.logarithmic, display.steps)[0];
+  const round = roundRange(high, display.logarithmic, display.steps);
+  const isRound = low === round[0] && high === round[1];
   if (!isRound || high < mean * 2 || high > mean * 5) store.display.value = { ...display, range };
 }
 

@@ -1,0 +1,30 @@
+/** Where the legend ends: at round values with round steps, and no sooner elsewhere than the light needs. */
+import { expect, test } from '@jest/globals';
+import { fitLegend } from '../../../../web/app/state/legend-range.ts';
+import { Store } from '../../../../web/app/state/store.ts';
+import type { Shown } from '../../../../web/solver/protocol.ts';
+
+const lit = (mean: number) => ({ surfaces: [{ name: 'floor', mean, area: 1 }] }) as unknown as Shown;
+
+/** The ends for some light, after others were there. */
+function ends(mean: number, { steps = 0, logarithmic = false, range = [0, 0] as [number, number] }) {
+  const store = new Store();
+  store.display.value = { ...store.display.value, steps, logarithmic, range };
+  fitLegend(store, lit(mean));
+  return store.display.value.range;
+}
+
+test('steps are round, whatever the ends were without them', () => {
+  for (const steps of [5, 8, 10, 12, 16]) {
+    const [low, high] = ends(300, { steps, range: [0, 800] });
+    const step = (high - low) / steps;
+    expect([low, [50, 100, 200].includes(step)]).toEqual([0, true]);
+  }
+});
+
+test('round ends that hold the light stay', () => {
+  expect(ends(300, { range: [0, 1000] })).toEqual([0, 1000]);
+  expect(ends(300, { range: [0, 800] })).toEqual([0, 800]);
+  expect(ends(300, { range: [0, 300] })).toEqual([0, 800]);
+  expect(ends(300, { logarithmic: true, range: [0, 800] })).toEqual([10, 800]);
+});
