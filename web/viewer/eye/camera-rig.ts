@@ -14,6 +14,7 @@ import { directionOf, type Box, type Destination, type EyePlace } from './framin
 import { fov, RoomPoses, tangent } from './room-poses.ts';
 
 const flight = 420; // ms
+const upwards = 0.14; // of a direction: who looks up by less sees walls and floor
 
 const facingAzimuth = { north: 0, east: 270, south: 180, west: 90 } as const; // the wall that is looked at
 
@@ -67,9 +68,9 @@ export class CameraRig {
   get eye(): EyePlace | null {
     if (this.plan) return null;
     const { position } = this.#perspective;
-    const { x, y, z } = position.clone().sub(this.controls.target);
+    const { x, y, z } = position.clone().sub(this.controls.target).normalize();
     const quadrant = x >= 0 ? (z >= 0 ? 0 : 1) : z < 0 ? 2 : 3;
-    return { quadrant, isAbove: this.#poses.isAbove(position), looksUp: y < 0 };
+    return { quadrant, isAbove: this.#poses.isAbove(position), looksUp: y < -upwards };
   }
 
   /** Flies to where something is seen: a quadrant's corner view, within the room looking up, or home. */

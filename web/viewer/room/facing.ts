@@ -63,5 +63,6 @@ export function betterPlace(
   if (down > 0.5) return isAbove ? 'within' : null;
   const most = Math.max(...seen);
   if (most < 0.25) return looksUp && surfaces.length > 0 ? 'home' : null;
-  return seen[quadrant]! > 0.5 * most ? null : seen.indexOf(most);
+  if (seen[quadrant]! <= 0.5 * most) return seen.indexOf(most);
+  return looksUp ? quadrant : null;
 }

@@ -38,11 +38,12 @@ describe('from where surfaces are seen', () => {
     expect(betterPlace(facing, [], corner(1))).toBeNull();
   });
 
-  test('a ceiling from within, and a floor not by who looks up', () => {
+  test('a ceiling from within, and neither a floor nor walls by who looks up', () => {
     const within = { quadrant: 0, isAbove: false, looksUp: true };
     expect(betterPlace(facing, [4], { quadrant: 0, isAbove: true, looksUp: false })).toBe('within');
     expect(betterPlace(facing, [4], within)).toBeNull();
     expect(betterPlace(facing, [3], within)).toBe('home');
-    expect(betterPlace(facing, [0], within)).toBeNull();
+    expect(betterPlace(facing, [0], within)).toBe(0);
+    expect(betterPlace(facing, [2], within)).toBe(1);
   });
 });
