@@ -10,10 +10,11 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kNearField = 4;      // a part of a luminaire is that many times smaller than its distance
-constexpr double kNearest = 0.15;     // of the distance of the centres: what touches is not infinitely near
-constexpr double kBeamParts = 6;      // steps of a patch's quadrature within a beam
-constexpr double kWidestStep = 0.25;  // rad, of a patch's quadrature whatever the beam
+constexpr double kNearField = 4;   // a part of a luminaire is that many times smaller than its distance
+constexpr double kNearest = 0.15;  // of the distance of the centres: what touches is not infinitely near
+constexpr double kInPlane = 1e-5;  // m: what is so little before a patch lies in its plane, but for rounding
+constexpr double kBeamParts = 6;   // steps of a patch's quadrature within a beam
+constexpr double kWidestStep = 0.25;       // rad, of a patch's quadrature whatever the beam
 constexpr std::uint32_t kMostPairs = 512;  // of parts of a patch and of a luminaire, in float
 constexpr std::uint32_t kMostParts = 12;   // on a luminaire's edge, on a patch's edge
 
@@ -66,7 +67,8 @@ void aim(const Points& points, const Frame& from, Beams& beams) {
   for (int i = 0; i < kPoints; ++i) {
     const float x = points.x[i] - from.position[0], y = points.y[i] - from.position[1],
                 z = points.z[i] - from.position[2];
-    const float incidence = std::max(0.0f, -(x * points.nx[i] + y * points.ny[i] + z * points.nz[i]));
+    const float before = -(x * points.nx[i] + y * points.ny[i] + z * points.nz[i]);
+    const float incidence = before > static_cast<float>(kInPlane) ? before : 0.0f;
     const float inverse = 1 / std::sqrt(std::max(x * x + y * y + z * z, 1e-12f));
     beams.along[i] = inverse * (x * from.axis[0] + y * from.axis[1] + z * from.axis[2]);
     beams.across[i] = inverse * (x * from.across[0] + y * from.across[1] + z * from.across[2]);
@@ -137,7 +139,7 @@ double DirectQuadrature::exactOn(std::uint32_t row, const Luminaire& luminaire) 
       const Vec3 d = on - (middle(k % parts.width, parts.width) * luminaire.width) * luminaire.axis -
                      (middle(k / parts.width, parts.height) * luminaire.height) * across;
       const double incidence = -dot(d, normal), squared = dot(d, d);
-      if (incidence <= 0) continue;
+      if (incidence <= kInPlane) continue;
       const double inverse = 1 / std::sqrt(squared);
       const Vec3 local = inverse * Vec3{dot(d, luminaire.axis), dot(d, across), dot(d, luminaire.normal)};
       sum += luminaire.intensity(local) * incidence * inverse / squared;

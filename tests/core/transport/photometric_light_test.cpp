@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -60,6 +61,22 @@ TEST(PhotometricLight, ALambertianSquareIsItsFormFactor) {
     const double expected =
         polygonFormFactor(center, scene.patches.normal[p], corners, 4) / (site.size * site.size);
     EXPECT_NEAR(light[p], expected, 0.02 * expected + 1e-6) << p;
+  }
+}
+
+TEST(PhotometricLight, NothingFallsOnThePlaneThatALuminaireLiesInWhereverRoundingPutsIt) {
+  const Scene scene = clearScene();
+  const auto round = [](const Vec3& d) { return 100 * (1 + 0.2 * d.z); };  // a part of it backwards
+  const auto map = std::make_shared<const IntensityMap>(round);
+  const PhotometricLight light(scene);
+  const Vec3 normal = scene.patches.normal[0];
+  Luminaire luminaire = on(scene.sites[0], round, 0.5);
+  luminaire.normal = normal;
+  luminaire.axis = normalized(cross(normal, {0.6, 0.7, 0.4}));
+  for (const double off : {-5e-8, 0.0, 5e-8}) {
+    luminaire.position = scene.patches.center[0] - off * normal;
+    EXPECT_EQ(light.direct({{0, luminaire}})[0], 0) << off;
+    EXPECT_EQ(light.direct({{0, luminaire, map}})[0], 0) << off;
   }
 }
 
