@@ -13,7 +13,7 @@ const chainAt = 4; // mm from the room
 const sidesAt = 9;
 const belowAt = 13.5;
 const lettersWide = 7; // mm that a distance takes along its chain,
-const letterHigh = 3; // and across it
+const letterHigh = 2.3; // and across it
 
 export interface Figure {
   readonly millimetre: number; // m of the room a millimetre on paper
