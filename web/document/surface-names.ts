@@ -10,9 +10,6 @@ export interface NamedSurface {
   readonly part?: { readonly leaf: number; readonly rows: Uint32Array };
 }
 
-/** The surface whose other side has this name; null of a front. */
-export const frontOf = (name: string): string | null => /^(.+) \(back\)$/.exec(name)?.[1] ?? null;
-
 /** Sorted leaf indices; a name that is not there means no leaf. */
 export function leavesOf(names: SurfaceNames, leaves: readonly NamedSurface[]): number[] {
   return leaves.flatMap((leaf, index) => (names.some((name) => isMeant(leaf, name)) ? [index] : []));

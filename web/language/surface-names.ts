@@ -1,9 +1,11 @@
 /** Names of surfaces as a person reads them. Files, links and the solver know each by the name that its room gives it. */
-import { frontOf } from '../document/surface-names.ts';
 import { words } from './language.ts';
 
 const numbered = /^(.*\D) (\d+)$/;
 const partOfPlane = /^(.+) (surround|background)$/;
+
+/** The surface whose other side has this name; null of a front. */
+export const frontOf = (name: string): string | null => /^(.+) \(back\)$/.exec(name)?.[1] ?? null;
 
 /** In the page's language where it has words for the name, or for that of a family ("desk 3"); else as the room has it. */
 export function surfaceText(name: string): string {

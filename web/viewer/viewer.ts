@@ -1,6 +1,6 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type ShaderMaterial } from 'three';
-import { frontOf } from '../document/surface-names.ts';
+import { frontOf } from '../language/surface-names.ts';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
