@@ -75,6 +75,7 @@ export class Solving {
   #asked: { readonly of: Intentions; readonly factor: number; readonly asNew: Intentions } | null = null;
   #isUntagged = false; // the search that runs began from nowhere, and nobody has said which luminaire is which
   #refusal: number | null = null; // the message about a wish that the solver refused
+  #lost: string | null = null; // why the rest of the file that is open did not come
 
   constructor(store: Store, viewer: Viewer, createWorker: () => WorkerLike) {
     this.#store = store;
@@ -319,7 +320,7 @@ export class Solving {
   async #open(bytes: FileBytes): Promise<OpenedScene> {
     this.#opening?.reject(new Superseded());
     this.#probing?.reject(new Superseded());
-    this.#probing = this.#arrived = null;
+    this.#probing = this.#arrived = this.#lost = null;
     const opened = await new Promise<OpenedScene>((resolve, reject) => {
       this.#opening = { resolve, reject };
       this.#client.open(bytes);
@@ -494,12 +495,14 @@ export class Solving {
       this.#store.check.value = { layout: this.#checking, largestDifference, surface, margins };
   }
 
-  #failed({ message, fatal }: Answer<'failed'>): void {
+  #failed({ message, fatal, revision }: Answer<'failed'>): void {
     const wasOpening = this.#opening !== null;
+    if (!wasOpening && this.#client.isOfFile(revision)) this.#lost = message;
     // A solver that does not start is told with the first room, which asks for another one and offers to try again.
     if (fatal && !wasOpening && !this.#file) return;
     if (this.#opening) this.#opening.reject(new Error(message));
     else if (this.#probing) this.#probing.reject(new Error(message));
+    else if (message === this.#lost) this.#sayLost(message);
     else {
       const resume = { label: words.value.steps.resume, run: () => void this.resume() };
       this.#forgetRefusal();
@@ -510,6 +513,12 @@ export class Solving {
     const isOver = wasOpening && this.#store.progress.peek().state !== 'improving';
     if (!isOver) this.#store.progress.value = idle;
     if (this.#store.alphaRun.peek()?.done === null) this.#store.alphaRun.value = null;
+  }
+
+  /** What comes of the room's first part takes this not away: the page has to be loaded again to have the rest. */
+  #sayLost(message: string): void {
+    const again = { label: words.value.opening.again, run: () => globalThis.location.reload() };
+    this.#store.say('error', sentence(message), again);
   }
 
   /** A refused wish is told once: the next refusal replaces the message, an answer takes it away. */

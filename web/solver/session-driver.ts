@@ -52,6 +52,7 @@ export class SessionDriver {
   #mayTryAll = true; // it was asked as one that has all that the rules allow, not the places of one layout alone
   #trying: { readonly of: number; readonly by: Searching } | null = null; // who tries for that request instead
   #scene: SceneInfo | null = null;
+  #lost = 'no scene is open yet; open one first'; // why nothing can be asked where there is no scene
   #openings = 0; // files that were asked for: the latest wins
   #isOpening = false;
   #awaited: Kind | null = null; // the room stands, and what luminaires of this kind need is on its way
@@ -226,6 +227,7 @@ export class SessionDriver {
       this.#fail(revision, error);
       // What was asked of a room whose rest did not come cannot be answered.
       if (isTold && this.#isOpening) this.#scene = null;
+      if (isTold) this.#lost = reasonOf(error);
       if (isTold) this.#waiting = [];
     }
     if (!isCurrent()) return;
@@ -480,7 +482,7 @@ export class SessionDriver {
   }
 
   #opened(): SceneInfo {
-    if (!this.#scene) throw new Error('no scene is open yet; open one first');
+    if (!this.#scene) throw new Error(this.#lost);
     return this.#scene;
   }
 

@@ -193,6 +193,11 @@ export class SolverClient {
     this.#worker.postMessage({ type: 'paint', colors }, []);
   }
 
+  /** Whether an answer is about the file that is open, not about what was asked of it. */
+  isOfFile(revision: number): boolean {
+    return revision === this.#opened?.revision;
+  }
+
   stop(): void {
     this.#wish = null;
     this.#worker.postMessage({ type: 'stop' }, []);
@@ -337,7 +342,7 @@ export class SolverClient {
       return true;
     }
     // The rest of a file that was told of while it was arriving did not come, or was not right.
-    if (message.type === 'failed' && message.revision === this.#opened?.revision) return true;
+    if (message.type === 'failed' && this.isOfFile(message.revision)) return true;
     return this.#isLatest(message.revision);
   }
 

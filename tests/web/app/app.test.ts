@@ -191,7 +191,18 @@ describe('a room that begins with its light', () => {
     await openLit(6);
     const { revision } = solver.last('open')!;
     solver.say({ type: 'failed', revision, message: 'the connection was lost', fatal: false });
-    expect(app.store.messages.value.at(-1)?.text).toMatch(/connection was lost/);
+    const failed = { type: 'failed', message: 'the connection was lost', fatal: false } as const;
+    const isTold = () =>
+      expect(app.store.messages.value.filter(({ kind }) => kind === 'error')).toMatchObject([
+        { text: 'The connection was lost.', action: { label: 'Try again' } },
+      ]);
+    isTold();
+    // Neither what its first part can answer nor what it cannot takes the button away.
+    settle();
+    isTold();
+    app.solving.solve();
+    solver.say({ ...failed, revision: solver.last('solve')!.revision });
+    isTold();
   });
 });
 

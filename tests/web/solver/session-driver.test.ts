@@ -118,6 +118,10 @@ describe('open', () => {
     await opening;
     expect(answers.at(-1)).toMatchObject({ type: 'failed', revision: 4 }); // it ended too early
     expect(driver.busy).toBe(false);
+    const { message } = answers.at(-1) as { message: string };
+    await driver.receive(solve(6));
+    driver.step();
+    expect(answers.at(-1)).toMatchObject({ type: 'failed', revision: 6, message }); // the same, not another riddle
   });
 
   test('a wish that came meanwhile is begun before what only luminaire types need is there', async () => {
