@@ -19,6 +19,7 @@ const askedIn = (of: FiatLuxDocument | Link) => ({
   ...(of.roomType !== undefined && { roomType: of.roomType }),
   ...(of.glare !== undefined && { glare: of.glare }),
   ...(of.paint !== undefined && { paint: of.paint }),
+  ...(of.energy !== undefined && { energy: of.energy }),
   ...(of.taskAreas !== undefined && { taskAreas: of.taskAreas }),
 });
 

@@ -199,6 +199,16 @@ export const taskAreasSchema = v.pipe(
   v.check((areas) => new Set(areas.map(({ name }) => name)).size === areas.length, 'two areas have one name'),
 );
 
+export const energySchema = v.object({
+  efficacy: v.exactOptional(number(1, 683)),
+  day: v.exactOptional(number(0, 8760)),
+  night: v.exactOptional(number(0, 8760)),
+  occupancy: v.exactOptional(number(0, 1)),
+  constant: v.exactOptional(number(0, 1)),
+  daylight: v.exactOptional(number(0, 1)),
+  standby: v.exactOptional(number(0, 100)),
+});
+
 const askedEntries = {
   cards: cardsSchema,
   saving: v.boolean(),
@@ -209,6 +219,7 @@ const askedEntries = {
   seed: seedSchema,
   roomType: v.exactOptional(roomTypeSchema),
   paint: v.exactOptional(paintSchema),
+  energy: v.exactOptional(energySchema),
 };
 
 export const documentSchema: v.GenericSchema<unknown, FiatLuxDocument> = v.object({

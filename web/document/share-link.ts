@@ -14,6 +14,7 @@ import {
   cameraSchema,
   cardsSchema,
   displaySchema,
+  energySchema,
   firstFault,
   glareSchema,
   identitySchema,
@@ -33,6 +34,7 @@ import type {
   Camera,
   Card,
   Display,
+  Energy,
   Glare,
   Luminaires,
   LuminaireType,
@@ -68,6 +70,7 @@ export interface Link {
   readonly score?: number; // of a layout placed by hand, where the solver's has 100: as the sender says
   readonly glare?: Glare;
   readonly paint?: readonly Paint[];
+  readonly energy?: Energy;
   readonly taskAreas?: readonly TaskArea[];
   readonly layout: (LinkedLayout & { readonly pinned: readonly number[] }) | null;
   readonly kept?: LinkedLayout; // the variant that the layout is compared with
@@ -133,6 +136,7 @@ const payloadSchema = v.object({
   g: v.exactOptional(v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(200))),
   u: v.exactOptional(glareSchema),
   a: v.exactOptional(paintSchema),
+  j: v.exactOptional(energySchema),
   z: v.exactOptional(taskAreasSchema),
   y: v.exactOptional(
     v.object({
@@ -215,6 +219,7 @@ function payloadOf(link: Link): Payload {
     ...(link.score !== undefined && { g: link.score }),
     ...(link.glare && { u: structuredClone(link.glare) as NonNullable<Payload['u']> }),
     ...(link.paint?.length && { a: link.paint.map((each) => ({ ...each })) }),
+    ...(link.energy && { j: { ...link.energy } }),
     ...(link.taskAreas && { z: structuredClone(link.taskAreas) as NonNullable<Payload['z']> }),
     ...(layout && {
       y: { ...layoutIn(layout, numbers), n: [...layout.pinned] },
@@ -313,7 +318,7 @@ function readPayload(bytes: Uint8Array): Link | string {
   }
   const parsed = v.safeParse(payloadSchema, json);
   if (!parsed.success) return words.value.files.link.fault(firstFault(parsed.issues));
-  const { i, r, c, w, l, q, s, e, g, u, a, z, y, b, t, m, k, d } = parsed.output;
+  const { i, r, c, w, l, q, s, e, g, u, a, j, z, y, b, t, m, k, d } = parsed.output;
   if (y?.n.some((index) => index >= y.p.length)) return words.value.files.link.missingPin;
   const types = t ? typesFrom(t) : null;
   if (typeof types === 'string') return types;
@@ -334,6 +339,7 @@ function readPayload(bytes: Uint8Array): Link | string {
     ...(g !== undefined && { score: g }),
     ...(u !== undefined && { glare: u }),
     ...(a !== undefined && { paint: a }),
+    ...(j !== undefined && { energy: j }),
     ...(z !== undefined && { taskAreas: z }),
     layout: layout && y ? { ...layout, pinned: y.n } : null,
     ...(kept && { kept }),

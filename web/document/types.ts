@@ -180,6 +180,17 @@ export interface Paint {
   readonly color?: string; // '#rrggbb', of which the hue is taken; absent: the material's own, lighter or darker
 }
 
+/** How electric energy is reckoned; what is absent is as usual (document/energy.ts). */
+export interface Energy {
+  readonly efficacy?: number; // lm/W, of luminaires whose type does not say what they draw
+  readonly day?: number; // h a year with daylight
+  readonly night?: number; // and without
+  readonly occupancy?: number; // 0..1 of these hours: F_o
+  readonly constant?: number; // 0..1 of the power, where light is kept constant over the years: F_c
+  readonly daylight?: number; // 0..1 of the power that daylight leaves, while there is any: F_D
+  readonly standby?: number; // kWh/(m2 a)
+}
+
 export interface FiatLuxDocument {
   readonly scene: string; // identity of the .flux file, 16 hex digits
   readonly room: string; // id in the catalogue, or the file's name
@@ -192,6 +203,7 @@ export interface FiatLuxDocument {
   readonly seed: number;
   readonly roomType?: string; // id of what a standard asks of such a room, beside the cards
   readonly paint?: readonly Paint[]; // at most one a surface; absent: the room as its file has it
+  readonly energy?: Energy; // absent: as usual
   /** The layout a person holds on to: from a link, by hand, or the last settled one. null = the search starts anew. */
   readonly layout: Layout | null;
   readonly views?: readonly NamedView[]; // absent: none; links leave them out

@@ -12,6 +12,7 @@ const asked = [
   'seed',
   'roomType',
   'paint',
+  'energy',
 ] as const;
 
 export function variantOf(document: Omit<Variant, 'layout'>, layout: Layout): Variant {

@@ -7,19 +7,21 @@ import { powerOf, type Power } from '../app/state/power.ts';
 import { maintenanceText } from '../app/words/room-types.ts';
 import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
 import type { BestFigure } from '../app/best-figures.ts';
+import { compact } from '../app/words/format.ts';
 import { everyVerdict } from '../app/words/type-verdicts.ts';
 import type { Verdict } from '../app/words/verdict.ts';
+import { leni } from '../document/energy.ts';
 import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';
 import { paintByLeaf } from '../document/paint.ts';
 import type { RoomPlan } from '../document/plan-frame.ts';
 import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
-import type { Display, Luminaires, Paint, Quantity, SceneInfo } from '../document/types.ts';
+import type { Display, Energy, Luminaires, Paint, Quantity, SceneInfo } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
 import { roundRange, type Scale } from '../viewer/light/false-color.ts';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
-import { fixed, locale, shortest } from '../language/numbers.ts';
+import { fixed, locale, shortest, typed } from '../language/numbers.ts';
 
 export interface Report {
   readonly title: string;
@@ -53,6 +55,7 @@ export function reportOf(app: App): Report {
   const { types } = document.luminaires;
   const best = store.bestFigures.peek();
   const efficacy = store.efficacy.peek();
+  const power = powerOf(layout, scene.surfaces, efficacy, types);
   const isPlane = ({ name }: SurfaceResult) =>
     store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
   const rows = shown.surfaces
@@ -64,7 +67,7 @@ export function reportOf(app: App): Report {
     quantity: document.quantity,
     verdicts: everyVerdict(store),
     best: best?.of === store.traced.peek().intentions ? best.figures : new Map(),
-    power: powerOf(layout, scene.surfaces, efficacy, types),
+    power,
     schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
     luminaires: hungInPlan(what),
     areas: tasksInPlan(what, document.taskAreas),
@@ -76,6 +79,7 @@ export function reportOf(app: App): Report {
       maintenanceText(maintenanceOf(document.luminaires)),
       ...paintedText(document.paint, scene),
       ...rulesText(document.luminaires),
+      ...energyText(power, store.energy.peek()),
       ...assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
     ],
     facts: roomFacts(scene),
@@ -115,6 +119,20 @@ function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): 
     words.value.report.assumptions.patches(fixed(patchSize(scene), 2)),
     words.value.report.assumptions.ownCopy,
     ...roomWarnings(scene),
+  ];
+}
+
+/** The energy of a year, and what it is reckoned by; none in a room that names no floor. */
+export function energyText({ watts, floor }: Power, energy: Required<Energy>): string[] {
+  if (floor === null) return [];
+  const { day, night, occupancy, constant, daylight, standby } = energy;
+  return [
+    words.value.report.assumptions.leni(
+      compact(leni(watts, floor, energy)),
+      `${typed(day)} + ${typed(night)}`,
+      [occupancy, constant, daylight].map((each) => fixed(each, 2)).join(', '),
+      shortest(standby),
+    ),
   ];
 }
 

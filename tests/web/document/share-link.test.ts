@@ -101,6 +101,13 @@ test('a link carries task areas; one of two corners is refused', () => {
   expect(decodeLink(broken)).toMatchObject({ ok: false });
 });
 
+test('a link carries what energy is reckoned by; more than the whole power is refused', () => {
+  const dimmed: Link = { ...link, energy: { efficacy: 95, occupancy: 0.8, standby: 1.5 } };
+  expect(decodeLink(encodeLink(dimmed))).toEqual({ ok: true, link: dimmed });
+  const broken = forged(JSON.stringify({ ...plain, l: rules, j: { occupancy: 1.2 } }));
+  expect(decodeLink(broken)).toMatchObject({ ok: false });
+});
+
 test('a link carries the areas in plan; one without extent is refused', () => {
   const areas = { keepOut: [[0, 0, 2, 1.5]], keepIn: [], fromWalls: 0.4 } as const;
   const drawn: Link = { ...link, luminaires: { ...link.luminaires, areas } };

@@ -29,10 +29,11 @@ test('the layout of a kept variant goes along, judged by what the link asks', ()
   expect(linkOf(unknown, layout, scene.sites, { camera: null, display: null }).kept).toBeUndefined();
 });
 
-test('paint goes along', () => {
+test('paint and what energy is reckoned by go along', () => {
   const paint = [{ surface: 'wall', reflectance: 0.3 }];
-  const link = linkOf({ ...document, paint }, layout, scene.sites, { camera: null, display: null });
-  expect(documentOf(link, scene, true)).toMatchObject({ paint });
+  const energy = { efficacy: 95, daylight: 0.7 };
+  const link = linkOf({ ...document, paint, energy }, layout, scene.sites, { camera: null, display: null });
+  expect(documentOf(link, scene, true)).toMatchObject({ paint, energy });
 });
 
 describe('positions and sites', () => {

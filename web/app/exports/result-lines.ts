@@ -1,7 +1,8 @@
 /** The results as lines of a table: every surface, every intention, the whole. */
 import type { ResultLine } from '../../document/results-csv.ts';
+import { leni } from '../../document/energy.ts';
 import { paintByLeaf } from '../../document/paint.ts';
-import { leni, powerOf } from '../state/power.ts';
+import { powerOf } from '../state/power.ts';
 import type { Store } from '../state/store.ts';
 import { unitOf } from '../words/format.ts';
 import { everyVerdict } from '../words/type-verdicts.ts';
@@ -60,7 +61,7 @@ export function resultLines(store: Store): ResultLine[] {
     ...(floor
       ? [
           total('power per floor area', watts / floor, 'W/m²'),
-          total('LENI', leni(watts, floor), 'kWh/(m² a)'),
+          total('LENI', leni(watts, floor, store.energy.peek()), 'kWh/(m² a)'),
         ]
       : []),
   ];

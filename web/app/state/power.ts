@@ -30,15 +30,8 @@ export function powerOf(
   return { flux, watts: wattsOf(layout, efficacy, types), floor: floorArea(surfaces) };
 }
 
-const burning = { day: 2250, night: 250 }; // h a year, EN 15193-1 for offices
-
-/** kWh a year and m2 (EN 15193-1) with nobody switching or dimming: F_o = F_c = F_D = 1, no standby. */
-export function leni(watts: number, floor: number): number {
-  return (watts * (burning.day + burning.night)) / 1000 / floor;
-}
-
 /** Area of what is called floor; null in a room that names none. */
-function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
+export function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
   const area = surfaces
     .filter(({ name }) => /(^|\/)floor\b/i.test(name))
     .reduce((sum, surface) => sum + surface.area, 0);

@@ -15,7 +15,7 @@ import type { Relief } from '../relief.ts';
 import type { LayoutCheck } from '../words/layout-check.ts';
 import type { RoomPlan } from '../../document/plan-frame.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
-import { usualEfficacy } from '../../document/photometry.ts';
+import { energyOf } from '../../document/energy.ts';
 import type { Link } from '../../document/share-link.ts';
 import type {
   Camera,
@@ -232,7 +232,8 @@ export class Store {
   readonly drawing = signal<AreaKind | 'corners' | null>(null); // the next drag or the next clicks in the plan make one
   readonly arrival = signal<Arrival | null>(null); // how the room came that is on the screen
   readonly saving = signal<Saving>({ state: 'unsaved' });
-  readonly efficacy = signal(usualEfficacy); // lm/W
+  readonly energy = computed(() => energyOf(this.document.value));
+  readonly efficacy = computed(() => this.energy.value.efficacy); // lm/W
   #answering: Answering = { by: 'nothing' };
   #nextMessage = 1;
 

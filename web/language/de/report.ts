@@ -74,6 +74,8 @@ export const report: Words['report'] = {
     files: 'Leuchten strahlen, wie ihre photometrischen Dateien sagen.',
     squares: 'Leuchten sind Lambert-Quadrate: Ein Produkt mit anderer Lichtverteilung gibt anderes Licht.',
     power: (efficacy) => `Leistung: ${efficacy} lm/W, wo ein Typ keine eigene nennt.`,
+    leni: (value, hours, factors, standby) =>
+      `LENI ${value} kWh/(m² a) nach EN 15193-1: ${hours} h bei Tag und Nacht; Fₒ, F_c, F_D ${factors}; Bereitschaft ${standby} kWh/(m² a).`,
     patches: (size) =>
       `σ, min, max und Uₒ gelten für Teilflächen von ${size} m: Kleinere Teilflächen zeigten mehr Kontrast.`,
     ownCopy: 'Zahlen aus Normen am eigenen Exemplar prüfen.',

@@ -41,6 +41,7 @@ export const steps: Words['steps'] = {
   dimming: 'Dimmung ändern',
   distance: 'Abstand ändern',
   maintenance: 'Wartungsfaktor',
+  energy: 'Energie einstellen',
   addLuminaires: 'Leuchten hinzufügen',
   aims: 'Ausrichtung',
   fluxOf: (name) => `Lichtstrom von ${name}`,

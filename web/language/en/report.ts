@@ -73,6 +73,8 @@ export const report = {
     files: 'Luminaires shine as their photometric files say.',
     squares: 'Luminaires are Lambertian squares: a product with another distribution gives other light.',
     power: (efficacy: string) => `Power: ${efficacy} lm/W where a type does not state its own.`,
+    leni: (value: string, hours: string, factors: string, standby: string) =>
+      `LENI ${value} kWh/(m² a) by EN 15193-1: ${hours} h by day and night; Fₒ, F_c, F_D ${factors}; standby ${standby} kWh/(m² a).`,
     patches: (size: string) =>
       `σ, min, max and Uₒ are of patches of ${size} m: smaller patches would show more contrast.`,
     ownCopy: 'Numbers of standards are to be checked in your own copy.',

@@ -40,6 +40,7 @@ export const steps = {
   dimming: 'Change the dimming',
   distance: 'Change the distance',
   maintenance: 'Maintenance factor',
+  energy: 'Energy settings',
   addLuminaires: 'Add luminaires',
   aims: 'Aims',
   fluxOf: (name: string) => `Flux of ${name}`,

@@ -1,10 +1,12 @@
 /** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
 import { useApp } from '../../app/app.ts';
-import { leni, needsEfficacy, powerOf } from '../../app/state/power.ts';
+import { needsEfficacy, powerOf } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
+import { leni } from '../../document/energy.ts';
 import { Differences } from '../compare/differences.tsx';
 import { AboutRoom } from './about-room.tsx';
 import { CheckLayout } from './check-layout.tsx';
+import { EnergySettings, useEnergy } from './energy-settings.tsx';
 import { PaintSection } from './paint-section.tsx';
 import { GlareTable } from './glare-table.tsx';
 import { NumberField } from '../controls/number-field.tsx';
@@ -21,6 +23,7 @@ export function ResultsTab() {
       <VerdictTable />
       <Differences />
       <Power />
+      <EnergySettings />
       <SurfaceTable />
       <PaintSection />
       <GlareTable />
@@ -33,6 +36,7 @@ export function ResultsTab() {
 
 function Power() {
   const { store } = useApp();
+  const { set, end } = useEnergy();
   const { layout, surfaces } = store.shown.value ?? {};
   const scene = store.scene.value;
   if (!layout || !surfaces || !scene) return null;
@@ -61,7 +65,7 @@ function Power() {
         <div title={words.value.results.power.leniTip}>
           <dt>LENI</dt>
           <dd>
-            {compact(leni(watts, floor))} kWh/(m² a)
+            {compact(leni(watts, floor, store.energy.value))} kWh/(m² a)
             {per100 && words.value.results.power.per100(compact(per100))}
           </dd>
         </div>
@@ -77,7 +81,8 @@ function Power() {
               step={5}
               min={1}
               max={683}
-              onInput={(value) => value !== undefined && (store.efficacy.value = value)}
+              onInput={(value) => value !== undefined && set('efficacy', value)}
+              onEnd={end}
             />
           </dd>
         </div>
