@@ -15,6 +15,7 @@ import { outlineOf } from '../document/areas.ts';
 import { cleanName, mostAreas } from '../document/schema.ts';
 import type { Card, PlanArea, TaskArea } from '../document/types.ts';
 import { words } from '../language/language.ts';
+import { gridLightOf } from './state/grid-light.ts';
 import type { Store } from './state/store.ts';
 
 type Outline = TaskArea['outline'];
@@ -108,7 +109,7 @@ export class TaskAreas {
     ]);
   }
 
-  /** Cards for the task, the band around it and the background, as EN 12464-1 grades them. */
+  /** Cards for the task, the band around it and the background, as EN 12464-1 grades them, on its grid where they have one. */
   ask(index: number, lux: number): void {
     const scene = this.#store.scene.peek();
     const area = this.list[index];
@@ -125,6 +126,7 @@ export class TaskAreas {
               weight: 1,
               mean: { min },
               uniformity,
+              ...(this.#hasGrid(name) && { onGrid: true }),
             },
           ]
         : [];
@@ -140,6 +142,11 @@ export class TaskAreas {
       );
       draft.cards = [...others, ...(structuredClone(cards) as never[])];
     });
+  }
+
+  #hasGrid(name: string): boolean {
+    const shown = this.#store.shown.peek();
+    return shown !== null && gridLightOf(shown, name) !== null;
   }
 
   #set(

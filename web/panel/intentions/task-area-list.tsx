@@ -2,6 +2,7 @@
 import { Pencil, SquareDashed, Trash2, Waypoints } from 'lucide-preact';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { gridLightOf, type GridLight } from '../../app/state/grid-light.ts';
 import { compact, ratio } from '../../app/words/format.ts';
 import { inPlan, inRoom, type PlanFrame } from '../../document/plan-frame.ts';
 import { mostAreas } from '../../document/schema.ts';
@@ -9,6 +10,7 @@ import { rectangleOf, worktopsOf } from '../../document/task-areas.ts';
 import type { PlanArea, TaskArea } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
 import { surfaceText } from '../../language/surface-names.ts';
+import type { Shown } from '../../solver/protocol.ts';
 import { NumberField } from '../controls/number-field.tsx';
 
 export function TaskAreaList() {
@@ -118,7 +120,7 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
   const { areas: say } = words.value;
   const { name, surface, outline } = area;
   const leaf = store.sceneWithAreas.value?.surfaces.findIndex((each) => each.name === name) ?? -1;
-  const light = store.shown.value?.surfaces.find((each) => each.name === name);
+  const light = readingOf(store.shown.value, name);
   const rectangle = rectangleOf(outline);
   const isChosen = leaf >= 0 && store.surface.value === leaf;
   const [isNaming, setNaming] = useState(false);
@@ -144,7 +146,7 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
         )}
         <small>
           {light && leaf >= 0
-            ? say.reached(compact(light.mean), ratio(light.min / light.mean))
+            ? say.reached(compact(light.mean), ratio(light.uniformity))
             : say.on(surfaceText(surface))}
         </small>
         {!isNaming && (
@@ -173,6 +175,13 @@ function AreaRow({ area, index, frame }: { area: TaskArea; index: number; frame:
       {leaf >= 0 && <AskForLight {...{ name, index }} />}
     </div>
   );
+}
+
+/** As cards ask for it: at the points of the grid where there are any. */
+function readingOf(shown: Shown | null, name: string): Pick<GridLight, 'mean' | 'uniformity'> | null {
+  const onGrid = shown && gridLightOf(shown, name);
+  const row = shown?.surfaces.find((each) => each.name === name);
+  return onGrid ?? (row ? { mean: row.mean, uniformity: row.min / row.mean } : null);
 }
 
 /** A new name: Enter or leaving the field takes it, Escape does not (null). */
