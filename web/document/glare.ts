@@ -21,8 +21,10 @@ export function glareColor(ugr: number | null): string {
 }
 
 /** Below 10 a unified glare rating says no more than that nothing glares. */
+export const leastTold = 10;
+
 export function ugrText(ugr: number | null): string {
-  return ugr === null || ugr < 10 ? words.value.intentions.glare.under : fixed(ugr, 1);
+  return ugr === null || ugr < leastTold ? words.value.intentions.glare.under : fixed(ugr, 1);
 }
 
 const eyeHeight = 1.2; // m above the floor, of somebody who sits

@@ -4,10 +4,9 @@ import encodeQR from 'qr';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.ts';
-import { marginText } from '../app/words/layout-check.ts';
 import type { BestFigure } from '../app/best-figures.ts';
 import { bestText, impossibleText } from '../app/words/best-text.ts';
-import { nameOf, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
+import { nameOf, spareText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { chainOf } from '../document/dimension-chain.ts';
 import { placeText } from '../document/plan-frame.ts';
@@ -195,7 +194,7 @@ function Verdicts({ report: { verdicts, best } }: Props) {
                 : row.met
                   ? words.value.report.verdicts.met
                   : words.value.report.verdicts.unmet}
-              {row.margin !== null && Number.isFinite(row.margin) && `, ${marginText(row.margin)}`}
+              {row.met !== null && spareText(row) !== null && `, ${spareText(row)}`}
               {row.met === false && <Best row={row} best={best.get(nameOf(row))} />}
             </td>
           </tr>

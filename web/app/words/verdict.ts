@@ -1,5 +1,5 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
-import { ugrText } from '../../document/glare.ts';
+import { leastTold, ugrText } from '../../document/glare.ts';
 import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
 import type { Card, Constraint, FiatLuxDocument, Quantity, SceneInfo } from '../../document/types.ts';
@@ -8,8 +8,10 @@ import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
 import { fieldText } from './explain.ts';
 import { compact, ratio, unitOf, unitOfBound } from './format.ts';
+import { marginText } from './layout-check.ts';
 import { placesText } from './places.ts';
 import { words } from '../../language/language.ts';
+import { fixed } from '../../language/numbers.ts';
 
 export interface Verdict {
   readonly where: string;
@@ -74,6 +76,18 @@ export function valueText(value: number | null, unit: string): string {
   if (value === null) return words.value.values.notComputed;
   if (unit === 'UGR') return ugrText(value);
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
+}
+
+/** How far within its bound a row is, or beyond; null where nothing is to be met, or where that cannot be told. */
+export function spareText({ margin, actual, target, unit }: Verdict): string | null {
+  if (unit === 'UGR' && actual !== null && target !== null) {
+    const spare = Math.round(10 * target) / 10 - Math.round(10 * actual) / 10; // of what is read
+    if (actual < leastTold) return null;
+    if (spare === 0) return words.value.values.exactly;
+    const { toSpare, short } = words.value.values;
+    return spare > 0 ? toSpare(fixed(spare, 1)) : short(fixed(-spare, 1));
+  }
+  return margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
 }
 
 export function targetText({ target, unit }: Verdict): string {

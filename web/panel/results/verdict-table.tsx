@@ -1,12 +1,11 @@
 /** What was asked beside what is reached, first of all results: target, actual, margin, and whether it is met. */
 import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
-import { marginText } from '../../app/words/layout-check.ts';
 import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
 import type { BestFigure } from '../../app/best-figures.ts';
 import { bestText, impossibleText } from '../../app/words/best-text.ts';
 import { everyVerdict } from '../../app/words/type-verdicts.ts';
-import { nameOf, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
+import { nameOf, spareText, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';
 
@@ -61,8 +60,8 @@ interface RowProps {
 }
 
 function Row({ row, best }: RowProps) {
-  const { where, what, actual, unit, margin, met } = row;
-  const spare = margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
+  const { where, what, actual, unit, met } = row;
+  const spare = spareText(row);
   const impossible = met === false && best ? impossibleText(row, best) : null;
   return (
     <>
