@@ -1,7 +1,11 @@
-/** Where luminaires of a type may be aimed: at the middle of surfaces, or at points. The search picks one for each. */
+/**
+ * Where luminaires of a type may be aimed: at the middle of surfaces, or at points, which are told as designers read
+ * them (plan-frame.ts). The search picks one for each.
+ */
 import { Plus, X } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { inPlan, inRoom, placeText, type PlanFrame } from '../../document/plan-frame.ts';
 import type { Aim, Point } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import type { TypeProps } from './type-card.tsx';
@@ -9,20 +13,25 @@ import { useTypeEdit } from './type-use.tsx';
 import { typeText } from '../../language/type-names.ts';
 import { words } from '../../language/language.ts';
 import { surfaceText } from '../../language/surface-names.ts';
-import { fixed, listed } from '../../language/numbers.ts';
 
 const most = 64;
-const textOf = (aim: Aim): string =>
-  typeof aim === 'string' ? surfaceText(aim) : listed(aim.map((value) => fixed(value, 2)));
+
+/** "picture 3", or "3.20, 1.60, 2.80"; nothing of a point in a room that is not there yet. */
+export function aimText(aim: Aim, frame: PlanFrame | null): string {
+  if (typeof aim === 'string') return surfaceText(aim);
+  return frame ? placeText(inPlan(frame, aim)) : '';
+}
 
 export function TypeAims({ type }: TypeProps) {
-  const { store } = useApp();
+  const { store, viewer } = useApp();
   const { set } = useTypeEdit(type);
+  const frame = viewer.frame();
+  const textOf = (aim: Aim) => aimText(aim, frame);
   const [isPoint, setPoint] = useState(false);
   const surfaces = store.scene.value?.surfaces ?? [];
   const { aims } = type;
   const add = (aim: Aim) => {
-    const isThere = aims.some((other) => textOf(other) === textOf(aim));
+    const isThere = aims.some((other) => String(other) === String(aim));
     if (!isThere && aims.length < most) set(words.value.steps.aims, { aims: [...aims, aim] }, false);
   };
   const choose = (value: string) => {
@@ -38,7 +47,7 @@ export function TypeAims({ type }: TypeProps) {
           <option value="">
             {aims.length > 0 ? words.value.luminaires.aims.another : words.value.luminaires.aims.nothing}
           </option>
-          <option value="point">{words.value.luminaires.aims.point}</option>
+          {frame && <option value="point">{words.value.luminaires.aims.point}</option>}
           {surfaces.map(({ name }, index) => (
             <option key={name} value={String(index)}>
               {surfaceText(name)}
@@ -46,8 +55,9 @@ export function TypeAims({ type }: TypeProps) {
           ))}
         </select>
       </label>
-      {isPoint && (
+      {isPoint && frame && (
         <PointField
+          frame={frame}
           add={(point) => {
             add(point);
             setPoint(false);
@@ -57,7 +67,7 @@ export function TypeAims({ type }: TypeProps) {
       {aims.length > 0 && (
         <ul class="chips" aria-label={words.value.luminaires.aims.of(typeText(type))}>
           {aims.map((aim) => (
-            <li key={textOf(aim)} class="chip">
+            <li key={String(aim)} class="chip">
               <span>{textOf(aim)}</span>
               <button
                 class="icon-button small"
@@ -76,32 +86,42 @@ export function TypeAims({ type }: TypeProps) {
   );
 }
 
-/** x, y, z in metres. */
-function PointField({ add }: { readonly add: (point: Point) => void }) {
-  const [point, setPoint] = useState<Point>([0, 1, 0]);
-  const set = (axis: number) => (value: number | undefined) => {
-    const next = point.map((old, i) => (i === axis ? (value ?? 0) : old));
-    setPoint([next[0] ?? 0, next[1] ?? 0, next[2] ?? 0]);
-  };
+const middling = 1; // m over the floor, where a person looks for something to light
+
+interface PointProps {
+  readonly frame: PlanFrame;
+  readonly add: (point: Point) => void;
+}
+
+/** A point from the corner of the floor, at first over the floor's middle. */
+function PointField({ frame, add }: PointProps) {
+  const [east, north] = frame.size;
+  const [place, setPlace] = useState<Point>([east / 2, north / 2, middling]);
+  const { pointField, addPoint } = words.value.luminaires.aims;
   return (
-    <div class="point-field" role="group" aria-label={words.value.luminaires.aims.pointField}>
+    <div
+      class="point-field"
+      role="group"
+      aria-label={pointField}
+      title={words.value.luminaires.areas.from(words.value.values.corner)}
+    >
       {(['x', 'y', 'z'] as const).map((axis, i) => (
-        <NumberField
-          key={axis}
-          label={axis}
-          unit="m"
-          value={point[i]}
-          step={0.1}
-          min={-1e4}
-          max={1e4}
-          onInput={set(i)}
-        />
+        <span key={axis}>
+          <small aria-hidden="true">{axis}</small>
+          <NumberField
+            label={axis}
+            unit="m"
+            value={place[i]!}
+            step={0.1}
+            min={-1e4}
+            max={1e4}
+            onInput={(value = 0) =>
+              setPlace(place.map((old, k) => (k === i ? value : old)) as [number, number, number])
+            }
+          />
+        </span>
       ))}
-      <button
-        class="icon-button"
-        aria-label={words.value.luminaires.aims.addPoint}
-        onClick={() => add(point)}
-      >
+      <button class="icon-button" aria-label={addPoint} onClick={() => add(inRoom(frame, place))}>
         <Plus size={15} aria-hidden />
       </button>
     </div>
