@@ -214,6 +214,11 @@ test('fingers orbit, pinch, drag a luminaire, slide a bound and raise the sheet'
   await expect.poll(height).toBeLessThan(half - 200);
   await tab(page, 'Results');
   await expect.poll(height).toBe(half);
+  // Raised, it leaves a glance at the plan, with nothing over it.
+  const scale = page.getByRole('note', { name: /Scale bar/ });
+  await expect(scale).toBeVisible();
+  await page.getByRole('button', { name: 'Raise the panel' }).tap();
+  await expect(scale).toBeHidden();
 });
 
 test('what a phone shows is all there where a tablet opens its link', async ({ page, context }) => {
