@@ -1,5 +1,5 @@
 /** Over the plan: a scale bar, north and the corner that coordinates count from; and the hand that draws an area. */
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { areaBetween, cornersOf, noAreas, outlineOf, type AreaKind } from '../document/areas.ts';
 import { inPlan, type Point2 } from '../document/plan-frame.ts';
@@ -24,6 +24,7 @@ export function PlanOverlay() {
   return (
     <>
       <ScaleBar />
+      <Corner />
       {drawing.value === 'corners' && <DrawCorners />}
       {drawing.value && drawing.value !== 'corners' && <DrawArea kind={drawing.value} />}
     </>
@@ -52,6 +53,39 @@ function ScaleBar() {
         {shortest(metres)} m <small>{words.value.bars.plan.room(fixed(wide, 2), fixed(deep, 2))}</small>
         <small class="plan-origin">{words.value.bars.plan.corner(words.value.values.corner)}</small>
       </span>
+    </div>
+  );
+}
+
+type PlanPoint = (clientX: number, clientY: number) => Point2 | null;
+
+/** Where a point of the plan (x and z of the room) lies on the page, px; null where the view is no plan. */
+export function onPage(planPoint: PlanPoint, [x, z]: Point2): Point2 | null {
+  const [from, right, down] = [planPoint(0, 0), planPoint(100, 0), planPoint(0, 100)];
+  if (!from || !right || !down) return null;
+  const [a, b] = [(right[0] - from[0]) / 100, (down[0] - from[0]) / 100];
+  const [c, d] = [(right[1] - from[1]) / 100, (down[1] - from[1]) / 100];
+  const [east, south] = [x - from[0], z - from[1]];
+  const size = a * d - b * c;
+  return size === 0 ? null : [(d * east - b * south) / size, (a * south - c * east) / size];
+}
+
+/** The corner that coordinates count from, marked where it lies. */
+function Corner() {
+  const { viewer } = useApp();
+  const layer = useRef<HTMLDivElement>(null);
+  const frame = viewer.frame();
+  const place = frame && onPage((x, y) => viewer.planPoint(x, y), [frame.west, frame.south]);
+  useLayoutEffect(() => {
+    const mark = layer.current?.firstElementChild;
+    if (!layer.current || !place || !(mark instanceof HTMLElement)) return;
+    const { left, top } = layer.current.getBoundingClientRect();
+    mark.style.transform = `translate(${place[0] - left}px, ${place[1] - top}px)`;
+  });
+  if (!place) return null;
+  return (
+    <div ref={layer} class="plan-corner" aria-hidden="true">
+      <span>{listed(['0', '0'])}</span>
     </div>
   );
 }
