@@ -45,6 +45,22 @@ export function cornersOf(area: PlanArea | PlanOutline): PlanOutline {
   return rectangle ? outlineOf(rectangle) : (area as PlanOutline);
 }
 
+/** What of an outline lies in a rectangle (Sutherland and Hodgman); no corners where nothing does. */
+export function clippedTo(outline: PlanOutline, [x, z, farX, farZ]: PlanArea): PlanOutline {
+  const sides = [[0, x, 1], [0, farX, -1], [1, z, 1], [1, farZ, -1]] as const; // prettier-ignore
+  return sides.reduce<PlanOutline>(
+    (corners, [axis, at, way]) =>
+      corners.flatMap((corner, i) => {
+        const before = corners.at(i - 1)!;
+        const [to, from] = [corner, before].map((each) => way * (each[axis]! - at)) as [number, number];
+        const share = from / (from - to);
+        const cut = [0, 1].map((k) => before[k]! + share * (corner[k]! - before[k]!)) as [number, number];
+        return [...(to * from < 0 ? [cut] : []), ...(to >= 0 ? [corner] : [])];
+      }),
+    outline,
+  );
+}
+
 /** Whether a place is in an area; on its edge it is. */
 function isWithin(area: PlanArea | PlanOutline, x: number, z: number): boolean {
   const rectangle = asRectangle(area);

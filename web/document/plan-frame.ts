@@ -31,6 +31,11 @@ export function inRoom({ west, south, floor }: PlanFrame, [x, y, z]: Point3): [n
   return [west + x, floor + z, south - y];
 }
 
+/** The rectangle about the floor, in the room's axes: the smaller x and z, then the larger ones. */
+export function areaOf({ west, south, size: [east, north] }: PlanFrame): [number, number, number, number] {
+  return [west, south - north, west + east, south];
+}
+
 /** "3.20, 1.60, 2.80": for tables, to the centimetre, as the page writes numbers. */
 export function placeText(place: Point3): string {
   return listed(place.map((value) => fixed(Math.round(value * 100) / 100 + 0, 2)));

@@ -3,6 +3,7 @@ import { expect, test } from '@jest/globals';
 import {
   areaBetween,
   barredSites,
+  clippedTo,
   luminairesIn,
   noAreas,
   wallDistance,
@@ -51,4 +52,14 @@ test('a distance to walls leaves the middle', () => {
 test('an area holds the luminaires that hang in it', () => {
   const layout = { sites: [0, 5, 9, 15], flux: [1, 1, 1, 1], dimming: 1 };
   expect(luminairesIn([-1, -1, 1.5, 1.5], layout, sites)).toEqual([0, 1]);
+});
+
+test('what is drawn beyond a rectangle is cut off; what lies in it stays as it is', () => {
+  const within = [[1, 1], [3, 1], [2, 2.5]] as const; // prettier-ignore
+  expect(clippedTo(within, [0, 0, 4, 3])).toEqual(within);
+  expect(clippedTo(within, [1, 1, 3, 2.5])).toEqual(within); // to its edges
+  const beyond = [[-1, 1], [2, 1], [2, 5], [-1, 5]] as const; // prettier-ignore
+  const cut = clippedTo(beyond, [0, 0, 4, 3]);
+  expect([...cut].sort(([a, b], [c, d]) => a - c || b - d)).toEqual([[0, 1], [0, 3], [2, 1], [2, 3]]); // prettier-ignore
+  expect(clippedTo([[5, 5], [6, 5], [6, 6]], [0, 0, 4, 3])).toEqual([]); // prettier-ignore
 });

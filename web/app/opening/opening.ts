@@ -1,10 +1,12 @@
 /** Everything that puts another room on the screen: gallery, links, dropped files, projects, the last work. */
 import type { Draft } from 'immer';
+import { clippedTo } from '../../document/areas.ts';
 import { intentionsOf } from '../../document/intentions.ts';
 import { edit } from '../../document/history.ts';
 import type { Project } from '../../document/project-file.ts';
 import type { Work } from '../../document/work.ts';
 import type { PackedPlan } from '../../document/made-room.ts';
+import { areaOf } from '../../document/plan-frame.ts';
 import { cleanName } from '../../document/schema.ts';
 import { decodeLink, type Link } from '../../document/share-link.ts';
 import { documentOf } from '../../document/linked-document.ts';
@@ -180,9 +182,11 @@ export class Opening {
   }
 
   /** A measuring plane drawn in the plan, as high as desks: the sheet asks the rest. Precondition: the model is at hand. */
-  addPlane(outline: PlanOutline): void {
-    const floor = this.#store.roomPlan.peek()?.frame.floor ?? 0;
-    void this.lighting.addPlane({ outline, height: floor + deskHeight, border: 0 });
+  addPlane(drawn: PlanOutline): void {
+    const frame = this.#store.roomPlan.peek()?.frame;
+    const outline = frame ? clippedTo(drawn, areaOf(frame)) : drawn;
+    if (outline.length < 3) return void this.#store.say('info', words.value.areas.nothing);
+    void this.lighting.addPlane({ outline, height: (frame?.floor ?? 0) + deskHeight, border: 0 });
   }
 
   /** Opens the room maker, on a plan or for a new room. */
