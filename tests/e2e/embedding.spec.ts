@@ -1,6 +1,6 @@
 // The view inside another page: only looked at, moved by messages; nothing is kept of it.
 // Covers embed-caption, embedding, share-embed, share-dialog.
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { expect, openRoom, status, test } from './app.ts';
 
 test('a shared line of HTML shows the room in another page, which moves it and hears of it', async ({
@@ -40,7 +40,14 @@ test('a shared line of HTML shows the room in another page, which moves it and h
     const display = { mode: 'falseColor', range: [10, 500] };
     view.postMessage({ fiatlux: 1, type: 'display', display }, location.origin);
   });
-  await expect(frame.getByRole('img', { name: 'From 10 to 500 lx' })).toBeVisible();
+  const legend = frame.getByRole('img', { name: 'From 10 to 500 lx' });
+  await expect(legend).toBeVisible();
+  // Scale and legend stand below the plan, not on it.
+  const rect = (of: Locator) => of.evaluate((each) => each.getBoundingClientRect().toJSON() as DOMRect);
+  const tops = [await rect(legend), await rect(frame.getByRole('note', { name: /Scale bar/ }))];
+  const tags = await Promise.all((await frame.locator('[data-luminaire]').all()).map(rect));
+  const lowest = Math.max(...tags.map(({ bottom }) => bottom));
+  for (const { top } of tops) expect(top).toBeGreaterThan(lowest);
   for (const role of ['tab', 'button', 'slider', 'textbox'] as const)
     await expect(frame.getByRole(role)).toHaveCount(0);
   const view = frame.getByRole('application');
