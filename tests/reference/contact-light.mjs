@@ -107,7 +107,8 @@ function placesOf(parts, found, shadows, light) {
       const ratio = Math.min(mostBrightening, openness / Math.max(1e-3, ofPatches(found.means)));
       const normal = blended(corners.map((corner) => at(part.normals, corner)));
       const shaded = valueAt(shadows.values, first, cells, u, v) - ofPatches(shadows.means);
-      const after = within(before, before * ratio - shaded);
+      const reflected = ratio * (before - ofPatches(shadows.arriving));
+      const after = within(before, Math.max(Math.min(before * ratio, reflected), before * ratio - shaded));
       all.push({ point: blended(points), normal, before, after, order: random() });
     }
   });

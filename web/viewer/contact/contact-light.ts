@@ -37,6 +37,7 @@ interface Textures {
   readonly means: LightTexture;
   readonly shadows: LightTexture;
   readonly meanShadows: LightTexture;
+  readonly arriving: LightTexture;
 }
 
 export class ContactLight {
@@ -90,9 +91,9 @@ export class ContactLight {
 
   /** Forgets what was uploaded (the context is lost); the next frame uploads it anew. */
   release(): void {
-    const { values, means, shadows, meanShadows } = this.#textures ?? {};
-    for (const texture of [values, means?.texture, shadows?.texture, meanShadows?.texture])
-      texture?.dispose();
+    const { values, ...light } = this.#textures ?? {};
+    values?.dispose();
+    for (const each of Object.values(light)) each?.dispose();
   }
 
   dispose(): void {
@@ -126,18 +127,19 @@ export class ContactLight {
     });
     const means = new LightTexture(found.means.length);
     means.set(found.means);
-    const [shadows, meanShadows] = [found.values.length, found.means.length].map((n) => new LightTexture(n));
     const textures = {
       values: valuesTexture(found.values),
       means,
-      shadows: shadows!,
-      meanShadows: meanShadows!,
+      shadows: new LightTexture(found.values.length),
+      meanShadows: new LightTexture(found.means.length),
+      arriving: new LightTexture(found.means.length),
     };
     this.#textures = textures;
     this.#uniforms.opennessTexture.value = textures.values;
     this.#uniforms.meanOpennessTexture.value = means.texture;
     this.#uniforms.shadowTexture.value = textures.shadows.texture;
     this.#uniforms.meanShadowTexture.value = textures.meanShadows.texture;
+    this.#uniforms.arrivingTexture.value = textures.arriving.texture;
     this.#blendOn();
     this.#cast();
   }
@@ -146,9 +148,10 @@ export class ContactLight {
     this.#ask({ lights: this.#lights(), turn: this.#turn });
   }
 
-  #shade({ values, means }: ShadowsCast): void {
+  #shade({ values, means, arriving }: ShadowsCast): void {
     this.#textures?.shadows.set(values);
     this.#textures?.meanShadows.set(means);
+    this.#textures?.arriving.set(arriving);
     this.#isShaded = true;
     performance.mark(mark);
     this.#blendOn();
@@ -190,10 +193,15 @@ export class ContactLight {
     this.release();
     this.#textures = null;
     this.#isShaded = false;
-    const { opennessTexture, meanOpennessTexture, shadowTexture, meanShadowTexture, contact, shade } =
-      this.#uniforms;
-    for (const texture of [opennessTexture, meanOpennessTexture, shadowTexture, meanShadowTexture])
-      texture.value = null;
+    const { contact, shade, ...textures } = this.#uniforms;
+    for (const name of [
+      'opennessTexture',
+      'meanOpennessTexture',
+      'shadowTexture',
+      'meanShadowTexture',
+      'arrivingTexture',
+    ] as const)
+      textures[name].value = null;
     contact.value = shade.value = 0;
   }
 }

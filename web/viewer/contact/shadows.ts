@@ -3,7 +3,9 @@
  * screen has an edge; so the picture takes from each place what it is in the shadow of and gives back what its patch is:
  *   S(x) = sum over luminaires and the parts of each, of those that x does not see: I cos / d^2
  *   E(x) = light of the patches there + (mean S of the patches, blended) - S(x)
- * which keeps the mean of a patch. Known at the lattices of contact/openness.ts; light that was reflected has no such shadows.
+ * which keeps the mean of a patch. Light that was reflected has no such shadows, so no place gets less than what the
+ * patches there have of it: the beam of a spot is narrower than a patch shows it, and would leave a shadow black. Known at
+ * the lattices of contact/openness.ts.
  */
 import type { LuminaireLight } from '../types.ts';
 import { sampledGammas, sampledPlanes } from '../../document/photometry.ts';
@@ -25,6 +27,7 @@ import {
 export interface ShadowsCast {
   readonly values: Float32Array; // S, lx, at every value of the openness
   readonly means: Float32Array; // S a patch, lx
+  readonly arriving: Float32Array; // what a patch gets of the luminaires themselves, lx
 }
 
 const lift = 2e-3; // m above the surface
@@ -97,7 +100,10 @@ export class Shadows {
   *casting(lights: readonly LuminaireLight[]): Generator<void, ShadowsCast> {
     const values = new Float32Array(this.#covered.length);
     const means = new PatchMeans(this.#solids.room);
+    const unhidden = new PatchMeans(this.#solids.room); // what patches would get without any shadow
     const luminaires = lights.map(sourcesOf);
+    const bring = (face: Face) =>
+      unhidden.add(face, 1, () => [this.#inMiddle(face, luminaires, () => true), 1]);
     for (const tile of this.#tiles) {
       const { face, first, cells } = tile;
       const covered = this.#covered.subarray(first, first + latticeSize(cells));
@@ -110,24 +116,34 @@ export class Shadows {
         return [share && seen.reduce((sum, k) => sum + found[k]!, 0) / seen.length, share];
       });
       uncover(found, covered, cells, 0);
+      bring(face);
       yield;
     }
     for (const face of this.#beside) {
-      means.add(face, 1, () => [this.#inMiddle(face, luminaires), 1]);
+      means.add(face, 1, () => [this.#inMiddle(face, luminaires, this.#isHidden), 1]);
+      bring(face);
       yield;
     }
-    return { values, means: means.means(0) };
+    const hidden = means.means(0);
+    const arriving = unhidden.means(0).map((light, patch) => Math.max(0, light - hidden[patch]!));
+    return { values, means: hidden, arriving };
   }
 
-  /** What the middle of a face is in the shadow of. */
-  #inMiddle(face: Face, luminaires: readonly (readonly Source[])[]): number {
+  #isHidden = (source: Source, x: number, y: number, z: number): boolean => !this.#sees(source, x, y, z);
+
+  /** Light of the sources that count, at the middle of a face. */
+  #inMiddle(
+    face: Face,
+    luminaires: readonly (readonly Source[])[],
+    counts: (source: Source, x: number, y: number, z: number) => boolean,
+  ): number {
     const [x, y, z] = placeAbove(face, 1 / 3, 1 / 3, lift, inside);
-    let missing = 0;
+    let sum = 0;
     for (const source of luminaires.flat()) {
       const light = lightAt(source, face.normal, x, y, z);
-      if (light > 0 && !this.#sees(source, x, y, z)) missing += light;
+      if (light > 0 && counts(source, x, y, z)) sum += light;
     }
-    return missing;
+    return sum;
   }
 
   #lookFrom({ face, cells }: Tile): void {

@@ -45,7 +45,10 @@ async function cast(lights: readonly LuminaireLight[], turn: number): Promise<vo
     const until = performance.now() + slice;
     let step = work.next();
     while (!step.done && performance.now() < until) step = work.next();
-    if (step.done) return answer({ shadows: step.value, turn }, step.value.values, step.value.means);
+    if (step.done) {
+      const { values, means, arriving } = step.value;
+      return answer({ shadows: step.value, turn }, values, means, arriving);
+    }
     await new Promise((resolve) => setTimeout(resolve));
   }
 }

@@ -33,6 +33,7 @@ uniform highp sampler2D reflectanceTexture;
 uniform highp sampler2D colorTexture; // red and blue at a luminance of 1
 uniform highp sampler2D meanOpennessTexture;
 uniform highp sampler2D meanShadowTexture;
+uniform highp sampler2D arrivingTexture;
 uniform float colored;    // how much of the light's colour, 0..1
 uniform float contact;    // how much of the shadows near contacts, 0..1
 uniform float shade;      // how much of those that luminaires cast, 0..1
@@ -41,7 +42,7 @@ uniform mat3 mapTransform;
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
-varying vec2 vMeans; // of the patches here: openness, and light that their places are in the shadow of
+varying vec3 vMeans; // of the patches here: openness, light that their places are in the shadow of, and what arrives of it
 flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
@@ -77,8 +78,9 @@ void main() {
   vLight = dot(weights, light);
   vQuantity = exitance ? dot(weights, light * atPatches(reflectanceTexture)) : vLight;
   vLightColor = colored > 0.0 && vLight > 0.0 ? mix(vec3(1.0), lightColor(weights * light), colored) : vec3(1.0);
-  vMeans = vec2(contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0,
-                shade > 0.0 ? dot(weights, atPatches(meanShadowTexture)) : 0.0);
+  vMeans = vec3(contact > 0.0 ? dot(weights, atPatches(meanOpennessTexture)) : 1.0,
+                shade > 0.0 ? dot(weights, atPatches(meanShadowTexture)) : 0.0,
+                shade > 0.0 ? dot(weights, atPatches(arrivingTexture)) : 0.0);
   vStorey = _storey;
   vLattice = _lattice.xy;
   vCorner = _lattice.zw;
@@ -135,7 +137,7 @@ const float veil = 0.16;  // how much a measuring plane hides of a realistic pic
 varying float vLight;
 varying float vQuantity;
 varying vec3 vLightColor;
-varying vec2 vMeans; // of the patches here: openness, and light that their places are in the shadow of
+varying vec3 vMeans; // of the patches here: openness, light that their places are in the shadow of, and what arrives of it
 flat varying vec2 vLattice;
 varying vec2 vCorner;
 varying vec2 vMapUv;
@@ -185,8 +187,10 @@ float litHere() {
     openness = dot(shares, vec3(opennessAt(places.x), opennessAt(places.y), opennessAt(places.z)));
     if (shade > 0.0) shadow = dot(shares, vec3(shadowAt(places.x), shadowAt(places.y), shadowAt(places.z)));
   }
-  float light = vLight * mix(1.0, min(most, openness / max(vMeans.x, 1e-3)), contact);
-  return clamp(light + shade * (vMeans.y - shadow), min(light, least * vLight), max(light, most * vLight));
+  float spread = mix(1.0, min(most, openness / max(vMeans.x, 1e-3)), contact);
+  float light = spread * vLight, reflected = spread * (vLight - vMeans.z);
+  return clamp(light + shade * (vMeans.y - shadow), min(light, max(least * vLight, reflected)),
+               max(light, most * vLight));
 }
 
 // Grey in daylight, a little darker to the sides, so that edges are seen.
@@ -298,6 +302,7 @@ export function sharedUniforms() {
     contact: { value: 0 },
     shadowTexture: { value: null as Texture | null },
     meanShadowTexture: { value: null as Texture | null },
+    arrivingTexture: { value: null as Texture | null },
     shade: { value: 0 },
     colorTable: { value: null as Texture | null },
     falseColor: { value: false },

@@ -107,6 +107,18 @@ describe('shadows of luminaires', () => {
     expect(means[0]! / behind).toBeLessThan(0.6);
   });
 
+  test('what arrives is what the luminaire would bring, without the shadow', () => {
+    const { means, arriving } = cast([floor, ...screen], [light]);
+    const open = [0.4 / 3, 0.8 / 3].map((at) => {
+      const squared = (at + 1) ** 2 + 1.2 ** 2 + (at - 0.2) ** 2;
+      return (1000 / Math.PI) * (1.2 / squared) ** 2;
+    });
+    expect(means[0]!).toBeGreaterThan(10);
+    expect((arriving[0]! + means[0]!) / ((open[0]! + open[1]!) / 2)).toBeCloseTo(1, 2);
+    const low = cast([floor, ...screen], [{ ...light, position: [0.3, 1.2, 0.2], down: [0, 1, 0] }]);
+    expect(low.arriving[0]).toBe(0); // it shines away
+  });
+
   test('a table that shines as a square does casts the same', () => {
     const one = cast([floor, ...screen], [light]);
     const other = cast([floor, ...screen], [{ ...light, candela: lambertian }]);
