@@ -48,6 +48,12 @@ test('a shared line of HTML shows the room in another page, which moves it and h
   const tags = await Promise.all((await frame.locator('[data-luminaire]').all()).map(rect));
   const lowest = Math.max(...tags.map(({ bottom }) => bottom));
   for (const { top } of tops) expect(top).toBeGreaterThan(lowest);
+  // In a narrow frame the scale keeps its numbers: no fields stand beside it.
+  const narrow = (width: string) =>
+    host.evaluate((css) => void (document.querySelector('iframe')!.style.width = css), width);
+  await narrow('340px');
+  await expect(legend.getByText('500')).toBeVisible();
+  await narrow('');
   for (const role of ['tab', 'button', 'slider', 'textbox'] as const)
     await expect(frame.getByRole(role)).toHaveCount(0);
   const view = frame.getByRole('application');
