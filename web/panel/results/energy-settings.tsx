@@ -7,6 +7,8 @@ import { words } from '../../language/language.ts';
 import { More } from '../controls/more.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 
+const longest = 3; // letters of a unit that stands in the field: longer ones would hide the number
+
 /** One edit of the settings; typing is one step. The light stays as it is. */
 export function useEnergy() {
   const { store } = useApp();
@@ -34,6 +36,7 @@ export function EnergySettings() {
         {energySettings.map(([key, sign, unit, most, step]) => {
           const name = words.value.results.energy[key];
           const [letter, index] = sign.split('_');
+          const isLong = unit.length > longest;
           return (
             <NumberRow
               key={key}
@@ -43,11 +46,12 @@ export function EnergySettings() {
                   <small>
                     {letter}
                     <sub>{index}</sub>
+                    {isLong && ` ${unit.replace(' ', '\u00a0')}`}
                   </small>
                 </>
               }
-              label={name}
-              {...(unit && { unit })}
+              label={isLong ? `${name}, ${unit}` : name}
+              {...(unit && !isLong && { unit })}
               value={store.energy.value[key]}
               step={step}
               max={most}
