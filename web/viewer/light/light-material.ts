@@ -99,6 +99,8 @@ void main() {
 export const noSection = 1e9;
 
 export const darkShell = 0.02; // of the usual light
+export const darkRoof = 0.15; // some light comes through its joints, and none that a room could be seen by
+const unlit = [0.002, 0.01]; // to what no light comes: the inside of walls, the earth below a floor; from there on it counts
 export const levelShell = 0.5; // of a normal: steeper is a wall
 
 const fragmentShader = /* glsl */ `
@@ -220,11 +222,19 @@ bool isOutside(float light) {
 
 // Of a room that is cut away: dark and looking away from its middle, such as the inside of a wall behind its outer face.
 bool isShell(float light) {
-  if (measuring || openTo >= ${noSection.toExponential()} || light > ${darkShell} * usualLight) return false;
+  if (measuring || openTo >= ${noSection.toExponential()} || light > ${darkRoof} * usualLight) return false;
   vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   vec3 way = vPlace - vec3(0.5 * (sides.x + sides.z), openTo, 0.5 * (sides.y + sides.w));
-  if (abs(normal.y) > ${levelShell}) return normal.y > 0.0 && way.y > 0.0;
+  bool isLevel = abs(normal.y) > ${levelShell};
+  if (light > ${darkShell} * usualLight && (standing || !isLevel)) return false;
+  if (isLevel) return normal.y > 0.0 && way.y > 0.0;
   return !standing && dot(normal.xz, way.xz) > 0.0;
+}
+
+// How much of what is left of such a shell, behind what is cut away, is drawn as an outside: no light comes there.
+float withinShell(float light) {
+  if (measuring || openTo >= ${noSection.toExponential()}) return 0.0;
+  return 1.0 - smoothstep(${unlit[0]}, ${unlit[1]}, light / max(usualLight, 1e-6));
 }
 
 vec3 colorOnLegend(float quantity) {
@@ -276,6 +286,7 @@ void main() {
              : falseColor ? colorOnLegend(vQuantity)
              : measuring  ? mix(vec3(1.0), accent, 0.7)
                           : toneCurve(surface.rgb * drawn * exposure);
+  if (!isOut) color = mix(color, 0.6 * outsideColor(), withinShell(light));
   float alpha = !measuring ? surface.a : falseColor ? 1.0 : veil + tint;
   if (isolux && (measuring || !planesShown)) { // one set of lines: the plane's, where there is one
     float line = isoluxLine(vQuantity, 0.7 * pixelRatio);

@@ -7,7 +7,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Box } from '../eye/framing.ts';
-import { darkShell, levelShell, noSection, type SharedUniforms } from '../light/light-material.ts';
+import { darkRoof, darkShell, levelShell, noSection, type SharedUniforms } from '../light/light-material.ts';
 import { forEachCut, type Solid } from './columns.ts';
 import { partsOf, type Part } from './hung-meshes.ts';
 import type { RoomMesh } from './room-mesh.ts';
@@ -148,12 +148,14 @@ export class Section {
     const [patches, normals] = [geometry.getAttribute('_patches'), geometry.getAttribute('normal')];
     const light = (lightTexture.value?.image as { data: Float32Array } | undefined)?.data;
     if (openTo.value >= noSection || !patches || !normals || !light) return false;
-    if ((light[patches.getX(vertex)] ?? 0) > darkShell * usualLight.value) return false;
     const normal = new Vector3().fromBufferAttribute(normals, vertex);
+    const isLevel = Math.abs(normal.y) > levelShell;
+    const dark = (isLevel ? darkRoof : darkShell) * usualLight.value;
+    if ((light[patches.getX(vertex)] ?? 0) > dark) return false;
     const way = new Vector3().fromBufferAttribute(geometry.getAttribute('position'), vertex);
     const { x, y, z, w } = sides.value;
     way.sub(new Vector3((x + z) / 2, openTo.value, (y + w) / 2));
-    if (Math.abs(normal.y) > levelShell) return normal.y > 0 && way.y > 0;
+    if (isLevel) return normal.y > 0 && way.y > 0;
     return normal.x * way.x + normal.z * way.z > 0;
   }
 

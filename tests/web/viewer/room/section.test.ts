@@ -49,3 +49,19 @@ test('what is cut away of a dark shell is not met by a pointer, lit walls are', 
   expect(wall(4, 1, 0)).toBe(true);
   expect([wall(4, 1, 1), wall(4, -1, 0), wall(0, 1, 0)]).toEqual([false, false, false]);
 });
+
+test('a roof is cut away, too, where a little light comes through its joints', () => {
+  const { uniforms, section } = sectionOf(true);
+  uniforms.sides.value.set(0, 0, 4, 5);
+  uniforms.usualLight.value = 100;
+  uniforms.lightTexture.value = { image: { data: new Float32Array([8, 40]) } } as unknown as DataTexture;
+  const isHidden = (y: number, up: number, patch: number) => {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array([2, y, 2]), 3));
+    geometry.setAttribute('normal', new BufferAttribute(new Float32Array([1 - up, up, 0]), 3));
+    geometry.setAttribute('_patches', new BufferAttribute(new Float32Array([patch, 0, 0, 0]), 4));
+    return section.hides(geometry, 0, y, false);
+  };
+  expect(isHidden(3, 1, 0)).toBe(true);
+  expect([isHidden(3, 1, 1), isHidden(0, 1, 0), isHidden(3, 0, 0)]).toEqual([false, false, false]);
+});
