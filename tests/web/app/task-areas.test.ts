@@ -4,6 +4,7 @@ import { Store } from '../../../web/app/state/store.ts';
 import { TaskAreas } from '../../../web/app/task-areas.ts';
 import { outlineOf } from '../../../web/document/areas.ts';
 import type { Shown } from '../../../web/solver/protocol.ts';
+import { appInRoom } from '../app-in-room.ts';
 import { fakeScene } from '../fake-solver.ts';
 
 const gridOf = (name: string) => ({ name, points: 9, mean: 520, min: 400, max: 600, uniformity: 0.77 });
@@ -29,4 +30,16 @@ test('the cards of a task ask on its grid; what is too small for one, of patches
   expect(cards[0]).toMatchObject({ surfaces: [name], mean: { min: 500 }, uniformity: 0.6, onGrid: true });
   expect(cards.length).toBeGreaterThan(1);
   for (const card of cards.slice(1)) expect(card.onGrid).toBeUndefined();
+});
+
+test('a room that is started afresh has no areas of the wish before, until that is undone', async () => {
+  const { app, settle } = await appInRoom();
+  app.tasks.add(outlineOf([-99, -99, 99, 99]), 0);
+  expect(app.tasks.list).toHaveLength(1);
+  const restarted = app.opening.restart();
+  await settle();
+  await restarted;
+  expect(app.store.document.peek().taskAreas).toBeUndefined();
+  app.store.undo();
+  expect(app.tasks.list).toHaveLength(1);
 });

@@ -150,6 +150,7 @@ export class Opening {
     const ask = (draft: Draft<FiatLuxDocument>) => {
       delete draft.glare;
       delete draft.roomType;
+      delete draft.taskAreas;
       Object.assign(draft, document);
     };
     this.#store.edit(words.value.steps.afresh, ask, null, { by: 'search', from: null });
