@@ -102,7 +102,10 @@ test('surfaces and luminaires are found by name; Delete takes a luminaire away',
   await openRoom(page, 'Box');
   await page.getByRole('button', { name: /^Surfaces: / }).press('Enter');
   await expect(page.getByRole('searchbox', { name: 'Find a surface' })).toBeFocused();
-  await page.keyboard.type('wall n'); // and no key of the page
+  await page.keyboard.type('wall q'); // and no key of the page
+  await expect(page.getByText('No surface is called that.')).toBeVisible();
+  await page.keyboard.press('Backspace');
+  await page.keyboard.type('n');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: 'Surfaces: wall north' })).toBeFocused();
 

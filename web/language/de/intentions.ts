@@ -222,7 +222,11 @@ export const intentions: Words['intentions'] = {
     min: (name) => `${name}: Mittelwert mindestens`,
     max: (name) => `${name}: Mittelwert höchstens`,
   },
-  picker: { find: 'Fläche suchen', each: (family) => `${family} einzeln zeigen` },
+  picker: {
+    find: 'Fläche suchen',
+    none: 'So heißt keine Fläche.',
+    each: (family) => `${family} einzeln zeigen`,
+  },
   verbs: {
     illuminate: { title: 'Beleuchten', hint: 'So viel Licht hier wie möglich' },
     overshadow: { title: 'Abdunkeln', hint: 'So wenig Licht hier wie möglich' },

@@ -225,7 +225,11 @@ export const intentions = {
     min: (name: string) => `${name}: mean at least`,
     max: (name: string) => `${name}: mean at most`,
   },
-  picker: { find: 'Find a surface', each: (family: string) => `Show each of ${family}` },
+  picker: {
+    find: 'Find a surface',
+    none: 'No surface is called that.',
+    each: (family: string) => `Show each of ${family}`,
+  },
   verbs: {
     illuminate: { title: 'Illuminate', hint: 'As much light here as possible' },
     overshadow: { title: 'Overshadow', hint: 'As little light here as possible' },

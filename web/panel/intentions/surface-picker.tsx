@@ -35,6 +35,9 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   }, [open]);
   const leaves = store.sceneWithAreas.value?.surfaces.map((surface) => surface.name) ?? [];
   const wanted = (name: string) => isFoundBy(filter, name);
+  const found = leaves.filter(wanted);
+  const nodes = innerNodes(leaves).filter(wanted);
+  const isNoneFound = found.length + nodes.length === 0 && !wanted('all');
   const only = (next: SurfaceNames) => {
     onChange(next);
     setOpen(false);
@@ -42,7 +45,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
   };
   // Enter takes the first that is found.
   const firstFound = (): SurfaceNames => {
-    const name = filter === '' ? undefined : leaves.find(wanted);
+    const name = filter === '' ? undefined : found[0];
     return name === undefined ? names : [name];
   };
   const set = (some: readonly string[], on: boolean) => {
@@ -81,20 +84,19 @@ export function SurfacePicker({ label, names, onChange }: Props) {
                 {words.value.values.wholeRoom}
               </button>
             )}
-            {innerNodes(leaves)
-              .filter(wanted)
-              .map((node) => (
-                <button key={node} class="picker-group" onClick={() => only([node])}>
-                  {surfaceText(node)}
-                </button>
-              ))}
-            {folded(leaves.filter(wanted), (name) => name).map(({ title, items }) =>
+            {nodes.map((node) => (
+              <button key={node} class="picker-group" onClick={() => only([node])}>
+                {surfaceText(node)}
+              </button>
+            ))}
+            {folded(found, (name) => name).map(({ title, items }) =>
               items.length === 1 ? (
                 <Choice key={title} title={title} of={items} {...{ names, set }} />
               ) : (
                 <Family key={title} title={title} of={items} isFound={filter !== ''} {...{ names, set }} />
               ),
             )}
+            {isNoneFound && <p class="fine-print">{words.value.intentions.picker.none}</p>}
           </div>
         </div>
       )}
