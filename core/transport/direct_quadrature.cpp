@@ -32,6 +32,9 @@ double reachOf(const PatchTile& tile, const Luminaire& luminaire) {
 /// Of a patch's quadrature, rad.
 double stepOf(const Luminaire& luminaire) { return std::min(luminaire.beam / kBeamParts, kWidestStep); }
 
+/// How large a part of a luminaire may be, for 1 m of distance: seen from there it must not blur the beam.
+double largestPart(const Luminaire& luminaire) { return std::min(luminaire.beam / 4, 1 / kNearField); }
+
 /// The middle of part i of `count` of an edge that runs from -1/2 to 1/2.
 double middle(std::uint32_t i, std::uint32_t count) { return (i + 0.5) / count - 0.5; }
 
@@ -119,9 +122,9 @@ DirectQuadrature::Parts DirectQuadrature::partsOf(std::uint32_t row, const Vec3&
   const PatchTile& tile = tiles_[row];
   const double distance = length(apart);
   const double nearest = std::max(distance - reachOf(tile, luminaire), kNearest * distance);
-  const double step = stepOf(luminaire) * nearest;
-  return {partsFor(tile.lengthU, step), partsFor(tile.lengthV, step),
-          partsFor(luminaire.width, nearest / kNearField), partsFor(luminaire.height, nearest / kNearField)};
+  const double step = stepOf(luminaire) * nearest, part = largestPart(luminaire) * nearest;
+  return {partsFor(tile.lengthU, step), partsFor(tile.lengthV, step), partsFor(luminaire.width, part),
+          partsFor(luminaire.height, part)};
 }
 
 double DirectQuadrature::exactOn(std::uint32_t row, const Luminaire& luminaire) const {
@@ -176,14 +179,15 @@ void DirectQuadrature::inFloat(const Luminaire& luminaire, const Look& look, con
   const Patches& patches = scene_.patches;
   // Beyond `far` partsOf() a row is one of everything, which most of them are.
   constexpr double kSlack = 1 + 1e-9;  // note: of rounding, so that both say the same
-  const double size = std::max(luminaire.width, luminaire.height), steps = 1 / stepOf(luminaire);
+  const double size = std::max(luminaire.width, luminaire.height), steps = 1 / stepOf(luminaire),
+               part = largestPart(luminaire);
   std::vector<Points> sets((kMostParts + 1) * (kMostParts + 1));
   Points& whole = sets[kMostParts + 2];
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     if (visible[p] == 0) continue;
     const Vec3 apart = patches.center[p] - luminaire.position;
     const double far =
-        kSlack * (std::max(sizes_[p].longer * steps, kNearField * size) + sizes_[p].reach + 0.5 * size);
+        kSlack * (std::max(sizes_[p].longer * steps, size / part) + sizes_[p].reach + 0.5 * size);
     if (dot(apart, apart) > far * far) {
       whole.add(p, apart, patches.normal[p], static_cast<float>(SiteVisibility::shareOf(visible[p])));
       if (whole.count == kPoints) flush(whole, luminaire, 1, 1, look, column);

@@ -1,6 +1,6 @@
 // Direct light of a luminaire on patches, without shadows: the mean over the patch of I cos / d^2, summed
-// over parts of the luminaire no larger than a quarter of the distance and parts of the patch within the
-// beam.
+// over parts of the luminaire no larger than a quarter of the distance, nor of the beam there, and parts of
+// the patch within the beam.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/transport/patch_tiles.h"
 #include "core/transport/polygon_form_factor.h"
 #include "tests/core/operator_scene.h"
 
@@ -77,6 +78,40 @@ TEST(PhotometricLight, NothingFallsOnThePlaneThatALuminaireLiesInWhereverRoundin
     luminaire.position = scene.patches.center[0] - off * normal;
     EXPECT_EQ(light.direct({{0, luminaire}})[0], 0) << off;
     EXPECT_EQ(light.direct({{0, luminaire, map}})[0], 0) << off;
+  }
+}
+
+TEST(PhotometricLight, ANarrowBeamIsAsWideAsItsLuminaireMakesIt) {
+  // 12 degrees from 10 cm, 0.7 m away: as a point it would be 5 % too bright below and 16 % too dark aside.
+  Scene scene = clearScene();
+  Site& site = scene.sites[0];
+  std::uint32_t below = 0;
+  for (std::uint32_t p = 0; p < scene.patches.count; ++p)
+    if (dot(scene.patches.normal[p], site.normal) < -0.9) below = p;
+  const Vec3 target = scene.patches.center[below];
+  const auto spot = [](const Vec3& d) { return d.z > 0 ? 1000 * std::pow(d.z, 126) : 0.0; };
+  for (const double aside : {0.0, 0.1, 0.2}) {
+    site.position = target - 0.7 * site.normal + aside * site.axis;
+    Luminaire luminaire = on(site, spot, 0.1);
+    luminaire.beam = 12 * std::numbers::pi / 180;
+    const float light = PhotometricLight(scene).direct({{0, luminaire}})[below];
+    const Vec3 across = cross(site.normal, site.axis);
+    const PatchTile tile = patchTiles(scene.patches, scene.lightOperator->charts)[below];
+    constexpr int kParts = 40;
+    double sum = 0;
+    for (int i = 0; i < kParts * kParts; ++i)
+      for (int k = 0; k < 20 * 20; ++k) {
+        const Vec3 on = target + ((i % kParts + 0.5) / kParts - 0.5) * tile.edgeU +
+                        ((i / kParts + 0.5) / kParts - 0.5) * tile.edgeV;
+        const Vec3 from = site.position + ((k % 20 + 0.5) / 20 - 0.5) * 0.1 * site.axis +
+                          ((k / 20 + 0.5) / 20 - 0.5) * 0.1 * across;
+        const Vec3 d = on - from;
+        const double inverse = 1 / length(d);
+        sum += spot({0, 0, inverse * dot(d, site.normal)}) * -dot(d, scene.patches.normal[below]) * inverse *
+               inverse * inverse;
+      }
+    const double expected = sum / (kParts * kParts * 400);
+    EXPECT_NEAR(light / expected, 1, 0.03) << aside;
   }
 }
 
