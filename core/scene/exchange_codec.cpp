@@ -132,7 +132,7 @@ std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const Exch
 }
 
 std::string decodeExchangeMeans(std::span<const std::uint8_t> bytes, const Patches& patches,
-                                const ExchangeGroups& groups, Exchange& exchange) {
+                                const ExchangeGroups& groups, Exchange& exchange, double step) {
   const std::vector<double> area = areasOf(patches, groups);
   exchange.means.assign(std::size_t{groups.total} * groups.count, 0.0f);
   RangeDecoder in(bytes);
@@ -141,7 +141,7 @@ std::string decodeExchangeMeans(std::span<const std::uint8_t> bytes, const Patch
     for (std::uint32_t d = 0; d < columnsOf(groups, c); ++d) {
       const std::optional<std::int32_t> number = model.code(in, c, d, 0);
       if (!number) return kOutOfRange;
-      const double root = kExchangeMeanStep * *number;
+      const double root = step * *number;
       const auto mean = static_cast<float>(root * root / std::sqrt(area[c] * area[d]));
       if (!(mean < kStrongest)) return kOutOfRange;
       exchange.means[std::size_t{c} * groups.count + d] = mean;
@@ -177,7 +177,7 @@ std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const Excha
 }
 
 std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patches& patches,
-                               const ExchangeGroups& groups, Exchange& exchange) {
+                               const ExchangeGroups& groups, Exchange& exchange, double step) {
   ByteReader in(bytes);
   exchange.offset.assign(1, 0);
   std::uint64_t entries = 0;
@@ -203,8 +203,8 @@ std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patche
     for (std::uint32_t i = exchange.offset[p]; i < exchange.offset[p + 1]; ++i) {
       const std::int32_t number = in.nextSigned();
       if (number < -kLargest || number > kLargest) return kOutOfRange;
-      exchange.rest.push_back(static_cast<float>(kExchangeRestStep * number /
-                                                 std::sqrt(patches.area[p] * area[exchange.group[i]])));
+      exchange.rest.push_back(
+          static_cast<float>(step * number / std::sqrt(patches.area[p] * area[exchange.group[i]])));
       if (!(std::abs(exchange.rest.back()) < kStrongest)) return kOutOfRange;
     }
   return in.finished() ? "" : "its length does not fit its values";

@@ -14,23 +14,27 @@
 namespace fiatlux {
 
 /// sqrt(H_cd sqrt(A_c A_d)) is stored in steps of this.
-inline constexpr double kExchangeMeanStep = 1.5e-3;
+inline constexpr double kExchangeMeanStep = 2.5e-3f;
 /// Of the rest between row p and group d, times sqrt(A_p A_d).
-inline constexpr double kExchangeRestStep = 1.5e-3;
+inline constexpr double kExchangeRestStep = 3e-3f;
+/// Both, in older files, which had to know the means over surfaces by the exchange alone.
+inline constexpr double kOlderExchangeStep = 1.5e-3;
 
 /// H by rows of its lower triangle, then the receivers' rows.
 std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const ExchangeGroups& groups,
                                               const Exchange& exchange);
 /// The inverse, into exchange.means. "" or what does not fit.
 std::string decodeExchangeMeans(std::span<const std::uint8_t> bytes, const Patches& patches,
-                                const ExchangeGroups& groups, Exchange& exchange);
+                                const ExchangeGroups& groups, Exchange& exchange,
+                                double step = kExchangeMeanStep);
 
 /// Entries that round to zero are left out.
 std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const ExchangeGroups& groups,
                                              const Exchange& exchange);
 /// The inverse, into exchange.offset, group and rest. "" or what does not fit.
 std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patches& patches,
-                               const ExchangeGroups& groups, Exchange& exchange);
+                               const ExchangeGroups& groups, Exchange& exchange,
+                               double step = kExchangeRestStep);
 
 /// Areas of the groups, m2.
 std::vector<double> areasOf(const Patches& patches, const ExchangeGroups& groups);

@@ -31,8 +31,15 @@ struct Charts {
     Vec3 uAxis, vAxis;            // unit, perpendicular
     double cellU = 0, cellV = 0;  // m, edges of a cell
   };
+  /// A row is `aspectOf` times longer along u than along v, if its cell were a square: 0 of a whole cell.
+  static constexpr double kAspectStep = 1.0 / 32;  // of the logarithm
+  static double aspectOf(std::int8_t step) { return std::exp(kAspectStep * step); }
+  static std::int8_t aspectStepOf(double aspect) {
+    return static_cast<std::int8_t>(std::lround(std::clamp(std::log(aspect) / kAspectStep, -127.0, 127.0)));
+  }
   std::vector<Frame> frames;
-  std::vector<std::uint32_t> ofRow;  // rows: index into the frames
+  std::vector<std::uint32_t> ofRow;      // rows: index into the frames
+  std::vector<std::int8_t> aspect = {};  // rows, or none: older files take parts of cells for small cells
 };
 
 /// Rows in groups of about 4 x 4 of one facing: 0..count - 1 hold patches, count..total - 1 receivers.
@@ -52,11 +59,19 @@ struct Exchange {
   std::vector<float> rest;            // of an entry, 1/m2: S between row and group less the interpolated H
 };
 
+/// The mean over each surface of what is reflected, whole: lx per lumen that leaves a patch first. What the
+/// exchange between groups blurs and leaves out does not count here.
+struct SurfaceExchange {
+  std::uint32_t surfaces = 0;  // 0 where the file does not tell
+  std::vector<float> means;    // patches x surfaces, row-major, 1/m2
+};
+
 struct LightOperator {
   SiteVisibility visibility;
   Charts charts;
   ExchangeGroups groups;
   Exchange exchange;
+  SurfaceExchange surfaces = {};
 };
 
 }  // namespace fiatlux

@@ -7,6 +7,7 @@
 #include "core/scene/exchange_codec.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
+#include "core/scene/surface_exchange_codec.h"
 #include "core/scene/visibility_codec.h"
 
 namespace fiatlux {
@@ -15,6 +16,7 @@ namespace {
 constexpr double kLongestCell = 1e6;  // m
 constexpr std::string_view kNames[] = {"siteVisibility", "charts",   "chartFrames",
                                        "groups",         "exchange", "exchangeRest"};
+constexpr std::string_view kAspects = "chartAspects", kSurfaceExchange = "surfaceExchange";
 
 /// How many sites' shares fit one section, even if no two rows were alike.
 std::uint32_t visibilityBlockSites(std::uint32_t rows) {
@@ -34,8 +36,27 @@ PlainSection integersSection(const char* name, const std::vector<std::uint32_t>&
                       encodeDeltaPlanes(values, columns));
 }
 
-std::vector<std::uint8_t> takeBytes(CheckedSections& in, const std::string& name) {
+PlainSection steppedSection(std::string name, std::vector<std::uint8_t> bytes, double step) {
+  const auto length = static_cast<std::uint32_t>(bytes.size());
+  return plainSection(std::move(name), ElementType::kUint8, Encoding::kStepped, length, 1, std::move(bytes),
+                      static_cast<float>(step));
+}
+
+std::vector<std::uint8_t> takeBytes(CheckedSections& in, std::string_view name) {
   return in.take(name, ElementType::kUint8, Encoding::kPlain, CheckedSections::kAnyRows, 1);
+}
+
+/// Bytes that count in steps: of older files, which do not say how large these are, `older`.
+struct Stepped {
+  std::vector<std::uint8_t> bytes;
+  double step = 0;
+};
+
+Stepped takeStepped(CheckedSections& in, std::string_view name, double older) {
+  if (!in.has(name) || in.line(name).encoding == Encoding::kPlain) return {takeBytes(in, name), older};
+  const double step = in.line(name).errorBound;
+  if (!(step > 0 && step < 1)) in.fail(name, "it has no steps");
+  return {in.take(name, ElementType::kUint8, Encoding::kStepped, CheckedSections::kAnyRows, 1), step};
 }
 
 void readVisibility(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
@@ -71,6 +92,10 @@ void readCharts(CheckedSections& in, const SceneCounts& counts, Charts& charts) 
   }
   for (const std::uint32_t chart : charts.ofRow)
     if (chart >= charts.frames.size()) return in.fail("charts", "a row is on a chart that is not there");
+  if (!in.isThere(kAspects)) return;
+  const std::vector<std::uint8_t> aspects =
+      in.take(kAspects, ElementType::kUint8, Encoding::kPlain, counts.rows(), 1);
+  charts.aspect.assign(aspects.begin(), aspects.end());
 }
 
 void readGroups(CheckedSections& in, const SceneCounts& counts, ExchangeGroups& groups) {
@@ -95,22 +120,35 @@ void readGroups(CheckedSections& in, const SceneCounts& counts, ExchangeGroups& 
 }
 
 void readExchange(CheckedSections& in, const Patches& patches, LightOperator& op) {
-  const std::vector<std::uint8_t> means = takeBytes(in, "exchange"), rest = takeBytes(in, "exchangeRest");
+  const Stepped means = takeStepped(in, "exchange", kOlderExchangeStep),
+                rest = takeStepped(in, "exchangeRest", kOlderExchangeStep);
   if (!in.ok()) return;
-  std::string fault = decodeExchangeMeans(means, patches, op.groups, op.exchange);
+  std::string fault = decodeExchangeMeans(means.bytes, patches, op.groups, op.exchange, means.step);
   if (!fault.empty()) return in.fail("exchange", fault);
-  fault = decodeExchangeRest(rest, patches, op.groups, op.exchange);
+  fault = decodeExchangeRest(rest.bytes, patches, op.groups, op.exchange, rest.step);
   if (!fault.empty()) in.fail("exchangeRest", fault);
+}
+
+void readSurfaceExchange(CheckedSections& in, const Scene& scene, SurfaceExchange& exchange) {
+  if (!in.isThere(kSurfaceExchange)) return;
+  const Stepped means = takeStepped(in, kSurfaceExchange, kSurfaceExchangeStep);
+  if (!in.ok()) return;
+  exchange.surfaces = static_cast<std::uint32_t>(scene.surfaces.size());
+  if (std::uint64_t{exchange.surfaces} * scene.patches.count > kMaxSurfaceExchangeValues)
+    return in.fail(kSurfaceExchange, "there are too many surfaces");
+  const std::string fault = decodeSurfaceExchange(means.bytes, scene.patches, exchange, means.step);
+  if (!fault.empty()) in.fail(kSurfaceExchange, fault);
 }
 
 }  // namespace
 
 bool isOperatorSection(std::string_view name) {
-  return std::find(std::begin(kNames), std::end(kNames), name.substr(0, name.find('.'))) != std::end(kNames);
+  return name == kAspects || name == kSurfaceExchange ||
+         std::find(std::begin(kNames), std::end(kNames), name.substr(0, name.find('.'))) != std::end(kNames);
 }
 
 Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& sections) {
-  const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
+  const auto& [visibility, charts, groups, exchange, surfaces] = *scene.lightOperator;
   if (std::uint64_t{groups.total} * groups.count > kMaxExchangeValues)
     return Error{std::to_string(groups.total) +
                  " groups of patches are too many for a scene file: use larger patches"};
@@ -129,12 +167,19 @@ Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& secti
   sections.push_back(plainSection("chartFrames", ElementType::kFloat32, Encoding::kFloatPlanes,
                                   static_cast<std::uint32_t>(charts.frames.size()), kChartColumns,
                                   encodeFloatPlanes(frames)));
+  if (!charts.aspect.empty())
+    sections.push_back(bytesSection(std::string(kAspects), {charts.aspect.begin(), charts.aspect.end()}));
   std::vector<std::uint32_t> labels;
   for (std::size_t p = 0; p < groups.ofRow.size(); ++p)
     labels.insert(labels.end(), {groups.ofRow[p], groups.barriers[p]});
   sections.push_back(integersSection("groups", labels, kGroupColumns));
-  sections.push_back(bytesSection("exchange", encodeExchangeMeans(scene.patches, groups, exchange)));
-  sections.push_back(bytesSection("exchangeRest", encodeExchangeRest(scene.patches, groups, exchange)));
+  sections.push_back(
+      steppedSection("exchange", encodeExchangeMeans(scene.patches, groups, exchange), kExchangeMeanStep));
+  sections.push_back(
+      steppedSection("exchangeRest", encodeExchangeRest(scene.patches, groups, exchange), kExchangeRestStep));
+  if (surfaces.surfaces > 0 && surfaces.means.size() <= kMaxSurfaceExchangeValues)
+    sections.push_back(steppedSection(std::string(kSurfaceExchange),
+                                      encodeSurfaceExchange(scene.patches, surfaces), kSurfaceExchangeStep));
   return Done{};
 }
 
@@ -147,6 +192,7 @@ void readOperator(CheckedSections& in, const SceneCounts& counts, Scene& scene) 
   if (in.ok()) readCharts(in, counts, op.charts);
   if (in.ok()) readGroups(in, counts, op.groups);
   if (in.ok()) readExchange(in, scene.patches, op);
+  if (in.ok()) readSurfaceExchange(in, scene, op.surfaces);
   if (in.ok()) scene.lightOperator = std::move(op);
 }
 

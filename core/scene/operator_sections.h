@@ -6,6 +6,9 @@
 //   groups                  rows x 2  the group of a row; barriers to its left (1) and upper (2) neighbour
 //   exchange                bytes     means between groups
 //   exchangeRest            bytes     what their interpolation leaves over
+// and, not in older files, whose exchange does not tell its steps either:
+//   chartAspects            rows      how much longer a row is along u than its cell (Charts::aspect)
+//   surfaceExchange         bytes     means over surfaces (surface_exchange_codec.h)
 #pragma once
 
 #include <string_view>
@@ -19,7 +22,8 @@
 namespace fiatlux {
 
 inline constexpr std::uint32_t kChartColumns = 8, kGroupColumns = 2;
-inline constexpr std::uint64_t kMaxExchangeValues = 1ull << 24;  // groups x groups
+inline constexpr std::uint64_t kMaxExchangeValues = 1ull << 24;         // groups x groups
+inline constexpr std::uint64_t kMaxSurfaceExchangeValues = 1ull << 26;  // patches x surfaces
 
 /// Whether a section is one of these.
 bool isOperatorSection(std::string_view name);

@@ -38,6 +38,7 @@ enum class Encoding : std::uint8_t {
   kFactored = 5,     // L (rank x m) with C = L^T L, byte planes of floats
   kPredicted = 6,    // quantised responses
   kCorrections = 7,  // statistics, as what they differ from those of the responses by
+  kStepped = 8,      // range coded numbers, counted in steps of the section's errorBound
 };
 
 std::uint32_t sizeOf(ElementType type);  // bytes of one element

@@ -3,8 +3,11 @@
 #include "core/transport/form_factors.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <type_traits>
 
 #include "core/transport/cluster_product.h"
+#include "core/transport/column_block.h"
 
 namespace fiatlux {
 
@@ -101,6 +104,38 @@ void irradiance(const FormFactors& factors, const float* b, std::uint32_t width,
   }
   const std::vector<float> leaning = leaningOf(factors, b, width);
   correct(factors, width, detail.data(), leaning.data(), out);
+}
+
+void transposedIrradiance(const FormFactors& factors, const float* w, float* out) {
+  constexpr std::integral_constant<std::uint32_t, kColumnBlock> kWidth;
+  const std::size_t clusters = factors.clusters;
+  std::vector<float> whole(clusters * kWidth, 0.0f), leaning(clusters * 2 * kWidth, 0.0f);
+  std::fill(out, out + std::size_t{factors.count} * kWidth, 0.0f);
+  for (std::size_t p = 0; p < factors.rows; ++p) {
+    const float *row = w + p * kWidth, *u = factors.u.data() + p * clusters;
+    if (std::all_of(row, row + kWidth, [](float value) { return value == 0; })) continue;
+    for (std::size_t c = 0; c < clusters; ++c)
+      if (u[c] != 0) addScaled(&whole[c * kWidth], u[c], row, kWidth);
+    for (const NearPatch& near : factors.near[p])
+      addScaled(out + std::size_t{near.patch} * kWidth, near.factor, row, kWidth);
+    for (const ClusterSlope& slope : factors.slopes[p]) {
+      const float unit = u[slope.cluster] / kSlopeUnit;
+      float* axes = &leaning[std::size_t{slope.cluster} * 2 * kWidth];
+      addScaled(axes, unit * static_cast<float>(slope.u), row, kWidth);
+      addScaled(axes + kWidth, unit * static_cast<float>(slope.v), row, kWidth);
+    }
+  }
+  // Near patches count by themselves and no longer in their clusters.
+  for (std::size_t q = 0; q < factors.count; ++q)
+    addScaled(&whole[std::size_t{factors.cluster[q]} * kWidth], -1.0f, out + q * kWidth, kWidth);
+  for (std::size_t q = 0; q < factors.count; ++q) {
+    const std::size_t c = factors.cluster[q];
+    addScaled(out + q * kWidth, static_cast<float>(factors.share[q]), &whole[c * kWidth], kWidth);
+    if (factors.slopeShare.empty()) continue;
+    for (const std::size_t axis : {0, 1})
+      addScaled(out + q * kWidth, factors.slopeShare[2 * q + axis], &leaning[(2 * c + axis) * kWidth],
+                kWidth);
+  }
 }
 
 }  // namespace fiatlux

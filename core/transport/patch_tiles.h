@@ -14,7 +14,8 @@ struct PatchTile {
   double lengthU = 0, lengthV = 0;  // m
 };
 
-/// Of every row. What is not a whole cell is taken as a smaller one of its area.
+/// Of every row. What is not a whole cell is a rectangle of its area, as long as it is along the cell's
+/// sides.
 std::vector<PatchTile> patchTiles(const Patches& patches, const Charts& charts);
 
 }  // namespace fiatlux

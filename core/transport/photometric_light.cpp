@@ -4,14 +4,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/transport/column_block.h"
+
 namespace fiatlux {
 namespace {
 
 /// Of the exchanged light: responses that differ more from it, on patches beside a luminaire, do so because
 /// of direct light that its quadrature missed.
 constexpr float kMostMissed = 0.3f;
-constexpr double kBeside = 1.5;   // edges of the site and the patch together
-constexpr double kNearby = 1.05;  // m: sites whose light may fall as a luminaire's does
+constexpr double kBeside = 1.5;     // edges of the site and the patch together
+constexpr double kNearby = 1.05;    // m: sites whose light may fall as a luminaire's does
+constexpr double kMostSettled = 4;  // times: what the exchange misses by more, it has no shape of
 
 }  // namespace
 
@@ -38,6 +41,9 @@ PhotometricLight::PhotometricLight(const Scene& scene)
   for (std::uint32_t p = 0; p < patches.count; ++p)
     weight_.push_back(static_cast<float>(patches.area[p] * patches.reflectance[p] * patches.reflectance[p]));
   for (const double area : patches.area) edge_.push_back(std::sqrt(area));
+  counted_.resize(scene.lightOperator->surfaces.surfaces);
+  for (std::uint32_t p = 0; p < patches.rows() && !counted_.empty(); ++p)
+    if (patches.counts(p)) counted_[patches.surface[p]] += patches.area[p];
 }
 
 std::shared_ptr<const SightLines> PhotometricLight::sightLines() const {
@@ -142,6 +148,40 @@ void PhotometricLight::correct(std::uint32_t at, const float* direct, float* lig
   }
 }
 
+/// lx over each surface, of what direct light becomes.
+std::vector<double> PhotometricLight::reflectedMeans(const float* direct) const {
+  const SurfaceExchange& exchange = scene_.lightOperator->surfaces;
+  const Patches& patches = scene_.patches;
+  constexpr std::uint32_t kBlock = 64;  // patches whose light is summed in float
+  std::vector<double> means(exchange.surfaces);
+  std::vector<float> some(exchange.surfaces);
+  for (std::uint32_t first = 0; first < patches.count; first += kBlock) {
+    std::fill(some.begin(), some.end(), 0.0f);
+    for (std::uint32_t p = first; p < std::min(first + kBlock, patches.count); ++p)
+      if (direct[p] != 0)
+        addScaled(some.data(), static_cast<float>(patches.area[p] * patches.reflectance[p]) * direct[p],
+                  &exchange.means[std::size_t{p} * exchange.surfaces], exchange.surfaces);
+    for (std::uint32_t s = 0; s < exchange.surfaces; ++s) means[s] += some[s];
+  }
+  return means;
+}
+
+/// Gives reflected light the means over surfaces that the file knows.
+void PhotometricLight::settleMeans(const float* direct, float* light) const {
+  const Patches& patches = scene_.patches;
+  const std::vector<double> wanted = reflectedMeans(direct);
+  std::vector<double> sums(counted_.size());
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    if (patches.counts(p)) sums[patches.surface[p]] += patches.area[p] * (light[p] - direct[p]);
+  std::vector<float> factor(counted_.size(), 1.0f);
+  for (std::size_t s = 0; s < factor.size(); ++s)
+    if (sums[s] > 0)
+      factor[s] =
+          static_cast<float>(std::clamp(wanted[s] * counted_[s] / sums[s], 1 / kMostSettled, kMostSettled));
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    light[p] = direct[p] + factor[patches.surface[p]] * (light[p] - direct[p]);
+}
+
 std::vector<float> PhotometricLight::total(const std::vector<PhotometricCandidate>& candidates,
                                            const std::vector<float>& direct) const {
   const std::size_t rows = scene_.patches.rows();
@@ -150,8 +190,10 @@ std::vector<float> PhotometricLight::total(const std::vector<PhotometricCandidat
     for (const std::uint32_t site : sitesAround(candidate.site)) sites.push_back(site);
   makeControls(std::move(sites));
   std::vector<float> light = exchange_.indirect(direct, static_cast<std::uint32_t>(candidates.size()));
-  for (std::size_t i = 0; i < candidates.size(); ++i)
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     correct(candidates[i].site, &direct[i * rows], &light[i * rows]);
+    if (!counted_.empty()) settleMeans(&direct[i * rows], &light[i * rows]);
+  }
   return light;
 }
 

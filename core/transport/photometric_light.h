@@ -4,7 +4,7 @@
 //   E_indirect = alpha E_lambert + S (phi - alpha phi_lambert),  alpha = <phi, phi_lambert> /
 //   |phi_lambert|^2,
 // of that site nearby whose light falls most like the luminaire's: a spot that leans lights what is below
-// another site than its own.
+// another site than its own. Where the file holds means over whole surfaces, reflected light gets these.
 #pragma once
 
 #include <cstdint>
@@ -65,12 +65,15 @@ class PhotometricLight {
   std::vector<std::uint32_t> sitesAround(std::uint32_t site) const;
   std::uint32_t mostAlike(std::uint32_t site, const float* direct) const;
   void correct(std::uint32_t site, const float* direct, float* light) const;
+  std::vector<double> reflectedMeans(const float* direct) const;
+  void settleMeans(const float* direct, float* light) const;
 
   const Scene& scene_;
   ExchangeOperator exchange_;
   DirectQuadrature quadrature_;
   std::vector<float> weight_;              // patches: of <phi, phi>
   std::vector<double> edge_;               // m, rows
+  std::vector<double> counted_;            // m2, of what counts of the surfaces that the file knows means of
   mutable std::vector<Control> controls_;  // of each site, made when its light is asked for, or before
   mutable std::shared_ptr<const SightLines> sightLines_;
 };

@@ -33,7 +33,8 @@ Json exchangeJson(const SceneTable& table, const LightOperator& op) {
   for (const SceneSection& section : table.sections) {
     const std::string name = section.name.substr(0, section.name.find('.'));
     if (name == "siteVisibility") visibility += section.storedBytes;
-    for (const char* part : {"charts", "chartFrames", "groups", "exchange", "exchangeRest"})
+    for (const char* part :
+         {"charts", "chartFrames", "chartAspects", "groups", "exchange", "exchangeRest", "surfaceExchange"})
       if (name == part) exchange += section.storedBytes;
   }
   return {{"groups", op.groups.total}, {"visibilityBytes", visibility}, {"exchangeBytes", exchange}};

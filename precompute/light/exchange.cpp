@@ -96,8 +96,8 @@ Exchange exchangeOf(const ExchangeGroups& groups, std::uint32_t rows,
 }
 
 LightOperator lightOperator(const Room& room, SiteVisibility visibility, ExchangeGroups groups,
-                            const std::vector<ExchangeBlock>& blocks) {
-  LightOperator result{std::move(visibility), chartsOf(room), std::move(groups), {}};
+                            const std::vector<ExchangeBlock>& blocks, SurfaceExchange surfaces) {
+  LightOperator result{std::move(visibility), chartsOf(room), std::move(groups), {}, std::move(surfaces)};
   const Patches& patches = room.patches;
   const Exchange exact = exchangeOf(result.groups, patches.rows(), blocks);
   // note: what was just encoded decodes without a fault.

@@ -51,6 +51,6 @@ Exchange exchangeOf(const ExchangeGroups& groups, std::uint32_t rows,
 
 /// All of a scene's operator; `visibility` as directLight found it. The exchange is as a file will hold it.
 LightOperator lightOperator(const Room& room, SiteVisibility visibility, ExchangeGroups groups,
-                            const std::vector<ExchangeBlock>& blocks);
+                            const std::vector<ExchangeBlock>& blocks, SurfaceExchange surfaces);
 
 }  // namespace fiatlux

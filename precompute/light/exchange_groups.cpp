@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -28,6 +29,31 @@ std::uint32_t blocksAlong(std::uint32_t count, std::uint32_t across, std::uint32
 std::uint32_t patchesOf(const Chart& chart) {
   return static_cast<std::uint32_t>(
       std::count_if(chart.patchOfCell.begin(), chart.patchOfCell.end(), [](auto p) { return p != kNone; }));
+}
+
+/// How much farther a patch spreads along u than along v, in parts of its cell's edges; of a cell's whole, 1.
+double aspectOf(std::span<const Fragment> fragments, const Charts::Frame& frame) {
+  // Sums of area, and of place and its square along u and v, over triangles.
+  double area = 0, first[2] = {}, second[2] = {};
+  for (const Fragment& fragment : fragments) {
+    const auto& corner = fragment.corner;
+    const double twice = length(cross(corner[1] - corner[0], corner[2] - corner[0]));
+    area += twice;
+    for (const int axis : {0, 1}) {
+      double sum = 0, squares = 0;
+      for (const Vec3& place : corner) {
+        const double at = axis == 0 ? dot(place - fragments[0].corner[0], frame.uAxis) / frame.cellU
+                                    : dot(place - fragments[0].corner[0], frame.vAxis) / frame.cellV;
+        sum += at, squares += at * at;
+      }
+      first[axis] += twice * sum / 3;
+      second[axis] += twice * (sum * sum + squares) / 12;
+    }
+  }
+  if (!(area > 0)) return 1;
+  const auto spread = [&](int axis) { return second[axis] / area - std::pow(first[axis] / area, 2); };
+  constexpr double kThin = 1e-6;  // of a cell's edge, squared
+  return std::sqrt(std::max(spread(0), kThin) / std::max(spread(1), kThin));
 }
 
 /// Rows of one kind (patches or receivers) into groups from `next` on; the new end.
@@ -190,6 +216,9 @@ Charts chartsOf(const Room& room) {
   for (const Chart& chart : room.charts)
     charts.frames.push_back({chart.uAxis, chart.vAxis, chart.cellU, chart.cellV});
   charts.ofRow = room.chartOfPatch;
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p)
+    charts.aspect.push_back(
+        Charts::aspectStepOf(aspectOf(room.fragmentsOf(p), charts.frames[charts.ofRow[p]])));
   return charts;
 }
 

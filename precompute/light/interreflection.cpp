@@ -22,20 +22,28 @@ Interreflection::Interreflection(const Room& room, const RayTracer& tracer, cons
   if (!options.exchange) return;
   groups_ = exchangeGroups(room, tracer);
   exchange_ = std::make_unique<ExchangeColumns>(room, cast.factors, lowRank_, groups_);
+  surfaces_ = std::make_unique<SurfaceExchangeRows>(room, cast.factors, lowRank_);
 }
 
 std::uint32_t Interreflection::siteBlocks() const {
   return (static_cast<std::uint32_t>(room_.sites.size()) + kBlockWidth - 1) / kBlockWidth;
 }
 
-std::uint32_t Interreflection::blocks() const { return siteBlocks() + (exchange_ ? exchange_->blocks() : 0); }
+std::uint32_t Interreflection::firstOfSurfaces() const {
+  return siteBlocks() + (exchange_ ? exchange_->blocks() : 0);
+}
+
+std::uint32_t Interreflection::blocks() const {
+  return firstOfSurfaces() + (surfaces_ ? surfaces_->blocks() : 0);
+}
 
 std::uint32_t Interreflection::usedSites(std::uint32_t block) const {
   return std::min(kBlockWidth, static_cast<std::uint32_t>(room_.sites.size()) - block * kBlockWidth);
 }
 
 SolvedBlock Interreflection::solve(std::uint32_t index) const {
-  if (index >= siteBlocks()) return {{}, {}, exchange_->solve(index - siteBlocks())};
+  if (index >= firstOfSurfaces()) return {{}, {}, {}, surfaces_->solve(index - firstOfSurfaces())};
+  if (index >= siteBlocks()) return {{}, {}, exchange_->solve(index - siteBlocks()), {}};
   const std::uint32_t rows = room_.patches.rows(), used = usedSites(index);
   ResponseBlock block;
   block.width = used > 8 ? 16 : 8;
@@ -68,7 +76,8 @@ SolvedLight Interreflection::unsolved() const {
   light.responses.illuminance.resize(std::size_t{light.responses.rows} * light.responses.sites);
   light.squares.resize(siteBlocks());
   light.groups = groups_;
-  light.exchange.resize(blocks() - siteBlocks());
+  light.exchange.resize(firstOfSurfaces() - siteBlocks());
+  light.surfaces.resize(blocks() - firstOfSurfaces());
   return light;
 }
 
@@ -76,6 +85,9 @@ bool Interreflection::isOf(std::uint32_t block, const SolvedBlock& solved) const
   const std::size_t rows = room_.patches.rows();
   if (block < siteBlocks()) return solved.illuminance.size() == rows * usedSites(block);
   if (block >= blocks()) return false;
+  if (block >= firstOfSurfaces())
+    return solved.surfaces.size() ==
+           std::size_t{room_.patches.count} * surfaces_->used(block - firstOfSurfaces());
   const std::uint32_t first = (block - siteBlocks()) * kBlockWidth;
   const std::size_t used = std::min(kBlockWidth, groups_.count - first);
   const auto isInside = [&](const ExchangeRest& entry) {
@@ -88,6 +100,10 @@ bool Interreflection::isOf(std::uint32_t block, const SolvedBlock& solved) const
 
 void Interreflection::put(std::uint32_t block, SolvedBlock&& solved, SolvedLight& light) const {
   assert(isOf(block, solved));
+  if (block >= firstOfSurfaces()) {
+    light.surfaces[block - firstOfSurfaces()] = std::move(solved.surfaces);
+    return;
+  }
   if (block >= siteBlocks()) {
     light.exchange[block - siteBlocks()] = std::move(solved.exchange);
     return;

@@ -1,4 +1,5 @@
-// What light does after it was cast, column by column: the sites' responses, and the exchange between groups.
+// What light does after it was cast, column by column: the sites' responses, and the exchange between groups
+// and of surfaces.
 // Columns are solved in blocks, in any order, on any thread or machine that has all cast light. Throws, as
 // everything below a door does, where the system is singular.
 #pragma once
@@ -10,14 +11,16 @@
 #include "core/scene/scene.h"
 #include "precompute/light/cast_light.h"
 #include "precompute/light/exchange.h"
+#include "precompute/light/surface_exchange.h"
 
 namespace fiatlux {
 
-/// One block: of sites, or of groups; the other's members are empty.
+/// One block: of sites, of groups, or of surfaces; the others' members are empty.
 struct SolvedBlock {
   std::vector<float> illuminance;  // column-major rows x used, lx per lm
   std::vector<double> squares;     // steps + 1: of the residuals, summed over its sites
   ExchangeBlock exchange;
+  std::vector<float> surfaces;  // SurfaceExchangeRows::solve
 };
 
 /// All blocks.
@@ -25,7 +28,8 @@ struct SolvedLight {
   Responses responses;
   std::vector<std::vector<double>> squares;  // of each block of sites
   ExchangeGroups groups;
-  std::vector<ExchangeBlock> exchange;  // of each block of groups
+  std::vector<ExchangeBlock> exchange;       // of each block of groups
+  std::vector<std::vector<float>> surfaces;  // of each block of surfaces
 };
 
 /// Room, tracer and cast light must outlive it and stay where they are.
@@ -37,7 +41,7 @@ class Interreflection {
   Interreflection(const Interreflection&) = delete;
   Interreflection& operator=(const Interreflection&) = delete;
   std::uint32_t siteBlocks() const;
-  /// Those of the sites, then those of the groups.
+  /// Those of the sites, then those of the groups, then those of the surfaces.
   std::uint32_t blocks() const;
   SolvedBlock solve(std::uint32_t block) const;
 
@@ -50,13 +54,16 @@ class Interreflection {
 
  private:
   std::uint32_t usedSites(std::uint32_t block) const;
+  std::uint32_t firstOfSurfaces() const;
 
   const Room& room_;
   const CastLight& cast_;
   std::uint32_t refine_;
   LowRankRadiosity lowRank_;
   ExchangeGroups groups_;
-  std::unique_ptr<ExchangeColumns> exchange_;  // nullptr where it is not wanted
+  // nullptr where the exchange is not wanted
+  std::unique_ptr<ExchangeColumns> exchange_;
+  std::unique_ptr<SurfaceExchangeRows> surfaces_;
 };
 
 /// What all of it amounts to: the rest of computeTransport, not in paper mode.

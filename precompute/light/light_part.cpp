@@ -111,6 +111,7 @@ std::vector<std::uint8_t> encodeSolvedPart(const SolvedPart& part) {
   to.putList(part.solved.squares);
   to.putList(part.solved.exchange.means);
   to.putList(part.solved.exchange.rest);
+  to.putList(part.solved.surfaces);
   return bytes;
 }
 
@@ -120,7 +121,8 @@ Result<SolvedPart> decodeSolvedPart(std::span<const std::uint8_t> bytes) {
   SolvedBlock& solved = part.solved;
   const bool isWhole = from.take(part.block) && from.takeList(solved.illuminance) &&
                        from.takeList(solved.squares) && from.takeList(solved.exchange.means) &&
-                       from.takeList(solved.exchange.rest) && from.isAtEnd();
+                       from.takeList(solved.exchange.rest) && from.takeList(solved.surfaces) &&
+                       from.isAtEnd();
   if (!isWhole) return kDamaged;
   return part;
 }

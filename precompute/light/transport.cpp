@@ -103,8 +103,8 @@ Transport completeTransport(const Room& room, CastLight&& cast, SolvedLight&& li
   for (double& residual : result.residuals)
     residual = std::sqrt(residual / std::max(1u, result.responses.sites));
   if (options.exchange)
-    result.lightOperator =
-        lightOperator(room, std::move(cast.visibility), std::move(light.groups), light.exchange);
+    result.lightOperator = lightOperator(room, std::move(cast.visibility), std::move(light.groups),
+                                         light.exchange, surfaceExchangeOf(room, light.surfaces));
   addStatistics(room, options, result);
   return result;
 }

@@ -38,7 +38,8 @@ std::vector<Part> partsOf(const RunCounts& c) {
   const double blocks = m > 0 && !c.paper ? c.threads * kFloat * kBlockWidth * (4 * n + 2 * c.rows) : 0;
   const double statistics = 2 * c.surfaces * kDouble * m * m + (c.paper ? c.surfaces * kDouble * k * k : 0);
   const double groups = c.exchange ? std::min<double>(kMostGroups, c.rows / kUsualGroup) : 0;
-  const double visibility = c.exchange ? c.rows * m : 0;
+  const double visibility = c.exchange ? c.rows * m : 0,
+               surfaceMeans = c.exchange ? 3 * kFloat * n * c.surfaces : 0;
   return {
       {c.rows * kRowBytes, rows, "a larger --patch"},
       {c.rows * entries, c.paper ? rows + " x " + std::to_string(c.rays) + " rays" : rows,
@@ -46,7 +47,7 @@ std::vector<Part> partsOf(const RunCounts& c) {
       {(c.paper ? 2 : 1) * kFloat * c.rows * k + 3 * kDouble * k * k, rows + " x " + clusters,
        "a larger --patch or --cluster"},
       {copies * kFloat * c.rows * m + blocks, rows + " x " + sites, "a larger --patch or --site-spacing"},
-      {visibility + 4 * kFloat * groups * groups + kUsualRest * kRestBytes * groups * c.rows,
+      {visibility + surfaceMeans + 4 * kFloat * groups * groups + kUsualRest * kRestBytes * groups * c.rows,
        rows + " x " + sites + ", and their exchange", "--no-exchange or a larger --patch"},
       {statistics, shortNumber(c.surfaces) + " surfaces x " + sites + " squared", "a larger --site-spacing"}};
 }

@@ -1,5 +1,6 @@
-// A light operator (light_operator) in a file, and its numbers in bytes (exchange_codec, visibility_codec):
-// there and back, absent in older files, and refused where it lies.
+// A light operator (light_operator) in a file, and its numbers in bytes (exchange_codec,
+// surface_exchange_codec, visibility_codec): there and back, absent in older files, and refused where it
+// lies.
 #include "core/scene/operator_sections.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 #include "core/scene/exchange_codec.h"
 #include "core/scene/scene_reader.h"
 #include "core/scene/scene_sections.h"
+#include "core/scene/surface_exchange_codec.h"
 #include "core/scene/visibility_codec.h"
 #include "tests/core/operator_scene.h"
 
@@ -94,6 +96,81 @@ TEST(OperatorSections, EncodingWhatWasDecodedChangesNothing) {
   ASSERT_EQ(decodeExchangeRest(rest, patches, op.groups, again.exchange), "");
   EXPECT_EQ(again.exchange.means, op.exchange.means);
   EXPECT_EQ(again.exchange.rest, op.exchange.rest);
+}
+
+/// With shapes of patches and means over surfaces, which older files do not have.
+Scene newerScene() {
+  Scene scene = operatorScene(8, 3);
+  LightOperator& op = *scene.lightOperator;
+  const auto surfaces = static_cast<std::uint32_t>(scene.surfaces.size());
+  for (std::uint32_t p = 0; p < scene.patches.rows(); ++p)
+    op.charts.aspect.push_back(static_cast<std::int8_t>(p % 9 == 0 ? static_cast<int>(p % 255) - 127 : 0));
+  op.surfaces.surfaces = surfaces;
+  for (std::uint32_t p = 0; p < scene.patches.count; ++p)
+    for (std::uint32_t s = 0; s < surfaces; ++s)
+      op.surfaces.means.push_back(
+          (p + s) % 50 == 0 ? 0.0f : static_cast<float>(0.01 * (s + 1) * std::exp(std::sin(0.3 * p))));
+  return scene;
+}
+
+TEST(OperatorSections, ShapesAndMeansOverSurfacesComeBack) {
+  const Scene scene = newerScene();
+  const Result<Scene> back = readBack(scene, encodeScene(scene).value());
+  ASSERT_TRUE(back) << back.error().message;
+  const LightOperator &in = *scene.lightOperator, &out = *back->lightOperator;
+  EXPECT_EQ(out.charts.aspect, in.charts.aspect);
+  EXPECT_EQ(out.surfaces.surfaces, in.surfaces.surfaces);
+  ASSERT_EQ(out.surfaces.means.size(), in.surfaces.means.size());
+  for (std::size_t i = 0; i < in.surfaces.means.size(); ++i) {
+    if (in.surfaces.means[i] == 0)
+      EXPECT_EQ(out.surfaces.means[i], 0);
+    else
+      EXPECT_NEAR(std::log(out.surfaces.means[i] / in.surfaces.means[i]), 0, 0.51 * 3 * kSurfaceExchangeStep);
+  }
+  // Coded again they are the same.
+  SurfaceExchange again{out.surfaces.surfaces, {}};
+  ASSERT_EQ(decodeSurfaceExchange(encodeSurfaceExchange(scene.patches, out.surfaces), scene.patches, again),
+            "");
+  for (std::size_t i = 0; i < again.means.size(); ++i)
+    EXPECT_NEAR(again.means[i], out.surfaces.means[i], 1e-6f * out.surfaces.means[i]);
+}
+
+TEST(OperatorSections, OlderFilesCountTheirExchangeInTheirOwnSteps) {
+  const Scene scene = newerScene();
+  std::vector<PlainSection> plain = encodeScene(scene).value();
+  const Scene newer = readBack(scene, plain).value();
+  std::erase_if(plain, [](const PlainSection& part) {
+    return part.section.name == "chartAspects" || part.section.name == "surfaceExchange";
+  });
+  for (PlainSection& part : plain)
+    if (part.section.name.starts_with("exchange")) {
+      EXPECT_EQ(part.section.encoding, Encoding::kStepped);
+      part.section.encoding = Encoding::kPlain, part.section.errorBound = 0;
+    }
+  const Result<Scene> back = readBack(scene, plain);
+  ASSERT_TRUE(back) << back.error().message;
+  const LightOperator &old = *back->lightOperator, &now = *newer.lightOperator;
+  EXPECT_TRUE(old.charts.aspect.empty());
+  EXPECT_EQ(old.surfaces.surfaces, 0u);
+  const double means = std::pow(kOlderExchangeStep / kExchangeMeanStep, 2),
+               rest = kOlderExchangeStep / kExchangeRestStep;
+  for (std::size_t i = 0; i < now.exchange.means.size(); ++i)
+    EXPECT_NEAR(old.exchange.means[i], means * now.exchange.means[i], 1e-6 * now.exchange.means[i]);
+  ASSERT_EQ(old.exchange.rest.size(), now.exchange.rest.size());
+  for (std::size_t i = 0; i < now.exchange.rest.size(); ++i)
+    EXPECT_NEAR(old.exchange.rest[i], rest * now.exchange.rest[i], 1e-6 * std::abs(now.exchange.rest[i]));
+}
+
+TEST(OperatorSections, RefusesStepsOfNoSize) {
+  const Scene scene = newerScene();
+  for (const char* name : {"exchange", "exchangeRest", "surfaceExchange"}) {
+    std::vector<PlainSection> plain = encodeScene(scene).value();
+    for (PlainSection& part : plain)
+      if (part.section.name == name) part.section.errorBound = 0;
+    const Result<Scene> back = readBack(scene, plain);
+    ASSERT_FALSE(back) << name;
+    EXPECT_THAT(back.error().message, HasSubstr(std::string(name) + ": it has no steps"));
+  }
 }
 
 TEST(OperatorSections, MayComeBeforeTheResponsesAndStatisticsBehindAll) {
@@ -196,6 +273,9 @@ TEST(OperatorSections, WhateverIsDecodedIsInRange) {
     for (const std::uint8_t step : op.visibility.steps) ASSERT_LE(step, SiteVisibility::kSteps);
     refused += !decodeExchangeMeans(bytes, scene.patches, op.groups, op.exchange).empty();
     for (const float mean : op.exchange.means) ASSERT_TRUE(mean >= 0 && std::isfinite(mean));
+    SurfaceExchange surfaces{2, {}};
+    refused += !decodeSurfaceExchange(bytes, scene.patches, surfaces).empty();
+    for (const float mean : surfaces.means) ASSERT_TRUE(mean >= 0 && std::isfinite(mean));
   }
   EXPECT_GT(refused, 300);
 }

@@ -71,7 +71,7 @@ TEST(GroupInterpolation, ReducesByItsTranspose) {
 /// S written out: W H W^T + W R^T + R, rows x patches, where R goes without its means over groups: what it
 /// takes in without those of its rows, what it gives out with those taken off smoothly.
 std::vector<double> fullOperator(const Scene& scene) {
-  const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
+  const auto& [visibility, charts, groups, exchange, surfaces] = *scene.lightOperator;
   const std::uint32_t rows = scene.patches.rows(), n = scene.patches.count, total = groups.total;
   const GroupInterpolation w(scene.patches, groups);
   std::vector<float> full(std::size_t{rows} * total), unit(std::size_t{total} * total, 0.0f);
@@ -110,7 +110,7 @@ std::vector<double> fullOperator(const Scene& scene) {
 TEST(ExchangeOperator, WhatIsEvenOverAGroupLightsOthersAsTheirMeansSay) {
   // A file keeps of R only what is large: its means over groups are no longer zero, and are not light.
   const Scene scene = operatorScene(8, 2);
-  const auto& [visibility, charts, groups, exchange] = *scene.lightOperator;
+  const auto& [visibility, charts, groups, exchange, surfaces] = *scene.lightOperator;
   const Patches& patches = scene.patches;
   const ExchangeOperator light(patches, groups, exchange);
   const GroupInterpolation w(patches, groups);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/transport/column_block.h"
 #include "core/transport/site_responses.h"
 
 namespace fiatlux {
@@ -77,6 +78,23 @@ TEST(FormFactors, IrradianceIsTheFullMatrixTimesExitance) {
         for (std::uint32_t q = 0; q < 60; ++q) expected += room.full[p * 60 + q] * b[q * width + j];
         EXPECT_NEAR(out[p * width + j], expected, 1e-5);
       }
+    }
+  }
+}
+
+TEST(FormFactors, TransposedIrradianceIsTheFullMatrixFromTheOtherSide) {
+  const RandomRoom room(60, 12, 64);
+  constexpr std::uint32_t kWidth = kColumnBlock;
+  Random random(3);
+  std::vector<float> w(60 * kWidth), out(60 * kWidth);
+  for (float& value : w) value = static_cast<float>(random.unit());
+  for (std::uint32_t j = 0; j < kWidth; ++j) w[7 * kWidth + j] = 0;
+  transposedIrradiance(room.factors, w.data(), out.data());
+  for (std::uint32_t q = 0; q < 60; ++q) {
+    for (std::uint32_t j = 0; j < kWidth; ++j) {
+      double expected = 0;
+      for (std::uint32_t p = 0; p < 60; ++p) expected += room.full[p * 60 + q] * w[p * kWidth + j];
+      EXPECT_NEAR(out[q * kWidth + j], expected, 2e-5);
     }
   }
 }

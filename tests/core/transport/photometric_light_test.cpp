@@ -115,6 +115,32 @@ TEST(PhotometricLight, ANarrowBeamIsAsWideAsItsLuminaireMakesIt) {
   }
 }
 
+TEST(PhotometricLight, ReflectedLightHasTheMeansThatTheFileKnows) {
+  Scene scene = clearScene();
+  const PhotometricCandidate candidate{1, on(scene.sites[1], oval, 0.2)};
+  const std::vector<float> direct = PhotometricLight(scene).direct({candidate});
+  const std::vector<float> before = PhotometricLight(scene).total({candidate}, direct);
+  SurfaceExchange& exchange = scene.lightOperator->surfaces;
+  exchange.surfaces = static_cast<std::uint32_t>(scene.surfaces.size());
+  const Patches& patches = scene.patches;
+  // What the exchange says of each surface, by up to 30 % more.
+  std::vector<double> area(exchange.surfaces), reflected(exchange.surfaces);
+  double lumens = 0;
+  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+    area[patches.surface[p]] += patches.area[p];
+    reflected[patches.surface[p]] += patches.area[p] * (before[p] - direct[p]);
+    if (p < patches.count) lumens += patches.area[p] * patches.reflectance[p] * direct[p];
+  }
+  for (std::uint32_t p = 0; p < patches.count; ++p)
+    for (std::uint32_t s = 0; s < exchange.surfaces; ++s)
+      exchange.means.push_back(static_cast<float>((1 + 0.15 * s) * reflected[s] / area[s] / lumens));
+  const std::vector<float> after = PhotometricLight(scene).total({candidate}, direct);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    EXPECT_NEAR(after[p] - direct[p], (1 + 0.15 * patches.surface[p]) * (before[p] - direct[p]),
+                1e-4 * before[p])
+        << p;
+}
+
 TEST(PhotometricLight, TurningByNinetyDegreesSwapsThePlanes) {
   const Scene scene = clearScene();
   const Site& site = scene.sites[1];

@@ -1,5 +1,5 @@
-// The light operator of a small room against the radiosity solution that it stands for (exchange_groups and
-// operator_errors too).
+// The light operator of a small room against the radiosity solution that it stands for (exchange_groups,
+// surface_exchange and operator_errors too).
 #include "precompute/light/exchange.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 
 #include "core/transport/exchange.h"
 #include "core/transport/low_rank_radiosity.h"
+#include "core/transport/patch_tiles.h"
 #include "core/transport/photometric_light.h"
 #include "core/transport/repaint.h"
 #include "core/transport/site_responses.h"
@@ -83,7 +84,7 @@ TEST_F(DividedRoom, GroupsDoNotReachAcrossTheWall) {
 }
 
 TEST_F(DividedRoom, ExchangeIsReciprocal) {
-  const auto& [visibility, charts, groups, exchange] = *transport->lightOperator;
+  const auto& [visibility, charts, groups, exchange, surfaces] = *transport->lightOperator;
   for (std::uint32_t c = 0; c < groups.count; ++c)
     for (std::uint32_t d = 0; d < c; ++d)
       ASSERT_EQ(exchange.means[std::size_t{c} * groups.count + d],
@@ -142,6 +143,63 @@ TEST_F(DividedRoom, OtherPhotometriesComeOutAsTheWholeSolution) {
     EXPECT_LT(error.meanWorst, 0.02) << error.photometry;
     EXPECT_LT(error.sigmaMedian, 0.02) << error.photometry;
   }
+}
+
+TEST_F(DividedRoom, MeansOverSurfacesAreThoseOfTheWholeSolution) {
+  // Of a site's light, and of what falls on single patches, where the exchange knows only groups.
+  const Patches& patches = room->patches;
+  const SurfaceExchange& exchange = transport->lightOperator->surfaces;
+  ASSERT_EQ(exchange.surfaces, room->surfaces.size());
+  const auto lowRank = LowRankRadiosity::factorize(transport->factors, patches);
+  ASSERT_TRUE(lowRank);
+  constexpr std::uint32_t kWidth = 8;
+  ResponseBlock block;
+  block.width = kWidth;
+  block.direct.assign(std::size_t{patches.rows()} * kWidth, 0.0f);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
+    block.direct[std::size_t{p} * kWidth] = transport->direct[p];
+  for (std::uint32_t j = 1; j < kWidth; ++j)
+    block.direct[std::size_t{j * patches.count / kWidth} * kWidth + j] = 100;
+  const std::vector<float> direct = block.direct;
+  solveResponses(transport->factors, patches, *lowRank, 20, 1e-6, block);
+  std::uint32_t compared = 0;
+  for (std::uint32_t j = 0; j < kWidth; ++j) {
+    std::vector<double> known(exchange.surfaces), whole(exchange.surfaces), area(exchange.surfaces);
+    double room = 0, of = 0;
+    for (std::uint32_t p = 0; p < patches.rows(); ++p) {
+      const std::uint32_t s = patches.surface[p];
+      const double reflected =
+          block.irradiance[std::size_t{p} * kWidth + j] - direct[std::size_t{p} * kWidth + j];
+      if (patches.counts(p)) area[s] += patches.area[p], whole[s] += patches.area[p] * reflected;
+      room += patches.area[p] * reflected, of += patches.area[p];
+      for (std::uint32_t to = 0; to < exchange.surfaces && p < patches.count; ++to)
+        known[to] += patches.area[p] * patches.reflectance[p] * direct[std::size_t{p} * kWidth + j] *
+                     exchange.means[std::size_t{p} * exchange.surfaces + to];
+    }
+    for (std::uint32_t s = 0; s < exchange.surfaces; ++s) {
+      if (whole[s] / area[s] < 0.05 * room / of) continue;
+      // Half a step of a small surface's logarithm; of many patches' light, far less.
+      EXPECT_NEAR(known[s] * area[s] / whole[s], 1, j == 0 ? 0.005 : 0.065) << s << ", column " << j;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 40u);
+}
+
+TEST(Charts, KnowWhichWayPartsOfCellsAreLonger) {
+  Room room = rectangleRoom(boxSurfaces({0, 0, 0}, {2, 2, 2}, 0.5, 0.25));
+  for (const std::int8_t aspect : chartsOf(room).aspect) EXPECT_EQ(aspect, 0);
+  // Of one cell a strip is left, 0.3 as wide: all its triangles nearer to a line along u.
+  constexpr std::uint32_t kCut = 5;
+  const Chart& chart = room.charts[room.chartOfPatch[kCut]];
+  const Vec3 from = room.fragmentsOf(kCut)[0].corner[0];
+  for (std::uint32_t i = room.fragmentOffset[kCut]; i < room.fragmentOffset[kCut + 1]; ++i)
+    for (Vec3& corner : room.fragments[i].corner)
+      corner = corner - 0.7 * dot(corner - from, chart.vAxis) * chart.vAxis;
+  room.patches.area[kCut] *= 0.3;
+  const PatchTile tile = patchTiles(room.patches, chartsOf(room))[kCut];
+  EXPECT_NEAR(tile.lengthU, 0.25, 0.25 * 0.02);
+  EXPECT_NEAR(tile.lengthV, 0.075, 0.075 * 0.02);
 }
 
 TEST_F(DividedRoom, RepaintedWallsShineAsTheRoomMadeSo) {
