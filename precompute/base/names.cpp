@@ -106,12 +106,19 @@ bool matchesPattern(const std::string& pattern, const std::string& name) {
   return p == pattern.size();
 }
 
+/// How far a name is from what was asked: of a path its last part may be meant alone, and of a pattern what
+/// it says.
+static std::size_t unlikeness(const std::string& asked, const std::string& name) {
+  if (matchesPattern("*" + asked + "*", name)) return 1;
+  return std::min(editDistance(asked, name), editDistance(asked, name.substr(name.rfind('/') + 1)) + 1);
+}
+
 std::string closestNames(const std::string& wanted, const std::vector<std::string>& names, char quote,
                          std::size_t most) {
   const std::string asked = cleanText(wanted);
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& name : names)
-    if (ranked.size() < kMostRanked) ranked.emplace_back(editDistance(asked, name), name);
+    if (ranked.size() < kMostRanked) ranked.emplace_back(unlikeness(asked, name), name);
   std::sort(ranked.begin(), ranked.end());
   ranked.erase(std::unique(ranked.begin(), ranked.end()), ranked.end());
   std::string list;

@@ -22,10 +22,11 @@ bool within(const std::string& path, const std::string& name) {
 }
 
 // What is proposed.
-constexpr double kLow = 1.8, kHigh = 9;  // m: heights of ceilings worth a word
-constexpr double kHeadroom = 1;          // m, free below a site
-constexpr double kSqueezed = 0.3;        // m, to both sides of it: within a wall
-constexpr double kOnWall = 0.005;        // m: a place as near to a wall is on it
+constexpr double kLow = 1.8, kHigh = 9;                              // m: heights of ceilings worth a word
+constexpr double kFoot = 0.3048, kLowInFeet = 2.3, kHighInFeet = 4;  // m: usual ones, were they in feet
+constexpr double kHeadroom = 1;                                      // m, free below a site
+constexpr double kSqueezed = 0.3;                                    // m, to both sides of it: within a wall
+constexpr double kOnWall = 0.005;                                    // m: a place as near to a wall is on it
 constexpr double kUnder = 0.05;   // m: what comes as near to a ceiling stands below it; it may be rough
 constexpr double kWithin = 0.98;  // of a site's square: what touches its edge does not cross it
 constexpr int kExact = 17;        // digits of a number in an identity
@@ -78,7 +79,7 @@ void addFaces(const SourceScene& source, const SurfaceTree& tree, const std::vec
                                const FreeSpace& space, const std::string& name) {
   std::vector<std::string> names = askedNames(source), ceilings;
   names.insert(names.end(), tree.names.begin(), tree.names.end());
-  if (saysCeiling(name)) {
+  if (saysCeiling(name) || matchesPattern("*roof*", name)) {
     std::copy_if(names.begin(), names.end(), std::back_inserter(ceilings), saysCeiling);
     if (ceilings.empty())
       for (const Ceiling& ceiling : proposeCeilings(source, mesh, tree, space))
@@ -104,6 +105,16 @@ void addNamedMounts(const SourceScene& source, const WeldedMesh& mesh, const Sur
   }
 }
 
+/// What is said of a ceiling as high as few are, or as those of a room in feet; "" of a usual one.
+std::string wordOnHeight(double height) {
+  const bool isOfFeet = kFoot * height >= kLowInFeet && kFoot * height <= kHighInFeet;
+  if (!(height > 0) || (height >= kLow && height <= kHigh && !isOfFeet)) return "";
+  return "the ceiling is " + shortNumber(height) +
+         (isOfFeet ? " m above the floor: is that so? in feet it would be " + shortNumber(kFoot * height) +
+                         " m: --scale 0.3048"
+                   : " m above the floor: is that so? --scale says how many metres a unit of the file has");
+}
+
 /// The ceilings of every storey, the largest first.
 std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& mesh, const SurfaceTree& tree,
                                   const FreeSpace& space, std::vector<std::string>& warnings) {
@@ -123,10 +134,8 @@ std::vector<Mount> proposedMounts(const SourceScene& source, const WeldedMesh& m
   if (mounts.size() > kMostStoreys) told += " and " + std::to_string(mounts.size() - kMostStoreys) + " more";
   warnings.push_back("no mount is marked: luminaires are proposed to hang on " + told +
                      "; choose with --mount");
-  const double height = ceilings[0].height;
-  if (height > 0 && (height < kLow || height > kHigh))
-    warnings.push_back("the ceiling is " + shortNumber(height) + " m above the floor: is that so? --scale " +
-                       "says how many metres a unit of the file has");
+  const std::string height = wordOnHeight(ceilings[0].height);
+  if (!height.empty()) warnings.push_back(height);
   return mounts;
 }
 

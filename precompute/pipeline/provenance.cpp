@@ -132,7 +132,10 @@ std::string provenanceOf(const Account& account) {
   json["lostLight"] = std::max(0.0, 1 - report.balance.absorbed);
   if (!report.useless.empty()) json["useless"] = report.useless;
   if (!report.ask.surface.empty())
-    json["ask"] = {{"surface", report.ask.surface}, {"mean", report.ask.mean}, {"count", report.ask.count}};
+    json["ask"] = {{"surface", report.ask.surface},
+                   {"mean", report.ask.mean},
+                   {"count", report.ask.count},
+                   {"apart", report.ask.apart}};
   json["residuals"] = report.residuals;
   json["peakMiB"] = std::round(bytesNeeded(countsOf(options.room, room)) / kMiB);
   json["fewPatches"] = fewPatches(room);

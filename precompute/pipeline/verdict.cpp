@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 #include "core/base/short_number.h"
@@ -18,6 +18,11 @@ constexpr double kMostError = 0.05, kMostResidual = 0.01;
 constexpr double kAskedMean = 300, kUsualFlux = 3000;  // lx, lm
 constexpr double kSensibleCount = 24;                  // luminaires
 constexpr double kNearly = 0.9;                        // of what they reach on average
+constexpr double kServes = 0.5;       // of the best site's light: others hang over other floors
+constexpr double kApart = 0.8;        // of an even grid's pitch: so much leaves a choice of places
+constexpr double kCloser = 0.85;      // at a time, where so many find no room
+constexpr double kStepsOfMetre = 20;  // to which it is told
+constexpr double kRoomForMore = 1.2;  // times as many must find room, for places are taken as they come
 
 std::string inPercent(double share) {
   constexpr int kDigits = 2;
@@ -75,6 +80,34 @@ std::string unsettled(double residual) {
   return "reflected light is settled to " + inPercent(residual) + " only, 0.1 % is usual: pass more --refine";
 }
 
+namespace {
+
+/// m2, least distance of a site to others, squared; infinite where there are none.
+double nearest(const Vec3& position, const std::vector<Vec3>& others) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& other : others)
+    if (const Vec3 way = position - other; dot(way, way) > 0) least = std::min(least, dot(way, way));
+  return least;
+}
+
+/// The pitch of an even grid of so many over all places, or less where so many, taken as they come, find no
+/// room.
+double spreadOf(const std::vector<Vec3>& places, double count) {
+  double cell = 0;  // m2, of a place
+  for (const Vec3& place : places) cell += nearest(place, places) / static_cast<double>(places.size());
+  double apart = kApart * std::sqrt(cell * static_cast<double>(places.size()) / count);
+  for (; count > 1 && apart * apart > cell; apart *= kCloser) {
+    std::vector<Vec3> taken;
+    for (const Vec3& place : places)
+      if (nearest(place, taken) >= apart * apart) taken.push_back(place);
+    if (static_cast<double>(taken.size()) >= kRoomForMore * count)
+      return std::floor(kStepsOfMetre * apart) / kStepsOfMetre;
+  }
+  return 0;
+}
+
+}  // namespace
+
 OpeningAsk openingOf(const Room& room, const Transport& transport) {
   std::uint32_t asked = room.floor;
   for (std::uint32_t s = 0; s < room.surfaces.size(); ++s)
@@ -83,12 +116,20 @@ OpeningAsk openingOf(const Room& room, const Transport& transport) {
       asked = s;
   if (asked == kNone || room.sites.empty()) return {};
   const std::vector<double>& mean = transport.illuminance[asked].mean;
-  const double each =
-      kUsualFlux * std::accumulate(mean.begin(), mean.end(), 0.0) / static_cast<double>(mean.size());
-  if (!(each > 0)) return {};
-  const double most = std::min(kSensibleCount, static_cast<double>(room.sites.size()));
+  const double best = *std::max_element(mean.begin(), mean.end());
+  if (!(best > 0)) return {};
+  std::vector<Vec3> serving;  // the others hang over the floors of other storeys
+  double sum = 0;
+  for (std::size_t j = 0; j < mean.size(); ++j)
+    if (mean[j] >= kServes * best) {
+      serving.push_back(room.sites[j].position);
+      sum += mean[j];
+    }
+  const double each = kUsualFlux * sum / static_cast<double>(serving.size());
+  const double most = std::min(kSensibleCount, static_cast<double>(serving.size()));
   const double count = std::clamp(std::ceil(kAskedMean / each), 1.0, most);
-  OpeningAsk ask{room.surfaces[asked].name, kAskedMean, static_cast<std::uint32_t>(count)};
+  OpeningAsk ask{room.surfaces[asked].name, kAskedMean, static_cast<std::uint32_t>(count),
+                 spreadOf(serving, count)};
   if (count * each < kAskedMean) ask.mean = std::max(1.0, std::floor(kNearly * count * each));
   return ask;
 }

@@ -35,6 +35,7 @@ struct OpeningAsk {
   std::string surface;      // "": there is none below the sites
   double mean = 0;          // lx, at least: 300, or nearly what so many luminaires reach
   std::uint32_t count = 0;  // of luminaires
+  double apart = 0;         // m between them at least, so that the most light is not one heap of them
 };
 /// The largest measuring plane, else the floor below most sites; `transport`: of the room.
 OpeningAsk openingOf(const Room& room, const Transport& transport);

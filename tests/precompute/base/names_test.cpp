@@ -34,6 +34,13 @@ TEST(Names, TheClosestComeFirst) {
             "'ceiling', 'Ceiling 2', 'floor'");
 }
 
+TEST(Names, OfPathsTheLastPartMayBeMeantAndOfPatternsWhatTheySay) {
+  const std::vector<std::string> names{"lamp", "house/mesh.001/ceiling", "house/mesh.001/floor", "box"};
+  EXPECT_EQ(closestNames("ceilling", names, '"', 1), "\"house/mesh.001/ceiling\"");
+  EXPECT_EQ(closestNames("floor", names, '"', 1), "\"house/mesh.001/floor\"");
+  EXPECT_EQ(closestNames("Ceil*", names, '"', 1), "\"house/mesh.001/ceiling\"");
+}
+
 TEST(Names, PatternsTakeAnyTextForAStar) {
   for (const char* pattern : {"Ceiling*", "*ling 0?", "ceiling 01", "*", "c*g*1"})
     EXPECT_TRUE(matchesPattern(pattern, "Ceiling 01")) << pattern;

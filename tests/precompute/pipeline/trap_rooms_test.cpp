@@ -106,5 +106,23 @@ TEST(TrapRooms, OneOnItsBackIsStoodUprightWhichCanBeRefused) {
   EXPECT_THAT(said.err, Not(HasSubstr("taken to have")));
 }
 
+TEST(TrapRooms, OneInFeetIsAskedOfAndARoofIsACeiling) {
+  const TemporaryFolder folder;
+  TrapRoom made;
+  testing::TestMesh mesh;
+  mesh.box({}, {20, 9, 16}, true);
+  made.add("room", mesh);
+  const auto bytes = made.gltf.glb.bytes();
+  writeTextFile(folder / "feet.glb", {bytes.begin(), bytes.end()});
+  EXPECT_THAT(runFiatlux(folder, "surfaces feet.glb").err,
+              HasSubstr("the ceiling is 9 m above the floor: is that so? in feet it would be 2.74 m: "
+                        "--scale 0.3048"));
+  EXPECT_THAT(runFiatlux(folder, "surfaces feet.glb --scale 0.3048").err, Not(HasSubstr("is that so")));
+  for (const char* name : {"roof", "ceilling", "'Ceil*x'"})
+    EXPECT_THAT(runFiatlux(folder, std::string("surfaces feet.glb --mount ") + name).err,
+                HasSubstr("the closest are 'room/ceiling'"))
+        << name;
+}
+
 }  // namespace
 }  // namespace fiatlux

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fiatlux {
@@ -69,6 +70,37 @@ TEST(Verdict, AsksForThreeHundredLuxOrWhatCanBeHad) {
   EXPECT_EQ(ask.mean, std::floor(0.9 * 24 * 3));
   room.surfaces[1].measuring = true;
   EXPECT_EQ(askedAt(0.02).surface, "wall");
+}
+
+TEST(Verdict, AsksForTheStoreyOfItsFloorWithLuminairesApart) {
+  Room room = twoPatches();
+  room.floor = 0;
+  room.sites.clear();
+  for (int storey = 0; storey < 2; ++storey)
+    for (int i = 0; i < 100; ++i)
+      room.sites.push_back({{0.5 * (i % 10), 3.0 * storey, 0.5 * (i / 10)}, {0, -1, 0}, {1, 0, 0}, 0.5});
+  Transport transport;
+  transport.illuminance.resize(2);
+  auto& mean = transport.illuminance[0].mean;
+  mean.assign(200, 0);
+  std::fill(mean.begin(), mean.begin() + 100, 0.01);
+  OpeningAsk ask = openingOf(room, transport);
+  EXPECT_EQ(ask.mean, 300);
+  EXPECT_EQ(ask.count, 10u);  // those of the other storey do not count
+  EXPECT_NEAR(ask.apart, 0.8 * std::sqrt(25. / 10), 0.05);
+
+  // Along a rail so many find room only closer to each other.
+  room.sites.clear();
+  for (int i = 0; i < 20; ++i) room.sites.push_back({{0.5 * i, 3, 0}, {0, -1, 0}, {1, 0, 0}, 0.5});
+  mean.assign(20, 0.01);
+  ask = openingOf(room, transport);
+  EXPECT_EQ(ask.count, 10u);
+  EXPECT_EQ(ask.apart, 0);
+  mean.assign(20, 0.02);
+  ask = openingOf(room, transport);
+  EXPECT_EQ(ask.count, 5u);
+  EXPECT_GT(ask.apart, 0.5);
+  EXPECT_LE(ask.apart, 1.5);
 }
 
 }  // namespace

@@ -154,12 +154,14 @@ test('a page has no command line: what names options is told with what can be do
   const remarks = [
     "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor); choose with --mount",
     'the ceiling is 9.2 m above the floor: is that so? --scale says how many metres a unit of the file has',
+    'the ceiling is 9 m above the floor: is that so? in feet it would be 2.74 m: --scale 0.3048',
     "hall.glb: 3 of 8 sites of mount 'slab' are left out: something is less than 1 m below them; pass a smaller --drop",
     "--mount 'celing': no node or surface is called that; the closest are 'ceiling'",
   ];
   expect(remarks.map(inOurWords)).toEqual([
     "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor)",
     'the ceiling is 9.2 m above the floor: is that so?',
+    'the ceiling is 9 m above the floor: is that so? In feet, which can be chosen under How it was understood, it would be 2.74 m',
     "hall.glb: 3 of 8 places on 'slab' are left out: something is less than 1 m below them; hang luminaires less low",
     "'celing': no node or surface is called that; the closest are 'ceiling'",
   ]);

@@ -19,7 +19,7 @@ import type { SceneInfo } from '../../document/types.ts';
 import type { Placement, Placing } from '../opening/placing.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { askedAsField } from '../rooms/opening-field.ts';
-import { askedOfUnknown, documentFrom, type Asked } from '../rooms/opening-wish.ts';
+import { asEvenLight, askedOfUnknown, documentFrom, type Asked } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
@@ -356,7 +356,7 @@ export class Lighting {
     const unknown = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
     const reached = (wish: Asked) =>
       this.#solving.probe(intentionsOf(documentFrom(wish, scene.identity, room)).intentions);
-    const asked = isMade ? await askedAsField(unknown, reached) : unknown;
+    const asked = isMade ? await askedAsField(asEvenLight(unknown), reached) : unknown;
     return { document: documentFrom(asked, scene.identity, room) };
   }
 

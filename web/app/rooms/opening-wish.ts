@@ -118,8 +118,9 @@ export const usualLuminaires: Luminaires = {
 };
 
 /**
- * What is asked at first of a room that nobody has described: enough light, as even as it goes, on what its file names for
- * it, the floor below the places or a measuring plane; of a file that names nothing, light on the first of these that it has.
+ * What is asked at first of a room that nobody has described: light on what its file names for it, the floor below the
+ * places or a measuring plane, at least so much, from luminaires that are no heap; of a file that names nothing, light on
+ * the first of these that it has.
  */
 export function askedOfUnknown(
   surfaces: readonly { name: string; measuring: boolean }[],
@@ -131,20 +132,27 @@ export function askedOfUnknown(
   const likely =
     surfaces.find(({ measuring }) => measuring) ?? surfaces.find(({ name }) => isFloor.test(name));
   const count = Math.max(1, Math.min(told?.count ?? usualLuminaires.count, sites));
+  const isOlder = told !== null && told.apart === undefined; // of its file nothing keeps the most light from being a heap
   const card: Card = {
     id: 'c-first',
     surfaces: [told?.surface ?? likely?.name ?? 'all'],
-    verb: told ? 'homogenize' : 'illuminate',
+    verb: isOlder ? 'homogenize' : 'illuminate',
     weight: 1,
     ...(told && { mean: { min: told.mean } }),
   };
   return {
     cards: [card],
-    luminaires: { ...usualLuminaires, count },
+    luminaires: { ...usualLuminaires, count, minDistance: told?.apart ?? 0 },
     saving: false,
     quantity: 'illuminance',
     seed: 1,
   };
+}
+
+/** Of a room that was drawn here, whose luminaires are to be a field: the same light as even as it goes. */
+export function asEvenLight(asked: Asked): Asked {
+  const cards = asked.cards.map((card): Card => (card.mean ? { ...card, verb: 'homogenize' } : card));
+  return { ...asked, cards, luminaires: { ...asked.luminaires, minDistance: 0 } };
 }
 
 const isFloor = /(^|\/)floor( \d+)?$/i;

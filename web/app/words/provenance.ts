@@ -25,6 +25,7 @@ const provenanceSchema = v.object({
       surface: v.string(),
       mean: v.pipe(share, v.maxValue(1e6)), // lx, at least
       count: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(1000)), // luminaires of 3000 lm
+      apart: v.optional(v.pipe(share, v.maxValue(1000))), // m between them, at least
     }),
   ),
   useless: known(v.pipe(v.string(), v.maxLength(500))), // why, in one line

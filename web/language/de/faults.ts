@@ -142,6 +142,8 @@ export const faults: Words['faults'] = {
   proposedPlane: (height, floor, area) =>
     `Nichts ist eine Decke: Leuchten sind vorgeschlagen in einer Ebene ${height} m über „${floor}“ (${area} m²)`,
   ceilingHeight: (height) => `Die Decke liegt ${height} m über dem Boden: Ist das so?`,
+  ceilingInFeet: (height, metres) =>
+    `Die Decke liegt ${height} m über dem Boden: Ist das so? In Fuß, wählbar unter „Wie es verstanden wurde“, wären es ${metres} m`,
   clamped: (name, share, most) => `${name} reflektiert ${share} des Lichts; gerechnet wird mit ${most}`,
   lightLost:
     'Fast alles Licht geht verloren: Die Leuchten hängen im Freien oder sehen auf Rückseiten; andere Montageorte, eine Ebene oder zweiseitige Flächen wählen (Wie es verstanden wurde)',

@@ -127,6 +127,8 @@ export const faults = {
     `nothing is a ceiling: luminaires are proposed to hang in a plane ${height} m above '${floor}' (${area} m2); --ceiling says another height, --mount another place`,
   ceilingHeight: (height: string) =>
     `the ceiling is ${height} m above the floor: is that so? --scale says how many metres a unit of the file has`,
+  ceilingInFeet: (height: string, metres: string) =>
+    `the ceiling is ${height} m above the floor: is that so? in feet it would be ${metres} m: --scale 0.3048`,
   clamped: (name: string, share: string, most: string) =>
     `${name} reflects ${share} of the light: taken as ${most}`,
   lightLost:

@@ -44,6 +44,8 @@ export const pageFaults: Partial<typeof faults> = {
   proposedPlane: (height, floor, area) =>
     `nothing is a ceiling: luminaires are proposed to hang in a plane ${height} m above '${floor}' (${area} m2)`,
   ceilingHeight: (height) => `the ceiling is ${height} m above the floor: is that so?`,
+  ceilingInFeet: (height, metres) =>
+    `the ceiling is ${height} m above the floor: is that so? In feet, which can be chosen under How it was understood, it would be ${metres} m`,
   lightLost:
     'nearly all light is lost: the luminaires hang outdoors or look at backs; choose other mounts, a plane, or two-sided faces (How it was understood)',
   staysDark: (share) =>

@@ -1,6 +1,7 @@
 /** Bounds that are shares of what can be had in a room. */
 import { expect, test } from '@jest/globals';
 import {
+  asEvenLight,
   askedOfUnknown,
   hasShares,
   usualLuminaires,
@@ -58,10 +59,19 @@ test('a room that nobody has described is lit where its file says, else on its m
     { name: 'house/floor', measuring: false },
     { name: 'desk plane', measuring: true },
   ];
-  const ask = { surface: 'house/floor', mean: 240, count: 24 };
+  const ask = { surface: 'house/floor', mean: 240, count: 24, apart: 1.2 };
   expect(askedOfUnknown(surfaces, 100, { ask })).toMatchObject({
+    cards: [{ surfaces: ['house/floor'], verb: 'illuminate', mean: { min: 240 } }],
+    luminaires: { count: 24, minDistance: 1.2 },
+  });
+  const { apart: _, ...older } = ask;
+  expect(askedOfUnknown(surfaces, 100, { ask: older })).toMatchObject({
+    cards: [{ verb: 'homogenize' }],
+    luminaires: { count: 24, minDistance: 0 },
+  });
+  expect(asEvenLight(askedOfUnknown(surfaces, 100, { ask }))).toMatchObject({
     cards: [{ surfaces: ['house/floor'], verb: 'homogenize', mean: { min: 240 } }],
-    luminaires: { count: 24 },
+    luminaires: { count: 24, minDistance: 0 },
   });
   expect(askedOfUnknown(surfaces, 4, { ask }).luminaires.count).toBe(4);
   for (const odd of [undefined, { ask: { ...ask, surface: 'roof' } }, { ask: { ...ask, count: -1 } }])
