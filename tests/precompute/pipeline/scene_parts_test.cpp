@@ -139,7 +139,7 @@ TEST(LightPart, ComesBackAsItWas) {
 }
 
 TEST(SolvedPart, ComesBackAsItWas) {
-  const SolvedPart part{3, {{1, 2}, {0.5}, {{4, 5, 6}, {{7, 8, 9}}}}};
+  const SolvedPart part{3, {{1, 2}, {0.5}, {{4, 5, 6}, {{7, 8, 9}}}, {10, 11}}};
   const auto read = decodeSolvedPart(encodeSolvedPart(part));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->block, 3u);
@@ -148,6 +148,7 @@ TEST(SolvedPart, ComesBackAsItWas) {
   EXPECT_EQ(read->solved.exchange.means, part.solved.exchange.means);
   ASSERT_EQ(read->solved.exchange.rest.size(), 1u);
   EXPECT_EQ(read->solved.exchange.rest[0].group, 8u);
+  EXPECT_EQ(read->solved.surfaces, part.solved.surfaces);
   EXPECT_FALSE(decodeSolvedPart({}));
 }
 
