@@ -86,14 +86,19 @@ TEST(TrapRooms, LoseNoLightWithinTheirWalls) {
   EXPECT_EQ(open.find("the room is open: 2"), 0u);
 }
 
-TEST(TrapRooms, OneOnItsBackIsStoodUprightWhichCanBeRefused) {
-  const TemporaryFolder folder;
+/// One mesh around nothing; `size` in the model's units.
+void writeEmptyRoom(const std::string& file, const Vec3& size) {
   TrapRoom made;
   testing::TestMesh mesh;
-  mesh.box({}, {6, 5, 2.8}, true);
+  mesh.box({}, size, true);
   made.add("room", mesh);
   const auto bytes = made.gltf.glb.bytes();
-  writeTextFile(folder / "z.glb", {bytes.begin(), bytes.end()});
+  writeTextFile(file, {bytes.begin(), bytes.end()});
+}
+
+TEST(TrapRooms, OneOnItsBackIsStoodUprightWhichCanBeRefused) {
+  const TemporaryFolder folder;
+  writeEmptyRoom(folder / "z.glb", {6, 5, 2.8});
   const CommandRun guessed = runFiatlux(folder, "surfaces z.glb");
   EXPECT_THAT(guessed.err,
               HasSubstr("with y up the model would be 5 m high: it is taken to have z up, 6 x 5 m "
@@ -108,12 +113,7 @@ TEST(TrapRooms, OneOnItsBackIsStoodUprightWhichCanBeRefused) {
 
 TEST(TrapRooms, OneInFeetIsAskedOfAndARoofIsACeiling) {
   const TemporaryFolder folder;
-  TrapRoom made;
-  testing::TestMesh mesh;
-  mesh.box({}, {20, 9, 16}, true);
-  made.add("room", mesh);
-  const auto bytes = made.gltf.glb.bytes();
-  writeTextFile(folder / "feet.glb", {bytes.begin(), bytes.end()});
+  writeEmptyRoom(folder / "feet.glb", {20, 9, 16});
   EXPECT_THAT(runFiatlux(folder, "surfaces feet.glb").err,
               HasSubstr("the ceiling is 9 m above the floor: is that so? in feet it would be 2.74 m: "
                         "--scale 0.3048"));
