@@ -1,6 +1,5 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
 import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type ShaderMaterial } from 'three';
-import { frontOf } from '../language/surface-names.ts';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -419,10 +418,7 @@ class RoomViewer implements Viewer {
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
     this.#cutAway.setRoom(room.box, room.hanging);
-    this.#section.setRoom(
-      room,
-      info?.surfaces.some(({ name }) => frontOf(name) !== null),
-    );
+    this.#section.setRoom(room);
     this.#rig.setRoom(room.box, quadrantShares(room.facing, this.#aims), keepView);
     this.#applyDisplay();
     this.#loop.invalidate();

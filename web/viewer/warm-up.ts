@@ -27,6 +27,7 @@ function roomMaterials(shared: SharedUniforms): Material[] {
       albedo: { ...plain, map },
       measuring: false,
       standing: false,
+      back: false,
       yields: false,
       reflectance: 0,
     }),

@@ -100,7 +100,8 @@ export const noSection = 1e9;
 
 export const darkShell = 0.02; // of the usual light
 export const darkRoof = 0.15; // some light comes through its joints, and none that a room could be seen by
-const unlit = [0.002, 0.01]; // to what no light comes: the inside of walls, the earth below a floor; from there on it counts
+const unlit = [0.004, 0.03]; // to what no light comes: the inside of walls, the earth below a floor; from there on it counts
+export const darkBack = 0.2; // light that comes into a hollow wall through its joints
 export const levelShell = 0.5; // of a normal: steeper is a wall
 
 const fragmentShader = /* glsl */ `
@@ -122,6 +123,7 @@ uniform float pixelRatio;
 uniform vec3 accent;
 uniform float tint;       // how much of the accent, 0..1
 uniform bool standing;    // furniture
+uniform bool back;        // the other side of a sheet
 uniform bool yields;      // to what is read on a plane below
 uniform vec4 sides;       // of the room, m: low x, low z, high x, high z
 uniform float section;    // m: what is higher is not drawn
@@ -226,7 +228,7 @@ bool isShell(float light) {
   vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   vec3 way = vPlace - vec3(0.5 * (sides.x + sides.z), openTo, 0.5 * (sides.y + sides.w));
   bool isLevel = abs(normal.y) > ${levelShell};
-  if (light > ${darkShell} * usualLight && (standing || !isLevel)) return false;
+  if (light > (back ? ${darkBack} : ${darkShell}) * usualLight && (standing || !isLevel)) return false;
   if (isLevel) return normal.y > 0.0 && way.y > 0.0;
   return !standing && dot(normal.xz, way.xz) > 0.0;
 }
@@ -234,7 +236,8 @@ bool isShell(float light) {
 // How much of what is left of such a shell, behind what is cut away, is drawn as an outside: no light comes there.
 float withinShell(float light) {
   if (measuring || openTo >= ${noSection.toExponential()}) return 0.0;
-  return 1.0 - smoothstep(${unlit[0]}, ${unlit[1]}, light / max(usualLight, 1e-6));
+  vec2 counts = back ? vec2(${unlit[1]}, ${darkBack}) : vec2(${unlit[0]}, ${unlit[1]});
+  return 1.0 - smoothstep(counts.x, counts.y, light / max(usualLight, 1e-6));
 }
 
 vec3 colorOnLegend(float quantity) {
@@ -352,6 +355,7 @@ export interface LightMaterialOptions {
   readonly albedo: Albedo;
   readonly measuring: boolean;
   readonly standing: boolean;
+  readonly back: boolean; // the other side of a sheet
   readonly yields: boolean;
   readonly reflectance: number; // mean of its surface: how bright it looks behind an isolux line
 }
@@ -372,6 +376,7 @@ export function createLightMaterial(shared: SharedUniforms, options: LightMateri
       alphaCut: { value: albedo.alphaCut },
       measuring: { value: measuring },
       standing: { value: options.standing },
+      back: { value: options.back },
       yields: { value: options.yields },
       reflectance: { value: options.reflectance },
       tint: { value: 0 },

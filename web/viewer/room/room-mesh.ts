@@ -26,6 +26,7 @@ import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
 import { words } from '../../language/language.ts';
+import { frontOf } from '../../language/surface-names.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
@@ -33,6 +34,7 @@ export interface LitMesh {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   readonly surface: number; // leaf surface, -1 = none
   readonly measuring: boolean;
+  readonly back: boolean; // the other side of a sheet, as the inside of a hollow wall is
 }
 
 export interface RoomMesh {
@@ -164,17 +166,19 @@ export function loadRoomMesh(
     }
     const surface = surfaceIndex(mesh, scene);
     const measuring = isMeasuring(mesh, scene);
-    const reflectance = scene.surfaces[surface]?.reflectance ?? 0;
+    const { reflectance = 0, name = '' } = scene.surfaces[surface] ?? {};
+    const back = frontOf(name) !== null;
     const material = createLightMaterial(shared, {
       albedo: albedoOf(source),
       measuring,
       standing: standing.has(mesh),
+      back,
       yields: standing.has(mesh) && !rugs.has(mesh), // no light reaches the floor below a rug
       reflectance,
     });
     mesh.material = material;
     if (measuring) [mesh.visible, mesh.renderOrder] = [false, 2];
-    lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring });
+    lit.push({ mesh: mesh as Mesh<BufferGeometry, ShaderMaterial>, surface, measuring, back });
   }
   return {
     root,

@@ -7,7 +7,14 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Box } from '../eye/framing.ts';
-import { darkRoof, darkShell, levelShell, noSection, type SharedUniforms } from '../light/light-material.ts';
+import {
+  darkBack,
+  darkRoof,
+  darkShell,
+  levelShell,
+  noSection,
+  type SharedUniforms,
+} from '../light/light-material.ts';
 import { forEachCut, type Solid } from './columns.ts';
 import { partsOf, type Part } from './hung-meshes.ts';
 import type { RoomMesh } from './room-mesh.ts';
@@ -60,7 +67,7 @@ export class Section {
   #cut: readonly Solid[] | null = null; // what the cut goes through
   #height: number | null = null;
   #cutAway = true;
-  #hasBacks = false;
+  #backs: ReadonlySet<BufferGeometry> = new Set(); // other sides of sheets, as those within walls are
 
   constructor(uniforms: SharedUniforms) {
     this.#uniforms = uniforms;
@@ -69,10 +76,9 @@ export class Section {
     this.lines.frustumCulled = false;
   }
 
-  /** `hasBacks`: some of its surfaces are the other sides of sheets, as those within walls are. */
-  setRoom(room: RoomMesh | null, hasBacks = false): void {
+  setRoom(room: RoomMesh | null): void {
     this.#room = room;
-    this.#hasBacks = hasBacks;
+    this.#backs = new Set(room?.lit.filter(({ back }) => back).map(({ mesh }) => mesh.geometry));
     this.#storeys = this.#pieces = this.#cut = null;
     this.#uniforms.building.value = false;
     this.#uniforms.openFrom.value = this.#uniforms.openTo.value = noSection;
@@ -114,7 +120,7 @@ export class Section {
     const box = this.#room?.box;
     if (!box) return;
     const isWithin = eye.toArray().every((at, i) => at > box.min[i]! && at < box.max[i]!);
-    const isOpened = this.#hasBacks && this.#cutAway && !isWithin && !this.isBuilding;
+    const isOpened = this.#backs.size > 0 && this.#cutAway && !isWithin && !this.isBuilding;
     this.#uniforms.openTo.value = isOpened ? (box.min[1] + box.max[1]) / 2 : noSection;
     if (!this.isBuilding) return;
     const floor = isWithin ? -noSection : (this.#shown.at(-1)?.floor ?? -noSection);
@@ -150,7 +156,8 @@ export class Section {
     if (openTo.value >= noSection || !patches || !normals || !light) return false;
     const normal = new Vector3().fromBufferAttribute(normals, vertex);
     const isLevel = Math.abs(normal.y) > levelShell;
-    const dark = (isLevel ? darkRoof : darkShell) * usualLight.value;
+    const most = isLevel ? darkRoof : this.#backs.has(geometry) ? darkBack : darkShell;
+    const dark = most * usualLight.value;
     if ((light[patches.getX(vertex)] ?? 0) > dark) return false;
     const way = new Vector3().fromBufferAttribute(geometry.getAttribute('position'), vertex);
     const { x, y, z, w } = sides.value;

@@ -5,37 +5,39 @@ import { noSection, sharedUniforms } from '../../../../web/viewer/light/light-ma
 import type { RoomMesh } from '../../../../web/viewer/room/room-mesh.ts';
 import { Section } from '../../../../web/viewer/room/section.ts';
 
-const room = {
-  root: new Group(),
-  lit: [],
-  box: { min: [0, 0, 0], max: [4, 3, 5] },
-} as unknown as RoomMesh;
+/** With the insides of walls, or without. */
+const roomOf = (backs: readonly BufferGeometry[]) =>
+  ({
+    root: new Group(),
+    lit: backs.map((geometry) => ({ mesh: { geometry }, back: true })),
+    box: { min: [0, 0, 0], max: [4, 3, 5] },
+  }) as unknown as RoomMesh;
 
 const outside = new Vector3(9, 8, 9);
 
 /** The section of that room, looked at from outside. */
-function sectionOf(hasBacks: boolean) {
+function sectionOf(...backs: readonly BufferGeometry[]) {
   const uniforms = sharedUniforms();
   const section = new Section(uniforms);
-  section.setRoom(room, hasBacks);
+  section.setRoom(roomOf(backs));
   section.set(null, true);
   section.look(outside);
   return { uniforms, section };
 }
 
 test('the dark shell of a room is cut away for an eye outside alone', () => {
-  const { uniforms, section } = sectionOf(true);
+  const { uniforms, section } = sectionOf(new BufferGeometry());
   expect(uniforms.openTo.value).toBe(1.5);
   section.look(new Vector3(2, 1.6, 2));
   expect(uniforms.openTo.value).toBe(noSection);
   section.set(null, false);
   section.look(outside);
   expect(uniforms.openTo.value).toBe(noSection);
-  expect(sectionOf(false).uniforms.openTo.value).toBe(noSection); // of walls with one side the dark ones are meant
+  expect(sectionOf().uniforms.openTo.value).toBe(noSection); // of walls with one side the dark ones are meant
 });
 
 test('what is cut away of a dark shell is not met by a pointer, lit walls are', () => {
-  const { uniforms, section } = sectionOf(true);
+  const { uniforms, section } = sectionOf(new BufferGeometry());
   uniforms.sides.value.set(0, 0, 4, 5);
   uniforms.usualLight.value = 100;
   uniforms.lightTexture.value = { image: { data: new Float32Array([0.5, 50]) } } as unknown as DataTexture;
@@ -51,7 +53,7 @@ test('what is cut away of a dark shell is not met by a pointer, lit walls are', 
 });
 
 test('a roof is cut away, too, where a little light comes through its joints', () => {
-  const { uniforms, section } = sectionOf(true);
+  const { uniforms, section } = sectionOf(new BufferGeometry());
   uniforms.sides.value.set(0, 0, 4, 5);
   uniforms.usualLight.value = 100;
   uniforms.lightTexture.value = { image: { data: new Float32Array([8, 40]) } } as unknown as DataTexture;
@@ -64,4 +66,18 @@ test('a roof is cut away, too, where a little light comes through its joints', (
   };
   expect(isHidden(3, 1, 0)).toBe(true);
   expect([isHidden(3, 1, 1), isHidden(0, 1, 0), isHidden(3, 0, 0)]).toEqual([false, false, false]);
+});
+
+test('the inside of a hollow wall is cut away where a little light comes into it, the front of one is not', () => {
+  const [inside, front] = [new BufferGeometry(), new BufferGeometry()];
+  for (const geometry of [inside, front]) {
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array([4, 1, 2]), 3));
+    geometry.setAttribute('normal', new BufferAttribute(new Float32Array([1, 0, 0]), 3));
+    geometry.setAttribute('_patches', new BufferAttribute(new Float32Array([0, 0, 0, 0]), 4));
+  }
+  const { uniforms, section } = sectionOf(inside);
+  uniforms.sides.value.set(0, 0, 4, 5);
+  uniforms.usualLight.value = 100;
+  uniforms.lightTexture.value = { image: { data: new Float32Array([8]) } } as unknown as DataTexture;
+  expect([section.hides(inside, 0, 1, false), section.hides(front, 0, 1, false)]).toEqual([true, false]);
 });
