@@ -43,7 +43,17 @@ export function ruledByNothing(luminaires: CoreLuminaires, places: number): Core
   const none = new Uint32Array();
   const free = { rule: codes.rule.free, axis: codes.axis.found };
   const anyhow = { count: places, countHigh: 0, pinned: none, excluded: none, minDistance: 0 };
-  return { ...luminaires, ...free, ...anyhow };
+  return { ...luminaires, ...free, ...anyhow, types: [], ofType: none };
+}
+
+/**
+ * Asks a session; returns what it refuses. Where the rules leave no layout it has the observers, areas and planes of what
+ * was asked all the same, so that what other rules leave can be tried there.
+ */
+export function askAnyhow(session: Pick<Session, 'setIntentions'>, asked: CoreIntentions): string {
+  const refused = session.setIntentions(asked);
+  if (refused) session.setIntentions({ ...asked, luminaires: ruledByNothing(asked.luminaires, 1) });
+  return refused;
 }
 
 /** Hands on what is asked, translated by those who know what the sites beneath are. */
@@ -64,7 +74,7 @@ export abstract class HungSession implements Searching {
   protected abstract beneath(asked: CoreIntentions): CoreIntentions;
   protected abstract above(layout: CoreLayout): CoreLayout;
 
-  setIntentions = (asked: CoreIntentions) => this.session.setIntentions(this.beneath(asked));
+  setIntentions = (asked: CoreIntentions) => askAnyhow(this.session, this.beneath(asked));
   prepareSearch = (rows: number) => this.session.prepareSearch(rows);
   start = (seed: number) => this.session.start(seed);
   startFrom = (seed: number, ...layout: LayoutArguments) => this.session.startFrom(seed, ...layout);

@@ -19,7 +19,7 @@ import {
 import { withTaskAreas } from '../document/task-areas.ts';
 import type { OrError, Session } from './core.ts';
 import { LightColor } from './light-color.ts';
-import type { HungSession, LayoutArguments, Searching } from './hung-session.ts';
+import { askAnyhow, type HungSession, type LayoutArguments, type Searching } from './hung-session.ts';
 import { Mounts, type Core, type Wanted } from './mounts.ts';
 import { openScene, type Kind } from './open-scene.ts';
 import { wholeFile, type SceneFile } from './scene-stream.ts';
@@ -355,7 +355,7 @@ export class SessionDriver {
       mounted?.ask(intentions.luminaires, true);
       const session = mounted ?? this.#session;
       // note: where it says no, there is no room for these; for others there may be.
-      session.setIntentions(coreIntentions(intentions, this.#leaves(intentions)));
+      askAnyhow(session, coreIntentions(intentions, this.#leaves(intentions)));
       if (!this.#mounts.has(this.#asked)) this.#asked = session; // these candidates took its place
       this.#trying = { of: revision, by: session };
     }
@@ -467,7 +467,7 @@ export class SessionDriver {
     const none = { sites: [], flux: [], dimming: 1 };
     const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
     mounted?.ask(intentions.luminaires, extent === 'all');
-    check(this.#asked.setIntentions(coreIntentions(intentions, this.#leaves(intentions))));
+    check(askAnyhow(this.#asked, coreIntentions(intentions, this.#leaves(intentions))));
     return held;
   }
 

@@ -183,7 +183,9 @@ export class FakeSession implements Session {
       patchReflectance: new Float32Array(4),
     };
   }
+  mostLuminaires = Infinity; // that the rules leave room for
   setIntentions(intentions: CoreIntentions) {
+    if (intentions.luminaires.count > this.mostLuminaires) return 'luminaires: no room';
     this.asked = intentions;
     this.#aside = null;
     return this.failure;
@@ -222,8 +224,9 @@ export class FakeSession implements Session {
     return { evaluations, foundAt: 1, violation: 0, goal: 0, proved: false };
   }
   /** One luminaire on each of the first sites; more than three find no room. */
-  startAside({ luminaires }: CoreIntentions, seed: number, start: Uint32Array, evaluations: number) {
+  startAside({ luminaires, glare }: CoreIntentions, seed: number, start: Uint32Array, evaluations: number) {
     const { count, flux } = luminaires;
+    if (JSON.stringify(glare) !== JSON.stringify(this.asked?.glare ?? null)) return 'trial: other observers';
     this.calls.push(`try ${count} with ${seed} from ${[...start].join(' ')}`);
     if (count > 3) return 'luminaires: no room';
     const sites = Uint32Array.from({ length: count }, (_, i) => i);
