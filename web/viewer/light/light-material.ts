@@ -331,7 +331,7 @@ export function sharedUniforms() {
     accent: { value: new Color('#4f9dff') },
     sides: { value: new Vector4() },
     section: { value: noSection },
-    storeys: { value: 0 },
+    storeys: { value: noSection },
     building: { value: false },
     openFrom: { value: noSection },
     openTo: { value: noSection },

@@ -220,8 +220,8 @@ export class Section {
     this.lines.visible = height !== null;
     this.#uniforms.section.value = this.#plane.constant = (height ?? noSection) + aHair;
     this.#clip();
+    this.#uniforms.storeys.value = height === null ? noSection : this.#shown.length;
     if (height === null) return;
-    this.#uniforms.storeys.value = this.#shown.length;
     this.#cut ??= this.#sorted();
     const ends: number[] = [];
     for (const { index, positions } of this.#cut)

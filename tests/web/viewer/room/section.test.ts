@@ -81,3 +81,11 @@ test('the inside of a hollow wall is cut away where a little light comes into it
   uniforms.lightTexture.value = { image: { data: new Float32Array([8]) } } as unknown as DataTexture;
   expect([section.hides(inside, 0, 1, false), section.hides(front, 0, 1, false)]).toEqual([true, false]);
 });
+
+test('a room that is whole again has the floors and the furniture of all storeys', () => {
+  const { uniforms, section } = sectionOf();
+  section.set(1.4, true);
+  expect(uniforms.storeys.value).toBe(0);
+  section.set(null, true);
+  expect(uniforms.storeys.value).toBe(noSection);
+});
