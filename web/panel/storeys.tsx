@@ -9,6 +9,7 @@ import { surfaceText } from '../language/surface-names.ts';
 
 const waist = 1.5; // m over its floor: where a storey is first cut, so that one sees into its rooms
 const step = 0.1; // m
+const numbered = /^(storey \d+\/)?room \d+\/floor$/; // a floor that is told by its room alone
 
 /** Where a storey is cut when it is chosen. */
 const cutOf = ({ floor, clear }: StoreyView): number =>
@@ -77,7 +78,7 @@ function RoomsOf({ storey, number, stood }: RoomsProps) {
   const texts = words.value.bars.storeys;
   const nameOf = (surface: number, i: number) => {
     const name = app.store.scene.value?.surfaces[surface]?.name;
-    return name === undefined ? texts.room(i + 1) : surfaceText(name);
+    return name === undefined || numbered.test(name) ? texts.room(i + 1) : surfaceText(name);
   };
   const title = number === null ? texts.stand : `${texts.stand}: ${texts.storey(number)}`;
   return (
@@ -88,13 +89,13 @@ function RoomsOf({ storey, number, stood }: RoomsProps) {
           <button
             key={i}
             class="button small"
-            title={texts.roomTip(fixed(area, 0))}
+            title={`${nameOf(surface, i)}: ${texts.roomTip(fixed(area, 0))}`}
             onClick={() => {
               app.standAt(camera);
               stood();
             }}
           >
-            {nameOf(surface, i)}
+            <span class="cut">{nameOf(surface, i)}</span>
           </button>
         ))}
       </div>
