@@ -896,18 +896,37 @@ describe('alpha, bound and stop', () => {
   });
 });
 
-describe('other ways', () => {
-  const variants = [1, 2, 4].map((count) => ({ ...asked, luminaires: { ...asked.luminaires, count } }));
-  const compare = (revision: number): Extract<ToWorker, { type: 'compare' }> => ({
-    type: 'compare',
-    revision,
-    intentions: asked,
-    variants,
-    start: { sites: [1], flux: [100], dimming: 1 },
-    seed: 5,
-    evaluations: 1000,
-  });
+const variants = [1, 2, 4].map((count) => ({ ...asked, luminaires: { ...asked.luminaires, count } }));
+const compare = (revision: number): Extract<ToWorker, { type: 'compare' }> => ({
+  type: 'compare',
+  revision,
+  intentions: asked,
+  variants,
+  start: { sites: [1], flux: [100], dimming: 1 },
+  seed: 5,
+  evaluations: 1000,
+});
 
+test('other ways are tried for whoever looks also where the rules of the wish leave no layout', async () => {
+  session.hasOperator = true;
+  session.mostLuminaires = 3;
+  await opened();
+  const wish = (count: number): Intentions => ({
+    ...asked,
+    glare: { observers: [{ name: 'A', position: [1, 1.2, 1], direction: [1, 0, 0] }] },
+    luminaires: { ...asked.luminaires, count },
+  });
+  await driver.receive(solve(2, { intentions: wish(5) }));
+  settle();
+  expect(kinds()).toEqual(['failed 2']);
+  const variants = [wish(5), wish(2)];
+  await driver.receive({ ...compare(3), intentions: wish(5), variants });
+  settle();
+  const told = answers.flatMap((answer) => (answer.type === 'compared' ? [answer.outcome?.met] : []));
+  expect(told).toEqual([undefined, true]);
+});
+
+describe('other ways', () => {
   test('are tried one after the other once no search runs, each from the one before', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -928,25 +947,6 @@ describe('other ways', () => {
       'try 4 with 5 from 0 1',
     ]);
     expect(kinds().findIndex((kind) => kind === 'settled 2')).toBeLessThan(kinds().indexOf('compared 3'));
-  });
-
-  test('are tried for whoever looks also where the rules of the wish leave no layout', async () => {
-    session.hasOperator = true;
-    session.mostLuminaires = 3;
-    await opened();
-    const wish = (count: number): Intentions => ({
-      ...asked,
-      glare: { observers: [{ name: 'A', position: [1, 1.2, 1], direction: [1, 0, 0] }] },
-      luminaires: { ...asked.luminaires, count },
-    });
-    await driver.receive(solve(2, { intentions: wish(5) }));
-    settle();
-    expect(kinds()).toEqual(['failed 2']);
-    const variants = [wish(5), wish(2)];
-    await driver.receive({ ...compare(3), intentions: wish(5), variants });
-    settle();
-    const told = answers.flatMap((answer) => (answer.type === 'compared' ? [answer.outcome?.met] : []));
-    expect(told).toEqual([undefined, true]);
   });
 
   test('are tried on all places of a type also where only a layout is shown', async () => {
