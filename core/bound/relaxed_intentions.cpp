@@ -74,7 +74,7 @@ class Relaxer {
   }
 
   void addMean(ConvexObjective& to, const LitSet& set, double factor) const {
-    const auto statistics = prepared_.statistics(set.quantity, set.surfaces);
+    const auto statistics = prepared_.statistics(set.quantity, set.surfaces, false);
     for (std::uint32_t j = 0; j < sites_; ++j) to.linear[j] += factor * statistics->mean[j];
   }
 

@@ -35,13 +35,19 @@ Objective::Objective(PreparedScene& prepared, const Intentions& intentions, cons
   maySurvey_ = isSurveyable();
 }
 
-std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces) {
-  for (std::uint32_t s = 0; s < sets_.size(); ++s)
-    if (sets_[s].row == RowOf::kSurfaces && sets_[s].quantity == quantity && sets_[s].surfaces == surfaces)
-      return s;
-  sets_.push_back(
-      {surfaces, prepared.statistics(quantity, surfaces), false, false, RowOf::kSurfaces, kNone, quantity});
-  return static_cast<std::uint32_t>(sets_.size() - 1);
+std::uint32_t Objective::setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces,
+                               bool withVariance) {
+  const auto isSame = [&](const ObjectiveSet& set) {
+    return set.row == RowOf::kSurfaces && set.quantity == quantity && set.surfaces == surfaces;
+  };
+  const auto s = static_cast<std::uint32_t>(std::find_if(sets_.begin(), sets_.end(), isSame) - sets_.begin());
+  if (s == sets_.size())
+    sets_.push_back({surfaces, nullptr, false, false, RowOf::kSurfaces, kNone, quantity});
+  ObjectiveSet& set = sets_[s];
+  if (!set.statistics || (withVariance && !set.needsVariance))
+    set.statistics = prepared.statistics(quantity, surfaces, withVariance);
+  set.needsVariance |= withVariance;
+  return s;
 }
 
 std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
@@ -53,8 +59,7 @@ std::uint32_t Objective::setFor(PreparedScene& prepared, Quantity quantity, cons
     }
     return 0;
   }
-  const std::uint32_t s = setOf(prepared, quantity, surfaces);
-  sets_[s].needsVariance |= traits.needsVariance;
+  const std::uint32_t s = setOf(prepared, quantity, surfaces, traits.needsVariance);
   sets_[s].needsExtremes |= traits.needsExtremes;
   needsExtremes_ |= traits.needsExtremes;
   return s;
@@ -113,7 +118,7 @@ void Objective::addConstraint(PreparedScene& prepared, const Constraint& asked, 
               traits.scaleFree(),
               0,
               c.isLeast};
-  if (traits.needsOver) bound.over = setOf(prepared, quantity, c.over);
+  if (traits.needsOver) bound.over = setOf(prepared, quantity, c.over, false);
   for (const Side side : {Side::kLower, Side::kUpper}) {
     bound.side = side;
     bound.value = side == Side::kLower ? c.lower : c.upper;
@@ -133,7 +138,7 @@ void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quan
             traits.scaleFree(),
             near ? goal.target : 0};
   if (near) aims_.emplace_back();
-  if (traits.needsOver) term.over = setOf(prepared, quantity, goal.over);
+  if (traits.needsOver) term.over = setOf(prepared, quantity, goal.over, false);
   terms_.push_back(term);
 }
 
@@ -148,9 +153,10 @@ void Objective::scaleGoals(PreparedScene& prepared, const Intentions& intentions
       moments.emplace_back();
       continue;
     }
+    const bool hasVariance = sets_[s].needsVariance;
     const auto statistics =
-        ofSurfaces ? sites.statistics(sets_[s].quantity, sets_[s].surfaces) : sites.powers();
-    moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, ofSurfaces));
+        ofSurfaces ? sites.statistics(sets_[s].quantity, sets_[s].surfaces, hasVariance) : sites.powers();
+    moments.push_back(momentsOf(*statistics, reference.sites.data(), flux.data(), count, hasVariance));
   }
   const std::vector<Extremes> none(sets_.size());
   for (Term& term : terms_) {

@@ -99,7 +99,8 @@ class Objective {
     double target;  // above 0: it aims there
   };
 
-  std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces);
+  std::uint32_t setOf(PreparedScene& prepared, Quantity quantity, const SurfaceSet& surfaces,
+                      bool withVariance);
   std::uint32_t setFor(PreparedScene& prepared, Quantity quantity, const StatisticTraits& traits,
                        const SurfaceSet& surfaces);
   std::uint32_t observerSets(PreparedScene& prepared, std::uint32_t first, std::uint32_t count);

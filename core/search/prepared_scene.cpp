@@ -56,6 +56,32 @@ std::shared_ptr<const Responses> gridLight(const Scene& scene, std::uint32_t sur
   return light;
 }
 
+/// What storedStatistics() says of means, without the rest.
+std::shared_ptr<const KernelStatistics> meansAlone(const Scene& scene, Quantity quantity,
+                                                   const SurfaceSet& surfaces) {
+  struct Row {
+    std::uint32_t row;
+    double weight;
+  };
+  const Patches& patches = scene.patches;
+  const Responses& light = responsesOf(scene, quantity);
+  std::vector<Row> rows;
+  double area = 0;
+  for (const std::uint32_t p : rowsOf(scene, surfaces)) area += patches.area[p], rows.push_back({p, 0});
+  for (Row& row : rows) {
+    const double factor = quantity == Quantity::kExitance ? double{patches.reflectance[row.row]} : 1.0;
+    row.weight = patches.area[row.row] / area * factor;
+  }
+  auto result = std::make_shared<KernelStatistics>();
+  for (std::uint32_t j = 0; j < light.sites; ++j) {
+    const float* column = light.column(j);
+    double mean = 0;
+    for (const Row& row : rows) mean += row.weight * column[row.row];
+    result->mean.push_back(mean);
+  }
+  return result;
+}
+
 std::shared_ptr<const KernelStatistics> factoredStatistics(std::shared_ptr<const LightFactor> factor) {
   return std::make_shared<KernelStatistics>(KernelStatistics{factor->mean(), {}, {}, factor});
 }
@@ -154,7 +180,9 @@ void PreparedScene::findNear(const std::vector<Vec3>& centers) {
     order.clear();
     for (std::uint32_t b = 0; b < m; ++b)
       if (b != a) order.emplace_back(length(centers[a] - centers[b]), b);
-    std::partial_sort(order.begin(), order.begin() + nearCount_, order.end());
+    const auto last = order.begin() + nearCount_;
+    std::nth_element(order.begin(), last, order.end());
+    std::sort(order.begin(), last);
     for (std::uint32_t k = 0; k < nearCount_; ++k) near_.push_back(order[k].second);
   }
 }
@@ -171,31 +199,46 @@ bool PreparedScene::isFactored(Quantity quantity) const {
   return candidateCount_ > kMostInCovariance && leafStatistics(scene_, quantity)[0].covariance.empty();
 }
 
-const PreparedScene::Entry* PreparedScene::entryOf(Quantity quantity, const SurfaceSet& surfaces) const {
+bool PreparedScene::isMadeOfLight(Quantity quantity) const {
+  return leafStatistics(scene_, quantity)[0].covariance.empty() && !isFactored(quantity);
+}
+
+const PreparedScene::Entry* PreparedScene::entryOf(Quantity quantity, const SurfaceSet& surfaces,
+                                                   bool withVariance) const {
   for (const Entry& entry : entries_)
-    if (entry.quantity == quantity && entry.surfaces == surfaces) return &entry;
+    if (entry.quantity == quantity && entry.surfaces == surfaces &&
+        (!withVariance || entry.statistics->hasVariance()))
+      return &entry;
   return nullptr;
 }
 
+/// In place of what is known of the same set.
 void PreparedScene::keep(Entry entry) {
+  std::erase_if(entries_, [&](const Entry& known) {
+    return known.quantity == entry.quantity && known.surfaces == entry.surfaces;
+  });
   if (entries_.size() == kKeptSets) entries_.erase(entries_.begin());
   entries_.push_back(std::move(entry));
 }
 
 std::shared_ptr<const KernelStatistics> PreparedScene::statistics(Quantity quantity,
-                                                                  const SurfaceSet& surfaces) {
-  if (const Entry* known = entryOf(quantity, surfaces)) return known->statistics;
-  keep({quantity, surfaces,
-        isTied()               ? tiedStatistics(*sites_->statistics(quantity, surfaces))
-        : isFactored(quantity) ? factoredStatistics(std::make_shared<LightFactor>(scene_, quantity, surfaces))
-                               : kernelStatistics(unionStatistics(scene_, quantity, surfaces))});
+                                                                  const SurfaceSet& surfaces,
+                                                                  bool withVariance) {
+  if (const Entry* known = entryOf(quantity, surfaces, withVariance)) return known->statistics;
+  const auto made = [&]() -> std::shared_ptr<const KernelStatistics> {
+    if (isTied()) return tiedStatistics(*sites_->statistics(quantity, surfaces, withVariance));
+    if (isFactored(quantity))
+      return factoredStatistics(std::make_shared<LightFactor>(scene_, quantity, surfaces));
+    if (!withVariance && isMadeOfLight(quantity)) return meansAlone(scene_, quantity, surfaces);
+    return kernelStatistics(unionStatistics(scene_, quantity, surfaces));
+  };
+  keep({quantity, surfaces, made()});
   return entries_.back().statistics;
 }
 
 bool PreparedScene::prepare(Quantity quantity, const SurfaceSet& surfaces, std::size_t rows) {
   assert(!isTied());
-  const bool hasCovariance = !leafStatistics(scene_, quantity)[0].covariance.empty();
-  if (hasCovariance || isFactored(quantity) || entryOf(quantity, surfaces)) return true;
+  if (!isMadeOfLight(quantity) || entryOf(quantity, surfaces, true)) return true;
   if (!begun_ || begun_->quantity != quantity || begun_->surfaces != surfaces)
     begun_.emplace(Begun{
         quantity, surfaces,
@@ -237,6 +280,7 @@ std::shared_ptr<const KernelStatistics> PreparedScene::tiedStatistics(const Kern
   result->mean.assign(stride(), 0.0);
   for (std::uint32_t c = 0; c < candidateCount_; ++c)
     for (const std::uint32_t site : ties_.members[c]) result->mean[c] += ofSites.mean[site];
+  if (!ofSites.hasVariance()) return result;
   result->covariance = tiedCovariance(ties_, ofSites.covariance, ofSites.mean.size(), stride());
   for (std::size_t c = 0; c < stride(); ++c) result->diagonal.push_back(result->covariance[c * stride() + c]);
   return result;

@@ -20,12 +20,15 @@
 namespace fiatlux {
 
 /// Statistics of one surface set for m = stride() candidates: `mean` m entries, `covariance` m x m row-major
-/// and symmetric, `diagonal` its m diagonal entries; or instead of these two a factor of the covariance.
-/// Means stay in double, so that the N largest of a row are exactly that.
+/// and symmetric, `diagonal` its m diagonal entries; or instead of these two a factor of the covariance; or
+/// nothing of that, where means alone are asked for. Means stay in double, so that the N largest of a row are
+/// exactly that.
 struct KernelStatistics {
   std::vector<double> mean;
   std::vector<float> covariance, diagonal;
   std::shared_ptr<const LightFactor> factor = nullptr;
+
+  bool hasVariance() const { return factor || !covariance.empty(); }
 };
 
 /// How statistics know the variance.
@@ -91,8 +94,10 @@ class PreparedScene {
   /// Appends the sites of a candidate.
   void appendSites(std::uint32_t candidate, std::vector<std::uint32_t>& sites) const;
 
-  /// Of a set of leaves (empty = all), made at first use and kept (the 64 latest).
-  std::shared_ptr<const KernelStatistics> statistics(Quantity quantity, const SurfaceSet& surfaces);
+  /// Of a set of leaves (empty = all), made at first use and kept (the 64 latest). Without variance it may be
+  /// means alone, which are there in no time.
+  std::shared_ptr<const KernelStatistics> statistics(Quantity quantity, const SurfaceSet& surfaces,
+                                                     bool withVariance = true);
   /// Some of that beforehand, by `rows` rows of light: true when it is there, or is made at once anyway. What
   /// has begun is dropped when another set is asked for. Precondition: !isTied().
   bool prepare(Quantity quantity, const SurfaceSet& surfaces, std::size_t rows);
@@ -162,7 +167,9 @@ class PreparedScene {
   std::shared_ptr<const KernelStatistics> tiedStatistics(const KernelStatistics& ofSites) const;
 
   bool isFactored(Quantity quantity) const;
-  const Entry* entryOf(Quantity quantity, const SurfaceSet& surfaces) const;
+  /// Are covariances made from the light, by as many sums as there are pairs?
+  bool isMadeOfLight(Quantity quantity) const;
+  const Entry* entryOf(Quantity quantity, const SurfaceSet& surfaces, bool withVariance) const;
   void keep(Entry entry);
 
   const Scene& scene_;

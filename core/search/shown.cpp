@@ -21,8 +21,8 @@ struct Lit {
   Layout layout;  // dimming 1
 
   Moments moments(Quantity quantity, const SurfaceSet& surfaces, bool withVariance = true) const {
-    return momentsOf(*prepared.statistics(quantity, surfaces), layout.sites.data(), layout.flux.data(),
-                     static_cast<std::uint32_t>(layout.flux.size()), withVariance);
+    return momentsOf(*prepared.statistics(quantity, surfaces, withVariance), layout.sites.data(),
+                     layout.flux.data(), static_cast<std::uint32_t>(layout.flux.size()), withVariance);
   }
   Extremes extremes(Quantity quantity, const SurfaceSet& surfaces) const {
     return extremesUnder(prepared.scene(), quantity, surfaces, layout);

@@ -228,8 +228,7 @@ bool Session::prepareSearch(std::size_t rows) {
   const auto areThere = [&](const auto& wish) {
     const StatisticTraits& traits = traitsOf(wish.statistic);
     const Quantity quantity = quantityOf(intentions_, wish);
-    return !traits.needsSurfaces || (prepared_->prepare(quantity, wish.surfaces, rows) &&
-                                     (!traits.needsOver || prepared_->prepare(quantity, wish.over, rows)));
+    return !traits.needsVariance || prepared_->prepare(quantity, wish.surfaces, rows);
   };
   const std::vector<Goal>& goals = intentions_.goals;
   const std::vector<Constraint>& constraints = intentions_.constraints;

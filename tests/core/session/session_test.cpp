@@ -124,6 +124,22 @@ TEST(Session, WhatASearchNeedsCanBePreparedInSlices) {
   EXPECT_EQ(whole.incumbent()->layout.sites, sliced.incumbent()->layout.sites);
 }
 
+TEST(Session, NothingIsPreparedOfWhatIsAskedForItsMeanAlone) {
+  Session session;
+  Scene scene = syntheticScene(32, 16);
+  for (auto* leaves : {&scene.illuminance, &scene.exitance})
+    for (SurfaceStatistics& leaf : *leaves) leaf.covariance.clear();  // as of candidates
+  session.adopt(std::move(scene));
+  Intentions intentions = evenLight();
+  intentions.goals = {{Statistic::kMean, Sense::kMaximize, 1, {0}, {}}};
+  intentions.constraints = {{Statistic::kContrast, 0.1, kUnbounded, 0, {0}, {1}}};
+  ASSERT_TRUE(session.setIntentions(intentions));
+  EXPECT_TRUE(session.prepareSearch(1));
+  ASSERT_TRUE(session.start(5, nullptr));
+  EXPECT_GT(session.advance(3000).evaluations, 0u);
+  EXPECT_EQ(session.incumbent()->layout.sites.size(), 3u);
+}
+
 TEST(Session, ReadingsAreThoseOfThePatches) {
   for (Quantity quantity : {Quantity::kIlluminance, Quantity::kExitance}) {
     Session session;
