@@ -429,6 +429,8 @@ val check(Session& session, val sites, val flux, double dimming) {
 
 // --- candidates: luminaires of photometric files on sites
 
+void expectType(Session& room, val file) { (void)room.photometricType(vectorOf<std::uint8_t>(file)); }
+
 Result<std::vector<CandidateType>> typesOf(Session& room, const val& files, const val& flux) {
   const std::vector<double> lumens = vectorOf<double>(flux);
   std::vector<CandidateType> types;
@@ -458,6 +460,7 @@ std::vector<Candidate> candidatesOf(const val& asked) {
 struct Candidates {
   Session* session = nullptr;  // of the room
   std::optional<CandidateScene> scene;
+  std::vector<Observer> observers;  // who will be asked for
 };
 
 /// Two numbers a painted surface: its index and its reflectance.
@@ -523,8 +526,12 @@ std::string knowCandidates(Candidates& candidates, val columns) {
   return known ? std::string() : known.error().message;
 }
 
+void observeCandidates(Candidates& candidates, val asked) {
+  candidates.observers = intentionsOf(asked, *candidates.session).observers;
+}
+
 bool advanceCandidates(Candidates& candidates, std::uint32_t count) {
-  return candidates.scene && candidates.scene->advance(count);
+  return candidates.scene && candidates.scene->advance(count) && candidates.scene->look(candidates.observers);
 }
 
 /// Its scene becomes the session's, with what the observers see that are asked for and what is asked of
@@ -726,6 +733,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("beginSquares", &beginSquares)
       .function("take", &takeCandidates)
       .function("know", &knowCandidates)
+      .function("observe", &observeCandidates)
       .function("advance", &advanceCandidates);
   emscripten::class_<RoomColor>("ColoredLight")
       .constructor<>()
@@ -751,6 +759,7 @@ EMSCRIPTEN_BINDINGS(session) {
       .function("finish", &finish)
       .function("finishOperator", &finishOperator)
       .function("prepareLight", &prepareLight)
+      .function("expectType", &expectType)
       .function("finishLight", &finishLight)
       .function("finishStatistics", &finishStatistics)
       .function("info", &info)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -40,6 +41,8 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
                    std::to_string(candidate.type) + ", which are not both there"};
   return Done{};
 }
+
+bool isOf(const ObserverRows& rows, const Observer& observer) { return rows.observer == observer; }
 
 }  // namespace
 
@@ -174,23 +177,42 @@ RoomView CandidateScene::view() const {
           light_ ? light_->sightLines() : nullptr};
 }
 
-std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) const {
-  assert(left_.empty());
-  if (observers.empty()) return {};
-  const auto isOf = [](const ObserverRows& rows, const Observer& observer) {
-    return rows.observer == observer;
-  };
-  // Of each candidate whose rows know it, and of which of these; the others are looked at.
+/// Of each candidate whose rows know it, and of which of these; the others are looked at.
+std::vector<const CandidateScene::Seen*> CandidateScene::knownTo(
+    const std::vector<Observer>& observers) const {
   std::vector<const Seen*> known(candidates_.size(), nullptr);
   for (const Seen& seen : seen_)
     if (std::equal(seen.rows.begin(), seen.rows.end(), observers.begin(), observers.end(), isOf))
       for (std::size_t j = 0; j < known.size(); ++j)
         if (seen.there[j] != kNone) known[j] = &seen;
+  return known;
+}
+
+bool CandidateScene::look(const std::vector<Observer>& observers) {
+  assert(left_.empty());
+  const bool isOfThese = looked_.size() <= observers.size() &&
+                         std::equal(looked_.begin(), looked_.end(), observers.begin(), isOf);
+  if (!isOfThese) looked_.clear();
+  const std::vector<const Seen*> known = knownTo(observers);
   std::vector<std::uint32_t> others;
   for (std::uint32_t j = 0; j < known.size(); ++j)
     if (!known[j]) others.push_back(j);
-  const std::vector<ObserverRows> looked = view().rows(observers, luminaires(), *responses_, others);
+  if (looked_.size() == observers.size() || others.empty()) return true;
+  // Where lines of sight are not kept, all places share them now.
+  const auto first = observers.begin() + static_cast<std::ptrdiff_t>(looked_.size());
+  const auto last =
+      light_
+          ? std::find_if(first, observers.end(),
+                         [&](const Observer& other) { return length(other.position - first->position) > 0; })
+          : observers.end();
+  std::vector<ObserverRows> rows = view().rows({first, last}, luminaires(), *responses_, others);
+  std::move(rows.begin(), rows.end(), std::back_inserter(looked_));
+  return looked_.size() == observers.size();
+}
 
+std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& observers) {
+  while (!look(observers)) continue;
+  const std::vector<const Seen*> known = knownTo(observers);
   std::vector<ObserverRows> all;
   for (std::size_t o = 0; o < observers.size(); ++o) {
     all.push_back({observers[o], {}, {}, {}, {}});
@@ -199,7 +221,7 @@ std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& ob
       std::size_t next = 0;
       for (std::size_t j = 0; j < known.size(); ++j)
         (all[o].*row)
-            .push_back(known[j] ? (known[j]->rows[o].*row)[known[j]->there[j]] : (looked[o].*row)[next++]);
+            .push_back(known[j] ? (known[j]->rows[o].*row)[known[j]->there[j]] : (looked_[o].*row)[next++]);
     }
   }
   return all;

@@ -72,9 +72,11 @@ class CandidateScene {
   CandidateScene repainted(std::shared_ptr<const Repaint> paint) const;
 
   const Scene& room() const { return *room_; }
-  /// What observers see of each candidate, for the scene's `observers`. Precondition: as for finish(), before
-  /// it.
-  std::vector<ObserverRows> seenBy(const std::vector<Observer>& observers) const;
+  /// Looks from one more place of these observers; true when seenBy() has nothing left to look for.
+  /// Precondition: as for finish(), before it.
+  bool look(const std::vector<Observer>& observers);
+  /// What observers see of each candidate, for the scene's `observers`. Precondition: likewise.
+  std::vector<ObserverRows> seenBy(const std::vector<Observer>& observers);
 
   /// What they do at the points of measuring planes, for the scene's `planes`; an error where one of these is
   /// no measuring plane, or dark. Precondition: likewise.
@@ -89,9 +91,17 @@ class CandidateScene {
   Scene finish(Quantity quantity);
 
  private:
+  /// What observers see of candidates, taken from other scenes: of each its rows there, kNone where none has
+  /// them.
+  struct Seen {
+    std::vector<ObserverRows> rows;
+    std::vector<std::uint32_t> there;
+  };
+
   CandidateScene(const Scene& room, std::vector<CandidateType> types, std::vector<Candidate> candidates,
                  std::shared_ptr<const PhotometricLight> light, std::shared_ptr<const Repaint> paint);
   RoomView view() const;
+  std::vector<const Seen*> knownTo(const std::vector<Observer>& observers) const;
   std::vector<float> columnsOf(std::span<const std::uint32_t> some) const;
   std::vector<PhotometricCandidate> photometric(std::span<const std::uint32_t> some) const;
   Luminaire luminaireOf(const Candidate& candidate) const;
@@ -104,13 +114,9 @@ class CandidateScene {
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> left_;  // candidates whose columns are not there, the next one last
   std::shared_ptr<Responses> responses_;
-  /// What observers see of candidates, taken from other scenes: of each its rows there, kNone where none has
-  /// them.
-  struct Seen {
-    std::vector<ObserverRows> rows;
-    std::vector<std::uint32_t> there;
-  };
   std::vector<Seen> seen_;
+  std::vector<ObserverRows>
+      looked_;  // what the first of the latest observers see of all that is not in seen_
   std::shared_ptr<const Responses> unpainted_;  // of all candidates, where that is known
 };
 

@@ -104,6 +104,46 @@ test('light of several types adds up, and is as strong as their lumens', () => {
   expect([...both.layout.flux]).toEqual([1200, 3600]);
 });
 
+test('what observers see of candidates is looked for one place after the other', () => {
+  const candidates = candidatesOf([spot], () => undefined, scene).filter(({ site }) => sites.includes(site));
+  const eyes = [0.5, 0.7, 0.9].map((x, i) => ({
+    name: `P${i}`,
+    position: [x, 1.2, 1],
+    direction: [1, 0, 0],
+  }));
+  const glare = { max: 10, observers: eyes } as unknown as Intentions['glare'];
+  const luminaires = {
+    count: 1,
+    flux: 1,
+    dimming: [1, 1],
+    pinned: [],
+    excluded: [],
+    minDistance: 0,
+    types: [spot],
+  } as const;
+  const asked = coreIntentions(
+    { quantity: 'illuminance', luminaires, goals: [], constraints: [], ...(glare && { glare }) },
+    scene.surfaces,
+  );
+  const [plain, observed] = [false, true].map((isObserved) => {
+    const making = new core.Candidates();
+    beginCandidates(making, room, candidates, fileOf);
+    if (isObserved) making.observe(asked);
+    let slices = 1;
+    while (!making.advance(1000)) ++slices;
+    expect(slices).toBe(isObserved ? eyes.length : 1);
+    const session = new core.Session();
+    expect(session.adopt(making, asked)).toBe('');
+    making.delete();
+    const mounted = new MountedSession(session, candidates);
+    mounted.ask(luminaires, false);
+    expect(mounted.setIntentions(asked)).toBe('');
+    return light(mounted, layoutOf([[8, spot]]));
+  });
+  expect([...observed!.observers.numbers]).toEqual([...plain!.observers.numbers]);
+  expect(observed!.observers.names).toEqual(['P0', 'P1', 'P2']);
+});
+
 test('a rule binds a search that has all candidates, not the places of one layout', () => {
   const session = sessionOf([panel]);
   const luminaires = {

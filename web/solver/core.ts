@@ -227,6 +227,8 @@ export interface Session {
    * left to do.
    */
   prepareLight(looks: boolean, count: number): boolean;
+  /** Makes of a photometric file what its light will be computed with; unless it is used soon it is made again then. */
+  expectType(file: Uint8Array): void;
   /** finish() without the statistics, and with the operator: candidates can be begun, intentions not be set yet. */
   finishLight(): string;
   /** After finishLight(): completes the scene by its statistics; '' or one readable line. */
@@ -345,7 +347,9 @@ export interface Candidates {
   take(known: Session, there: Uint32Array): void;
   /** After begin(): takes the light of all of them as somebody else has computed it, lx, column by column; '' or one line. */
   know(columns: Float32Array): string;
-  /** Computes the light of so many more of them; true when all are there. */
+  /** After begin(): whoever is to adopt them will ask about the observers of `asked`. */
+  observe(asked: CoreIntentions): void;
+  /** Computes the light of so many more of them, then what is seen of them from one more place; true when all is there. */
   advance(count: number): boolean;
   delete(): void;
 }
@@ -374,6 +378,7 @@ export const sessionMethods = {
   provide: 2,
   finish: 0,
   finishOperator: 0,
+  expectType: 1,
   prepareLight: 2,
   prepareSearch: 1,
   finishLight: 0,

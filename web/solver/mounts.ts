@@ -10,7 +10,14 @@ import { siteCount } from '../document/sites.ts';
 import { withTaskAreas } from '../document/task-areas.ts';
 import type { Intentions, Layout, LuminaireType, Mounting, SceneInfo } from '../document/types.ts';
 import { coreIntentions, corePaint } from './core-intentions.ts';
-import { unknown, type Candidates, type CoreModule, type OrError, type Session } from './core.ts';
+import {
+  unknown,
+  type Candidates,
+  type CoreIntentions,
+  type CoreModule,
+  type OrError,
+  type Session,
+} from './core.ts';
 import type { HungSession } from './hung-session.ts';
 import { beginCandidates, chosenAt, MountedSession } from './mounted-session.ts';
 import { PaintedSession } from './painted-session.ts';
@@ -85,6 +92,12 @@ export class Mounts {
     const description = this.#core.describePhotometry(file);
     this.#described = { file, description };
     return description;
+  }
+
+  /** Does what a luminaire of the file that was described last will need, while whoever asked thinks about it. */
+  expect(): void {
+    const latest = this.#described;
+    if (latest && typeof latest.description !== 'string') this.#room.expectType(latest.file);
   }
 
   /** Takes a photometric file that can be read; another one is left to whoever shows what it says. */
@@ -260,6 +273,7 @@ export class Mounts {
     const scene = new this.#core.Candidates();
     if (hasBase) check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
     else this.#begin(scene, plan, wanted);
+    scene.observe(this.#coreAsked(wanted));
     this.#making = { key, plan, scene };
     return this.#making;
   }
@@ -315,10 +329,8 @@ export class Mounts {
   }
 
   #adopted(scene: Candidates, plan: Plan, wanted: Wanted): Omit<Made, 'key'> {
-    const { asked } = wanted;
     const session = new this.#core.Session();
-    const room = this.#scene && withTaskAreas(this.#scene, asked.taskAreas);
-    const error = session.adopt(scene, coreIntentions(asked, room?.surfaces ?? []));
+    const error = session.adopt(scene, this.#coreAsked(wanted));
     if (error) {
       session.delete();
       throw new Error(error);
@@ -326,6 +338,11 @@ export class Mounts {
     const isLight = plan.candidates.length > 0 && this.#paint(wanted).length === 0;
     const indices = new Map(plan.candidates.map((candidate, index) => [lightKey(candidate), index]));
     return { session: plan.sessionOf(session), light: isLight ? { session, indices } : null };
+  }
+
+  #coreAsked({ asked }: Wanted): CoreIntentions {
+    const room = this.#scene && withTaskAreas(this.#scene, asked.taskAreas);
+    return coreIntentions(asked, room?.surfaces ?? []);
   }
 
   #forget(): void {

@@ -240,6 +240,7 @@ export class SessionDriver {
     const description = this.#mounts.describe(new Uint8Array(file));
     const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
     this.#post({ type: 'described', revision, description }, transfer);
+    this.#mounts.expect();
   }
 
   #tellGains({ revision, intentions, layout }: Request<'gains'>): void {

@@ -112,6 +112,43 @@ TEST(CandidateScene, TakesWhatAnotherSceneKnows) {
   EXPECT_EQ(changed.observers[1].background[3], 8);
 }
 
+/// Observers of one place are looked for together, one place after the other; whoever changes is anew.
+TEST(CandidateScene, LooksFromOnePlaceAtATime) {
+  const Scene room = operatorScene(12, 6);
+  const std::vector<Observer> observers = {{"west", {1, 1.2, 1}, {1, 0, 0}},
+                                           {"east", {1, 1.2, 1}, {-1, 0, 0}},
+                                           {"there", {2, 1.2, 1}, {-1, 0, 0}}};
+  const auto making = [&] {
+    Result<CandidateScene> scene = CandidateScene::begin(room, twoTypes(), kCandidates);
+    while (!scene->advance(1)) continue;
+    return scene;
+  };
+  auto whole = making(), sliced = making();
+  const std::vector<ObserverRows> rows = whole->seenBy(observers);
+  EXPECT_TRUE(sliced->look({}));
+  EXPECT_FALSE(sliced->look({observers[2], observers[0]}));
+  EXPECT_FALSE(sliced->look(observers));
+  EXPECT_TRUE(sliced->look(observers));
+  EXPECT_TRUE(sliced->look(observers));
+  const std::vector<ObserverRows> looked = sliced->seenBy(observers);
+  ASSERT_EQ(looked.size(), 3u);
+  for (std::size_t o = 0; o < 3; ++o) {
+    EXPECT_EQ(looked[o].observer.name, observers[o].name);
+    EXPECT_EQ(looked[o].glare, rows[o].glare);
+    EXPECT_EQ(looked[o].background, rows[o].background);
+    EXPECT_EQ(looked[o].vertical, rows[o].vertical);
+    EXPECT_EQ(looked[o].cylindrical, rows[o].cylindrical);
+  }
+  // Of those that another scene knows nothing is left to look for.
+  Scene known = whole->finish(Quantity::kIlluminance);
+  known.observers = rows;
+  Result<CandidateScene> taken = CandidateScene::begin(room, twoTypes(), kCandidates);
+  taken->take(known, {0, 1, 2, 3});
+  EXPECT_TRUE(taken->advance(1));
+  EXPECT_TRUE(taken->look(observers));
+  EXPECT_EQ(taken->seenBy(observers)[2].background, rows[2].background);
+}
+
 class OfQuantity : public testing::TestWithParam<Quantity> {};
 
 TEST_P(OfQuantity, StatisticsAreMadeWhenTheyAreAskedFor) {

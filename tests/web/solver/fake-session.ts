@@ -22,6 +22,7 @@ export class FakeCandidates implements Candidates {
   asked: number[] = []; // site and file of each
   taken: number[][] = []; // of each its index in other scenes
   known: Float32Array | null = null; // light that somebody else has computed
+  observed: CoreIntentions | null = null; // whose observers they were to look for
   #left = 0;
 
   begin(_room: Session, _files: readonly Uint8Array[], _flux: Float64Array, candidates: Float64Array) {
@@ -43,6 +44,9 @@ export class FakeCandidates implements Candidates {
     this.asked = [...sites, ...paint];
     this.#left = sites.length;
     return '';
+  }
+  observe(asked: CoreIntentions) {
+    this.observed = asked;
   }
   advance(count: number) {
     this.#left -= count;
@@ -124,6 +128,11 @@ export class FakeSession implements Session {
     illuminance: Float32Array.of(1, 2, 3, 4),
   });
   setPowers() {}
+  expected: number[] = []; // first bytes of the photometric files that are expected
+  expectType(file: Uint8Array) {
+    this.expected.push(file[0]!);
+  }
+  observed: CoreIntentions | null = null; // before it adopted candidates
   verify = () => '';
   provide = () => '';
   finish() {
@@ -310,8 +319,9 @@ export class FakeSession implements Session {
     this.byPairs = -1 - goal;
   }
   adopt(candidates: Candidates) {
-    const { asked, taken } = candidates as FakeCandidates;
+    const { asked, taken, observed } = candidates as FakeCandidates;
     this.calls.push(`adopt ${asked.join(' ')}`);
+    this.observed = observed;
     for (const there of taken)
       this.calls.push(`took ${there.map((at) => (at === unknown ? '-' : at)).join(' ')}`);
     return '';

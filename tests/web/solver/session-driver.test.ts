@@ -251,6 +251,14 @@ describe('a photometric file', () => {
     expect(answers[0]).toMatchObject({ description: { maxCandela: 7 } });
   });
 
+  test('is expected to be used once it has been told of, unless it is none', async () => {
+    await driver.receive(read(1));
+    expect(session.expected).toEqual([]);
+    session.expectType = (file) => void session.expected.push(file[0]!, answers.length);
+    await driver.receive(read(2, 7));
+    expect(session.expected).toEqual([7, 2]);
+  });
+
   test('lets a search go on, and is answered by one line where it is none', async () => {
     await opened();
     await driver.receive(solve(2));
@@ -382,6 +390,7 @@ describe('luminaires of types', () => {
     expect(searched()).toEqual([]);
     settle();
     expect(mounted.calls).toContain('adopt 0 0 1 0');
+    expect(mounted.observed).toMatchObject({ glare: null }); // while they were made, slice by slice
     expect(searched()).toEqual(['start 3 from 1 0']);
     expect(kinds().at(-1)).toBe('settled 2');
   });
