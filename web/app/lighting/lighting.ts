@@ -22,7 +22,7 @@ import { askedAsField } from '../rooms/opening-field.ts';
 import { asEvenLight, askedOfUnknown, documentFrom, type Asked } from '../rooms/opening-wish.ts';
 import { Superseded, type Solving } from '../solving.ts';
 import type { LightingState, Store } from '../state/store.ts';
-import { sentence } from '../words/format.ts';
+import { sentence, shortName } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
@@ -222,7 +222,10 @@ export class Lighting {
     if (state && !isSeen) {
       this.#store.lighting.value = null;
       const isNamed = why.startsWith(state.name);
-      this.#store.say('error', isNamed ? why : words.value.opening.about(state.name, sentence(why)));
+      this.#store.say(
+        'error',
+        isNamed ? why : words.value.opening.about(shortName(state.name), sentence(why)),
+      );
     } else if (state)
       this.#store.lighting.value = { ...state, fault: sentence(why), isTooLarge, secondsLeft: null };
   }
@@ -373,7 +376,7 @@ export class Lighting {
   }
 
   #warn(title: string, warning: string): void {
-    const said = words.value.opening.about(title, sentence(warning));
+    const said = words.value.opening.about(shortName(title), sentence(warning));
     this.#warnings.push(this.#store.say('warning', said));
   }
 

@@ -95,6 +95,13 @@ export function easedBound(value: number, end: 'min' | 'max'): number {
   return Number(Math.max(0, eased).toPrecision(4));
 }
 
+/** A name that stands within a sentence: a file's can be a line of its own. */
+export function shortName(name: string): string {
+  const most = 40; // characters
+  const characters = [...name];
+  return characters.length <= most ? name : `${characters.slice(0, most - 1).join('')}…`;
+}
+
 /** "no connection" -> "No connection."; a fault that is told in English in the page's words. */
 export function sentence(text: string): string {
   const clean = inOurWords(text.trim());

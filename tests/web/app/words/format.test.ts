@@ -10,6 +10,7 @@ import {
   percentAtMost,
   ratio,
   sentence,
+  shortName,
   tabular,
 } from '../../../../web/app/words/format.ts';
 import { speak } from '../../../../web/language/language.ts';
@@ -70,4 +71,10 @@ test('an eased bound can be met by what is reached', () => {
 test('a sentence begins with a capital, but the name of a file is left as it is', () => {
   expect(sentence('no connection')).toBe('No connection.');
   expect(sentence('my hall.glb: that is no model')).toBe('my hall.glb: that is no model.');
+});
+
+test('a long name is cut within a sentence, whole characters at a time', () => {
+  expect(shortName('my room')).toBe('my room');
+  expect(shortName('🏠'.repeat(40))).toBe('🏠'.repeat(40));
+  expect(shortName('🏠'.repeat(41))).toBe(`${'🏠'.repeat(39)}…`);
 });
