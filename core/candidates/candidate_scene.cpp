@@ -14,7 +14,6 @@
 #include "core/transport/direct_quadrature.h"
 #include "core/transport/plane_light.h"
 #include "core/transport/room_view.h"
-#include "core/transport/surface_statistics.h"
 
 namespace fiatlux {
 namespace {
@@ -59,6 +58,7 @@ CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> typ
   responses_->rows = room.responses.rows;
   responses_->sites = static_cast<std::uint32_t>(candidates_.size());
   responses_->illuminance.resize(std::size_t{responses_->rows} * responses_->sites);
+  means_.assign(firstZone(room), {std::vector<double>(candidates_.size()), {}});
   for (std::uint32_t j = responses_->sites; j-- > 0;) left_.push_back(j);
 }
 
@@ -129,8 +129,17 @@ void CandidateScene::take(const Scene& known, const std::vector<std::uint32_t>& 
         responses_->illuminance.begin() + static_cast<std::ptrdiff_t>(std::size_t{j} * responses_->rows));
     return true;
   };
+  takeMeans(known.illuminance, there);
   left_.erase(std::remove_if(left_.begin(), left_.end(), isThere), left_.end());
   if (!known.observers.empty()) seen_.push_back({known.observers, there});
+}
+
+/// `there`: of each candidate its entry in mean rows of some, kNone where it has none.
+void CandidateScene::takeMeans(const std::vector<SurfaceStatistics>& means,
+                               const std::vector<std::uint32_t>& there) {
+  for (std::size_t s = 0; s < means_.size(); ++s)
+    for (std::size_t j = 0; j < there.size(); ++j)
+      if (there[j] != kNone) means_[s].mean[j] = means[s].mean[there[j]];
 }
 
 Result<Done> CandidateScene::know(std::vector<float> columns) {
@@ -139,6 +148,7 @@ Result<Done> CandidateScene::know(std::vector<float> columns) {
       !std::all_of(columns.begin(), columns.end(), isLight))
     return Error{"the light that was computed is not that of these luminaires in this room"};
   responses_->illuminance = std::move(columns);
+  means_ = meanRows(room_->patches, means_.size(), *responses_, Quantity::kIlluminance);
   left_.clear();
   return Done{};
 }
@@ -153,8 +163,13 @@ bool CandidateScene::advance(std::uint32_t count) {
   if (!some.empty()) {
     std::vector<float> columns = columnsOf(some);
     if (paint_) columns = paint_->light(columns, static_cast<std::uint32_t>(some.size()));
-    for (std::size_t i = 0; i < some.size(); ++i)
+    std::vector<std::uint32_t> there(candidates_.size(), kNone);
+    for (std::uint32_t i = 0; i < some.size(); ++i) {
       std::copy(&columns[i * rows], &columns[i * rows] + rows, &responses_->illuminance[some[i] * rows]);
+      there[some[i]] = i;
+    }
+    const Responses made{responses_->rows, static_cast<std::uint32_t>(some.size()), std::move(columns)};
+    takeMeans(meanRows(room_->patches, means_.size(), made, Quantity::kIlluminance), there);
   }
   return left_.empty();
 }
@@ -282,7 +297,9 @@ Scene CandidateScene::finish(Quantity quantity) {
       if (!scene.surfaces[s].measuring) scene.surfaces[s].reflectance = paint_->meanReflectance(s);
   }
   scene.responses = responses_.use_count() > 1 ? *responses_ : std::move(*responses_);
-  setMeanRows(quantity, scene);
+  scene.illuminance = std::move(means_);
+  if (quantity == Quantity::kExitance)
+    scene.exitance = meanRows(scene.patches, surfaces, scene.responses, quantity);
   return scene;
 }
 

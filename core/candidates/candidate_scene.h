@@ -102,6 +102,7 @@ class CandidateScene {
                  std::shared_ptr<const PhotometricLight> light, std::shared_ptr<const Repaint> paint);
   RoomView view() const;
   std::vector<const Seen*> knownTo(const std::vector<Observer>& observers) const;
+  void takeMeans(const std::vector<SurfaceStatistics>& means, const std::vector<std::uint32_t>& there);
   std::vector<float> columnsOf(std::span<const std::uint32_t> some) const;
   std::vector<PhotometricCandidate> photometric(std::span<const std::uint32_t> some) const;
   Luminaire luminaireOf(const Candidate& candidate) const;
@@ -114,6 +115,7 @@ class CandidateScene {
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> left_;  // candidates whose columns are not there, the next one last
   std::shared_ptr<Responses> responses_;
+  std::vector<SurfaceStatistics> means_;  // mean rows of the illuminance that is there, one a surface
   std::vector<Seen> seen_;
   std::vector<ObserverRows>
       looked_;  // what the first of the latest observers see of all that is not in seen_
