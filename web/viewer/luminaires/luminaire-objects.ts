@@ -159,13 +159,15 @@ export class LuminaireObjects {
     this.#loop.invalidate();
   }
 
-  /** What a layout shines with, as its luminaires hang once none of them walks. */
+  /** What a layout shines with, as its luminaires hang once none of them walks: a slow picture may still be drawing that. */
   lights({ flux, dimming }: Layout): LuminaireLight[] {
-    return this.objects.map(({ group, panel, mounting }, i) => {
+    const ends = new Map(this.#walks.map(({ object, to }) => [object, to]));
+    return this.objects.map((object, i) => {
+      const { group, panel, mounting } = object;
       const [along, across, down] = [new Vector3(), new Vector3(), new Vector3()];
       new Matrix4().makeRotationFromQuaternion(group.quaternion).extractBasis(along, across, down);
       return {
-        position: group.position.toArray(),
+        position: (ends.get(object) ?? group.position).toArray(),
         along: along.toArray(),
         across: across.toArray(),
         down: down.toArray(),
