@@ -773,6 +773,7 @@ EMSCRIPTEN_BINDINGS(session) {
       .function("advance", &advance)
       .function("settle", &settle)
       .function("startAside", &startAside)
+      .function("enterAside", &Session::enterAside)
       .function("advanceAside", &advanceAside)
       .function("incumbent", &incumbent)
       .function("show", &show)

@@ -124,6 +124,9 @@ class Session {
   /// all are tried. What is asked and the searches that run stay as they are; what is asked next ends it.
   Result<Done> startAside(const Intentions& intentions, std::uint64_t seed, const Layout* start,
                           std::uint32_t evaluations);
+  /// Something of what that starts from, which costs no evaluations; true when all of it is there. What is
+  /// missing advanceAside() makes.
+  bool enterAside() { return !aside_ || aside_->search.enterNext(); }
   /// Some of that, with at most so many evaluations: what has been found once it is done, nothing before. Who
   /// hung in the layout that it started from keeps the number.
   /// Where nothing but an evenness on a grid is asked and missed, it says what no layout can exceed

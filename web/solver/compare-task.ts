@@ -59,6 +59,8 @@ export class CompareTask {
   }
 
   #advance(session: Searching, asked: Intentions): Outcome | 'unfinished' {
+    // note: what takes no evaluations says nothing of how long they take.
+    if (!session.enterAside()) return 'unfinished';
     const found = this.#begun!.slicer.run((evaluations) => session.advanceAside(evaluations));
     if (found === null) return 'unfinished';
     this.#begun = null;

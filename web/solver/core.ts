@@ -270,6 +270,8 @@ export interface Session {
    * next ends it.
    */
   startAside(intentions: CoreIntentions, seed: number, start: Uint32Array, evaluations: number): string;
+  /** Something of what that starts from, which takes no evaluations; true when all of it is there, or nothing is tried. */
+  enterAside(): boolean;
   /** Some of that, with at most so many evaluations: null until it is done. */
   advanceAside(evaluations: number): OrError<CoreTrial | null>;
   /** Readings of the best layout so far. */
@@ -393,6 +395,7 @@ export const sessionMethods = {
   advance: 1,
   settle: 1,
   startAside: 4,
+  enterAside: 0,
   advanceAside: 1,
   incumbent: 0,
   show: 3,

@@ -20,6 +20,7 @@ export type Searching = Pick<
   | 'advance'
   | 'settle'
   | 'startAside'
+  | 'enterAside'
   | 'advanceAside'
   | 'incumbent'
   | 'show'
@@ -87,6 +88,7 @@ export abstract class HungSession implements Searching {
     const [start] = this.take({ sites: [...sites], flux: [], dimming: 1 });
     return this.session.startAside(this.beneath(asked), seed, start, evaluations);
   }
+  enterAside = () => this.session.enterAside();
   advanceAside(evaluations: number) {
     const found = this.session.advanceAside(evaluations);
     return typeof found === 'string' || !found ? found : { ...found, layout: this.above(found.layout) };

@@ -70,6 +70,14 @@ TEST(Session, WhatIsTriedAsideKeepsTheNumbersOfWhoHangs) {
       if (const auto tried = session.advanceAside(1000); *tried) return (*tried)->layout.sites;
   };
   Layout hanging{found(nullptr), std::vector<double>(6, 1000), 1};
+  // The same by steps without evaluations.
+  ASSERT_TRUE(session.startAside(rows, 1, nullptr, 5000));
+  EXPECT_FALSE(session.enterAside());
+  while (!session.enterAside()) continue;
+  const auto rest = session.advanceAside(5000);
+  ASSERT_TRUE(*rest);
+  EXPECT_EQ((*rest)->layout.sites, hanging.sites);
+  EXPECT_TRUE(session.enterAside());
   std::reverse(hanging.sites.begin(), hanging.sites.end());
   const std::vector<std::uint32_t> sites = found(&hanging);
   ASSERT_TRUE(std::is_permutation(sites.begin(), sites.end(), hanging.sites.begin()));

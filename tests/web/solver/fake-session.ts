@@ -246,8 +246,14 @@ export class FakeSession implements Session {
     return '';
   }
   #aside: { readonly found: CoreTrial; left: number } | null = null;
+  starts = 0; // steps before the next trial can be advanced
+  enterAside() {
+    this.starts = Math.max(0, this.starts - 1);
+    return this.starts === 0;
+  }
   advanceAside(evaluations: number) {
     if (!this.#aside) return 'nothing is tried beside what is asked';
+    if (this.starts > 0 && !this.enterAside()) return null;
     this.clock.now += Math.min(evaluations, this.#aside.left) / this.evaluationsPerMillisecond;
     this.#aside.left -= evaluations;
     return this.#aside.left > 0 ? null : this.#aside.found;
