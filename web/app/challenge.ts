@@ -6,6 +6,7 @@ import { computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { intentionsOf, savesByCount } from '../document/intentions.ts';
 import { siteCount } from '../document/sites.ts';
 import type { FiatLuxDocument, Intentions, Layout, SceneInfo } from '../document/types.ts';
+import { isEmbedded } from './opening/address.ts';
 import { Superseded, type Solving } from './solving.ts';
 import type { Store } from './state/store.ts';
 import { scatteredLayout, type Variants } from './variants.ts';
@@ -53,6 +54,7 @@ export class Challenge {
       const sent = store.sentScore.value;
       if (sent === null || store.shown.value === null) return;
       store.sentScore.value = null;
+      if (isEmbedded()) return; // a page of somebody's own is to be looked at
       const play = { label: words.value.comparing.challenge.play, run: () => void this.start() };
       store.say('warning', words.value.comparing.challenge.sent(sent), play);
     });

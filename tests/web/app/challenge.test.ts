@@ -83,3 +83,15 @@ test('a score that came with a link is told, and played against', async () => {
   message.action!.run();
   expect(app.challenge.stage.value).toBe('solving');
 });
+
+test('but not in a page that it is embedded in', () => {
+  const before = app.store.messages.value.length;
+  Object.defineProperty(globalThis, 'location', { value: { search: '?embed' }, configurable: true });
+  try {
+    app.store.sentScore.value = 87;
+  } finally {
+    Reflect.deleteProperty(globalThis, 'location');
+  }
+  expect(app.store.messages.value).toHaveLength(before);
+  expect(app.store.sentScore.value).toBeNull();
+});
