@@ -18,6 +18,7 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
   const storeys = page.getByRole('region', { name: 'Storeys and rooms' });
   const section = storeys.getByRole('slider', { name: 'Section' });
   await expect(section).toHaveAttribute('aria-valuetext', 'not cut');
+  await expect(page.getByRole('button', { name: 'Keep this view' })).toHaveCount(0); // of the lit room before
   const whole = await picture(page);
   await storeys.getByRole('button', { name: 'Storey 1' }).click();
   await expect(section).toHaveAttribute('aria-valuetext', 'cut at 1.5 m');

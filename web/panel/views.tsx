@@ -37,7 +37,7 @@ export function Views({ chosen }: { readonly chosen: () => void }) {
       </div>
       <p class="fine-print">{words.value.bars.views.hint}</p>
       <Storeys stood={chosen} />
-      {app.store.scene.value && <KeptViews chosen={chosen} />}
+      {app.store.scene.value && !app.store.preview.value && <KeptViews chosen={chosen} />}
     </>
   );
 }
