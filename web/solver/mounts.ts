@@ -146,7 +146,9 @@ export class Mounts {
     const isPainted = this.#paint(wanted).length > 0;
     const hasBase = isPainted && this.#mayKeep(wanted);
     if (hasBase && !this.#advanceBase(wanted)) return false;
-    const { key, plan, scene } = this.#begun(wanted, hasBase);
+    const making = this.#making;
+    if (making?.key !== this.#keyOf(wanted)) return this.#beginMaking(wanted, hasBase);
+    const { key, plan, scene } = making;
     if (!scene.advance(isPainted && !hasBase ? paintedSlice : slice)) return false;
     if (!isPainted) this.#forgetBase();
     this.#all?.session.delete();
@@ -228,6 +230,7 @@ export class Mounts {
       const plan = this.#plan(wanted);
       this.#base = { key, scene: new this.#core.Candidates(), isWhole: false };
       this.#begin(this.#base.scene, plan, wanted);
+      return false;
     }
     const base = this.#base;
     base.isWhole ||= base.scene.advance(slice);
@@ -264,18 +267,16 @@ export class Mounts {
     return extent !== 'all' && this.#few?.key === this.#keyOf(wanted) ? this.#few : null;
   }
 
-  /** What is being made for these wishes, begun anew where it was for others; `hasBase`: from the light without paint. */
-  #begun(wanted: Wanted, hasBase: boolean): Making {
-    const key = this.#keyOf(wanted);
-    if (this.#making?.key === key) return this.#making;
+  /** Begins to make all for these wishes, a slice of its own: false. `hasBase`: from the light without paint. */
+  #beginMaking(wanted: Wanted, hasBase: boolean): false {
     this.#forget();
     const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
     if (hasBase) check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
     else this.#begin(scene, plan, wanted);
     scene.observe(this.#coreAsked(wanted));
-    this.#making = { key, plan, scene };
-    return this.#making;
+    this.#making = { key: this.#keyOf(wanted), plan, scene };
+    return false;
   }
 
   /** Begins a scene, with the light that others have already. */

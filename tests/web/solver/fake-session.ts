@@ -19,6 +19,7 @@ export class FakeClock {
 /** Remembers which files hang on which sites. */
 export class FakeCandidates implements Candidates {
   static begun = 0; // whose light was made from nothing
+  static advanced = 0; // slices of light
   asked: number[] = []; // site and file of each
   taken: number[][] = []; // of each its index in other scenes
   known: Float32Array | null = null; // light that somebody else has computed
@@ -49,6 +50,7 @@ export class FakeCandidates implements Candidates {
     this.observed = asked;
   }
   advance(count: number) {
+    FakeCandidates.advanced += 1;
     this.#left -= count;
     return this.#left <= 0;
   }

@@ -395,6 +395,18 @@ describe('luminaires of types', () => {
     expect(kinds().at(-1)).toBe('settled 2');
   });
 
+  test('all that may be tried is begun in a step of its own, and lit in others', async () => {
+    await driver.receive(solve(2, { intentions: ofTypes() }));
+    const both: number[] = [];
+    while (driver.busy) {
+      const [begun, advanced] = [FakeCandidates.begun, FakeCandidates.advanced];
+      driver.step();
+      if (FakeCandidates.begun > begun) both.push(FakeCandidates.advanced - advanced);
+    }
+    expect(both).toEqual([0]);
+    expect(kinds().at(-1)).toBe('settled 2');
+  });
+
   test('the statistics of all that may be tried are made in slices, which a newer wish ends', async () => {
     await opened();
     session.unprepared = 3;
