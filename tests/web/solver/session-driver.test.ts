@@ -372,6 +372,19 @@ test('light that somebody else has computed is read beside what was searched, wh
   expect(answers.at(-1)).toMatchObject({ type: 'readings', shown: expect.stringContaining('not that of') });
 });
 
+test('all that may be tried is begun in a step of its own, and lit in others', async () => {
+  await openedForTypes();
+  await driver.receive(solve(2, { intentions: ofTypes() }));
+  const both: number[] = [];
+  while (driver.busy) {
+    const [begun, advanced] = [FakeCandidates.begun, FakeCandidates.advanced];
+    driver.step();
+    if (FakeCandidates.begun > begun) both.push(FakeCandidates.advanced - advanced);
+  }
+  expect(both).toEqual([0]);
+  expect(kinds().at(-1)).toBe('settled 2');
+});
+
 describe('luminaires of types', () => {
   beforeEach(openedForTypes);
 
@@ -392,18 +405,6 @@ describe('luminaires of types', () => {
     expect(mounted.calls).toContain('adopt 0 0 1 0');
     expect(mounted.observed).toMatchObject({ glare: null }); // while they were made, slice by slice
     expect(searched()).toEqual(['start 3 from 1 0']);
-    expect(kinds().at(-1)).toBe('settled 2');
-  });
-
-  test('all that may be tried is begun in a step of its own, and lit in others', async () => {
-    await driver.receive(solve(2, { intentions: ofTypes() }));
-    const both: number[] = [];
-    while (driver.busy) {
-      const [begun, advanced] = [FakeCandidates.begun, FakeCandidates.advanced];
-      driver.step();
-      if (FakeCandidates.begun > begun) both.push(FakeCandidates.advanced - advanced);
-    }
-    expect(both).toEqual([0]);
     expect(kinds().at(-1)).toBe('settled 2');
   });
 
