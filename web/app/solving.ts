@@ -6,6 +6,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import { readingOrder, renumbered } from '../document/reading-order.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
+import { easedAxes } from '../document/ties.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type {
   FiatLuxDocument,
@@ -507,6 +508,7 @@ export class Solving {
       const resume = { label: words.value.steps.resume, run: () => void this.resume() };
       this.#forgetRefusal();
       this.#refusal = this.#store.say('error', sentence(message), fatal ? resume : this.#wayBack());
+      if (!fatal) void this.#easeAxis(this.#refusal, message);
     }
     this.#opening = this.#probing = this.#arrived = null;
     // A file that cannot be opened takes nothing from what is shown, except a search that was running.
@@ -525,6 +527,20 @@ export class Solving {
   #forgetRefusal(): void {
     if (this.#refusal !== null) this.#store.dismiss(this.#refusal);
     this.#refusal = null;
+  }
+
+  /** One click on, where no more than the axis of the arrangement leaves no layout: a count that has no middle. */
+  async #easeAxis(refusal: number, message: string): Promise<void> {
+    const { luminaires } = this.#store.traced.peek().intentions;
+    const eased = easedAxes(luminaires.arrangement);
+    if (eased.length === 0) return;
+    const asked = eased.map((arrangement) => ({ ...luminaires, arrangement }));
+    const arrangement = eased[(await this.fit(asked).catch(() => null)) ?? -1];
+    if (!arrangement || this.#refusal !== refusal) return;
+    const ease = (draft: Draft<FiatLuxDocument>) => void (draft.luminaires.arrangement = arrangement);
+    const run = () => this.#store.edit(words.value.steps.arrangement, ease, null, { by: 'search' });
+    this.#forgetRefusal();
+    this.#refusal = this.#store.say('error', sentence(message), { label: words.value.steps.easeAxis, run });
   }
 
   /** One click back to what could be solved, where an edit asked for what cannot. */

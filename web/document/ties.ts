@@ -2,12 +2,20 @@
  * Luminaires that move together: rows and fields as they are, without turning, a mirrored pair in the mirror; and those
  * that are selected together with all that are tied to them.
  */
-import type { Layout, PlanAxis, Rule } from './types.ts';
+import type { Arrangement, Layout, PlanAxis, Rule } from './types.ts';
 
 /** What a row has at least where nothing is said of it, as in intentions.json. */
 export const usualInRow = 3;
 
 const samePlace = 0.02; // m
+
+/** The same rule with less asked of its axis, the nearest first: nine places of twenty by thirteen have one middle, not two. */
+export function easedAxes(arrangement: Arrangement | undefined): readonly Arrangement[] {
+  if (arrangement?.axis === undefined) return [];
+  const { axis, ...anyhow } = arrangement;
+  const single = axis === 'both' ? (['x', 'z'] as const).map((one) => ({ ...anyhow, axis: one })) : [];
+  return [...single, anyhow];
+}
 
 type Tied = Pick<Layout, 'sites' | 'ties'>;
 

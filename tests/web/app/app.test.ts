@@ -71,6 +71,26 @@ test('while a model without light is shown, the room before it can be neither sh
   expect(enabled('view-plan')).toBe(true);
 });
 
+test('a count that its arrangement has no middle for is asked for with less of an axis by one click', async () => {
+  app.addCard('illuminate', ['floor']);
+  settle();
+  solver.hasRoom = ({ arrangement }) => arrangement?.axis !== 'both';
+  app.comparing.arrange({ rule: 'field', axis: 'both' });
+  frame();
+  const { revision } = solver.last('solve')!;
+  solver.say({ type: 'failed', revision, message: 'found no regular field of 9', fatal: false });
+  const refusals = () => app.store.messages.value.filter(({ kind }) => kind === 'error');
+  const offered = () => refusals().map(({ action }) => action?.label);
+  expect(offered()).toEqual(['Undo']);
+  solver.flush();
+  await turn();
+  expect(offered()).toEqual(['Ease the axis']);
+  refusals()[0]!.action!.run();
+  expect(app.store.document.value.luminaires.arrangement).toEqual({ rule: 'field', axis: 'x' });
+  settle();
+  expect(offered()).toEqual([]);
+});
+
 test('a search from nowhere is tagged as a plan is read; one that goes on, or that holds a place, is not', () => {
   const tags = () => app.store.shown.value!.layout.sites;
   const answer = () => {

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { axisAfter, heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
+import { axisAfter, easedAxes, heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
 
 // A line of five places, 0.6 m apart, and one of them 2 m beside it.
 const positions = Float32Array.from([0, 1, 2, 3, 4].flatMap((i) => [0.6 * i, 3, 0]).concat([0, 3, 2]));
@@ -52,4 +52,15 @@ test('a field in the middle is in the middle still where it has not gone', () =>
   expect(axisAfter('z', alongX)).toBe('found');
   expect(axisAfter('z', alongZ)).toBe('z');
   expect(axisAfter('both', [0, 0, 0.001])).toBe('both');
+});
+
+test('less is asked of an axis: one of two, then none; of no axis there is nothing less', () => {
+  expect(easedAxes({ rule: 'field', axis: 'both' })).toEqual([
+    { rule: 'field', axis: 'x' },
+    { rule: 'field', axis: 'z' },
+    { rule: 'field' },
+  ]);
+  expect(easedAxes({ rule: 'rows', axis: 'x', leastInRow: 2 })).toEqual([{ rule: 'rows', leastInRow: 2 }]);
+  expect(easedAxes({ rule: 'field' })).toEqual([]);
+  expect(easedAxes(undefined)).toEqual([]);
 });

@@ -11,6 +11,7 @@ export const steps: Words['steps'] = {
     `Mit Alpha = ${alpha}, dem kleinsten gefundenen, hält die Anordnung die Grenze auf jeder Teilfläche ein.`,
   newLight: (verdict) => `${verdict} (In Lux der Neuanlage.)`,
   resume: 'Fortsetzen',
+  easeAxis: 'Achse lockern',
   undo: 'Rückgängig',
   aim: (name) => `Mittelwert von ${name} anstreben`,
   guarantee: 'Zusicherung ändern',

@@ -10,6 +10,7 @@ export const steps = {
     `With alpha = ${alpha}, the smallest found, the layout keeps the bound on every patch.`,
   newLight: (verdict: string) => `${verdict} (In lux of the new installation.)`,
   resume: 'Resume',
+  easeAxis: 'Ease the axis',
   undo: 'Undo',
   aim: (name: string) => `Aim at a mean of ${name}`,
   guarantee: 'Change the guarantee',
