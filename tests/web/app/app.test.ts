@@ -76,12 +76,12 @@ test('a count that its arrangement has no middle for is asked for with less of a
   settle();
   solver.hasRoom = ({ arrangement }) => arrangement?.axis !== 'both';
   app.comparing.arrange({ rule: 'field', axis: 'both' });
-  frame();
+  settle();
   const { revision } = solver.last('solve')!;
   solver.say({ type: 'failed', revision, message: 'found no regular field of 9', fatal: false });
   const refusals = () => app.store.messages.value.filter(({ kind }) => kind === 'error');
   const offered = () => refusals().map(({ action }) => action?.label);
-  expect(offered()).toEqual(['Undo']);
+  expect(offered()).toEqual([undefined]);
   solver.flush();
   await turn();
   expect(offered()).toEqual(['Ease the axis']);
