@@ -24,6 +24,16 @@ const listed = (names: string): string =>
     .replace(', of other storeys ', ', in anderen Geschossen ')
     .replace(/ and (\d+) more$/, ' und $1 weitere');
 
+const luminaires = (count: string): string =>
+  `${count.replace(' to ', ' bis ')} ${count === '1' ? 'Leuchte' : 'Leuchten'}`;
+const noKindOf = (what: string): string =>
+  ({
+    'regular field': 'kein regelmäßiges Feld',
+    'symmetric layout': 'keine symmetrische Anordnung',
+    'layout in rows': 'keine Anordnung in Reihen',
+    layout: 'keine Anordnung',
+  })[what] ?? `kein ${what}`;
+
 export const faults: Words['faults'] = {
   ...photometricFaults,
   connectionLost:
@@ -196,6 +206,10 @@ export const faults: Words['faults'] = {
     `Keine gefundene Anordnung gibt ${promise}: Schon die Mittelwerte reichen nicht.`,
   alphaTwoEmpty: (promise) =>
     `Kein Alpha führt zu ${promise}: Mit einem kleinen verfehlen es manche Teilflächen, mit einem größeren hält keine Anordnung den Abstand ein.`,
+  noArrangement: (what, count) =>
+    `Auf den freien Plätzen gibt es ${noKindOf(what)} von ${luminaires(count)}: die Anzahl ändern, einen Bereich angeben oder die Anordnung freigeben`,
+  noRows: (what, count, least) =>
+    `Auf den freien Plätzen gibt es ${noKindOf(what)} von ${luminaires(count)}, mindestens ${least} in jeder: die Anzahl ändern, einen Bereich angeben oder die Anordnung freigeben`,
   alphaStopped: (promise) => `Angehalten, bevor ein Alpha gefunden war für ${promise}.`,
   alphaAtLeast: (value, unit, surface) => `mindestens ${value} ${unit} auf jeder Teilfläche von ${surface}`,
   alphaAtMost: (value, unit, surface) => `höchstens ${value} ${unit} auf jeder Teilfläche von ${surface}`,

@@ -1,4 +1,5 @@
 /** The luminaires: number, types, arrangement, areas, maintenance. */
+import { counted } from '../numbers.ts';
 import type { Words } from '../en.ts';
 
 export const luminaires: Words['luminaires'] = {
@@ -44,7 +45,7 @@ export const luminaires: Words['luminaires'] = {
   },
   counts: {
     name: 'Was jede Zahl von Leuchten erreichen würde',
-    of: (count, cost) => `${count} Leuchten: ${cost}`,
+    of: (count, cost) => `${counted(count, 'Leuchte', 'Leuchten')}: ${cost}`,
     tip: (count, cost) => `${count}: ${cost}`,
     none: 'Keine dieser Zahlen erfüllt alle Vorgaben.',
     noBounds: 'Es gibt keine Forderung, die eine Anzahl verfehlen könnte: etwa ein Mindestmittelwert.',

@@ -181,6 +181,10 @@ export const faults = {
     `[${section}] ${line} is not ${count} numbers`,
   stfNotWhole: (section: string, line: string, most: string) =>
     `[${section}] ${line} is not a whole number up to ${most}`,
+  noArrangement: (what: string, count: string) =>
+    `arrangement: found no ${what} of ${count} luminaires on the free sites; change the count, give it a range, or free the arrangement`,
+  noRows: (what: string, count: string, least: string) =>
+    `arrangement: found no ${what} of ${count} luminaires, at least ${least} in each, on the free sites; change the count, give it a range, or free the arrangement`,
   alphaNoLayout: (promise: string) => `No layout found can give ${promise}: even the means fall short.`,
   alphaTwoEmpty: (promise: string) =>
     `No alpha leads to ${promise}: with a small one some patches miss it, with a larger one no layout meets the margin.`,

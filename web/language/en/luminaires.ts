@@ -1,4 +1,5 @@
 /** The luminaires: number, types, arrangement, areas, maintenance. */
+import { counted } from '../numbers.ts';
 
 export const luminaires = {
   areas: {
@@ -43,7 +44,7 @@ export const luminaires = {
   },
   counts: {
     name: 'What each number of luminaires would reach',
-    of: (count: number, cost: string) => `${count} luminaires: ${cost}`,
+    of: (count: number, cost: string) => `${counted(count, 'luminaire', 'luminaires')}: ${cost}`,
     tip: (count: number, cost: string) => `${count}: ${cost}`,
     none: 'None of these numbers meets every bound.',
     noBounds: 'No bound is asked for that a number could miss: a least mean, say.',

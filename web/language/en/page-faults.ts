@@ -4,6 +4,8 @@
  */
 import { faults } from './faults.ts';
 
+const luminaires = (count: string) => `${count} ${count === '1' ? 'luminaire' : 'luminaires'}`;
+
 export const pageFaults: Partial<typeof faults> = {
   narrow: (width) => `the room is only ${width} m wide: choose the unit of the file (How it was understood)`,
   millimetres: (width) =>
@@ -37,6 +39,10 @@ export const pageFaults: Partial<typeof faults> = {
     `the balance of light does not close (${share} of what is emitted is absorbed): are faces drawn twice?`,
   notSettled: (share) =>
     `reflected light has not settled (${share} is missing): light passes too many rooms; choose one of them (How it was understood)`,
+  noArrangement: (what, count) =>
+    `there is no ${what} of ${luminaires(count)} on the free places: change their number, give it a range, or free the arrangement`,
+  noRows: (what, count, least) =>
+    `there is no ${what} of ${luminaires(count)}, at least ${least} in each, on the free places: change their number, give it a range, or free the arrangement`,
   settledOnly: (share) => `reflected light is settled to ${share} only, 0.1 % is usual`,
   numbersOff: (share) =>
     `the file's numbers are off by up to ${share}: surfaces that are nearly dark are too large a part of it; choose fewer mounts (How it was understood)`,
