@@ -37,8 +37,8 @@ class Looker {
  private:
   /// From every point one ray along the normal, one by the cosine, and its mirror image on the other side of
   /// the normal: in a corner of a room one of the two finds a way out, between a sofa and the wall neither
-  /// does. A point is inside a body where two of them end at insides, the cosine one among them: a single
-  /// sheet is seen from behind by few such pairs, and the first may end at a ceiling that a wall reaches.
+  /// does. A point is inside a body where the first two end at insides: a single sheet is seen from behind by
+  /// few such pairs.
   Seen lookFrom(std::uint32_t p, double reach) const {
     const PatchSampler sampler(room_, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
@@ -61,10 +61,8 @@ class Looker {
       tracer_.intersect(spread, met);
       tracer_.intersect(mirrored, across);
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
-        const Vec3 mirror = 2 * dot(normal[i], direction[i]) * normal[i] - direction[i];
         const bool inside =
-            isInside(origin[i], direction[i], met, i) &&
-            (isInside(origin[i], normal[i], before, i) || isInside(origin[i], mirror, across, i));
+            isInside(origin[i], normal[i], before, i) && isInside(origin[i], direction[i], met, i);
         const bool hidden = inside || ends(before, i, reach);
         const double width = ends(before, i, kSlit) ? kSlitEnds : kConfined;
         seen.hidden += hidden;
