@@ -34,6 +34,7 @@ await openScene(room, wholeFile(bytesOf(operatorFile()).buffer), () => true, {
   ready: () => undefined,
 });
 const sites = [3, 8, 14, 21, 29, 36];
+const anywhere = { flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0 } as const;
 
 /** A session of these types on a few sites, asked for even light by `count` luminaires. */
 function sessionOf(
@@ -50,7 +51,7 @@ function sessionOf(
   const session = new core.Session();
   const asked: Intentions = {
     quantity: 'illuminance',
-    luminaires: { count, flux: 1, dimming: [1, 1], pinned: [], excluded: [], minDistance: 0, types, ...more },
+    luminaires: { ...anywhere, count, types, ...more },
     goals: [{ statistic: 'mean', sense: 'near', target: 40, weight: 1, surfaces: ['floor'] }],
     constraints,
     ...(glare && { glare }),
@@ -113,12 +114,8 @@ test('what observers see of candidates is looked for one place after the other',
   }));
   const glare = { max: 10, observers: eyes } as unknown as Intentions['glare'];
   const luminaires = {
+    ...anywhere,
     count: 1,
-    flux: 1,
-    dimming: [1, 1],
-    pinned: [],
-    excluded: [],
-    minDistance: 0,
     types: [spot],
   } as const;
   const asked = coreIntentions(
@@ -147,12 +144,8 @@ test('what observers see of candidates is looked for one place after the other',
 test('a rule binds a search that has all candidates, not the places of one layout', () => {
   const session = sessionOf([panel]);
   const luminaires = {
+    ...anywhere,
     count: 5,
-    flux: 1,
-    dimming: [1, 1],
-    pinned: [],
-    excluded: [],
-    minDistance: 0,
     types: [panel],
     arrangement: { rule: 'field' },
   } as const;

@@ -4,6 +4,7 @@
  */
 import { effect, signal, untracked } from '@preact/signals';
 import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
+import { easedAxes } from '../document/ties.ts';
 import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
@@ -60,8 +61,8 @@ export function arrangementsOf(rule: Rule, luminaires: Luminaires): readonly [Ar
   const { axis, rule: had } = luminaires.arrangement ?? {};
   if (luminaires.arrangement && rule === had) return [luminaires.arrangement];
   const isNewField = rule === 'field' && (axis === undefined || had === 'rows');
-  if (isNewField && luminaires.pinned.length === 0)
-    return [{ rule, axis: 'both' }, { rule, axis: 'x' }, { rule, axis: 'z' }, { rule }];
+  const inMiddle = { rule, axis: 'both' } as const;
+  if (isNewField && luminaires.pinned.length === 0) return [inMiddle, ...easedAxes(inMiddle)];
   if (axis === undefined || rule === 'free') return [{ rule }];
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
   return [has ? { rule, axis } : { rule }];

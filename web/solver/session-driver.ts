@@ -356,7 +356,7 @@ export class SessionDriver {
       mounted?.ask(intentions.luminaires, true);
       const session = mounted ?? this.#session;
       // note: where it says no, there is no room for these; for others there may be.
-      askAnyhow(session, coreIntentions(intentions, this.#leaves(intentions)));
+      this.#put(mounted, intentions);
       if (!this.#mounts.has(this.#asked)) this.#asked = session; // these candidates took its place
       this.#trying = { of: revision, by: session };
     }
@@ -468,8 +468,14 @@ export class SessionDriver {
     const none = { sites: [], flux: [], dimming: 1 };
     const held = mounted ? mounted.take(layout ?? none) : coreLayout(layout ?? none);
     mounted?.ask(intentions.luminaires, extent === 'all');
-    check(askAnyhow(this.#asked, coreIntentions(intentions, this.#leaves(intentions))));
+    check(this.#put(mounted, intentions));
     return held;
+  }
+
+  /** Asks the session that is for these intentions, the room's own where none is mounted; returns what it refuses. */
+  #put(mounted: HungSession | null, intentions: Intentions): string {
+    const wish = coreIntentions(intentions, this.#leaves(intentions));
+    return mounted ? mounted.setIntentions(wish) : askAnyhow(this.#session, wish);
   }
 
   /** A layout as the session takes it that was asked last. */
