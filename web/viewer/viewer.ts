@@ -180,6 +180,7 @@ class RoomViewer implements Viewer {
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
     const turn = ++this.#opening;
     const room = await loadPreview(glb, this.#display?.cutAway ?? true);
+    await this.#stage.link(room.root, this.#rig.active);
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#unlit = false;
     this.#show(room, null, keepView);

@@ -22,15 +22,21 @@ async function take(viewer: Pick<Viewer, 'thumbnail'>, own: OwnRooms, room: stri
   if (own.wantsPicture(room)) await own.change(room, { picture });
 }
 
+/** Stays once it is there: its end would wait for what the graphics are drawing, and the page for its end. */
+let encoder: Worker | null = null;
+
 function jpegOf(picture: ImageBitmap): Promise<ArrayBuffer> {
-  const worker = new Worker(new URL('./picture-worker.ts', import.meta.url), {
+  const worker = (encoder ??= new Worker(new URL('./picture-worker.ts', import.meta.url), {
     type: 'module',
     name: 'picture',
+  }));
+  return new Promise((resolve, reject) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }: MessageEvent<ArrayBuffer>) => resolve(data);
+    worker.onerror = () => {
+      encoder = null;
+      reject(new Error('the picture could not be made'));
+    };
+    worker.postMessage(picture, [picture, port2]);
   });
-  const jpeg = new Promise<ArrayBuffer>((resolve, reject) => {
-    worker.onmessage = ({ data }: MessageEvent<ArrayBuffer>) => resolve(data);
-    worker.onerror = () => reject(new Error('the picture could not be made'));
-    worker.postMessage(picture, [picture]);
-  });
-  return jpeg.finally(() => worker.terminate());
 }

@@ -17,6 +17,8 @@ import type { SceneInfo } from '../../document/types.ts';
 import type { SharedUniforms } from '../light/light-material.ts';
 import { LightTexture } from '../light/light-texture.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
+import { floatsOf } from '../room/attribute-numbers.ts';
+import { breaths } from '../stage/breath.ts';
 import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
 import type { Solid, SolidPart } from './lattice.ts';
 import type { ClosedGaps } from './narrow-gaps.ts';
@@ -65,7 +67,7 @@ export class ContactLight {
     this.#end();
     if (!scene) return;
     const solids = lit.filter(({ measuring }) => !measuring);
-    this.#begin = () => this.#open(solids, scene);
+    this.#begin = () => void this.#open(solids, scene);
     this.wait();
   }
 
@@ -100,31 +102,43 @@ export class ContactLight {
     this.#end();
   }
 
-  #open(solids: readonly LitMesh[], scene: SceneInfo): void {
+  /** In short tasks, as what comes back is laid: none of it is waited for. */
+  async #open(solids: readonly LitMesh[], scene: SceneInfo): Promise<void> {
     const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'contacts' });
     this.#worker = worker;
     this.#begin = null;
     worker.onerror = () => this.#stop(); // the picture does without
     worker.onmessage = ({ data }: MessageEvent<ContactAnswer>) => {
-      if ('openness' in data) this.#lay(solids, data.openness, data.gaps);
+      if ('openness' in data) void this.#lay(worker, solids, data.openness, data.gaps);
       else if (data.turn === this.#turn) this.#shade(data.shadows);
     };
-    this.#ask({ room: solidOf(solids, scene) });
+    const rested = breaths();
+    const parts: SolidPart[] = [];
+    for (const solid of solids) {
+      parts.push(partOf(solid, scene));
+      await rested();
+      if (this.#worker !== worker) return;
+    }
+    this.#ask({ room: { parts, ...patchesOf(scene) } });
   }
 
   #ask(question: ContactQuestion): void {
     this.#worker?.postMessage(question);
   }
 
-  #lay(
+  async #lay(
+    worker: Worker,
     solids: readonly LitMesh[],
     found: Pick<Openness, 'tiles' | 'values' | 'means'>,
     gaps: readonly ClosedGaps[],
-  ): void {
-    solids.forEach(({ mesh }, i) => {
+  ): Promise<void> {
+    const rested = breaths();
+    for (const [i, { mesh }] of solids.entries()) {
       closeGaps(mesh, gaps[i]!);
       layTiles(mesh.geometry, found.tiles[i]!);
-    });
+      await rested();
+      if (this.#worker !== worker) return;
+    }
     const means = new LightTexture(found.means.length);
     means.set(found.means);
     const textures = {
@@ -206,31 +220,30 @@ export class ContactLight {
   }
 }
 
-/** The triangles of meshes that carry light, in the room's coordinates. */
-export function solidOf(solids: readonly LitMesh[], scene: SceneInfo): Solid {
-  const areas = scene.patchArea.slice(0, scene.patches).sort();
+function patchesOf({ patches, patchArea, patchCenter }: SceneInfo): Omit<Solid, 'parts'> {
+  const areas = patchArea.slice(0, patches).sort();
+  return { patchCenter: patchCenter.slice(0, 3 * patches), edge: Math.sqrt(areas[areas.length >> 1] ?? 0) };
+}
+
+/** The triangles of a mesh that carries light, in the room's coordinates. */
+function partOf({ mesh, surface }: LitMesh, { surfaces }: SceneInfo): SolidPart {
+  const { geometry, matrixWorld } = mesh;
+  const position = geometry.getAttribute('position');
   return {
-    parts: solids.map(({ mesh, surface }) => partOf(mesh, scene.surfaces[surface]?.reflectance ?? 0.5)),
-    patchCenter: scene.patchCenter.slice(0, 3 * scene.patches),
-    edge: Math.sqrt(areas[areas.length >> 1] ?? 0),
+    index: geometry.index ? new Uint32Array(geometry.index.array) : upTo(position.count),
+    positions: floatsOf(position.clone().applyMatrix4(matrixWorld), 3),
+    normals: floatsOf(geometry.getAttribute('normal').clone().transformDirection(matrixWorld), 3),
+    patches: floatsOf(geometry.getAttribute('_patches'), 4),
+    weights: floatsOf(geometry.getAttribute('_weights'), 4),
+    reflectance: surfaces[surface]?.reflectance ?? 0.5,
   };
 }
 
-function partOf(mesh: LitMesh['mesh'], reflectance: number): SolidPart {
-  const { geometry, matrixWorld } = mesh;
-  const position = geometry.getAttribute('position');
-  const values = (attribute: { count: number; getComponent(i: number, c: number): number }, size: number) =>
-    Float32Array.from({ length: size * attribute.count }, (_, i) =>
-      attribute.getComponent(Math.floor(i / size), i % size),
-    );
-  return {
-    index: Uint32Array.from(geometry.index?.array ?? { length: position.count }, (v, i) => v ?? i),
-    positions: values(position.clone().applyMatrix4(matrixWorld), 3),
-    normals: values(geometry.getAttribute('normal').clone().transformDirection(matrixWorld), 3),
-    patches: values(geometry.getAttribute('_patches'), 4),
-    weights: values(geometry.getAttribute('_weights'), 4),
-    reflectance,
-  };
+/** 0, 1, ... */
+function upTo(count: number): Uint32Array<ArrayBuffer> {
+  const numbers = new Uint32Array(count);
+  for (let i = 0; i < count; i++) numbers[i] = i;
+  return numbers;
 }
 
 /** Draws a mesh as its narrow gaps are closed. */
@@ -259,35 +272,34 @@ export function closeGaps(
  */
 export function layTiles(geometry: BufferGeometry, tile: Uint32Array): void {
   const before = geometry.getAttribute('position').count;
-  const index = geometry.index ? [...geometry.index.array] : Array.from({ length: before }, (_, i) => i);
-  const taken: number[] = []; // the vertex that each new one repeats
-  const lattice: number[] = [];
-  for (let t = 0; 3 * t < index.length; t++) {
+  const index = geometry.index ? new Uint32Array(geometry.index.array) : upTo(before);
+  let tiled = 0; // triangles
+  for (let t = 0; 3 * t < index.length; t++) if (tile[2 * t + 1]! > 0) tiled++;
+  if (tiled === 0) return;
+  const taken = new Uint32Array(3 * tiled); // the vertex that each new one repeats
+  const lattice = new Float32Array(4 * (before + taken.length));
+  for (let t = 0, next = 0; 3 * t < index.length; t++) {
     const [first, cells] = [tile[2 * t]!, tile[2 * t + 1]!];
-    if (cells === 0) continue;
-    for (let corner = 0; corner < 3; corner++) {
-      lattice.push(first, cells, Number(corner === 1), Number(corner === 2));
-      index[3 * t + corner] = before + taken.push(index[3 * t + corner]!) - 1;
+    for (let corner = 0; cells > 0 && corner < 3; corner++, next++) {
+      lattice.set([first, cells, Number(corner === 1), Number(corner === 2)], 4 * (before + next));
+      taken[next] = index[3 * t + corner]!;
+      index[3 * t + corner] = before + next;
     }
   }
-  if (taken.length === 0) return;
   const longer = Object.entries(geometry.attributes).map(([name, attribute]) => {
     const { array, itemSize, normalized } = attribute as BufferAttribute;
     const more = new (array.constructor as new (length: number) => typeof array)(
       itemSize * (before + taken.length),
     );
     more.set(array);
-    taken.forEach((vertex, i) => {
-      for (let c = 0; c < itemSize; c++) more[itemSize * (before + i) + c] = array[itemSize * vertex + c]!;
-    });
+    for (let i = 0, to = itemSize * before; i < taken.length; i++)
+      for (let c = 0; c < itemSize; c++) more[to++] = array[itemSize * taken[i]! + c]!;
     return [name, new BufferAttribute(more, itemSize, normalized)] as const;
   });
-  const places = new Float32Array(4 * (before + taken.length));
-  places.set(lattice, 4 * before);
   geometry.dispose();
   for (const [name, attribute] of longer) geometry.setAttribute(name, attribute);
-  geometry.setAttribute('_lattice', new BufferAttribute(places, 4));
-  geometry.setIndex(index);
+  geometry.setAttribute('_lattice', new BufferAttribute(lattice, 4));
+  geometry.setIndex(new BufferAttribute(index, 1));
 }
 
 function valuesTexture(values: Uint8Array): DataTexture {

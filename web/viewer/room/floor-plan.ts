@@ -22,21 +22,28 @@ const aPart = 0.03; // of the largest surface underfoot: what is smaller belongs
 const smallest = 0.05; // m2: a smaller loop is a gap between things
 
 /** Corners of triangles in world space, 9 numbers each. */
-type Triangles = readonly number[];
+type Triangles = ArrayLike<number>;
 
 /** The triangles of the floor: those that face up at the `lowest` height (by default that of the lowest of them). */
 export function floorTriangles(all: Triangles, lowest?: number): number[] {
-  const faces: { readonly at: number; readonly height: number }[] = [];
-  for (let at = 0; at + 8 < all.length; at += 9) {
-    const p = (i: number) => all[at + i]!;
-    const [ux, uy, uz] = [p(3) - p(0), p(4) - p(1), p(5) - p(2)];
-    const [vx, vy, vz] = [p(6) - p(0), p(7) - p(1), p(8) - p(2)];
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx] as const;
-    const length = Math.hypot(...normal);
-    if (length > 1e-12 && normal[1] > upright * length) faces.push({ at, height: (p(1) + p(4) + p(7)) / 3 });
+  const heights = new Float64Array(Math.floor(all.length / 9)).fill(Infinity); // of those that face up
+  let bottom = Infinity;
+  for (let i = 0, at = 0; i < heights.length; i++, at += 9) {
+    const [ax, ay, az] = [all[at]!, all[at + 1]!, all[at + 2]!];
+    const [ux, uy, uz] = [all[at + 3]! - ax, all[at + 4]! - ay, all[at + 5]! - az];
+    const [vx, vy, vz] = [all[at + 6]! - ax, all[at + 7]! - ay, all[at + 8]! - az];
+    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    if (length <= 1e-12 || ny <= upright * length) continue;
+    heights[i] = ay + (uy + vy) / 3;
+    bottom = Math.min(bottom, heights[i]!);
   }
-  const bottom = lowest ?? faces.reduce((least, { height }) => Math.min(least, height), Infinity);
-  return faces.filter(({ height }) => height < bottom + level).flatMap(({ at }) => all.slice(at, at + 9));
+  const floor: number[] = [];
+  heights.forEach((height, i) => {
+    if (height >= (lowest ?? bottom) + level) return;
+    for (let at = 9 * i; at < 9 * i + 9; at++) floor.push(all[at]!);
+  });
+  return floor;
 }
 
 /** The frame that a floor spans; `top`: the highest place of the room, m. */
@@ -45,10 +52,10 @@ export function frameOf(floor: Triangles, top: number): PlanFrame {
     [Infinity, Infinity, Infinity],
     [-Infinity, -Infinity, -Infinity],
   ];
-  floor.forEach((value, i) => {
-    low[i % 3] = Math.min(low[i % 3]!, value);
-    high[i % 3] = Math.max(high[i % 3]!, value);
-  });
+  for (let i = 0; i < floor.length; i++) {
+    low[i % 3] = Math.min(low[i % 3]!, floor[i]!);
+    high[i % 3] = Math.max(high[i % 3]!, floor[i]!);
+  }
   const [west, bottom, north] = low as [number, number, number];
   const [east, , south] = high as [number, number, number];
   return { west, south, floor: bottom, size: [east - west, south - north, top - bottom] };
@@ -64,21 +71,31 @@ export function outlinesOf(floor: Triangles, frame: PlanFrame): Point2[][] {
     .sort((a, b) => Math.abs(twiceArea(b)) - Math.abs(twiceArea(a)));
 }
 
-/** The plan of a room that is displayed; null where it has no floor. */
+/** The plan of a room that is displayed. Its furniture takes long, and is found when it is drawn for the first time. */
 export function planOf(room: RoomMesh, frame: PlanFrame): RoomPlan {
-  const furniture = new Map<string, readonly [Point2, Point2]>();
+  let furniture: RoomPlan['furniture'] | null = null;
+  return {
+    frame,
+    outlines: outlinesOf(floorOf(room), frame),
+    get furniture() {
+      return (furniture ??= furnitureOf(room, frame));
+    },
+  };
+}
+
+function furnitureOf(room: RoomMesh, frame: PlanFrame): RoomPlan['furniture'] {
+  const edges = new Map<string, readonly [Point2, Point2]>();
   for (const { mesh, measuring } of room.lit) {
     if (measuring || !room.standing.has(mesh)) continue;
-    const corners = trianglesOf([mesh]);
+    const corners = trianglesOf(mesh);
     const index = Array.from({ length: corners.length / 3 }, (_, i) => i);
     for (const [a, b] of inSegments(surfaceEdges(index, corners, crease), frame)) {
       if (Math.hypot(b[0] - a[0], b[1] - a[1]) < shortest) continue;
       const ends = [keyOf(a), keyOf(b)].sort().join('|');
-      furniture.set(ends, [a, b]);
+      edges.set(ends, [a, b]);
     }
   }
-  const outlines = outlinesOf(floorOf(room), frame);
-  return { frame, outlines, furniture: [...furniture.values()] };
+  return [...edges.values()];
 }
 
 /** The frame of a room that is displayed; where nothing faces up, that of its box. */
@@ -93,13 +110,14 @@ function floorOf({ lit }: RoomMesh): number[] {
   const solid = lit.filter(({ measuring }) => !measuring);
   const bottoms = solid.map(({ mesh }) => new Box3().setFromObject(mesh).min.y);
   const lowest = Math.min(...bottoms);
-  const floors = new Map<number, number[]>(); // by surface
+  const floors = new Map<number, number[][]>(); // by surface
   for (const { mesh, surface } of solid.filter((_, i) => bottoms[i]! < lowest + level)) {
-    const faces = floorTriangles(trianglesOf([mesh]), lowest);
-    floors.set(surface, [...(floors.get(surface) ?? []), ...faces]);
+    const faces = floorTriangles(trianglesOf(mesh), lowest);
+    floors.set(surface, [...(floors.get(surface) ?? []), faces]);
   }
-  const most = Math.max(0, ...[...floors.values()].map(levelArea));
-  return [...floors.values()].filter((faces) => levelArea(faces) > aPart * most).flat();
+  const areas = [...floors.values()].map((parts) => parts.reduce((sum, faces) => sum + levelArea(faces), 0));
+  const most = Math.max(0, ...areas);
+  return [...floors.values()].filter((_, i) => areas[i]! > aPart * most).flat(2);
 }
 
 /** Seen from above, m2. */
@@ -112,17 +130,16 @@ function levelArea(faces: Triangles): number {
   return sum;
 }
 
-function trianglesOf(meshes: readonly RoomMesh['lit'][number]['mesh'][]): number[] {
-  const corners: number[] = [];
+function trianglesOf({ geometry, matrixWorld }: RoomMesh['lit'][number]['mesh']): Float64Array {
+  const position = geometry.getAttribute('position');
+  const index = geometry.index?.array;
+  const corners = new Float64Array(3 * (index?.length ?? position.count));
   const point = new Vector3();
-  for (const { geometry, matrixWorld } of meshes) {
-    const position = geometry.getAttribute('position');
-    const count = geometry.index?.count ?? position.count;
-    for (let i = 0; i < count; i++) {
-      point.fromBufferAttribute(position, geometry.index?.getX(i) ?? i).applyMatrix4(matrixWorld);
-      corners.push(point.x, point.y, point.z);
-    }
-  }
+  for (let i = 0; 3 * i < corners.length; i++)
+    point
+      .fromBufferAttribute(position, index ? index[i]! : i)
+      .applyMatrix4(matrixWorld)
+      .toArray(corners, 3 * i);
   return corners;
 }
 

@@ -1,7 +1,8 @@
 /** What colour each patch of a room has: its materials, averaged over the vertices that take their light from it. */
-import { InterleavedBufferAttribute, type BufferAttribute, type Texture, type Vector4 } from 'three';
+import type { Texture, Vector4 } from 'three';
 import { linearFromSrgb } from '../../document/linear-colour.mjs';
 import { breath } from '../stage/breath.ts';
+import { numbersOf } from './attribute-numbers.ts';
 import type { LitMesh } from './room-mesh.ts';
 
 const portion = 16_384; // vertices between two breaths: some milliseconds
@@ -33,16 +34,6 @@ async function smallPicture({ image }: Texture): Promise<SmallPicture | null> {
 
 const wrapped = (coordinate: number): number =>
   Math.min(side - 1, Math.floor(side * (coordinate - Math.floor(coordinate))));
-
-/** The numbers of an attribute without a call for each: number `of` of vertex v is array[v * stride + offset + of] * scale. */
-function numbersOf(attribute: BufferAttribute | InterleavedBufferAttribute) {
-  const { array, normalized, itemSize } = attribute;
-  const isWhole = !(array instanceof Float32Array);
-  const scale = normalized && isWhole ? 1 / (2 ** (8 * array.BYTES_PER_ELEMENT) - 1) : 1; // unsigned
-  if (attribute instanceof InterleavedBufferAttribute)
-    return { array, stride: attribute.data.stride, offset: attribute.offset, scale };
-  return { array, stride: itemSize, offset: 0, scale };
-}
 
 /** Adds the colours at some vertices of a mesh to those of their patches. */
 function addVertices(

@@ -11,6 +11,7 @@ import {
   Scene,
   WebGLRenderer,
   type Camera,
+  type Object3D,
 } from 'three';
 import { createBackground } from './background.ts';
 import { words } from '../../language/language.ts';
@@ -19,6 +20,7 @@ const maxPixelRatio = 2;
 /** Of the picture's height: a low picture is used to its edge, a plan as far as something is left of it. */
 const mostCovered = 0.27;
 const leastOfPlan = 0.42;
+const longestLink = 3000; // ms: where the context is lost nothing is ever linked
 
 /**
  * Strips that controls lie over, CSS px: the custom properties --view-top, --view-bottom, --plan-top and --plan-bottom of
@@ -94,6 +96,16 @@ export class Stage {
   /** Pixels of the picture a CSS pixel. */
   get ratio(): number {
     return this.renderer.getPixelRatio();
+  }
+
+  /** Ends when the programs of a room without light are linked: the first frame with it would wait for that. */
+  async link(root: Object3D, camera: Camera): Promise<void> {
+    const { visible } = this.daylight;
+    this.daylight.visible = true; // as it is then
+    const linked = this.renderer.compileAsync(root, camera, this.scene);
+    this.daylight.visible = visible;
+    const late = new Promise((resolve) => setTimeout(resolve, longestLink));
+    await Promise.race([linked, late]);
   }
 
   /** Draws the picture, or the part of it between two shares of its width. */
