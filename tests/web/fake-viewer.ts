@@ -49,6 +49,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       divide: () => {},
       prepare: () => {},
       building: () => null,
+      openingCut: async () => null,
       open: async () => void viewer.opened++,
       preview: async () => {},
       arrive: () => {},

@@ -7,13 +7,8 @@ import { words } from '../language/language.ts';
 import { fixed } from '../language/numbers.ts';
 import { surfaceText } from '../language/surface-names.ts';
 
-const waist = 1.5; // m over its floor: where a storey is first cut, so that one sees into its rooms
 const step = 0.1; // m
 const numbered = /^(storey \d+\/)?room \d+\/floor$/; // a floor that is told by its room alone
-
-/** Where a storey is cut when it is chosen. */
-const cutOf = ({ floor, clear }: StoreyView): number =>
-  Math.round(10 * (floor + Math.min(waist, clear - 0.3))) / 10;
 
 export function Storeys({ stood }: { readonly stood: () => void }) {
   const app = useApp();
@@ -41,7 +36,7 @@ export function Storeys({ stood }: { readonly stood: () => void }) {
             class="button small"
             aria-pressed={isShown(storey, i)}
             title={texts.storeyTip(fixed(storey.floor, 2))}
-            onClick={() => app.setSection(cutOf(storey))}
+            onClick={() => app.setSection(storey.cut)}
           >
             {texts.storey(i + 1)}
           </button>

@@ -86,6 +86,7 @@ export interface SeenGlare {
 export interface StoreyView {
   readonly floor: number; // m, its height in the room
   readonly clear: number; // m over it
+  readonly cut: number; // m, a height for the section that lets one see into its rooms
   readonly rooms: readonly { readonly surface: number; readonly area: number; readonly camera: Camera }[]; // surface: leaf of the floor that is its own, or -1
 }
 
@@ -166,6 +167,8 @@ export interface Viewer {
   plan(): RoomPlan | null;
   /** Null where there is but one room, or none. */
   building(): BuildingView | null;
+  /** Where to cut the room that is open, so that what is asked about (setAims) is seen: m; null where nothing hides it. */
+  openingCut(): Promise<number | null>;
   view(name: ViewName): void;
   fit(): void;
   home(): void;

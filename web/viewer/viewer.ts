@@ -28,7 +28,7 @@ import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
 import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { Section } from './room/section.ts';
-import { isBuilding } from './room/storeys.ts';
+import { cutOf, isBuilding, openingCut } from './room/storeys.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
 import { standingCamera } from './eye/room-poses.ts';
@@ -90,6 +90,7 @@ class RoomViewer implements Viewer {
   #planes: number[] = []; // leaves of the measuring planes that are drawn
   #besidePlanes: readonly Box3[] = []; // furniture
   #opening = 0; // the latest open or preview wins
+  #looked: Promise<void> = Promise.resolve(); // whether it is a building is known
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
   #ready = false; // every part is there
@@ -174,7 +175,7 @@ class RoomViewer implements Viewer {
     this.#show(room, scene);
     this.#frame = frame;
     this.#awaitLight(turn);
-    this.#look(turn);
+    this.#looked = this.#look(turn);
   }
 
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
@@ -341,11 +342,21 @@ class RoomViewer implements Viewer {
       storeys: storeys.map(({ floor, clear, rooms }) => ({
         floor,
         clear,
+        cut: cutOf({ floor, clear }),
         rooms: rooms.map(({ eye, ahead, ...room }) => ({ ...room, camera: standingCamera(eye, ahead) })),
       })),
       low: box.min[1],
       high: box.max[1],
     };
+  }
+
+  async openingCut(): Promise<number | null> {
+    const turn = this.#opening;
+    await this.#looked;
+    if (turn !== this.#opening || !this.#room || !this.#section.isBuilding) return null;
+    const asked = this.#room.lit.filter(({ surface }) => this.#aims.includes(surface));
+    const heights = asked.map(({ mesh }) => new Box3().setFromObject(mesh).min.y);
+    return heights.length > 0 ? openingCut(this.#section.storeys, Math.min(...heights)) : null;
   }
 
   view(name: ViewName): void {
@@ -450,14 +461,13 @@ class RoomViewer implements Viewer {
   }
 
   /** Finds out whether the room is a building, whose outsides are drawn. */
-  #look(turn: number): void {
+  async #look(turn: number): Promise<void> {
     const { min, max } = this.#room!.box;
     if (max[1] - min[1] < twoStoreys) return;
-    setTimeout(() => {
-      if (turn !== this.#opening || this.#disposed || this.#section.storeys.length < 2) return;
-      this.#applyDisplay();
-      this.#loop.invalidate();
-    }, calm);
+    await new Promise((resolve) => setTimeout(resolve, calm));
+    if (turn !== this.#opening || this.#disposed || this.#section.storeys.length < 2) return;
+    this.#applyDisplay();
+    this.#loop.invalidate();
   }
 
   #clearRoom(): void {

@@ -196,9 +196,19 @@ export class Placing {
       store.display.value = { ...display, quantity: document.quantity };
     });
     void this.#types.findMissing();
+    if (!view?.display) void this.#cutOpen();
     if (view?.camera) this.#viewer.setCamera(view.camera);
     else if (first) this.#viewer.setCamera({ ...first, plan: false });
     else this.#viewer.home();
+  }
+
+  /** A building is opened at the storey that is asked about, whose light those above would hide. */
+  async #cutOpen(): Promise<void> {
+    const placed = this.#placed;
+    const section = await this.#viewer.openingCut();
+    const display = this.#store.display.peek();
+    if (section !== null && placed === this.#placed && display.section === undefined)
+      this.#store.display.value = { ...display, section };
   }
 
   #remember(): void {

@@ -16,6 +16,7 @@ const leastFloor = 4; // m2
 const leastRoom = 1.5; // m2
 const leastWidth = 0.9; // m: a narrower room is the inside of a wall, a shaft, a cupboard
 const enclosed = 0.5; // of a room's rim that walls form, at least
+const waist = 1.5; // m over its floor: where a storey is cut, so that one sees into its rooms
 const fieldOfView = Math.PI / 3;
 const directions = 48;
 const places = 40; // that are tried in a room
@@ -47,6 +48,16 @@ export function storeysOf(solids: readonly Solid[], box: Box): Storey[] {
 /** Whether there is more to look at than one room. */
 export const isBuilding = (storeys: readonly Storey[]): boolean =>
   storeys.reduce((sum, { rooms }) => sum + rooms.length, 0) > 1;
+
+/** m: where a storey is cut when it is looked at. */
+export const cutOf = ({ floor, clear }: Pick<Storey, 'floor' | 'clear'>): number =>
+  Math.round(10 * (floor + Math.min(waist, clear - 0.3))) / 10;
+
+/** Where to cut so that what is at this height (m) is seen; null where no storey lies over it. */
+export function openingCut(storeys: readonly Storey[], height: number): number | null {
+  const i = storeys.filter(({ floor }) => floor < height + uneven).length - 1; // they are in order
+  return i < 0 || i === storeys.length - 1 ? null : cutOf(storeys[i]!);
+}
 
 /** Heights on which many stand, at least a storey apart. What has no ceiling is a floor where walls rise beside it. */
 function floorsOf(columns: Columns, top: number): { floor: number; clear: number }[] {

@@ -2,7 +2,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { forEachCut, type Solid } from '../../../../web/viewer/room/columns.ts';
 import { standingStoreys } from '../../../../web/viewer/room/section.ts';
-import { isBuilding, storeysOf, type Storey } from '../../../../web/viewer/room/storeys.ts';
+import { isBuilding, openingCut, storeysOf, type Storey } from '../../../../web/viewer/room/storeys.ts';
 import type { Box } from '../../../../web/viewer/eye/framing.ts';
 import { building, makeBuilding } from '../../../rooms/made-building.mjs';
 import { readRoom } from '../../../rooms/read-room.mjs';
@@ -104,4 +104,12 @@ test('furniture stands whole on its storey with what it carries; walls and what 
     { min: [5, 0, 1], max: [6, 3, 4] }, // a stair
   ];
   expect(standingStoreys(parts, twoFloors)).toEqual([1, 1, 0, 0, 2, 0, 0]);
+});
+
+test('a building is opened at the storey that is asked about, where others lie over it', () => {
+  const tall = [0, 3, 6].map((floor) => ({ floor, clear: 2.7, rooms: [] }));
+  const asked = [0, 0.75, 2.9, 3, 3.75]; // floors and planes, a floor on a thinner slab
+  expect(asked.map((height) => openingCut(tall, height))).toEqual([1.5, 1.5, 4.5, 4.5, 4.5]);
+  expect([6, 6.75, -2].map((height) => openingCut(tall, height))).toEqual([null, null, null]);
+  expect(openingCut([{ floor: 0, clear: 1.6, rooms: [] }, ...tall.slice(1)], 0)).toBe(1.3);
 });
