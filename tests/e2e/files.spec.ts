@@ -71,6 +71,14 @@ test('files by button and by drop, good and damaged', async ({ page }) => {
   await chooseFile(page, 'second.flux', box);
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('second');
   await settled(page);
+
+  // Both are kept like rooms that were computed here.
+  await expect(messages(page).getByText('one of your rooms')).toBeVisible();
+  await page.reload();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('second', { timeout: 60_000 });
+  await page.getByRole('banner').getByRole('button').first().click();
+  const own = page.getByRole('dialog', { name: 'Rooms' }).getByRole('button', { name: /as .flux$/ });
+  await expect(own).toHaveCount(2);
 });
 
 test('a picture in false colours carries its legend, a realistic one does not', async ({ page }) => {

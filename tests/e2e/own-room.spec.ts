@@ -51,6 +51,7 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
   await gallery.getByRole('button', { name: 'Rename my box' }).click();
   await gallery.getByLabel('Name of the room').fill('Atelier');
   await gallery.getByRole('button', { name: 'Rename', exact: true }).click();
+  await expect(page.locator('h1')).toHaveText('Atelier'); // the room is on the screen
   await gallery.getByRole('button', { name: /^Atelier/ }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Atelier');
   await expectLit(page);

@@ -16,6 +16,7 @@ import type { LuminaireTypes } from '../luminaires/luminaire-types.ts';
 import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Lighting } from '../lighting/lighting.ts';
+import type { OwnRooms } from '../rooms/own-rooms.ts';
 import type { Placement, Placing } from './placing.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -67,12 +68,19 @@ async function plainOf({ name, bytes, siblings }: Model): Promise<Model['bytes']
   });
 }
 
+/** The hash of the model that a scene was made of, or what else tells it from others. */
+function sourceOf({ provenance, identity }: SceneInfo): string {
+  const { source } = (provenance ?? {}) as { readonly source?: { readonly hash?: unknown } };
+  return typeof source?.hash === 'string' ? source.hash : identity;
+}
+
 export class FileOpening {
   readonly #store: Store;
   readonly #viewer: Viewer;
   readonly #placing: Placing;
   readonly #types: LuminaireTypes;
   readonly #lighting: Lighting;
+  readonly #own: Pick<OwnRooms, 'nameFor' | 'has' | 'keep' | 'titleOf'>;
   readonly #openProject: (project: Project) => Promise<boolean>;
 
   constructor(
@@ -81,6 +89,7 @@ export class FileOpening {
     placing: Placing,
     types: LuminaireTypes,
     lighting: Lighting,
+    own: Pick<OwnRooms, 'nameFor' | 'has' | 'keep' | 'titleOf'>,
     openProject: (project: Project) => Promise<boolean>,
   ) {
     this.#store = store;
@@ -88,6 +97,7 @@ export class FileOpening {
     this.#placing = placing;
     this.#types = types;
     this.#lighting = lighting;
+    this.#own = own;
     this.#openProject = openProject;
   }
 
@@ -170,24 +180,39 @@ export class FileOpening {
     else this.#refuse(words.value.opening.notOurs(name, modelEndings));
   }
 
+  /** Somebody's room, which the browser keeps like those that were computed in it: a reload has it and the work in it. */
   async #openFlux(name: string, bytes: ArrayBuffer): Promise<void> {
     const title = name.replace(/\.flux$/i, '');
+    let [room, source] = [name, ''];
     const opened = await this.#placing.attempt(words.value.opening.opening(name), (isCurrent) =>
-      this.#placing.place(bytes, title, isCurrent, (scene) => this.#placementOf(name, scene)),
+      this.#placing.place(bytes, title, isCurrent, async (scene) => {
+        source = sourceOf(scene);
+        room = await this.#own.nameFor(name, source);
+        return this.#placementOf(room, scene);
+      }),
     );
-    if (opened) this.#store.say('info', words.value.opening.isOpen(name));
+    if (!opened) return;
+    const { document } = this.#store;
+    if (document.peek().room !== room || this.#own.has(room))
+      return void this.#store.say('info', words.value.opening.isOpen(name));
+    try {
+      await this.#own.keep(room, source, bytes);
+      this.#store.say('info', words.value.opening.isOpenAndKept(name));
+    } catch (error) {
+      this.#store.say('warning', reasonOf(error));
+    }
   }
 
   /** What a link asks of this room that waited for its file, or else what is asked of any room at first. */
-  #placementOf(name: string, scene: SceneInfo): Placement {
+  #placementOf(room: string, scene: SceneInfo): Placement {
     const link = this.#store.pendingLink.peek();
     const document = link?.scene === scene.identity ? documentOf(link, scene, true) : null;
     if (link && document && typeof document !== 'string') {
       this.#store.pendingLink.value = null;
-      return { document, view: link, files: link.files };
+      return { document: { ...document, room }, view: link, files: link.files };
     }
     const asked = askedOfUnknown(scene.surfaces, scene.sites.size.length, scene.provenance);
-    return { document: documentFrom(asked, scene.identity, name) };
+    return { document: documentFrom(asked, scene.identity, room) };
   }
 
   /** Shows a model as it will look, and computes its light. One that is broken is not shown: what lights it says why. */

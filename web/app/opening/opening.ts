@@ -76,7 +76,7 @@ export class Opening {
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
     this.lighting = new Lighting(store, solving, this.#placing, own, createPool);
     const openProject = (project: Project) => this.#openProject(project);
-    this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, openProject);
+    this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, own, openProject);
   }
 
   /**

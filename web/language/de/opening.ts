@@ -34,6 +34,8 @@ export const opening: Words['opening'] = {
   unreadable: (name) => `„${name}“ konnte nicht vom Datenträger gelesen werden.`,
   notOurs: (name, models) =>
     `„${name}“ ist keine Datei von Fiat Lux: möglich sind Modelle (${models}, .zip), .stf, .flux, .ies, .ldt und Projektdateien.`,
+  isOpenAndKept: (name) =>
+    `„${name}“ ist geöffnet und von nun an einer der eigenen Räume. Die Datei bleibt auf diesem Rechner: Nichts wird hochgeladen.`,
   isOpen: (name) => `„${name}“ ist geöffnet. Die Datei bleibt auf diesem Rechner: Nichts wird hochgeladen.`,
   gone: (room) => `„${room}“ ist nicht mehr da: die Datei noch einmal öffnen.`,
   readable: 'Lesbares öffnen',

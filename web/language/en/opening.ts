@@ -28,6 +28,8 @@ export const opening = {
   unreadable: (name: string) => `“${name}” could not be read from the disk.`,
   notOurs: (name: string, models: string) =>
     `“${name}” is not a file of Fiat Lux: it takes models (${models}, .zip), .stf, .flux, .ies, .ldt and project files.`,
+  isOpenAndKept: (name: string) =>
+    `“${name}” is open, and one of your rooms from now on. It stays on this computer: nothing is uploaded.`,
   isOpen: (name: string) => `“${name}” is open. It stays on this computer: nothing is uploaded.`,
   gone: (room: string) => `“${room}” is not here any more: open its file again.`,
   readable: 'Open what can be read',

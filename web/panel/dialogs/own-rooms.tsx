@@ -107,11 +107,12 @@ function Picture({ bytes }: { readonly bytes: ArrayBuffer | undefined }) {
 }
 
 function Naming({ room, done }: { readonly room: OwnRoom; readonly done: () => void }) {
-  const { own } = useApp();
+  const { own, store } = useApp();
   const [title, setTitle] = useState(room.title);
   const rename = async () => {
     const clean = title.trim().slice(0, 80);
     if (clean) await own.change(room.room, { title: clean });
+    if (clean && store.document.peek().room === room.room) store.roomTitle.value = clean;
     done();
   };
   return (
