@@ -2,6 +2,8 @@
 #include "precompute/geometry/covered.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "precompute/rays/hemisphere.h"
 #include "precompute/rays/patch_sampler.h"
@@ -17,6 +19,9 @@ constexpr double kSlit = 0.15;         // m: what is not higher is a slit
 constexpr double kSlitEnds = 0.5;      // m: in a slit of 0.15 m nine tenths of the looks end nearer
 constexpr double kMostly = 0.5;        // share of the points
 constexpr std::uint32_t kPoints = 32;  // on a patch, a whole number of packets
+constexpr double kEyeAbove = 0.05;     // m above a place: from there it is looked round
+constexpr double kFirstWay = 0.2;      // rad: what is built lies along the axes, and no look should
+constexpr std::uint32_t kInsides = 5;  // of eight looks round: a straight sheet is met from behind by four
 
 /// What the rays from one patch have told: of how many points.
 struct Seen {
@@ -38,7 +43,8 @@ class Looker {
   /// From every point one ray along the normal, one by the cosine, and its mirror image on the other side of
   /// the normal: in a corner of a room one of the two finds a way out, between a sofa and the wall neither
   /// does. A point is inside a body where the first two end at insides: a single sheet is seen from behind by
-  /// few such pairs.
+  /// few such pairs. The first may end at a ceiling that lies in one plane with the top of a wall; then looks
+  /// round tell.
   Seen lookFrom(std::uint32_t p, double reach) const {
     const PatchSampler sampler(room_, p);
     const auto scramble = RaySequence::scramble(mixBits(p));
@@ -61,8 +67,8 @@ class Looker {
       tracer_.intersect(spread, met);
       tracer_.intersect(mirrored, across);
       for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
-        const bool inside =
-            isInside(origin[i], normal[i], before, i) && isInside(origin[i], direction[i], met, i);
+        const bool inside = isInside(origin[i], direction[i], met, i) &&
+                            (isInside(origin[i], normal[i], before, i) || isSurrounded(origin[i], normal[i]));
         const bool hidden = inside || ends(before, i, reach);
         const double width = ends(before, i, kSlit) ? kSlitEnds : kConfined;
         seen.hidden += hidden;
@@ -79,6 +85,24 @@ class Looker {
   bool isInside(const Vec3& origin, const Vec3& direction, const HitPacket& hits, std::uint32_t i) const {
     return hits.triangle[i] != kNone &&
            room_.patchMet(origin, direction, hits.triangle[i], hits.distance[i]) == kNone;
+  }
+
+  /// Whether looks round, level with the patch, mostly end at insides.
+  bool isSurrounded(const Vec3& origin, const Vec3& normal) const {
+    const Frame frame(normal);
+    const Vec3 from = origin + kEyeAbove * normal;
+    RayPacket round;
+    Vec3 ways[RayPacket::kSize];
+    for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) {
+      const double angle = kFirstWay + 2 * std::numbers::pi * i / RayPacket::kSize;
+      ways[i] = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
+      tracer_.aim(round, from, ways[i], kFar);
+    }
+    HitPacket met;
+    tracer_.intersect(round, met);
+    std::uint32_t insides = 0;
+    for (std::uint32_t i = 0; i < RayPacket::kSize; ++i) insides += isInside(from, ways[i], met, i);
+    return insides >= kInsides;
   }
 
   static constexpr double kFar = 1e6;  // m

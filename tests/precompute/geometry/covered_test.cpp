@@ -57,6 +57,18 @@ TEST(Covered, AnEmptyRoomHasNothingOfTheKind) {
   }
 }
 
+TEST(Covered, FloorUnderAWallThatReachesTheCeiling) {
+  for (const double rise : {0.0, 0.2}) {  // m, of a floor that the wall stands on, over that of the room
+    TestGltf gltf = boxRoom(kSize, 1);
+    const double thick = 0.5;  // m, more than a hollow
+    addBox(gltf, "wall", {1, rise, 0}, {thick, kSize.y - rise, kSize.z});
+    if (rise > 0) addBox(gltf, "plate", {0, 0, 0}, {kSize.x, rise, kSize.z});
+    const Result<Room> room = gltf.build(fine());
+    ASSERT_TRUE(room) << room.error().message;
+    EXPECT_NEAR(coveredOf(*room, rise > 0 ? "plate/top" : "floor"), thick * kSize.z, 1e-6) << rise;
+  }
+}
+
 TEST(Covered, FloorUnderABodyAndWallBehindIt) {
   TestGltf gltf = boxRoom(kSize, 1);
   addBox(gltf, "cabinet", {1, 0.01, 0.01},
