@@ -59,7 +59,8 @@ export function PreviewNote() {
         <EditRoom />
         <OpenSheet />
       </div>
-      {name && <Command name={name} />}
+      {/* a fault of the model is one to the command, too */}
+      {name && state?.isTooLarge !== false && <Command name={name} />}
     </section>
   );
 }
