@@ -14,6 +14,7 @@ import {
   type Object3D,
 } from 'three';
 import { isModel } from './model-files.ts';
+import { tooMuchInObj } from './too-much.ts';
 import { reasonOf } from '../../document/reason.ts';
 import { words } from '../../language/language.ts';
 
@@ -33,6 +34,10 @@ export async function importModel(files: readonly File[]): Promise<Imported> {
   const main = files.find(({ name }) => isModel(name));
   if (!main) throw new Error(words.value.opening.import.noModel);
   const stem = main.name.replace(/\.[^.]*$/, '');
+  if (/\.obj$/i.test(main.name)) {
+    const tooMuch = await tooMuchInObj(stem, new Uint8Array(await main.arrayBuffer()));
+    if (tooMuch) throw new Error(tooMuch);
+  }
   const urls = new Map(files.map((file) => [file.name.toLowerCase(), URL.createObjectURL(file)]));
   try {
     const manager = new LoadingManager();

@@ -1,10 +1,15 @@
-/** The models in a .zip, with what they name; nothing is inflated that is not wanted or is too large. */
+/**
+ * The models in a .zip, with what they name; nothing is inflated that is not wanted or is too large, and the page goes on
+ * meanwhile: what says less of its size than it holds takes long.
+ */
 import { unzipSync } from 'fflate';
+import type { Inflated, Zipped } from './inflate.ts';
 import { cureOf, isModel, modelEndings } from './model-files.ts';
 import { words } from '../../language/language.ts';
 
 const mostBytes = 256 << 20; // inflated, all together
 const mostFiles = 2000;
+const mostTime = 30_000; // ms of inflating
 const rooms = /\.(gltf|glb|stf|flux)$/i;
 const parts = /\.(bin|mtl|png|jpe?g|webp|tga|bmp|gif)$/i; // of models
 const luminaires = /\.(ies|ldt|eul)$|^product\.xml$/i; // of a maker's zip or a GLDF
@@ -13,33 +18,52 @@ const isJunk = (name: string): boolean => /(^|\/)(__MACOSX\/|\._)/.test(name);
 const isRoom = (name: string): boolean => !isJunk(name) && (rooms.test(name) || isModel(name));
 const isWanted = (name: string): boolean => isRoom(name) || (parts.test(name) && !isJunk(name));
 
+/** In a worker; what takes too long is damaged. */
+async function inflated(zipped: Zipped): Promise<Inflated> {
+  const worker = new Worker(new URL('./unzip-worker.ts', import.meta.url), { type: 'module', name: 'unzip' });
+  return new Promise<Inflated>((resolve) => {
+    worker.onmessage = ({ data }: MessageEvent<Inflated>) => resolve(data);
+    worker.onerror = () => resolve(null);
+    setTimeout(() => resolve(null), mostTime);
+    worker.postMessage(zipped);
+  }).finally(() => worker.terminate());
+}
+
 /** null where the zip holds luminaires and no model. Throws one sentence where it is damaged, or holds neither or too much. */
-export async function unzippedModel(file: File): Promise<File[] | null> {
+export async function unzippedModel(file: File, inflate = inflated): Promise<File[] | null> {
   const bytes = new Uint8Array(await file.arrayBuffer());
-  let [total, count, hasModel] = [0, 0, false];
   const names: string[] = [];
-  const look = ({ name, originalSize }: { name: string; originalSize: number }) => {
+  const wanted: string[] = [];
+  let total = 0;
+  let isLying = false;
+  const look = ({ name, size, originalSize }: { name: string; size: number; originalSize: number }) => {
     if (!isJunk(name) && names.length < mostFiles) names.push(name);
     if (!isWanted(name)) return false;
+    wanted.push(name);
     total += originalSize;
-    count += 1;
-    hasModel ||= isRoom(name);
+    isLying ||= size > longestDeflated(originalSize);
     return false;
   };
   try {
     unzipSync(bytes, { filter: look });
   } catch {
-    throw new Error(words.value.opening.import.zipDamaged(file.name));
+    isLying = true;
   }
+  if (isLying) throw new Error(words.value.opening.import.zipDamaged(file.name));
+  const hasModel = wanted.some(isRoom);
   if (!hasModel && names.some((name) => luminaires.test(name))) return null;
   if (!hasModel) throw new Error(withoutModel(file.name, names));
-  if (total > mostBytes || count > mostFiles)
-    throw new Error(words.value.opening.import.zipTooLarge(file.name, Math.round(total / 1e6), count));
-  const inside = unzipSync(bytes, { filter: ({ name }) => isWanted(name) });
-  return Object.entries(inside).map(
-    ([name, content]) => new File([new Uint8Array(content)], name.replace(/^.*[\\/]/, '')),
-  );
+  if (total > mostBytes || wanted.length > mostFiles)
+    throw new Error(
+      words.value.opening.import.zipTooLarge(file.name, Math.round(total / 1e6), wanted.length),
+    );
+  const inside = await inflate({ bytes, wanted: wanted });
+  if (!inside) throw new Error(words.value.opening.import.zipDamaged(file.name));
+  return Object.entries(inside).map(([name, content]) => new File([content], name.replace(/^.*[\\/]/, '')));
 }
+
+/** Bytes that so many never take more of: what cannot be made smaller is stored, with some bytes for every block. */
+const longestDeflated = (size: number): number => size + 1000 + Math.ceil(size / 1000);
 
 /** What is said of a zip with nothing to open: the way for what is in it, or else what a zip may hold. */
 function withoutModel(zip: string, names: readonly string[]): string {

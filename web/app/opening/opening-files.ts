@@ -45,6 +45,8 @@ export function openable(files: readonly File[]): readonly File[] {
   return [scenes, luminaires].find((each) => each.length > 0) ?? seen;
 }
 
+const sizeOf = (files: readonly File[]): number => files.reduce((sum, { size }) => sum + size, 0);
+
 /** Of several models in one drop: the one that is opened, and the names of the others; null where there are not two. */
 export function modelOfSeveral(files: readonly File[]): { opened: string; others: string[] } | null {
   const names = files.map(({ name }) => name);
@@ -106,11 +108,17 @@ export class FileOpening {
     const files = openable(all);
     if (files.length === 0) return this.#refuse(words.value.opening.emptyFolder);
     const model = files.find(({ name }) => isModel.test(name));
+    const isImport = !model && isForImport(files.map(({ name }) => name));
+    const [main] = model ? [model] : files;
+    if (main && (model || isImport) && sizeOf(files) > largestFile) {
+      const { tooLarge, tooLargeTogether } = words.value.opening;
+      return this.#refuse((files.length > 1 ? tooLargeTogether : tooLarge)(cleanFileName(main.name)));
+    }
     try {
       const inside = await this.#unzipped(files);
       if (inside) return await this.open(inside);
       this.#nameOthers(files);
-      if (!model && isForImport(files.map(({ name }) => name))) return await this.#import(files);
+      if (isImport) return await this.#import(files);
     } catch (error) {
       return this.#refuse(reasonOf(error));
     }

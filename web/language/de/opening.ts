@@ -18,6 +18,8 @@ export const opening: Words['opening'] = {
   firstOf: (count) => `Von ${count} Dateien wird die erste geöffnet.`,
   oneOfModels: (opened, others, more) =>
     `Von diesen Modellen ist „${opened}“ geöffnet; nicht geöffnet: ${others.replaceAll('“', '„').replaceAll('”', '“')}${more > 0 ? ` und ${more} weitere` : ''}. Ein anderes allein hineinziehen, um es zu beleuchten.`,
+  tooLargeTogether: (name) =>
+    `„${name}“ und die Dateien daneben sind zusammen größer als 256 MB; mehr kann der Browser nicht halten.`,
   tooLarge: (name) => `„${name}“ ist größer als 256 MB; mehr kann der Browser nicht halten.`,
   damagedMesh: 'ein komprimiertes Netz darin ist beschädigt: noch einmal exportieren, oder ohne Kompression',
   tooMuch: {

@@ -14,6 +14,8 @@ export const opening = {
   firstOf: (count: number) => `Of ${count} files the first is opened.`,
   oneOfModels: (opened: string, others: string, more: number) =>
     `Of these models “${opened}” is opened; not opened: ${others}${more > 0 ? ` and ${more} more` : ''}. To light another, drop it by itself.`,
+  tooLargeTogether: (name: string) =>
+    `“${name}” and the files beside it are larger than 256 MB together, which is more than the browser can hold.`,
   tooLarge: (name: string) => `“${name}” is larger than 256 MB, which is more than the browser can hold.`,
   damagedMesh: 'a compressed mesh of it is damaged: export it again, or without compression',
   tooMuch: {

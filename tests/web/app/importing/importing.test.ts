@@ -1,13 +1,17 @@
 // Files of other programs: which are read, what a zip and an STF file hold, and what is said of the others.
-// Covers importing, model-files, stf-plan, unzipped; import-model's loaders need a browser: see tests/e2e/importing.spec.ts.
+// Covers importing, model-files, stf-plan, unzipped, inflate; import-model's loaders need a browser: see tests/e2e/importing.spec.ts.
 import { afterEach, describe, expect, test } from '@jest/globals';
 import { zipSync, strToU8 } from 'fflate';
 import { imported } from '../../../../web/app/importing/importing.ts';
 import { cureOf, isForImport } from '../../../../web/app/importing/model-files.ts';
 import { planOfStf } from '../../../../web/app/importing/stf-plan.ts';
-import { unzippedModel } from '../../../../web/app/importing/unzipped.ts';
+import { inflate } from '../../../../web/app/importing/inflate.ts';
+import { unzippedModel as unzipped } from '../../../../web/app/importing/unzipped.ts';
 import { speak } from '../../../../web/language/language.ts';
 import { unpackedPlan } from '../../../../web/room-maker/plan-code.mjs';
+
+/** In this thread. */
+const unzippedModel = (zip: File) => unzipped(zip, async (zipped) => inflate(zipped));
 
 const file = (name: string, text: string | Uint8Array<ArrayBuffer> = '') => new File([text], name);
 
@@ -80,12 +84,20 @@ describe('a zip', () => {
     await expect(unzippedModel(saying(1e9, new Uint8Array(1000)))).rejects.toThrow(/“bomb.zip” .*1000 MB/);
   });
 
-  test('that says little and holds much gives no more than it says, or is damaged', async () => {
+  test('that says less than it can hold is damaged, and not inflated', async () => {
     const much = saying(1000, new Uint8Array(64 << 20));
     expect(much.size).toBeLessThan(100_000);
+    const never = async () => {
+      throw new Error('inflated');
+    };
+    await expect(unzipped(much, never)).rejects.toThrow(/damaged/);
+  });
+
+  test('that says less than it holds gives no more than it says, or is damaged', async () => {
+    const much = saying(1 << 20, new Uint8Array(64 << 20));
     const files = await unzippedModel(much).catch((error: Error) => error.message);
     if (typeof files === 'string') expect(files).toMatch(/damaged/);
-    else expect(files?.map(({ size }) => size)).toEqual([1000]);
+    else expect(files?.map(({ size }) => size)).toEqual([1 << 20]);
   });
 
   test('that is damaged says so', async () => {

@@ -1,6 +1,6 @@
 // What would freeze the page is told before it is shown. Covers too-much.
 import { expect, test } from '@jest/globals';
-import { tooMuchIn } from '../../../../web/app/importing/too-much.ts';
+import { tooMuchIn, tooMuchInObj } from '../../../../web/app/importing/too-much.ts';
 import { speak } from '../../../../web/language/language.ts';
 import { writeGlb } from '../../../../web/document/gltf-container.ts';
 import { changed, refused } from '../../hostile-models.ts';
@@ -48,4 +48,13 @@ test('a sound room is not too much; what is broken is told by others', () => {
   for (const name of ['nothing.glb', 'lying.glb', 'nested.gltf', 'page.gltf', 'empty.glb', 'count.glb'])
     expect([name, tooMuchIn(refused[name]!())]).toEqual([name, null]);
   expect(tooMuchIn(changed(({ json }) => (json.accessors[1].count = 2 ** 31 - 1)))).toBeNull();
+});
+
+test('faces of an .obj are counted before a loader holds up the page for them', async () => {
+  const faces = (count: number) => 'f 1 2 3\n'.repeat(count);
+  const text = (...parts: string[]) => new TextEncoder().encode(parts.join(''));
+  const vertices = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n';
+  expect(await tooMuchInObj('room', text(vertices, faces(1000), 'f 3 2 1'))).toBeNull();
+  const many = text(vertices, 'o wall\n', faces(600_000), 'o chandelier\n', faces(1_800_000));
+  expect(await tooMuchInObj('room', many)).toMatch(/^it has 2.400.000 triangles.*75 % .*“chandelier”/);
 });
