@@ -7,12 +7,16 @@
 namespace fiatlux {
 namespace {
 
-/// Of the square's place (u, v) in [-1, 1]^2.
-Vec3 directionAt(double u, double v) {
+constexpr int kCoarse = 8;  // crossings from one to the next where what is summed is little
+
+/// Of the square's place (u, v) in [-1, 1]^2, on the octahedron.
+Vec3 placeAt(double u, double v) {
   const double z = 1 - std::abs(u) - std::abs(v);
-  if (z >= 0) return normalized({u, v, z});
-  return normalized({std::copysign(1 - std::abs(v), u), std::copysign(1 - std::abs(u), v), z});
+  if (z >= 0) return {u, v, z};
+  return {std::copysign(1 - std::abs(v), u), std::copysign(1 - std::abs(u), v), z};
 }
+
+Vec3 directionAt(double u, double v) { return normalized(placeAt(u, v)); }
 
 }  // namespace
 
@@ -26,7 +30,29 @@ IntensityMap::IntensityMap(const Intensity& intensity, bool mirrored) : candela_
     for (int column = 0; column <= kEdge; ++column)
       candela_[index(row, column)] =
           candela_[index(std::max(row, kEdge - row), std::max(column, kEdge - column))];
+  all_ = sum(1, nullptr);
 }
+
+/// lm, by every `stride`th crossing: into all directions, or into those that are `behind`.
+double IntensityMap::sum(int stride, const Vec3* behind) const {
+  double lumens = 0;
+  for (int row = 0; row <= kEdge; row += stride)
+    for (int column = 0; column <= kEdge; column += stride) {
+      const float candela = candela_[index(row, column)];
+      if (candela == 0) continue;
+      const Vec3 place = placeAt(2.0 * column / kEdge - 1, 2.0 * row / kEdge - 1);
+      const double side = behind ? dot(place, *behind) : -1;
+      if (side > 0) continue;
+      // A cell's solid angle is du dv / r^3; crossings on a rim have half a cell.
+      const double squared = dot(place, place);
+      const double share =
+          (row % kEdge == 0 ? 0.5 : 1) * (column % kEdge == 0 ? 0.5 : 1) * (side == 0 ? 0.5 : 1);
+      lumens += share * candela / (squared * std::sqrt(squared));
+    }
+  return lumens * std::pow(2.0 * stride / kEdge, 2);
+}
+
+double IntensityMap::flux(const Vec3& before) const { return all_ - sum(kCoarse, &before); }
 
 double IntensityMap::at(const Vec3& direction) const {
   const double scale = 1 / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));

@@ -19,13 +19,17 @@ class IntensityMap {
   double at(const Vec3& direction) const;
   /// The same in float, of `count` directions by their x, y and z.
   void look(const float* x, const float* y, const float* z, int count, float* candela) const;
+  /// lm into all directions whose product with the unit `before`, in the luminaire's axes, is positive.
+  double flux(const Vec3& before) const;
 
  private:
+  double sum(int stride, const Vec3* behind) const;
   static constexpr int kEdge = 384;
   static std::size_t index(int row, int column) {
     return static_cast<std::size_t>(row * (kEdge + 1) + column);
   }
   std::vector<float> candela_;  // (kEdge + 1)^2
+  double all_ = 0;              // lm into all directions
 };
 
 }  // namespace fiatlux

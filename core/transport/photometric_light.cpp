@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/transport/column_block.h"
+#include "core/transport/shadow_balance.h"
 
 namespace fiatlux {
 namespace {
@@ -36,6 +37,7 @@ PhotometricLight::PhotometricLight(const Scene& scene)
     : scene_(scene),
       exchange_(scene.patches, scene.lightOperator->groups, scene.lightOperator->exchange),
       quadrature_(scene),
+      isClosed_(fiatlux::isClosed(scene)),
       controls_(scene.sites.size()) {
   const Patches& patches = scene.patches;
   for (std::uint32_t p = 0; p < patches.count; ++p)
@@ -61,8 +63,20 @@ std::vector<float> PhotometricLight::direct(const std::vector<PhotometricCandida
       quadrature_.looked(luminaire, *map, scale, visible, &light[i * rows]);
     else
       quadrature_.exact(luminaire, visible, &light[i * rows]);
+    if (isClosed_)
+      balanceShadows(scene_, scene_.sites[site], luminaire, fluxBeforeMount(candidates[i]), visible,
+                     &light[i * rows]);
   }
   return light;
+}
+
+/// lm that leave a luminaire to the side of its mount that the site shines to.
+double PhotometricLight::fluxBeforeMount(const PhotometricCandidate& candidate) const {
+  const auto& [site, luminaire, map, scale] = candidate;
+  const Vec3& normal = scene_.sites[site].normal;
+  const Vec3 before{dot(normal, luminaire.axis), dot(normal, cross(luminaire.normal, luminaire.axis)),
+                    dot(normal, luminaire.normal)};
+  return map ? scale * map->flux(before) : IntensityMap(luminaire.intensity).flux(before);
 }
 
 /// <a, b> of the first reflected lumens of two columns of direct light.

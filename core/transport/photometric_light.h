@@ -1,6 +1,6 @@
 // Light of a luminaire of any photometry on a site, without rays: visible share x mean over the patch of
-// I cos / d^2, and all interreflections by the exchange of the scene. The responses that the file holds for a
-// Lambertian square serve as control variate:
+// I cos / d^2, balanced so that no light is lost (shadow_balance.h), and all interreflections by the exchange
+// of the scene. The responses that the file holds for a Lambertian square serve as control variate:
 //   E_indirect = alpha E_lambert + S (phi - alpha phi_lambert),  alpha = <phi, phi_lambert> /
 //   |phi_lambert|^2,
 // of that site nearby whose light falls most like the luminaire's: a spot that leans lights what is below
@@ -60,6 +60,7 @@ class PhotometricLight {
     std::vector<float> direct, exchanged;  // rows: lx, and what it becomes by the exchange
     double squared = 0;                    // <phi_lambert, phi_lambert>
   };
+  double fluxBeforeMount(const PhotometricCandidate& candidate) const;
   void makeControls(std::vector<std::uint32_t> sites) const;
   double product(const float* a, const float* b) const;
   std::vector<std::uint32_t> sitesAround(std::uint32_t site) const;
@@ -71,6 +72,7 @@ class PhotometricLight {
   const Scene& scene_;
   ExchangeOperator exchange_;
   DirectQuadrature quadrature_;
+  bool isClosed_;                          // light that leaves arrives
   std::vector<float> weight_;              // patches: of <phi, phi>
   std::vector<double> edge_;               // m, rows
   std::vector<double> counted_;            // m2, of what counts of the surfaces that the file knows means of

@@ -45,5 +45,21 @@ TEST(IntensityMap, KeepsANarrowBeam) {
   EXPECT_LT(worst, 3);
 }
 
+TEST(IntensityMap, KnowsTheFluxBeforeAPlane) {
+  const Vec3 down{0, 0, 1}, tilted = normalized({0.3, -0.4, 0.87});
+  const auto beam = [](const Vec3& d) { return d.z > 0 ? 1000 * std::pow(d.z, 126) : 0.0; };
+  for (const bool mirrored : {false, true})
+    for (const Vec3& before : {down, tilted})
+      EXPECT_NEAR(IntensityMap(beam, mirrored).flux(before) / (2000 * std::numbers::pi / 127), 1, 1e-3);
+  // As bright to all sides; and twice as bright to one.
+  const IntensityMap even([](const Vec3&) { return 10.0; });
+  const IntensityMap uneven([](const Vec3& d) { return 10 + 10 * d.x; });
+  for (const Vec3& before : {down, tilted, Vec3{1, 0, 0}, Vec3{0, -1, 0}}) {
+    EXPECT_NEAR(even.flux(before) / (20 * std::numbers::pi), 1, 0.01);
+    // The mean of d.x over half a sphere about `before` is half of before.x.
+    EXPECT_NEAR(uneven.flux(before) / (20 * std::numbers::pi), 1 + 0.5 * before.x, 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace fiatlux
