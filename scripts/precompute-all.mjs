@@ -72,7 +72,8 @@ async function compute(folder, models, { program, options, jobs, sshlogins }, on
   const list = path.join(work, 'models');
   await writeFile(list, lines.join(''));
   const others = ['--threads', '1', ...options].map(shellWord).join(' ');
-  const command = `${shellWord(program)} precompute {1} -o {2} ${others} && echo ${made}{2}`;
+  // note: where there is no scene, an empty one comes back, which rsync would otherwise miss at length.
+  const command = `${shellWord(program)} precompute {1} -o {2} ${others} && echo ${made}{2} || : > {2}`;
   const logins = sshlogins.flatMap((login) => ['--sshlogin', login]);
   const far = [...logins, '--workdir', '...', '--transferfile', '{1}', '--return', '{2}', '--cleanup'];
   const input = ['--null', '--colsep', '\t', '--arg-file', list];

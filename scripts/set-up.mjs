@@ -12,7 +12,7 @@ export const packages = {
       ' ',
     ),
   wasm: ['emscripten'],
-  folders: ['parallel'], // of models
+  folders: ['parallel', 'rsync'], // of models; rsync takes them to other machines and their scenes back
   browser: ['chromium', 'fonts-dejavu-core'],
   sizes: ['clang-tidy'],
   fuzz: ['clang-14', 'libclang-rt-14-dev'],

@@ -1,5 +1,6 @@
-// A folder of models by the real program and GNU Parallel, with two workers of this machine.
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+// A folder of models by the real program and GNU Parallel, with two workers of this machine, and on another one that is
+// reached by an ssh which is none: models and scenes travel by rsync as they would.
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -57,6 +58,33 @@ test('every model becomes a room whose name says what it is made of; only what h
 
   const finer = { ...wish, options: ['--patch', '0.4', '--rays', '64'] };
   expect(await precomputeAll(models, scenes, finer)).toEqual({ made: 2, there: 0, failed: [] });
+});
+
+/** An ssh whose every host is a folder of this machine. */
+function fakeSsh(home) {
+  const ssh = path.join(home, 'ssh');
+  writeFileSync(
+    ssh,
+    `#!/bin/sh\nshift\n[ "$1" = -- ] && shift\ncd "${home}" && HOME="${home}" exec sh -c "$*"\n`,
+  );
+  chmodSync(ssh, 0o755);
+  return ssh;
+}
+
+test('other machines get the models, give the scenes back and keep nothing', async () => {
+  const home = mkdtempSync(path.join(tmpdir(), 'elsewhere-'));
+  const ssh = fakeSsh(home);
+  await put('a room.glb', 2);
+  await put("north/it's b.glb", 2.5);
+  writeFileSync(path.join(models, 'bad.glb'), 'no model');
+  const far = { ...wish, sshlogins: [`1/${ssh} elsewhere`, `1/${ssh} another`] };
+  expect(await precomputeAll(models, scenes, far)).toEqual({ made: 2, there: 0, failed: ['bad.glb'] });
+  const left = readdirSync(home, { recursive: true }).filter((name) => /\.(glb|flux)$/.test(name));
+  expect(left).toEqual([]);
+
+  // Scenes say what they are made of, not where: nothing is made again here.
+  expect(await precomputeAll(models, scenes, wish)).toEqual({ made: 0, there: 2, failed: ['bad.glb'] });
+  rmSync(home, { recursive: true });
 });
 
 test('a model that is none keeps no other from being made, and is named', async () => {
