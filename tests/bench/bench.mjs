@@ -331,7 +331,10 @@ const figures = {
   count_strip: countStrip,
   scene_file_e_corridor: () => bytes('scene_file_e_corridor', statSync(need(corridor)).size),
   js_compressed: firstLoad,
-  wasm_compressed: () => bytes('wasm_compressed', packed(need(inRoot('web/solver/core.wasm')))),
+  wasm_compressed: () => {
+    const file = need(inRoot('web/solver/core.wasm'));
+    bytes('wasm_compressed', packed(file), { brotli: packedBest(file) });
+  },
   builder_compressed: () => {
     const file = need(inRoot('public/builder/builder.wasm'));
     bytes('builder_compressed', packed(file), { brotli: packedBest(file), wanted: 450e3 });
