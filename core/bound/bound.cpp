@@ -11,6 +11,10 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kStepsPerRound = 300, kRounds = 200, kFruitlessRounds = 25;
+constexpr std::uint32_t kFruitlessAtDimming = 8;  // before another one is tried
+constexpr int kHalvings = 40;
+constexpr double kSameDimming = 1e-3;   // share
+constexpr double kLeastDimming = 1e-3;  // of the most: below it is as good as dark
 constexpr std::uint32_t kPolishSteps = 12000, kShifts = 50, kShiftStep = 200, kMostSitesToShift = 600;
 constexpr std::uint32_t kPairStep = 1000;
 constexpr double kRounding = 1e-9;
@@ -46,12 +50,18 @@ OptimumBound::OptimumBound(PreparedScene& prepared, const Intentions& intentions
   problem_ = relaxIntentions(prepared, intentions,
                              reference ? *reference : Layout{spreadSites(prepared.sites(), rules), {}, 1});
   if (!problem_.supported) return;
-  if (problem_.squared && rules.dimmingLow == rules.dimmingHigh && sites_ <= kMostSitesToShift)
+  if (problem_.squared && sites_ <= kMostSitesToShift)
     shift_ = std::make_unique<DiagonalShift>(sites_, problem_.covariance);
+  dimmingLow_ = rules.dimmingLow;
+  dimmingHigh_ = rules.dimmingHigh;
+  if (isDimmed()) relaxation_.setDimming(std::clamp(incumbent.dimming, leastDimming(), dimmingHigh_));
   multipliers_.assign(problem_.sides.size() + problem_.aims.size(), 0.0);
   bestMultipliers_ = multipliers_;
   if (std::isfinite(incumbent.goal)) pairGoal_ = pairGoalOf(prepared, rules, problem_);
-  if (pairGoal_) pairGoal_->incumbent = incumbent.goal;
+  if (pairGoal_) {
+    pairGoal_->incumbent = incumbent.goal;
+    pairGoal_->inverse = 1 / incumbent.dimming;
+  }
   target_ = problem_.squared ? incumbent.goal * incumbent.goal : incumbent.goal;
   openRound();
 }
@@ -77,6 +87,7 @@ void OptimumBound::openRound() {
       lagrangian.terms.push_back(std::move(term));
     }
   }
+  constant_ = lagrangian.constant;
   relaxation_.setObjective(std::move(lagrangian));
   stepsInRound_ = 0;
 }
@@ -123,7 +134,7 @@ void OptimumBound::moveDiagonal() {
 
 void OptimumBound::closeRound() {
   const double dual = relaxation_.bound();
-  keep(dual);
+  isDimmed() ? keepLine(dual) : keep(dual);
   if (stage_ == Stage::kPolish) {
     stage_ = pairGoal_ ? Stage::kPairs : Stage::kDone;
     return;
@@ -146,14 +157,57 @@ void OptimumBound::closeRound() {
     square += slope[k] * slope[k];
   }
   const double short_ = target_ - dual;
-  if (square <= 1e-14 || short_ <= 1e-9 * std::fabs(target_) || ++rounds_ >= kRounds ||
-      fruitless_ >= kFruitlessRounds)
-    return closeMultipliers();
+  const bool ends = square <= 1e-14 || short_ <= 1e-9 * std::fabs(target_) || ++rounds_ >= kRounds;
+  if ((ends || fruitless_ >= kFruitlessAtDimming) && rounds_ < kRounds && goToLowest()) return openRound();
+  if (ends || fruitless_ >= kFruitlessRounds) return closeMultipliers();
   for (std::size_t k = 0; k < slope.size(); ++k) {
     const double moved = multipliers_[k] + pace_ * short_ / square * slope[k];
     multipliers_[k] = std::clamp(moved, multiplied(k).least, multiplied(k).largest);
   }
   openRound();
+}
+
+/// The Lagrangian but for its constant is as large as the light.
+void OptimumBound::keepLine(double dual) {
+  if (!std::isfinite(dual)) return;
+  lines_.push_back({constant_, (dual - constant_) / relaxation_.t()});
+  keep(lowest().goal);
+}
+
+/// Of the highest lines one falls and one rises, or one is the least at an end of the range: no goal is below
+/// where they cross, or there.
+OptimumBound::Lowest OptimumBound::lowest() const {
+  const auto highest = [&](double t) {
+    return *std::max_element(lines_.begin(), lines_.end(),
+                             [t](const Line& a, const Line& b) { return a.at(t) < b.at(t); });
+  };
+  double low = dimmingLow_, high = dimmingHigh_;
+  Line falling = highest(low), rising = highest(high);
+  if (falling.slope >= 0) return {falling.at(low), low};
+  if (rising.slope <= 0) return {rising.at(high), high};
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = (low + high) / 2;
+    const Line line = highest(middle);
+    (line.slope < 0 ? low : high) = middle;
+    (line.slope < 0 ? falling : rising) = line;
+  }
+  const double t = (falling.constant - rising.constant) / (rising.slope - falling.slope);
+  return {falling.at(t), t};
+}
+
+double OptimumBound::leastDimming() const { return std::max(dimmingLow_, kLeastDimming * dimmingHigh_); }
+
+/// To the dimming where least is proved, unless it was there: the multipliers go along.
+bool OptimumBound::goToLowest() {
+  if (!isDimmed() || lines_.empty()) return false;
+  const double t = std::max(lowest().dimming, leastDimming());
+  if (std::fabs(t - relaxation_.t()) < kSameDimming * t) return false;
+  relaxation_.setDimming(t);
+  multipliers_ = bestMultipliers_;
+  bestDual_ = -kUnbounded;
+  pace_ = 0.5;
+  fruitless_ = 0;
+  return true;
 }
 
 void OptimumBound::closeMultipliers() {

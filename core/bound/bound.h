@@ -1,7 +1,7 @@
 // How good is a layout, provably? A value that no layout meeting the intentions can beat, by convex
-// relaxation (relaxed_intentions.h), Lagrange multipliers for the constraints, and z_i^2 = z_i moved out of
-// the covariance's diagonal; then, where that applies, by what pairs of luminaires may do (pair_bound.h).
-// Only dual values are told, never an unconverged primal one.
+// relaxation (relaxed_intentions.h), Lagrange multipliers for the constraints, dimming by dimming, and
+// z_i^2 = z_i moved out of the covariance's diagonal; then, where that applies, by what pairs of luminaires
+// may do (pair_bound.h). Only dual values are told, never an unconverged primal one.
 #pragma once
 
 #include <cassert>
@@ -69,6 +69,19 @@ class OptimumBound {
     double least, largest;
   };
   Multiplied multiplied(std::size_t k) const;
+  /// No goal is below constant + slope t: what multipliers prove for one dimming, they prove so for all.
+  struct Line {
+    double constant, slope;
+    double at(double t) const { return constant + slope * t; }
+  };
+  struct Lowest {
+    double goal, dimming;
+  };
+  bool isDimmed() const { return dimmingLow_ < dimmingHigh_; }
+  double leastDimming() const;
+  Lowest lowest() const;
+  void keepLine(double dual);
+  bool goToLowest();
   void openRound();
   void moveDiagonal();
   void closeRound();
@@ -87,6 +100,8 @@ class OptimumBound {
   std::unique_ptr<PairBound> pairs_;
   bool isByPairs_ = false;
   double target_ = 0, bound_ = 0, bestDual_ = 0, pace_ = 1;
+  double dimmingLow_ = 1, dimmingHigh_ = 1, constant_ = 0;  // constant_: of the Lagrangian
+  std::vector<Line> lines_;                                 // where there is a range of the dimming
   Stage stage_ = Stage::kMultipliers;
   std::uint32_t stepsInRound_ = 0, rounds_ = 0, fruitless_ = 0, shifts_ = 0;
 };

@@ -9,6 +9,9 @@
 namespace fiatlux {
 namespace {
 
+constexpr int kExchanges = 6;        // after a step
+constexpr double kLeastRoom = 1e-6;  // of a luminaire, for more in a group
+
 double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -81,6 +84,12 @@ void ConvexRelaxation::setObjective(ConvexObjective objective) {
   objective_ = std::move(objective);
   bound_ = -kUnbounded;
   refreshProducts();
+}
+
+void ConvexRelaxation::setDimming(double dimming) {
+  for (double& x : x_) x *= dimming / t_;
+  t_ = low_ = high_ = dimming;
+  setObjective(std::move(objective_));
 }
 
 /// M x anew, so that rounding does not pile up.
@@ -175,16 +184,22 @@ ConvexRelaxation::Corner ConvexRelaxation::bestCorner(const std::vector<double>&
   return corner;
 }
 
-bool ConvexRelaxation::step() {
+std::vector<double> ConvexRelaxation::gradient() const {
   std::vector<double> gradient = objective_.linear;
-  value_ = objective_.constant + objective_.perDimming * t_ + dotOf(objective_.linear, x_);
   for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
     const ConvexTerm& term = objective_.terms[k];
-    value_ += termValue(term, quadratics_[k]);
     const double factor =
         term.root ? (quadratics_[k] > 0 ? term.weight / std::sqrt(quadratics_[k]) : 0) : 2 * term.weight;
     for (std::uint32_t j = 0; j < sites_; ++j) gradient[j] += factor * products_[k][j];
   }
+  return gradient;
+}
+
+bool ConvexRelaxation::step() {
+  const std::vector<double> gradient = this->gradient();
+  value_ = objective_.constant + objective_.perDimming * t_ + dotOf(objective_.linear, x_);
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k)
+    value_ += termValue(objective_.terms[k], quadratics_[k]);
   const Corner corner = bestCorner(gradient, objective_.perDimming);
   double gap = dotOf(gradient, x_) + objective_.perDimming * (t_ - corner.t);
   for (const auto& [site, flux] : corner.x) gap -= gradient[site] * flux;
@@ -216,7 +231,64 @@ bool ConvexRelaxation::step() {
     }
     quadratics_[k] = dotOf(x_, products_[k]);
   }
+  for (int k = 0; k < kExchanges && exchange(); ++k) continue;
   return true;
+}
+
+/// Of one type, some of what hangs where it is worst goes where it is best, as far as that gains: steps
+/// towards corners alone take long to leave a site. False where nothing can.
+bool ConvexRelaxation::exchange() {
+  if (!weights_.empty() || fluxes_.empty() || fluxes_.front() != fluxes_.back()) return false;
+  const double most = t_ * fluxes_[0];
+  const std::vector<double> gradient = this->gradient();
+  std::vector<double> held(groups_.groupCount, 0.0);
+  std::vector<std::uint32_t> worstOfType(groups_.ranges.size(), kNone),
+      worstOfGroup(groups_.groupCount, kNone);
+  for (std::uint32_t j = 0; j < sites_; ++j) {
+    if (!usable_[j]) continue;
+    held[groups_.group[j]] += x_[j];
+    if (x_[j] <= 0) continue;
+    for (std::uint32_t* worst : {&worstOfType[groups_.type[j]], &worstOfGroup[groups_.group[j]]})
+      if (*worst == kNone || gradient[j] > gradient[*worst]) *worst = j;
+  }
+  Exchange best;
+  for (std::uint32_t j = 0; j < sites_; ++j) {
+    if (!usable_[j]) continue;
+    const std::uint32_t group = groups_.group[j];
+    const double room = most - held[group];
+    const bool hasRoom = room > kLeastRoom * most;
+    const std::uint32_t from = hasRoom ? worstOfType[groups_.type[j]] : worstOfGroup[group];
+    if (from == kNone || !(gradient[from] - gradient[j] > best.gain)) continue;
+    const double within = groups_.group[from] == group ? most - x_[j] : room;
+    best = {from, j, std::min(x_[from], within), gradient[from] - gradient[j]};
+  }
+  if (!(best.gain > 0) || !(best.amount > 0)) return false;
+  move(best);
+  return true;
+}
+
+/// The best share of an exchange, by an exact line search.
+void ConvexRelaxation::move(const Exchange& exchange) {
+  const auto [from, to, amount, gain] = exchange;
+  std::vector<double> crossed, squares;
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const std::vector<double>& matrix = *objective_.terms[k].matrix;
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return matrix[std::size_t{i} * sites_ + j]; };
+    const double along = amount * (products_[k][to] - products_[k][from]);
+    crossed.push_back(quadratics_[k] + along);
+    squares.push_back(quadratics_[k] + 2 * along +
+                      amount * amount * (at(to, to) - 2 * at(to, from) + at(from, from)));
+  }
+  const double slope = amount * (objective_.linear[to] - objective_.linear[from]);
+  const double moved = amount * lineSearch(crossed, squares, slope);
+  x_[from] = std::max(0.0, x_[from] - moved);
+  x_[to] += moved;
+  for (std::size_t k = 0; k < objective_.terms.size(); ++k) {
+    const double* matrix = objective_.terms[k].matrix->data();
+    const double *off = matrix + std::size_t{from} * sites_, *on = matrix + std::size_t{to} * sites_;
+    for (std::uint32_t j = 0; j < sites_; ++j) products_[k][j] += moved * (on[j] - off[j]);
+    quadratics_[k] = dotOf(x_, products_[k]);
+  }
 }
 
 /// The gamma in [0, 1] that minimises the objective along the step, by bisection of its rising derivative.

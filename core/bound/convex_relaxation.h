@@ -1,7 +1,7 @@
 // The problem with its one hard wish let go: luminaires may be split over sites (z in [0, 1], sum z = N, or
 // that much flux; of ties sum w z = N or in a range, w a tie's number of luminaires), everything else convex.
-// Frank-Wolfe (1956) steps; what counts is not the value but the value less the duality gap, which no real
-// layout can beat however early one stops.
+// Frank-Wolfe (1956) steps and exchanges between two sites; what counts is not the value but the value less
+// the duality gap, which no real layout can beat however early one stops.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,10 @@ class ConvexRelaxation {
   /// A new objective with the matrices of the old one or others; keeps the point, forgets the bound.
   void setObjective(ConvexObjective objective);
 
-  /// One Frank-Wolfe step with exact line search; false when the gap has closed.
+  /// Among layouts of this dimming alone from now on; of the objective the bound is forgotten.
+  void setDimming(double dimming);
+
+  /// One Frank-Wolfe step with exact line search, and exchanges; false when the gap has closed.
   bool step();
 
   /// No layout under the rules has a smaller objective.
@@ -53,6 +56,14 @@ class ConvexRelaxation {
     std::vector<std::pair<std::uint32_t, double>> x;  // site, lm
     double t = 1;
   };
+  /// `amount` lm may go from a site to another.
+  struct Exchange {
+    std::uint32_t from = 0, to = 0;
+    double amount = 0, gain = 0;  // gain: at first, per lm
+  };
+  std::vector<double> gradient() const;
+  bool exchange();
+  void move(const Exchange& exchange);
   Corner bestCorner(const std::vector<double>& gradient, double perDimming) const;
   void takeSites(const std::vector<double>& gradient, Corner& corner) const;
   void takeTypes(const std::vector<std::uint32_t>& order, Corner& corner) const;

@@ -1,7 +1,8 @@
-// What PairRelaxation proves of the goal. Of a goal factor x sigma + rest with sigma to be small, each cost
-// kappa sigma^2 + rest that is at least D says factor x sigma + D - kappa sigma^2 of layouts of that sigma: a
-// parabola. No goal is below the least, over all sigma, of the highest of them. Where sigma is to be large,
-// -sigma is never below its tangent in sigma^2, -(sigma^2 / s + s) / 2.
+// What PairRelaxation proves of the goal t (factor x sigma + rest), t the common dimming. Of sigma to be
+// small, each cost kappa sigma^2 + rest that is at least D says factor x sigma + D - kappa sigma^2 of layouts
+// of that sigma: a parabola. It holds for every dimming, less what its multipliers drift. No goal is below
+// the least, over all sigma and t, of the highest of them. Where sigma is to be large, -sigma is never below
+// its tangent in sigma^2, -(sigma^2 / s + s) / 2.
 #pragma once
 
 #include <cstdint>
@@ -23,23 +24,29 @@ class PairBound {
   double goal() const { return bound_; }
 
  private:
-  struct Parabola {
-    double top, kappa;  // the rest is at least top - kappa sigma^2
+  /// factor x sigma + rest is at least top + rise sigma - kappa sigma^2, and where 1 / t is larger or smaller
+  /// than `inverse` by e, as much more as e x least or most.
+  struct Cut {
+    double top, rise, kappa, inverse, least, most;
+    double at(double inverse, double sigma) const;
   };
-  /// A goal that layouts may have, and at which sigma.
-  struct Lowest {
-    double goal, sigma;
+  /// Where a goal may be, and the least that it is there.
+  struct Cell {
+    double goal, inverseLow, inverseHigh, sigmaLow, sigmaHigh;
+    bool operator<(const Cell& other) const { return goal > other.goal; }  // the least is ahead in a heap
   };
-  void ask(double sigma);
+  void ask(double inverse, double sigma);
   void learn();
   void closeRound();
-  Lowest lowest() const;
-  double largestSigma() const;
+  double highest(double inverse, double sigma) const;
+  void judge(Cell& cell) const;
+  Cell lowest() const;
+  double largestSigma(double inverse) const;
 
   PairGoal goal_;
   PairRelaxation relaxation_;
-  double bound_, kappa_ = 0, sigma_ = 0;
-  std::vector<Parabola> parabolas_;
+  double bound_, kappa_ = 0, sigma_ = 0, inverse_ = 0;
+  std::vector<Cut> cuts_;
   std::uint32_t steps_ = 0, rounds_ = 0, fruitless_ = 0;
   bool certifying_ = false, done_ = false;
 };

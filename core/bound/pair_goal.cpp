@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
+
+#include "core/bound/exclusive_groups.h"
 
 namespace fiatlux {
 namespace {
@@ -14,21 +15,21 @@ constexpr std::uint32_t kMostSites = 420, kMostRows = 1800;  // what a step and 
 bool applies(const PreparedScene& prepared, const LuminaireRules& rules, const RelaxedIntentions& problem) {
   const bool equal =
       std::all_of(rules.flux.begin(), rules.flux.end(), [&](double flux) { return flux == rules.flux[0]; });
-  return problem.supported && !prepared.isTied() && !countVaries(rules) && equal &&
-         rules.dimmingLow == rules.dimmingHigh && problem.sigmas.size() <= 1;
+  return problem.supported && !prepared.isTied() && !countVaries(rules) && equal && rules.dimmingLow > 0 &&
+         problem.sigmas.size() <= 1;
 }
 
-/// A form that is affine in z, once the pinned luminaires are summed up.
+/// t (linear z + constant + inverse / t), once the pinned luminaires are summed up.
 struct AffineForm {
   std::vector<double> linear;
-  double constant = 0;
+  double constant = 0, inverse = 0;
 };
 
 /// Sites apart by what may become of them.
 class Places {
  public:
   Places(const PreparedScene& prepared, const LuminaireRules& rules, double flux)
-      : prepared_(prepared), minDistance_(rules.minDistance), flux_(flux), t_(rules.dimmingHigh) {
+      : prepared_(prepared), minDistance_(rules.minDistance), flux_(flux) {
     for (std::uint32_t i = 0; i < rules.count; ++i)
       if (isPinned(rules, i)) pinned_.push_back(rules.pinned[i]);
     for (std::uint32_t site = 0; site < prepared.candidateCount(); ++site) {
@@ -44,7 +45,8 @@ class Places {
 
   AffineForm affine(const ConvexObjective& of) const {
     AffineForm form;
-    form.constant = of.constant + of.perDimming * t_;
+    form.inverse = of.constant;
+    form.constant = of.perDimming;
     for (std::uint32_t site : pinned_) form.constant += of.linear[site] * flux_;
     for (std::uint32_t site : free_) form.linear.push_back(of.linear[site] * flux_);
     return form;
@@ -77,39 +79,106 @@ class Places {
   bool areApart(std::uint32_t a, std::uint32_t b) const { return prepared_.conflict(a, b, minDistance_); }
 
   const PreparedScene& prepared_;
-  double minDistance_, flux_, t_;
+  double minDistance_, flux_;
   std::vector<std::uint32_t> pinned_, free_;
 };
 
 void addForm(PairProblem& layouts, AffineForm form, double least, double most) {
-  layouts.forms.push_back({std::move(form.linear), -form.constant, least, most});
+  layouts.forms.push_back({std::move(form.linear), -form.constant, -form.inverse, least, most});
 }
 
-double sumOfFirst(std::vector<double> values, double count, bool isLeast) {
-  std::sort(values.begin(), values.end());
-  if (!isLeast) std::reverse(values.begin(), values.end());
-  const std::size_t taken = std::min(values.size(), static_cast<std::size_t>(count));
-  return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(taken), 0.0);
+/// How many luminaires there are of each kind, in products with each one.
+void addNumbers(PairProblem& layouts) {
+  const auto numberOf = [&](const std::vector<std::uint32_t>& sites, double number) {
+    AffineForm form{std::vector<double>(layouts.sites, 0.0), -number};
+    for (const std::uint32_t site : sites) form.linear[site] = 1;
+    return form;
+  };
+  const bool areExact = std::all_of(layouts.kinds.begin(), layouts.kinds.end(),
+                                    [](const PairKind& kind) { return kind.least == kind.most; });
+  if (!areExact)
+    addForm(layouts, {std::vector<double>(layouts.sites, 1.0), -layouts.count}, -kUnbounded, kUnbounded);
+  for (const PairKind& kind : layouts.kinds) {
+    if (kind.sites.empty()) continue;
+    if (kind.least == kind.most) {
+      addForm(layouts, numberOf(kind.sites, kind.least), -kUnbounded, kUnbounded);
+      continue;
+    }
+    if (kind.least > 0) addForm(layouts, numberOf(kind.sites, kind.least), 0, kUnbounded);
+    if (kind.most < layouts.count) addForm(layouts, numberOf(kind.sites, kind.most), -kUnbounded, 0);
+  }
+}
+
+/// The types, and what the pinned luminaires leave of their ranges.
+std::vector<PairKind> kindsOf(const PreparedScene& prepared, const LuminaireRules& rules,
+                              const std::vector<std::uint32_t>& free, double count) {
+  const std::vector<TypeRange> ranges = ExclusiveGroups::of(prepared, rules).ranges;
+  std::vector<PairKind> kinds(ranges.size());
+  for (std::uint32_t i = 0; i < free.size(); ++i) kinds[prepared.typeOf(free[i])].sites.push_back(i);
+  double least = 0;
+  for (const TypeRange& range : ranges) least += range.least;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    kinds[k].least = ranges[k].least;
+    kinds[k].most = std::min<double>(ranges[k].most, count - (least - ranges[k].least));
+  }
+  if (kinds.size() == 1) kinds[0].least = kinds[0].most = count;
+  return kinds;
 }
 
 }  // namespace
 
-double PairGoal::leastLinear() const { return sumOfFirst(linear, layouts.count, true); }
-double PairGoal::mostLinear() const { return sumOfFirst(linear, layouts.count, false); }
+/// Of each kind the least that it must have, then the least of what is left.
+double PairGoal::leastOf(const std::vector<double>& form) const {
+  std::vector<std::pair<double, double>> rest;  // what a luminaire adds, and of which kind
+  std::vector<double> room;
+  double sum = 0, left = layouts.count;
+  for (const PairKind& kind : layouts.kinds) {
+    std::vector<double> values;
+    for (const std::uint32_t site : kind.sites) values.push_back(form[site]);
+    std::sort(values.begin(), values.end());
+    const std::size_t needed = std::min(values.size(), static_cast<std::size_t>(kind.least));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i < needed)
+        sum += values[i];
+      else
+        rest.emplace_back(values[i], room.size());
+    room.push_back(kind.most - kind.least);
+    left -= static_cast<double>(needed);
+  }
+  std::sort(rest.begin(), rest.end());
+  for (const auto& [value, kind] : rest) {
+    double& free = room[static_cast<std::size_t>(kind)];
+    if (left < 1 || free < 1) continue;
+    sum += value;
+    --left;
+    --free;
+  }
+  return sum;
+}
+
+double PairGoal::mostOf(std::vector<double> form) const {
+  for (double& value : form) value = -value;
+  return -leastOf(form);
+}
 
 std::optional<PairGoal> pairGoalOf(const PreparedScene& prepared, const LuminaireRules& rules,
                                    const RelaxedIntentions& problem) {
   if (!applies(prepared, rules, problem)) return std::nullopt;
-  const Places places(prepared, rules, rules.dimmingHigh * rules.flux[0]);
-  const std::size_t m = places.free().size(), forms = 1 + problem.aims.size() + problem.sides.size();
+  const Places places(prepared, rules, rules.flux[0]);
+  const std::size_t m = places.free().size();
   const auto count = static_cast<double>(rules.count - places.pinnedCount());
-  if (count < 2 || m > kMostSites || m * forms > kMostRows) return std::nullopt;
+  if (count < 2 || m > kMostSites) return std::nullopt;
 
   PairGoal goal;
+  goal.inverseLow = 1 / rules.dimmingHigh;
+  goal.inverseHigh = 1 / rules.dimmingLow;
   goal.layouts.sites = static_cast<std::uint32_t>(m);
   goal.layouts.count = count;
+  goal.layouts.kinds = kindsOf(prepared, rules, places.free(), count);
+  addNumbers(goal.layouts);
+  if (m * (goal.layouts.forms.size() + problem.aims.size() + problem.sides.size()) > kMostRows)
+    return std::nullopt;
   goal.layouts.apart = places.apart();
-  addForm(goal.layouts, {std::vector<double>(m, 1.0), -count}, -kUnbounded, kUnbounded);
   // What an aim misses is missed once for each luminaire: each has its share of the weight.
   for (const RelaxedAim& aim : problem.aims)
     addForm(goal.layouts, places.affine(aim.form), -aim.weight / count, aim.weight / count);
@@ -119,7 +188,7 @@ std::optional<PairGoal> pairGoalOf(const PreparedScene& prepared, const Luminair
 
   const AffineForm rest = places.affine(problem.goal);
   goal.linear = rest.linear;
-  goal.constant = rest.constant - problem.goal.constant + problem.rest;
+  goal.constant = rest.constant;
   if (problem.sigmas.empty()) return goal;
   const RelaxedSigma& sigma = problem.sigmas[0];
   goal.factor = sigma.factor;

@@ -13,15 +13,22 @@ template <class Ends>
 void passPairGoal(PairGoal& goal, Ends& ends) {
   PairProblem& layouts = goal.layouts;
   ends.size(layouts.sites);
+  ends.list(layouts.kinds);
   ends.list(layouts.forms);
   ends.list(layouts.apart);
   ends.list(goal.square);
   ends.list(goal.linear);
-  for (double* number : {&layouts.count, &goal.factor, &goal.squareConstant, &goal.constant, &goal.incumbent})
+  for (double* number : {&layouts.count, &goal.inverseLow, &goal.inverseHigh, &goal.factor,
+                         &goal.squareConstant, &goal.constant, &goal.incumbent, &goal.inverse})
     ends.number(*number);
+  for (PairKind& kind : layouts.kinds) {
+    ends.list(kind.sites);
+    for (std::uint32_t& site : kind.sites) ends.size(site);
+    for (double* number : {&kind.least, &kind.most}) ends.number(*number);
+  }
   for (PairForm& form : layouts.forms) {
     ends.list(form.a);
-    for (double* number : {&form.b, &form.least, &form.most}) ends.number(*number);
+    for (double* number : {&form.fixed, &form.inverse, &form.least, &form.most}) ends.number(*number);
     for (double& entry : form.a) ends.number(entry);
   }
   for (auto& [i, j] : layouts.apart) {
@@ -68,6 +75,9 @@ bool fitsTogether(const PairGoal& goal) {
   const std::size_t m = goal.layouts.sites;
   for (const PairForm& form : goal.layouts.forms)
     if (form.a.size() != m) return false;
+  for (const PairKind& kind : goal.layouts.kinds)
+    for (const std::uint32_t site : kind.sites)
+      if (site >= m) return false;
   for (const auto& [i, j] : goal.layouts.apart)
     if (i >= j || j >= m) return false;
   return m > 0 && goal.linear.size() == m && (goal.square.empty() || goal.square.size() == m * m);

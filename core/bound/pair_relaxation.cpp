@@ -41,9 +41,12 @@ struct PairRelaxation::State {
   Matrix leftOver(const Vector& y) const;
   bool approves(const Vector& y) const;
 
+  void setInverse(double inverse);
+
   Index m, rows;
   std::vector<Vector> a;
-  std::vector<double> b;
+  std::vector<double> b, fixed, perInverse;  // b = fixed + perInverse x inverse
+  double inverse = -1;
   Vector right, least, most, limited;  // per row; limited: 1 or 0
   std::vector<Pair> pairs;             // m x m
   Eigen::LLT<Matrix> normal;           // of A A^T
@@ -55,8 +58,8 @@ struct PairRelaxation::State {
   std::uint32_t steps = 0;
 
   bool certifying = false;
-  Matrix fixed;  // cost - sign
-  Vector inside;
+  Matrix kept;  // cost - sign
+  Vector inside, certified;
   double barrier = 0, value = -kInfinite, slack = 1;
   std::uint32_t newtonSteps = 0;
 };
@@ -70,7 +73,9 @@ PairRelaxation::State::State(const PairProblem& problem)
   for (const PairForm& form : problem.forms) {
     const Index from = static_cast<Index>(a.size()) * m;
     a.push_back(Eigen::Map<const Vector>(form.a.data(), m));
-    b.push_back(form.b);
+    b.push_back(form.fixed);
+    fixed.push_back(form.fixed);
+    perInverse.push_back(form.inverse);
     least.segment(from, m).setConstant(form.least);
     most.segment(from, m).setConstant(form.most);
   }
@@ -80,11 +85,18 @@ PairRelaxation::State::State(const PairProblem& problem)
   for (Index i = 0; i < m; ++i) pairs[static_cast<std::size_t>(i * m + i)] = Pair::kSame;
   for (const auto& [i, j] : problem.apart)
     pairs[i * problem.sites + j] = pairs[j * problem.sites + i] = Pair::kApart;
+  x = psd = sign = Matrix::Zero(m, m);
+  y = slackValue = slackCopy = Vector::Zero(rows);
+}
+
+/// Another dimming, and the normal equations of its rows.
+void PairRelaxation::State::setInverse(double asked) {
+  if (asked == inverse) return;
+  inverse = asked;
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] = fixed[k] + perInverse[k] * inverse;
   Matrix square = gram(Matrix::Identity(m, m));
   for (Index r = 0; r < rows; ++r) square(r, r) += limited(r) + 1e-9;
   normal.compute(square);
-  x = psd = sign = Matrix::Zero(m, m);
-  y = slackValue = slackCopy = Vector::Zero(rows);
 }
 
 /// sum of y_r A_r, where A_r is the symmetric part of e_i (a - b e_i)^T, at last I.
@@ -175,8 +187,8 @@ void PairRelaxation::step() {
 }
 
 Matrix PairRelaxation::State::leftOver(const Vector& multipliers) const {
-  Matrix result = fixed - adjoint(multipliers);
-  result.diagonal().array() -= kFactorRounding * static_cast<double>(m) * fixed.cwiseAbs().maxCoeff();
+  Matrix result = kept - adjoint(multipliers);
+  result.diagonal().array() -= kFactorRounding * static_cast<double>(m) * kept.cwiseAbs().maxCoeff();
   return result;
 }
 
@@ -188,7 +200,7 @@ bool PairRelaxation::State::approves(const Vector& multipliers) const {
 void PairRelaxation::State::beginCertificate() {
   certifying = true;
   newtonSteps = 0;
-  fixed = cost - sign;
+  kept = cost - sign;
   inside = clipped(y);
   for (Index r = 0; r < rows; ++r) {
     if (limited(r) == 0) continue;
@@ -211,6 +223,7 @@ bool PairRelaxation::certify() {
   const double value = s.right.dot(s.inside);
   if (value > s.value) {
     s.value = value;
+    s.certified = s.inside;
     s.slack = kInfinite;
     for (Index r = 0; r < s.rows; ++r)
       if (std::isfinite(s.inside(r) > 0 ? s.most(r) : s.least(r)))
@@ -249,8 +262,9 @@ bool PairRelaxation::State::moveCertificate(const Vector& direction, double decr
 PairRelaxation::PairRelaxation(const PairProblem& problem) : state_(std::make_unique<State>(problem)) {}
 PairRelaxation::~PairRelaxation() = default;
 
-void PairRelaxation::setCost(const std::vector<double>& cost) {
+void PairRelaxation::setCost(const std::vector<double>& cost, double inverse) {
   State& s = *state_;
+  s.setInverse(inverse);
   s.cost = Eigen::Map<const Matrix>(cost.data(), s.m, s.m);
   const double scale = std::max(s.cost.norm(), 1e-300);
   // Limits are of the cost's size.
@@ -264,5 +278,14 @@ void PairRelaxation::setCost(const std::vector<double>& cost) {
 
 double PairRelaxation::bound() const { return state_->value * state_->scale; }
 double PairRelaxation::slack() const { return state_->slack; }
+
+std::vector<double> PairRelaxation::drift() const {
+  const State& s = *state_;
+  std::vector<double> drift(static_cast<std::size_t>(s.m), 0.0);
+  for (std::size_t k = 0; k < s.a.size(); ++k)
+    for (std::size_t i = 0; i < drift.size(); ++i)
+      drift[i] += s.scale * s.perInverse[k] * s.certified(static_cast<Index>(k * drift.size() + i));
+  return drift;
+}
 
 }  // namespace fiatlux

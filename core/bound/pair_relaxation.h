@@ -14,15 +14,23 @@ namespace fiatlux {
 
 /// What is known of (a z - b) z_i, for each i: its multiplier p_i may be from `least` to `most`. Both
 /// infinite: it is 0. From 0: it is never negative. Finite: it costs least or most a unit, below and above 0.
+/// b is fixed + inverse / t, t the common dimming.
 struct PairForm {
   std::vector<double> a;  // m
-  double b = 0, least = 0, most = 0;
+  double fixed = 0, inverse = 0, least = 0, most = 0;
+};
+
+/// Sites of which layouts hold at least and at most so many.
+struct PairKind {
+  std::vector<std::uint32_t> sites;
+  double least = 0, most = 0;
 };
 
 /// Layouts of `count` of m sites.
 struct PairProblem {
   std::uint32_t sites = 0;  // m
   double count = 0;
+  std::vector<PairKind> kinds;  // each site is of one
   std::vector<PairForm> forms;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;  // sites that are never both used, i < j
 };
@@ -32,8 +40,9 @@ class PairRelaxation {
   explicit PairRelaxation(const PairProblem& problem);
   ~PairRelaxation();
 
-  /// Least <Q, X> from now on, Q m x m, row-major, symmetric, of any signature; what is known of X stays.
-  void setCost(const std::vector<double>& cost);
+  /// Least <Q, X> from now on, Q m x m, row-major, symmetric, of any signature, of layouts of one dimming, of
+  /// which 1 / t is told; what is known of X stays.
+  void setCost(const std::vector<double>& cost, double inverse);
 
   /// One step of alternating directions, O(m^3).
   void step();
@@ -47,6 +56,9 @@ class PairRelaxation {
 
   /// The certificate's multipliers, times this, still are within their limits; infinite where none has any.
   double slack() const;
+
+  /// Where 1 / t is larger by e, layouts cost no less than the bound + e drift z.
+  std::vector<double> drift() const;
 
  private:
   struct State;

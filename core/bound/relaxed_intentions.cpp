@@ -114,9 +114,7 @@ class Relaxer {
       return;
     }
     if (goal.sense == Sense::kNear) return addAim(goal, *form, factor);
-    const double before = result_.goal.constant;
     addLinear(result_.goal, *form, goal, factor);
-    result_.rest += result_.goal.constant - before;
     if (form->sigma == 0) return;
     const LitSet set = setOf(goal);
     result_.sigmas.push_back({set.quantity, set.surfaces, factor * form->sigma});
@@ -143,7 +141,9 @@ class Relaxer {
           factor * std::sqrt(largestVariance(covarianceOf(set), intentions_.luminaires, sites_));
       return;
     }
-    if (intentions_.goals.size() > 1) return addSigma(result_.goal, set, factor);
+    const LuminaireRules& rules = intentions_.luminaires;
+    if (intentions_.goals.size() > 1 || rules.dimmingLow < rules.dimmingHigh)
+      return addSigma(result_.goal, set, factor);
     // Alone, its square serves as well, and takes the diagonal shift.
     result_.squared = true;
     result_.covariance = covarianceOf(set);

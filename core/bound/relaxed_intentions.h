@@ -45,9 +45,8 @@ struct RelaxedIntentions {
   bool supported = false;
   FluxRange flux;
   ConvexObjective goal;  // with the aims never above Evaluation::goal, or above its square where `squared`
-  bool squared = false;  // the goal is one sigma to make small
-  std::vector<RelaxedSigma> sigmas;  // the goal is `rest` + goal.linear x + perDimming t + these
-  double rest = 0;
+  bool squared = false;  // the goal is one sigma to make small, of one dimming
+  std::vector<RelaxedSigma> sigmas;    // the goal is goal.linear x + perDimming t + these + the aims
   std::vector<double> covariance;      // where squared: C in the goal's units, m x m
   std::vector<RelaxedAim> aims;        // to be added to `goal`
   std::vector<ConvexObjective> sides;  // each <= 0 for every layout that meets the constraints

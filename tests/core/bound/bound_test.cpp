@@ -211,7 +211,7 @@ TEST(Bound, KnowsThatNeighboursKeepTheirDistanceInASum) {
       boundOf(prepared, apart, exhaustiveOptimum(prepared, apart, &reference), &reference);
   for (const double least : {1.1, 1.6, 2.2}) {
     apart.luminaires.minDistance = least;
-    apart.luminaires.dimmingLow = 0.5;  // pairs of luminaires know nothing of that
+    apart.luminaires.dimmingLow = 0.5;
     const Evaluation best = exhaustiveOptimum(prepared, apart, &reference);
     const double bound = boundOf(prepared, apart, best, &reference);
     EXPECT_LE(bound, best.goal + 1e-9) << least;
@@ -323,14 +323,87 @@ TEST(Bound, SaysWhatItIsProvedBy) {
   EXPECT_TRUE(whole.isByPairs());
   EXPECT_FALSE(early.isByPairs());
   EXPECT_GT(whole.goal(), early.goal());
-  intentions.luminaires.dimmingLow = 0.5;
-  EXPECT_FALSE(OptimumBound(prepared, intentions, best).takePairs()) << "it is of one dimming";
+  intentions.luminaires.dimmingLow = 0;
+  EXPECT_FALSE(OptimumBound(prepared, intentions, best).takePairs()) << "there may be no light at all";
+}
+
+/// Goals and bounds to be met by dimming, for layouts of three.
+std::vector<Intentions> toBeDimmed() {
+  std::vector<Intentions> problems = {
+      three({wallNear(30), kEven}),
+      three({wallNear(30), {Statistic::kSigma, Sense::kMinimize, 1, {0}, {}}}),
+      three({{Statistic::kMean, Sense::kNear, 10, {0}, {}, 40}, kEven, wallNear(25)}),
+      three({{Statistic::kSigma, Sense::kMinimize, 1, {0}, {}}},
+            {{Statistic::kMean, 30, kUnbounded, 1, {2}, {}}}),
+      three({{Statistic::kSigma, Sense::kMaximize, 1, {2}, {}}, wallNear(30, 2)}),
+      three({wallNear(30), kEven}, {{Statistic::kContrast, 1.2, kUnbounded, 1, {2}, {0}}}),
+      three({{Statistic::kPower, Sense::kMinimize, 1, {}, {}}, wallNear(30, 3)}),
+      three({kEven, {Statistic::kMean, Sense::kMaximize, 3, {2}, {}}},
+            {{Statistic::kMean, -kUnbounded, 40, 1, {2}, {}}}),
+  };
+  for (Intentions& problem : problems) {
+    problem.luminaires.dimmingLow = 0.2;
+    problem.luminaires.minDistance = 1.1;
+  }
+  problems[2].luminaires.pinned = {8};
+  return problems;
+}
+
+TEST(Bound, KnowsOfPairsThatAreDimmed) {
+  PreparedScene prepared(smallRoom());
+  const std::vector<Intentions> problems = toBeDimmed();
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    SCOPED_TRACE("problem " + std::to_string(p));
+    const Evaluation best = exhaustiveOptimum(prepared, problems[p]);
+    ASSERT_LT(best.violation, 1e-9) << "it is meant to be feasible";
+    const double bound = boundOf(prepared, problems[p], best);
+    EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal));
+    EXPECT_GT(bound, best.goal - 0.15 * std::fabs(best.goal));
+  }
+}
+
+TEST(Bound, FindsMultipliersDimmingByDimming) {
+  PreparedScene prepared(smallRoom());
+  for (const double target : {5, 10, 20}) {
+    SCOPED_TRACE(target);
+    Intentions asked = three({{Statistic::kMean, Sense::kNear, 10, {2}, {}, target},
+                              {Statistic::kMean, Sense::kNear, 0.5, {3}, {}, target / 2},
+                              kEven,
+                              {Statistic::kMean, Sense::kMinimize, 0.3, {0}, {}}},
+                             {{Statistic::kMaximum, -kUnbounded, 12 * target, 1, {2}, {}}});
+    asked.luminaires.dimmingLow = 0.02;
+    const Evaluation best = exhaustiveOptimum(prepared, asked);
+    ASSERT_LT(best.violation, 1e-9) << "it is meant to be feasible";
+    OptimumBound bound(prepared, asked, best);
+    bound.takePairs();
+    while (!bound.done()) bound.advance(1000);
+    EXPECT_LE(bound.goal(), best.goal + 1e-6 * best.goal);
+    EXPECT_GT(bound.goal(), 0.99 * best.goal);
+  }
+}
+
+TEST(Bound, KnowsOfPairsOfTypesThatAreDimmed) {
+  const Scene scene = twoTypes();
+  PreparedScene prepared(scene);
+  const std::vector<std::vector<TypeRange>> ranges = {
+      {{1, 1}, {2, 2}}, {{0, 1}, {1, 3}}, {{2, kNone}, {0, kNone}}};
+  for (std::size_t r = 0; r < ranges.size(); ++r)
+    for (Intentions problem : toBeDimmed()) {
+      SCOPED_TRACE("ranges " + std::to_string(r));
+      problem.luminaires.types = ranges[r];
+      const Evaluation best = exhaustiveOptimum(prepared, problem);
+      if (best.violation > 1e-9) continue;
+      const double bound = boundOf(prepared, problem, best);
+      EXPECT_LE(bound, best.goal + 1e-6 * std::fabs(best.goal));
+      EXPECT_GT(bound, best.goal - 0.15 * std::fabs(best.goal));
+    }
 }
 
 TEST(Bound, GoesOnElsewhereByNumbersAlone) {
   PreparedScene prepared(smallRoom());
   Intentions intentions = three({kEven, wallNear(60)}, {{Statistic::kMean, 20, kUnbounded, 1, {0}, {}}});
   intentions.luminaires.minDistance = 1;
+  intentions.luminaires.dimmingLow = 0.4;
   const Evaluation best = exhaustiveOptimum(prepared, intentions);
   OptimumBound whole(prepared, intentions, best), early(prepared, intentions, best);
   const std::vector<double> numbers = numbersOf(*early.takePairs());
