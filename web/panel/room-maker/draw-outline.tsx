@@ -3,7 +3,7 @@ import { useRef, useState } from 'preact/hooks';
 import { snapped, withNewOutline } from '../../room-maker/plan-edits.ts';
 import { distance } from '../../room-maker/polygon.mjs';
 import { mostCorners, type Point } from '../../room-maker/room-plan.mjs';
-import { NumberField } from '../controls/number-field.tsx';
+import { Field } from './field.tsx';
 import { useMaking } from './making-context.ts';
 import { gridOf, pointUnder, useSize, viewOf } from './plan-view.ts';
 import { words } from '../../language/language.ts';
@@ -81,25 +81,27 @@ interface FieldsProps {
 
 function Fields({ corners, at, fault, setAt, add, back, close, end }: FieldsProps) {
   const last = corners.at(-1);
-  const coordinate = { unit: 'm', step: 0.1, min: -1000, max: 1000 };
+  const coordinate = { min: -1000, max: 1000 };
   return (
     <div class="maker-fields">
       <p>
         {words.value.maker.draw.how}
         {last && words.value.maker.draw.thisWall(shortest(Number(distance(last, at).toFixed(2))))}
       </p>
-      <div class="maker-line">
-        <NumberField
-          label={words.value.maker.draw.x}
+      <div class="maker-grid three">
+        <Field
+          label="x"
+          spoken={words.value.maker.draw.x}
           value={at[0]}
           {...coordinate}
-          onInput={(x) => setAt([x ?? 0, at[1]])}
+          onInput={(x) => setAt([x, at[1]])}
         />
-        <NumberField
-          label={words.value.maker.draw.y}
+        <Field
+          label="y"
+          spoken={words.value.maker.draw.y}
           value={at[1]}
           {...coordinate}
-          onInput={(z) => setAt([at[0], z ?? 0])}
+          onInput={(z) => setAt([at[0], z])}
         />
         <button class="button small" onClick={() => add(at)}>
           {words.value.maker.draw.add}
