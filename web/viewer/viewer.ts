@@ -166,8 +166,10 @@ class RoomViewer implements Viewer {
     const turn = ++this.#opening;
     const root = this.#prepared?.glb === glb ? this.#prepared.root : readGlb(glb);
     this.#prepared = null;
-    const room = loadRoomMesh(await root, scene, this.#light.uniforms, this.#stage.anisotropy);
     // What a room that is shown needs is made in tasks of their own: a longer one would hold up the page.
+    const tree = await root;
+    await breath();
+    const room = loadRoomMesh(tree, scene, this.#light.uniforms, this.#stage.anisotropy);
     await breath();
     const frame = roomFrame(room);
     await breath();
