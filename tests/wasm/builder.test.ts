@@ -175,7 +175,7 @@ test('whoever made a room lights luminaires in it as the command does', async ()
 
 test('a draft has longer patches and the same places', async () => {
   const options = { ...coarse, patch: 0 };
-  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: 6, ...quiet() });
+  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: () => 6, ...quiet() });
   expect(room.patchSize).toBeGreaterThan(0.3);
   expect(room.sites).toBe(25);
 }, 60_000);

@@ -40,8 +40,8 @@ export interface Owner {
 export interface BuildWish {
   readonly model: Model;
   readonly options: BuildOptions;
-  /** A draft: patches so many times as long as the options say. */
-  readonly coarseness?: number;
+  /** A draft: patches so many times as long as the options say, by what the room then consists of. */
+  readonly coarseness?: (room: RoomCounts) => number;
   /** Whoever makes the file goes on living, for the light of luminaires in that room. */
   readonly isKept?: boolean;
   readonly signal: AbortSignal;
@@ -151,10 +151,10 @@ class Run {
 
   /** How long patches usually are is known once the room is open. */
   async #openFirst(): Promise<RoomCounts> {
-    const { options, coarseness = 1 } = this.#wish;
+    const { options, coarseness } = this.#wish;
     const room = await this.#open(this.#chief);
-    if (coarseness === 1) return room;
-    this.#options = { ...options, patch: coarseness * room.patchSize };
+    if (!coarseness) return room;
+    this.#options = { ...options, patch: coarseness(room) * room.patchSize };
     return this.#open(this.#chief);
   }
 

@@ -26,14 +26,12 @@ import { sentence, shortName } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
+import { draftCoarseness, draftOptions } from './draft.ts';
 import { siteModel } from './site-model.ts';
 import { secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
-
-/** The draft: patches so many times as long, and so many rays from each; light of squares only. */
-const draft = { coarseness: 2.5, rays: 256, exchange: false };
 
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
 export const lessWork = 1 / coarser ** 2; // then, of the work
@@ -253,10 +251,14 @@ export class Lighting {
       if (pass === 'full' || this.#store.sheet.peek()) return;
       for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
     };
-    const { coarseness, rays, exchange } = draft;
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
-      ? pool.build({ ...wish, options: { ...options, rays, exchange }, coarseness, opened })
+      ? pool.build({
+          ...wish,
+          options: { ...options, ...draftOptions },
+          coarseness: draftCoarseness,
+          opened,
+        })
       : pool.build({ ...wish, options, isKept: true, opened });
   }
 
