@@ -63,7 +63,7 @@ std::vector<float> PhotometricLight::direct(const std::vector<PhotometricCandida
       quadrature_.looked(luminaire, *map, scale, visible, &light[i * rows]);
     else
       quadrature_.exact(luminaire, visible, &light[i * rows]);
-    if (isClosed_)
+    if (isClosed_ && mostBalance(scene_.sites[site], luminaire) > 0)
       balanceShadows(scene_, scene_.sites[site], luminaire, fluxBeforeMount(candidates[i]), visible,
                      &light[i * rows]);
   }

@@ -19,11 +19,13 @@ bool isClosed(const Scene& scene) {
   return lost <= kMostLost * area;
 }
 
+double mostBalance(const Site& site, const Luminaire& luminaire) {
+  return std::max(0.0, 1 - std::max(luminaire.width, luminaire.height) / site.size);
+}
+
 void balanceShadows(const Scene& scene, const Site& site, const Luminaire& luminaire, double flux,
                     const std::uint8_t* visible, float* column) {
   const Patches& patches = scene.patches;
-  const double most = 1 - std::max(luminaire.width, luminaire.height) / site.size;
-  if (most <= 0) return;
   const double mount = dot(luminaire.position, site.normal);
   const auto isBefore = [&](std::uint32_t p) { return dot(patches.center[p], site.normal) > mount; };
   // lm that arrive, and what of them b = 1 would add.
@@ -36,7 +38,7 @@ void balanceShadows(const Scene& scene, const Site& site, const Luminaire& lumin
   }
   const double missing = flux - arrived, sure = std::abs(missing) - kUnsure * flux;
   if (!(movable > 0 && sure > 0) || std::abs(missing) > kMostAstray * flux) return;
-  const double balance = std::copysign(std::min(sure / movable, most), missing);
+  const double balance = std::copysign(std::min(sure / movable, mostBalance(site, luminaire)), missing);
   for (std::uint32_t p = 0; p < patches.rows(); ++p)
     if (visible[p] != SiteVisibility::kSteps && column[p] != 0 && isBefore(p))
       column[p] *= static_cast<float>(1 + balance * (1 - SiteVisibility::shareOf(visible[p])));

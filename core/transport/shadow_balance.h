@@ -16,6 +16,9 @@ namespace fiatlux {
 /// Whether light that leaves a luminaire arrives in the room, so that its sum is known.
 bool isClosed(const Scene& scene);
 
+/// The largest |b|: none of a luminaire as large as its site.
+double mostBalance(const Site& site, const Luminaire& luminaire);
+
 /// Balances `column`, the direct light (lx, rows) of a luminaire on a site, so that the patches
 /// before the site's mount get `flux` lm. `visible`: steps of SiteVisibility that the column was made with.
 void balanceShadows(const Scene& scene, const Site& site, const Luminaire& luminaire, double flux,

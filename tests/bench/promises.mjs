@@ -1,6 +1,6 @@
 /**
- * Do the sample rooms, and a building made for tests, keep the promised accuracy? Two questions a room: what another ray seed changes, and whether a scene file
- * says what `fiatlux light` says of the same luminaires. Writes docs/fidelity.md; prints a JSON row for every figure.
+ * Do the sample rooms, and a building made for tests, keep the promised accuracy? Two questions a room: what another ray
+ * seed changes, and whether a scene file says what `fiatlux light` says of the same luminaires. Writes docs/fidelity.md; prints a JSON row for every figure.
  *   node tests/bench/promises.mjs [--work FOLDER] [id ...]
  * after `npm run build`; about twenty minutes on 2 cores. --work keeps the scene files there and takes those that lie there. With
  * ids only these rooms are measured, and their sections written anew.

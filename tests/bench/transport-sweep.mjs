@@ -221,8 +221,8 @@ at a time, 14.9 with fewer points, 14.0 where U is read once, in its order; \`gi
 tried, too: in a furnished room it costs more than the few rays that it saves.
 
 What light of photometric files needs (visible shares, exchange) costs CPU seconds, with it and without it (\`--no-exchange\`), one
-run after the other on a busy machine: E corridor 30.3 and 20.0, again 32.4 and 19.2 (1.5 to 1.7 times, where 1.5 is promised);
-classroom 182 and 148 (1.2 times).
+run after the other: E corridor 29.2 and 16.7, again 30.4 and 17.6 (1.7 times, where 1.5 is wanted);
+classroom, on a busy machine, 182 and 148 (1.2 times).
 
 ## Rays and refinement
 

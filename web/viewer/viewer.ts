@@ -49,7 +49,8 @@ import { Wipe } from './wipe.ts';
 import { warmUp } from './warm-up.ts';
 
 const twoStoreys = 4.2; // m: a lower room has one
-const calm = 300; // ms after a room was opened: its first picture goes before
+/** 300 ms after a room was opened: its first picture goes before. */
+const calmed = () => new Promise((resolve) => setTimeout(resolve, 300));
 
 class RoomViewer implements Viewer {
   #events: ViewerEvents;
@@ -216,7 +217,7 @@ class RoomViewer implements Viewer {
   }
 
   async colors(): Promise<Float32Array | null> {
-    await new Promise((resolve) => setTimeout(resolve, calm));
+    await calmed();
     const room = this.#room;
     if (!room || !this.#info) return null;
     const colors = await patchColors(room.lit, this.#info.patches);
@@ -466,7 +467,7 @@ class RoomViewer implements Viewer {
   async #look(turn: number): Promise<void> {
     const { min, max } = this.#room!.box;
     if (max[1] - min[1] < twoStoreys) return;
-    await new Promise((resolve) => setTimeout(resolve, calm));
+    await calmed();
     if (turn !== this.#opening || this.#disposed || this.#section.storeys.length < 2) return;
     this.#applyDisplay();
     this.#loop.invalidate();

@@ -21,12 +21,16 @@ const isWanted = (name: string): boolean => isRoom(name) || (parts.test(name) &&
 /** In a worker; what takes too long is damaged. */
 async function inflated(zipped: Zipped): Promise<Inflated> {
   const worker = new Worker(new URL('./unzip-worker.ts', import.meta.url), { type: 'module', name: 'unzip' });
+  let late: ReturnType<typeof setTimeout> | undefined;
   return new Promise<Inflated>((resolve) => {
     worker.onmessage = ({ data }: MessageEvent<Inflated>) => resolve(data);
     worker.onerror = () => resolve(null);
-    setTimeout(() => resolve(null), mostTime);
+    late = setTimeout(() => resolve(null), mostTime);
     worker.postMessage(zipped);
-  }).finally(() => worker.terminate());
+  }).finally(() => {
+    clearTimeout(late);
+    worker.terminate();
+  });
 }
 
 /** null where the zip holds luminaires and no model. Throws one sentence where it is damaged, or holds neither or too much. */
@@ -57,7 +61,7 @@ export async function unzippedModel(file: File, inflate = inflated): Promise<Fil
     throw new Error(
       words.value.opening.import.zipTooLarge(file.name, Math.round(total / 1e6), wanted.length),
     );
-  const inside = await inflate({ bytes, wanted: wanted });
+  const inside = await inflate({ bytes, wanted });
   if (!inside) throw new Error(words.value.opening.import.zipDamaged(file.name));
   return Object.entries(inside).map(([name, content]) => new File([content], name.replace(/^.*[\\/]/, '')));
 }

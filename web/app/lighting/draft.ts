@@ -5,9 +5,9 @@ export const draftOptions = { rays: 256, exchange: false } as const;
 
 const usual = 2.5; // times as long are its patches as those of the full pass
 const most = 6;
-const light = 14; // s: where the full pass is more work, the draft's patches get longer
+const little = 14; // s of work: where the full pass is more, the draft's patches get longer
 const fewer = 1.6; // rows fall with this power of their length: furniture keeps its faces
 
 /** How many times as long its patches are; `work` is that of the full pass. */
 export const draftCoarseness = ({ work }: Pick<RoomCounts, 'work'>): number =>
-  Math.min(most, Math.max(usual, (work / light) ** (1 / fewer)));
+  Math.min(most, Math.max(usual, (work / little) ** (1 / fewer)));

@@ -17,6 +17,7 @@ import { askedOfUnknown, documentFrom } from '../rooms/opening-wish.ts';
 import type { Store } from '../state/store.ts';
 import type { Lighting } from '../lighting/lighting.ts';
 import type { OwnRooms } from '../rooms/own-rooms.ts';
+import { readProvenance } from '../words/provenance.ts';
 import type { Placement, Placing } from './placing.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -72,8 +73,7 @@ async function plainOf({ name, bytes, siblings }: Model): Promise<Model['bytes']
 
 /** The hash of the model that a scene was made of, or what else tells it from others. */
 function sourceOf({ provenance, identity }: SceneInfo): string {
-  const { source } = (provenance ?? {}) as { readonly source?: { readonly hash?: unknown } };
-  return typeof source?.hash === 'string' ? source.hash : identity;
+  return readProvenance(provenance).source?.hash ?? identity;
 }
 
 export class FileOpening {

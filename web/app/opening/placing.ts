@@ -196,7 +196,7 @@ export class Placing {
       store.display.value = { ...display, quantity: document.quantity };
     });
     void this.#types.findMissing();
-    if (!view?.display) void this.#cutOpen();
+    if (!view && !first) void this.#cutOpen();
     if (view?.camera) this.#viewer.setCamera(view.camera);
     else if (first) this.#viewer.setCamera({ ...first, plan: false });
     else this.#viewer.home();

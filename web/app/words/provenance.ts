@@ -15,7 +15,7 @@ const known = <T extends v.GenericSchema>(schema: T) => v.fallback(v.optional(sc
 const share = v.pipe(v.number(), v.finite(), v.minValue(0));
 
 const provenanceSchema = v.object({
-  source: known(v.object({ file: v.string() })),
+  source: known(v.object({ file: v.string(), hash: known(v.string()) })), // the model, and what tells it from others
   patchSize: known(share), // m
   options: known(v.object({ rays: v.number(), refine: v.number() })),
   lost: known(share), // of rays
