@@ -104,10 +104,9 @@ export async function tab(page: Page, name: 'Intentions' | 'Luminaires' | 'Resul
 /** Where the luminaires are: "x, y, z" in metres, by the list on the tab of the luminaires. */
 export async function places(page: Page): Promise<string[]> {
   await tab(page, 'Luminaires');
-  return page
-    .getByRole('table', { name: /Luminaires in place/ })
-    .locator('tbody td:nth-of-type(1)')
-    .allTextContents();
+  const cells = page.getByRole('table', { name: /Luminaires in place/ }).locator('tbody td:nth-of-type(1)');
+  await expect(cells.first()).toBeVisible(patience); // a room that takes another's place is lit anew
+  return cells.allTextContents();
 }
 
 /** Every number of the table of results. */

@@ -65,7 +65,7 @@ function fakeSsh(home) {
   const ssh = path.join(home, 'ssh');
   writeFileSync(
     ssh,
-    `#!/bin/sh\nshift\n[ "$1" = -- ] && shift\ncd "${home}" && HOME="${home}" exec sh -c "$*"\n`,
+    `#!/bin/sh\nshift\n[ "$1" = -- ] && shift\ncd "${home}" && HOME="${home}" SHELL=/bin/sh exec sh -c "$*"\n`,
   );
   chmodSync(ssh, 0o755);
   return ssh;
