@@ -45,7 +45,8 @@ async function builtInWasm(root, model) {
 /** Mean and sigma of each surface under seeded layouts; `floor`: what a mean is measured against at least. */
 async function statisticsOf(wasm, file) {
   const session = await openSession(wasm, file, inflateSync);
-  const { surfaces, sites } = session.info();
+  const { surfaces, siteSize } = session.info();
+  const sites = siteSize.length;
   const area = surfaces.reduce((sum, surface) => sum + surface.area, 0);
   const rows = [];
   for (let i = 0; i < layouts; ++i) {
