@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/transport/mounted_luminaire.h"
+#include "precompute/pipeline/draft.h"
 #include "precompute/pipeline/foreseen.h"
 #include "precompute/pipeline/scene_parts.h"
 
@@ -58,6 +59,7 @@ SceneOptions optionsOf(const val& asked) {
   options.transport.rays = asked["rays"].as<std::uint32_t>();
   options.transport.seed = asked["seed"].as<std::uint32_t>();
   options.transport.exchange = asked["exchange"].as<bool>();
+  options.draft = asked["draft"].as<bool>();
   return options;
 }
 
@@ -164,6 +166,14 @@ val guarded(const Work& work) {
   }
 }
 
+/// s that the command would take on one core.
+double secondsOf(const Room& room, const SceneOptions& options) {
+  const double rows = room.patches.rows(), sites = static_cast<double>(room.sites.size()),
+               triangles = static_cast<double>(room.triangles.size());
+  return options.draft ? draftSeconds(rows, sites, triangles)
+                       : coreSeconds(rows, sites, triangles, options.transport.rays);
+}
+
 class Builder {
  public:
   explicit Builder(val lent) : page_(std::move(lent)) {}
@@ -194,7 +204,11 @@ class Builder {
   val open(const std::string& name, val model, val asked) {
     return guarded([&] {
       parts_.reset();
-      Result<SceneParts> opened = SceneParts::open({name, bytesOf(model)}, optionsOf(asked), page_.host());
+      const SceneOptions options = optionsOf(asked);
+      Host host = page_.host();
+      // A draft is read once and not kept.
+      if (options.draft) host.deflate = [](auto, auto) { return std::vector<std::uint8_t>(); };
+      Result<SceneParts> opened = SceneParts::open({name, bytesOf(model)}, options, std::move(host));
       if (!opened) return val(opened.error().message);
       parts_.emplace(std::move(*opened));
       const Room& room = parts_->room();
@@ -204,9 +218,7 @@ class Builder {
       result.set("clusters", room.patches.clusterCount);
       result.set("patchSize", room.patchSize);
       result.set("source", room.sourceHash);
-      result.set("work",
-                 coreSeconds(room.patches.rows(), static_cast<double>(room.sites.size()),
-                             static_cast<double>(room.triangles.size()), optionsOf(asked).transport.rays));
+      result.set("work", secondsOf(room, options));
       result.set("memory", parts_->bytes() / 1e9);
       result.set("warnings", listOf(room.warnings));
       return result;

@@ -132,6 +132,20 @@ void checkOptions(const RoomOptions& options) {
   if (!(options.memory > 0 && options.memory < 1e9)) refuse("--memory");
 }
 
+/// Patches as long as the options say, or so many times as long as they want of such a room.
+Cut cutFor(const SourceScene& source, const WeldedMesh& mesh, const RayTracer& tracer, const Inside& inside,
+           RoomOptions options) {
+  Cut cut = cutOf(source, mesh, inside.tree, options);
+  if (!options.coarser) return cut;
+  options.requireSites = false;  // note: that none is found is said in its turn
+  Room room;
+  addSites(mesh, inside.mounts, tracer, *inside.space, options, room);
+  options.patch =
+      cut.patch * options.coarser(foreseenPatches(cut.charts), static_cast<double>(room.sites.size()),
+                                  static_cast<double>(mesh.triangles.size()));
+  return cutOf(source, mesh, inside.tree, options);
+}
+
 TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   checkOptions(options);
   Room room;
@@ -145,7 +159,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   Inside inside = findInside(source, options, tracer, mesh, room.warnings);
   room.leading = room.warnings.size();
   room.warnings.insert(room.warnings.end(), details.begin(), details.end());
-  auto [patch, charts] = cutOf(source, mesh, inside.tree, options);
+  auto [patch, charts] = cutFor(source, mesh, tracer, inside, options);
   room.patchSize = patch;
   checkGrids(charts, options, patch, kMostClusters);
 

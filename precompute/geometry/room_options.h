@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,10 @@ struct PlaceOptions {
 };
 
 struct RoomOptions {
-  double patch = 0;           // m, edge of a patch; 0: so that n is about 25 000
+  double patch = 0;  // m, edge of a patch; 0: so that n is about 25 000
+  /// How many times as long they are to be, of rooms that would so consist of so many rows, sites and
+  /// triangles; empty: once.
+  std::function<double(double rows, double sites, double triangles)> coarser;
   std::uint32_t cluster = 4;  // patches on a cluster's edge
   std::vector<std::string>
       mounts;              // nodes, surfaces, patterns where luminaires may hang (besides extras.mount)

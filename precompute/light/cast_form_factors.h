@@ -22,6 +22,7 @@ struct CastOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;
+  bool draft = false;  // the same rays from every patch, small surfaces or not
 };
 
 /// What one row gets from all patches, as FormFactors keeps it.

@@ -237,9 +237,10 @@ class RowLight {
         tracer_(tracer),
         luminaires_(luminaires),
         sources_(luminaires.begin(), luminaires.end()),
-        split_(options.split),
+        split_(options.draft ? 1 : options.split),
         seed_(mixBits(options.seed ^ 0xd1ec7u)),
-        effort_(effortOfRows(room.patches)),
+        effort_(options.draft ? std::vector<std::uint32_t>(room.patches.rows(), 1)
+                              : effortOfRows(room.patches)),
         between_(tracer, placesOfClusters(room, tracer), placesOf(tracer, sources_)) {}
 
   /// light[j * stride] is what source j gives row p; visible[j * stride] the step of the share that shadows

@@ -22,6 +22,8 @@ struct DirectLightOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;
+  // One ray from each point of a patch to anywhere on the source, four where a shadow's edge is found.
+  bool draft = false;
 };
 
 /// Illuminance (lx) of every row by each luminaire at its own flux: column-major rows() x luminaires.

@@ -110,11 +110,12 @@ Transport completeTransport(const Room& room, CastLight&& cast, SolvedLight&& li
 }
 
 CastOptions castOptionsOf(const TransportOptions& options) {
-  return {options.rays, options.paper, options.seed, options.threads, {}};
+  return {options.rays, options.paper, options.seed, options.threads, {}, options.draft};
 }
 
 DirectLightOptions directOptionsOf(const TransportOptions& options) {
   DirectLightOptions direct;
+  direct.draft = options.draft;
   direct.seed = options.seed;
   direct.threads = options.threads;
   return direct;

@@ -24,6 +24,7 @@ struct TransportOptions {
   std::uint32_t rays = kUsualRays;  // from every patch and receiver
   std::uint32_t refine = 24;  // most refinement steps after the low-rank answer; fewer where it has settled
   bool paper = false;     // the paper to the letter: emission spread by V, response -Y V^T E, nothing refined
+  bool draft = false;     // to be replaced soon: few shadow rays, and small surfaces as noisy as others
   bool exchange = false;  // the light operator too, for other photometries; not in paper mode
   std::uint64_t seed = 1;
   unsigned threads = 0;          // 0: all cores; the result does not depend on it

@@ -12,6 +12,7 @@
 #include "precompute/geometry/up_guess.h"
 #include "precompute/light/lost_light.h"
 #include "precompute/picture/display_mesh.h"
+#include "precompute/pipeline/draft.h"
 #include "precompute/pipeline/foreseen.h"
 #include "precompute/pipeline/provenance.h"
 #include "precompute/pipeline/steps.h"
@@ -21,6 +22,12 @@ namespace fiatlux {
 SceneOptions consistent(SceneOptions options, const Host& host) {
   options.transport.threads = options.room.threads = host.threads;
   options.transport.progress = host.progress;
+  if (options.draft) {
+    options.room.coarser = draftCoarseness;
+    options.transport.rays = kDraftRays;
+    options.transport.draft = true;
+    options.transport.exchange = false;
+  }
   options.room.rays = options.transport.rays;
   options.room.paper = options.transport.paper;
   options.room.exchange = options.transport.exchange && !options.transport.paper;

@@ -33,6 +33,8 @@ struct ModelFile {
 struct SceneOptions {
   RoomOptions room;
   TransportOptions transport;
+  /// Patches longer than the room's options say, and few rays (draft.h); without the exchange.
+  bool draft = false;
   /// Chooses the layout and the light that the file's readers are to see first; empty: none. Changes nothing
   /// else, not even the identity.
   std::function<Result<OpeningLight>(const Scene&)> opening;

@@ -44,6 +44,7 @@ std::string lightOptions(const SceneOptions& options, const Room& room) {
   if (const PlaceOptions& place = options.room.place; place.inside)
     text << " inside=" << place.inside->x << "," << place.inside->y << "," << place.inside->z
          << " doors=" << place.doors << " lid=" << nameOf(place.lid);
+  if (options.draft) text << " draft";
   text << room.assumptions;
   return text.str();
 }

@@ -173,11 +173,15 @@ test('whoever made a room lights luminaires in it as the command does', async ()
   expect(file.byteLength).toBeGreaterThan(0);
 }, 60_000);
 
-test('a draft has longer patches and the same places', async () => {
-  const options = { ...coarse, patch: 0 };
-  const { room } = await poolOf(1).build({ model: modelOf(box), options, coarseness: () => 6, ...quiet() });
-  expect(room.patchSize).toBeGreaterThan(0.3);
-  expect(room.sites).toBe(25);
+test('a draft has longer patches and the same places, whoever makes it', async () => {
+  const [usual, draft, shared] = await Promise.all([
+    build(1, { ...usualOptions, rays: 16, exchange: false }),
+    build(1, { ...usualOptions, draft: true }),
+    build(3, { ...usualOptions, draft: true }),
+  ]);
+  expect(draft.room.patchSize).toBeCloseTo(2.5 * usual.room.patchSize, 6);
+  expect(draft.room.sites).toBe(usual.room.sites);
+  expect(Buffer.from(shared.file).equals(Buffer.from(draft.file))).toBe(true);
 }, 60_000);
 
 test('patches of a small room are no shorter than a decimetre, unless that is asked for', async () => {

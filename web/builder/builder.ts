@@ -22,6 +22,7 @@ export interface BuildOptions {
   readonly doubleSided: boolean; // faces of every material have two sides
   readonly memory: number; // GB, refused above
   readonly seed: number;
+  readonly draft: boolean; // longer patches, few rays and no exchange: to be replaced soon
   readonly exchange: boolean; // the operator behind the light, too: what luminaires of photometric files need
 }
 
@@ -47,6 +48,7 @@ export const usualOptions: BuildOptions = {
   doubleSided: false,
   memory: 1.5,
   seed: 1,
+  draft: false,
   exchange: true,
 };
 
@@ -56,7 +58,7 @@ export interface RoomCounts {
   readonly sites: number;
   readonly clusters: number;
   readonly patchSize: number; // m
-  readonly work: number; // s that the command would take on one core, about
+  readonly work: number; // s that the command would take on one core, about; of a draft that for the draft
   readonly memory: number; // GB that a builder needs which does all of it
   readonly source: string; // hash of the model
   readonly warnings: readonly string[];

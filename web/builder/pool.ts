@@ -40,8 +40,6 @@ export interface Owner {
 export interface BuildWish {
   readonly model: Model;
   readonly options: BuildOptions;
-  /** A draft: patches so many times as long as the options say, by what the room then consists of. */
-  readonly coarseness?: (room: RoomCounts) => number;
   /** Whoever makes the file goes on living, for the light of luminaires in that room. */
   readonly isKept?: boolean;
   readonly signal: AbortSignal;
@@ -123,14 +121,12 @@ class Run {
   readonly #wish: BuildWish;
   readonly #chief: Member;
   readonly #others: readonly Member[];
-  #options: BuildOptions;
   #solvers: readonly Member[]; // who goes on when all is cast, the chief first
 
   constructor(wish: BuildWish, members: readonly Member[]) {
     const [chief, ...others] = members;
     if (!chief) throw new Error('a pool needs a worker');
     this.#wish = wish;
-    this.#options = wish.options;
     this.#solvers = [chief];
     this.#chief = chief;
     this.#others = others;
@@ -138,10 +134,13 @@ class Run {
 
   async build(): Promise<Built> {
     this.#tell('reading', 0);
-    const room = await this.#openFirst();
+    const rooms = [this.#chief, ...this.#others].map((member) => this.#open(member));
+    for (const each of rooms) each.catch(() => undefined); // told by the waits
+    const [first, ...others] = rooms;
+    const room = await first!;
     this.#wish.opened?.(room);
-    this.#solvers = [this.#chief, ...this.#others.slice(0, mostSolvers(this.#options, room) - 1)];
-    await this.#cast(room.rows);
+    this.#solvers = [this.#chief, ...this.#others.slice(0, mostSolvers(this.#wish.options, room) - 1)];
+    await this.#cast(room.rows, others);
     await this.#solve();
     this.#tell('writing', 0);
     this.#chief.told = (stage) => this.#tell('writing', writing[stage] ?? 0);
@@ -149,22 +148,13 @@ class Run {
     return { file: file.buffer, room, owner: this.#wish.isKept ? ownerOf(this.#chief, held) : null };
   }
 
-  /** How long patches usually are is known once the room is open. */
-  async #openFirst(): Promise<RoomCounts> {
-    const { options, coarseness } = this.#wish;
-    const room = await this.#open(this.#chief);
-    if (!coarseness) return room;
-    this.#options = { ...options, patch: coarseness(room) * room.patchSize };
-    return this.#open(this.#chief);
-  }
-
   async #open(member: Member): Promise<RoomCounts> {
-    const { model } = this.#wish;
-    return (await member.ask({ type: 'open', model, options: this.#options }, 'opened')).room;
+    const { model, options } = this.#wish;
+    return (await member.ask({ type: 'open', model, options }, 'opened')).room;
   }
 
-  /** All rows, in portions. */
-  async #cast(all: number): Promise<void> {
+  /** All rows, in portions. `opening`: the rooms of the others. */
+  async #cast(all: number, opening: readonly Promise<RoomCounts>[]): Promise<void> {
     const portion = Math.max(leastRows, Math.ceil(all / portions));
     const pieces = new Pieces(Math.ceil(all / portion), (share) => this.#tell('casting', share));
     const work = (member: Member) =>
@@ -176,8 +166,8 @@ class Run {
         },
         (part) => this.#add(part),
       );
-    const others = this.#others.map(async (member) => {
-      await this.#open(member);
+    const others = this.#others.map(async (member, index) => {
+      await opening[index];
       await work(member);
     });
     await Promise.all([work(this.#chief), ...others]);

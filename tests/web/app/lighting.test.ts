@@ -101,7 +101,7 @@ function lightingOf(first: SceneInfo) {
       tell({ stage: 'casting', share: 0 });
       room.foreseen.push(store.lighting.peek()?.secondsForeseen);
       room.told = store.messages.peek().map(({ text }) => text);
-      if (options.exchange && room.isFullTooLarge && options.patch < 0.2)
+      if (!options.draft && room.isFullTooLarge && options.patch < 0.2)
         throw new TooLarge('not enough memory');
       models.push(model);
       return { file: new ArrayBuffer(0), room: { source: '', warnings: [] } };
@@ -161,7 +161,7 @@ describe('a model that is understood in another way', () => {
     expect(placed[2]!.cards).not.toEqual(wish);
 
     // The same bytes are understood as last time, which is said; others are not.
-    expect(built.at(-1)).toMatchObject({ ceiling: 2.5, exchange: true });
+    expect(built.at(-1)).toMatchObject({ ceiling: 2.5, draft: false });
     expect(store.messages.value.map(({ text }) => text)).toEqual(['“a” is understood as it was last time.']);
     await lighting.light({ ...model, bytes: new Uint8Array(5) });
     expect(built.at(-1)?.ceiling).toBe(0);

@@ -26,7 +26,6 @@ import { sentence, shortName } from '../words/format.ts';
 import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
-import { draftCoarseness, draftOptions } from './draft.ts';
 import { siteModel } from './site-model.ts';
 import { secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
@@ -253,12 +252,7 @@ export class Lighting {
     };
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
-      ? pool.build({
-          ...wish,
-          options: { ...options, ...draftOptions },
-          coarseness: draftCoarseness,
-          opened,
-        })
+      ? pool.build({ ...wish, options: { ...options, draft: true }, opened })
       : pool.build({ ...wish, options, isKept: true, opened });
   }
 
