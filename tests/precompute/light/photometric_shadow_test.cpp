@@ -76,6 +76,25 @@ TEST(PhotometricShadow, ANarrowBeamLosesNoFlux) {
   EXPECT_NEAR(absorbed(room, light) / (1000 * 2 * std::numbers::pi / 127), 1, 0.02);
 }
 
+TEST(PhotometricShadow, AShadowsEdgeAlongThePatchesLosesNoFluxEither) {
+  const Room room = blockRoom();
+  const Result<RayTracer> built = RayTracer::build(room);
+  ASSERT_TRUE(built) << built.error().message;
+  const auto spot = [](const Vec3& d) { return d.z > 0 ? 1000 * std::pow(d.z, 126) : 0.0; };
+  std::vector<Luminaire> luminaires;
+  for (const double x : {1.7, 1.8, 1.9, 2.0, 2.1})  // around the block's edge above the floor
+    luminaires.push_back(withTable(squareAt({x, 2.5, 2.02}, 0.1, 0), spot, 0.21));
+  DirectLightOptions options;
+  options.split = 4;
+  const auto light = directLight(room, *built, luminaires, options);
+  const std::uint32_t rows = room.patches.rows();
+  for (std::size_t j = 0; j < luminaires.size(); ++j) {
+    const std::vector<float> column(light.begin() + static_cast<std::ptrdiff_t>(j * rows),
+                                    light.begin() + static_cast<std::ptrdiff_t>((j + 1) * rows));
+    EXPECT_NEAR(absorbed(room, column) / (1000 * 2 * std::numbers::pi / 127), 1, 0.003) << j;
+  }
+}
+
 TEST(PhotometricShadow, LightGoesUpToo) {
   const Room room = blockRoom();
   const Result<RayTracer> built = RayTracer::build(room);
