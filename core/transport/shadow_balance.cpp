@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMostLost = 0.01;    // of rays from all surfaces: what loses more is open
 constexpr double kMostAstray = 0.25;  // of the flux: shadows are not that wrong, there is another cause
-constexpr double kUnsure = 0.02;  // of the flux: so much may be missing or doubled in light by rays as well
+constexpr double kUnsure = 0.003;     // of the flux: so much may be missing or doubled by rounding as well
 
 }  // namespace
 

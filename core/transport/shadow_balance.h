@@ -2,7 +2,7 @@
 // does not shine from: where a beam meets the edge of something, what the shares let through and what they
 // hold back are not the luminaire's, and the lumens that arrive in the room are not those that leave. In a
 // closed room they are. So the shares s of what is seen in part become s + b s (1 - s), with that b for which
-// the sum is right within 2 %; what is seen wholly or not at all stays. |b| is below 1 by the luminaire's
+// the sum is right within 0.3 %; what is seen wholly or not at all stays. |b| is below 1 by the luminaire's
 // share of the site's edge: one as large as the site has the site's shadows.
 #pragma once
 
