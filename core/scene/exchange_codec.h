@@ -1,6 +1,6 @@
 // The exchange of light in a file. H counts square roots, since couplings differ by orders of magnitude, each
-// predicted from its neighbours left, above and at the corner, and range coded; the rest is sparse: gaps and
-// small numbers.
+// predicted from what the groups beside its two groups exchange, and range coded; so is the rest, which is
+// sparse, by what the rows beside a row have.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,9 @@
 namespace fiatlux {
 
 /// sqrt(H_cd sqrt(A_c A_d)) is stored in steps of this.
-inline constexpr double kExchangeMeanStep = 2.5e-3f;
+inline constexpr double kExchangeMeanStep = 8e-3f;
 /// Of the rest between row p and group d, times sqrt(A_p A_d).
-inline constexpr double kExchangeRestStep = 3e-3f;
-/// Both, in older files, which had to know the means over surfaces by the exchange alone.
-inline constexpr double kOlderExchangeStep = 1.5e-3;
+inline constexpr double kExchangeRestStep = 8e-3f;
 
 /// H by rows of its lower triangle, then the receivers' rows.
 std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const ExchangeGroups& groups,
@@ -35,6 +33,9 @@ std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const Excha
 std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patches& patches,
                                const ExchangeGroups& groups, Exchange& exchange,
                                double step = kExchangeRestStep);
+
+/// How many columns of H a file holds of a group's row: of its lower triangle, and all of a receiver's.
+std::uint32_t exchangeColumns(const ExchangeGroups& groups, std::uint32_t group);
 
 /// Areas of the groups, m2.
 std::vector<double> areasOf(const Patches& patches, const ExchangeGroups& groups);

@@ -15,7 +15,7 @@ namespace fiatlux {
 /// Share of each site's light that shadows let through to each row, in steps of its square root: what is
 /// nearly hidden is often near, and bright if it were not.
 struct SiteVisibility {
-  static constexpr std::uint32_t kSteps = 63;  // finer than shadow rays tell
+  static constexpr std::uint32_t kSteps = 63;  // finer than shadow rays tell, and than a file keeps
   std::uint32_t rows = 0, sites = 0;
   std::vector<std::uint8_t> steps;  // column-major rows x sites, 0..kSteps; 0 also where a row faces away
   const std::uint8_t* column(std::uint32_t site) const { return steps.data() + std::size_t{site} * rows; }

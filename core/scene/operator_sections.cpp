@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/scene/exchange_codec.h"
+#include "core/scene/older_operator_codec.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
 #include "core/scene/surface_exchange_codec.h"
@@ -38,28 +39,41 @@ PlainSection integersSection(const char* name, const std::vector<std::uint32_t>&
 
 PlainSection steppedSection(std::string name, std::vector<std::uint8_t> bytes, double step) {
   const auto length = static_cast<std::uint32_t>(bytes.size());
-  return plainSection(std::move(name), ElementType::kUint8, Encoding::kStepped, length, 1, std::move(bytes),
+  return plainSection(std::move(name), ElementType::kUint8, Encoding::kBeside, length, 1, std::move(bytes),
                       static_cast<float>(step));
 }
 
-std::vector<std::uint8_t> takeBytes(CheckedSections& in, std::string_view name) {
-  return in.take(name, ElementType::kUint8, Encoding::kPlain, CheckedSections::kAnyRows, 1);
-}
-
-/// Bytes that count in steps: of older files, which do not say how large these are, `older`.
+/// Range coded bytes, what they count in, and whether they are as of today.
 struct Stepped {
   std::vector<std::uint8_t> bytes;
   double step = 0;
+  bool isOlder = false;
 };
 
-Stepped takeStepped(CheckedSections& in, std::string_view name, double older) {
-  if (!in.has(name) || in.line(name).encoding == Encoding::kPlain) return {takeBytes(in, name), older};
+/// `oldest`: the step of files that do not tell theirs.
+Stepped takeStepped(CheckedSections& in, std::string_view name, double oldest) {
+  const Encoding encoding = in.has(name) ? in.line(name).encoding : Encoding::kPlain;
+  const auto take = [&] {
+    return in.take(name, ElementType::kUint8, encoding, CheckedSections::kAnyRows, 1);
+  };
+  if (encoding == Encoding::kPlain) return {take(), oldest, true};
   const double step = in.line(name).errorBound;
+  if (encoding != Encoding::kStepped && encoding != Encoding::kBeside)
+    in.fail(name, "its shape does not fit the room's counts");
   if (!(step > 0 && step < 1)) in.fail(name, "it has no steps");
-  return {in.take(name, ElementType::kUint8, Encoding::kStepped, CheckedSections::kAnyRows, 1), step};
+  return {take(), step, encoding == Encoding::kStepped};
 }
 
-void readVisibility(CheckedSections& in, const SceneCounts& counts, const Patches& patches,
+std::string decodeBlock(const Stepped& block, const Scene& scene, std::uint32_t first, std::uint32_t last,
+                        SiteVisibility& visibility) {
+  if (block.isOlder) return decodeOlderVisibility(block.bytes, scene.patches, first, last, visibility);
+  const double steps = std::round(1 / block.step);
+  if (steps > SiteVisibility::kSteps) return "its steps are too small";
+  return decodeVisibility(block.bytes, scene.patches, scene.sites, first, last, visibility,
+                          static_cast<std::uint32_t>(steps));
+}
+
+void readVisibility(CheckedSections& in, const SceneCounts& counts, const Scene& scene,
                     SiteVisibility& visibility) {
   visibility.rows = counts.rows();
   visibility.sites = counts.sites;
@@ -67,10 +81,10 @@ void readVisibility(CheckedSections& in, const SceneCounts& counts, const Patche
   const std::uint32_t perBlock = visibilityBlockSites(visibility.rows);
   for (std::uint32_t first = 0, block = 0; in.ok() && first < counts.sites; first += perBlock, ++block) {
     const std::string name = numberedName("siteVisibility", block);
-    const std::vector<std::uint8_t> bytes = takeBytes(in, name);
+    const Stepped stepped = takeStepped(in, name, 1.0 / SiteVisibility::kSteps);
     if (!in.ok()) return;
     const std::string fault =
-        decodeVisibility(bytes, patches, first, std::min(first + perBlock, counts.sites), visibility);
+        decodeBlock(stepped, scene, first, std::min(first + perBlock, counts.sites), visibility);
     if (!fault.empty()) in.fail(name, fault);
   }
 }
@@ -120,12 +134,14 @@ void readGroups(CheckedSections& in, const SceneCounts& counts, ExchangeGroups& 
 }
 
 void readExchange(CheckedSections& in, const Patches& patches, LightOperator& op) {
-  const Stepped means = takeStepped(in, "exchange", kOlderExchangeStep),
-                rest = takeStepped(in, "exchangeRest", kOlderExchangeStep);
+  const Stepped means = takeStepped(in, "exchange", kOldestExchangeStep),
+                rest = takeStepped(in, "exchangeRest", kOldestExchangeStep);
   if (!in.ok()) return;
-  std::string fault = decodeExchangeMeans(means.bytes, patches, op.groups, op.exchange, means.step);
+  std::string fault = (means.isOlder ? decodeOlderExchangeMeans : decodeExchangeMeans)(
+      means.bytes, patches, op.groups, op.exchange, means.step);
   if (!fault.empty()) return in.fail("exchange", fault);
-  fault = decodeExchangeRest(rest.bytes, patches, op.groups, op.exchange, rest.step);
+  fault = (rest.isOlder ? decodeOlderExchangeRest : decodeExchangeRest)(rest.bytes, patches, op.groups,
+                                                                        op.exchange, rest.step);
   if (!fault.empty()) in.fail("exchangeRest", fault);
 }
 
@@ -136,7 +152,8 @@ void readSurfaceExchange(CheckedSections& in, const Scene& scene, SurfaceExchang
   exchange.surfaces = static_cast<std::uint32_t>(scene.surfaces.size());
   if (std::uint64_t{exchange.surfaces} * scene.patches.count > kMaxSurfaceExchangeValues)
     return in.fail(kSurfaceExchange, "there are too many surfaces");
-  const std::string fault = decodeSurfaceExchange(means.bytes, scene.patches, exchange, means.step);
+  const std::string fault =
+      decodeSurfaceExchange(means.bytes, scene.patches, exchange, means.step, means.isOlder);
   if (!fault.empty()) in.fail(kSurfaceExchange, fault);
 }
 
@@ -154,9 +171,10 @@ Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& secti
                  " groups of patches are too many for a scene file: use larger patches"};
   const std::uint32_t perBlock = visibilityBlockSites(visibility.rows);
   for (std::uint32_t first = 0, block = 0; first < visibility.sites; first += perBlock, ++block)
-    sections.push_back(bytesSection(
-        numberedName("siteVisibility", block),
-        encodeVisibility(scene.patches, visibility, first, std::min(first + perBlock, visibility.sites))));
+    sections.push_back(steppedSection(numberedName("siteVisibility", block),
+                                      encodeVisibility(scene.patches, scene.sites, visibility, first,
+                                                       std::min(first + perBlock, visibility.sites)),
+                                      1.0 / kStoredShares));
   std::vector<float> frames;
   for (const Charts::Frame& frame : charts.frames) {
     for (const Vec3& v : {frame.uAxis, frame.vAxis})
@@ -188,7 +206,7 @@ void readOperator(CheckedSections& in, const SceneCounts& counts, Scene& scene) 
                    [&](std::string_view name) { return in.isThere(name); }))
     return;
   LightOperator op;
-  readVisibility(in, counts, scene.patches, op.visibility);
+  readVisibility(in, counts, scene, op.visibility);
   if (in.ok()) readCharts(in, counts, op.charts);
   if (in.ok()) readGroups(in, counts, op.groups);
   if (in.ok()) readExchange(in, scene.patches, op);

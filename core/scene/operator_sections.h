@@ -1,14 +1,16 @@
 // A scene's light operator as sections of its file, which version 1 readers of old pass over. All or none:
 //
-//   siteVisibility[.1 ...]  bytes     visible shares, in blocks of sites (exchange_codec.h)
+//   siteVisibility[.1 ...]  bytes     visible shares, in blocks of sites (visibility_codec.h)
 //   charts                  rows      the chart of a row
 //   chartFrames             F x 8     u axis, v axis, edges of a cell (m)
 //   groups                  rows x 2  the group of a row; barriers to its left (1) and upper (2) neighbour
 //   exchange                bytes     means between groups
 //   exchangeRest            bytes     what their interpolation leaves over
-// and, not in older files, whose exchange does not tell its steps either:
+// and, not in the oldest files, whose exchange does not tell its steps either:
 //   chartAspects            rows      how much longer a row is along u than its cell (Charts::aspect)
 //   surfaceExchange         bytes     means over surfaces (surface_exchange_codec.h)
+// Bytes tell their steps and are coded by what lies beside them in the room (Encoding::kBeside); older ones
+// (kStepped; kPlain in the oldest, and of shares) are those of older_operator_codec.h.
 #pragma once
 
 #include <string_view>

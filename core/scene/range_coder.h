@@ -113,9 +113,11 @@ class RangeDecoder {
     }
     return value;
   }
+  /// Whether it was asked for more bytes than there are.
+  bool ranOut() const { return missing_ > 0; }
   /// Every byte was needed, or is a zero that fills up; and none was missing.
   bool ended() const {
-    if (missing_ > 0) return false;
+    if (ranOut()) return false;
     for (const std::uint8_t* byte = at_; byte < end_; ++byte)
       if (*byte != 0) return false;
     return true;

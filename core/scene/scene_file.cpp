@@ -109,7 +109,7 @@ Result<SceneSection> readEntry(const std::uint8_t* entry) {
   if (length == 0 || length == kNameBytes || !printable || !padded)
     return Error{"its name is not plain text"};
   section.name.assign(name, length);
-  if (entry[32] > 3 || entry[33] > 1 || entry[34] > 8 || entry[35] != 0)
+  if (entry[32] > 3 || entry[33] > 1 || entry[34] > 9 || entry[35] != 0)
     return Error{"unknown type, codec or encoding"};
   section.type = static_cast<ElementType>(entry[32]);
   section.codec = static_cast<Codec>(entry[33]);

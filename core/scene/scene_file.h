@@ -39,6 +39,7 @@ enum class Encoding : std::uint8_t {
   kPredicted = 6,    // quantised responses
   kCorrections = 7,  // statistics, as what they differ from those of the responses by
   kStepped = 8,      // range coded numbers, counted in steps of the section's errorBound
+  kBeside = 9,       // the same, by what lies beside them in the room
 };
 
 std::uint32_t sizeOf(ElementType type);  // bytes of one element

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/range_coder.h"
 #include "core/scene/residual_model.h"
@@ -19,12 +20,17 @@ constexpr std::uint32_t kUnsure = 7;  // how far numbers without neighbours are 
 /// them.
 class LogarithmModel {
  public:
-  explicit LogarithmModel(const Patches& patches)
-      : patches_(patches), number_(patches.count), miss_(patches.count) {}
+  LogarithmModel(const Patches& patches, bool isOlder)
+      : patches_(patches),
+        isOlder_(isOlder),
+        number_(patches.count),
+        miss_(patches.count),
+        missBefore_(patches.count) {}
 
-  /// Codes `number`, which a decoder ignores, of patch p; patches come in order.
+  /// Codes `number`, which a decoder ignores, of patch p; patches come in order, surface by surface.
   template <class Coder>
   std::int64_t code(Coder& coder, std::uint32_t p, std::int32_t number) {
+    if (p == 0) std::swap(miss_, missBefore_), hasBefore_ = std::exchange(hasNow_, !isOlder_);
     const auto [prediction, activity] = expected(p);
     const std::int64_t coded = std::int64_t{prediction} +
                                model_.code(coder, activity, ResidualModel::kOrdinary, 0, number - prediction);
@@ -41,21 +47,28 @@ class LogarithmModel {
     std::uint32_t activity;
   };
   Expected expected(std::uint32_t p) const {
-    const std::uint32_t left = patches_.left[p], up = patches_.up[p];
-    if (left == kNone && up == kNone) return {p > 0 ? number_[p - 1] : 0, 28 * kUnsure};
-    if (left == kNone) return {number_[up], 28 * miss_[up]};
-    if (up == kNone) return {number_[left], 28 * miss_[left]};
+    const std::uint32_t left = patches_.left[p], up = patches_.up[p], before = missBefore_[p];
+    if (left == kNone && up == kNone)
+      return {p > 0 ? number_[p - 1] : 0, hasBefore_ ? 14 * (before + kUnsure) : 28 * kUnsure};
+    const std::uint32_t beside = left == kNone ? 2 * miss_[up]
+                                 : up == kNone ? 2 * miss_[left]
+                                               : miss_[left] + miss_[up];
+    return {planeAt(left, up), hasBefore_ ? (28 * (beside + before) + 1) / 3 : 14 * beside};
+  }
+  /// On a plane through the neighbours, but never beyond them.
+  std::int32_t planeAt(std::uint32_t left, std::uint32_t up) const {
+    if (left == kNone) return number_[up];
+    if (up == kNone) return number_[left];
     const std::int32_t a = number_[left], b = number_[up];
     const std::uint32_t corner = patches_.left[up];
-    // On a plane through the three, but never beyond its neighbours.
-    const std::int32_t plane =
-        corner == kNone ? (a + b) / 2 : std::clamp(a + b - number_[corner], std::min(a, b), std::max(a, b));
-    return {plane, 14 * (miss_[left] + miss_[up])};
+    return corner == kNone ? (a + b) / 2
+                           : std::clamp(a + b - number_[corner], std::min(a, b), std::max(a, b));
   }
 
   const Patches& patches_;
-  std::vector<std::int32_t> number_;
-  std::vector<std::uint32_t> miss_;
+  bool isOlder_, hasBefore_ = false, hasNow_ = false;  // whether there is a surface before
+  std::vector<std::int32_t> number_;                   // patches
+  std::vector<std::uint32_t> miss_, missBefore_;       // on this surface, and on the one before
   ResidualModel model_;
 };
 
@@ -74,23 +87,22 @@ std::vector<double> stepsOf(const Patches& patches, std::uint32_t surfaces, doub
 std::vector<std::uint8_t> encodeSurfaceExchange(const Patches& patches, const SurfaceExchange& exchange) {
   const std::vector<double> steps = stepsOf(patches, exchange.surfaces, kSurfaceExchangeStep);
   RangeEncoder out;
-  LogarithmModel model(patches);
+  LogarithmModel model(patches, false);
   for (std::uint32_t s = 0; s < exchange.surfaces; ++s)
     for (std::uint32_t p = 0; p < patches.count; ++p) {
       const double mean = std::min<double>(exchange.means[std::size_t{p} * exchange.surfaces + s], kMost);
-      model.code(
-          out, p,
-          mean > kLeast ? 1 + static_cast<std::int32_t>(std::lround(std::log(mean / kLeast) / steps[s])) : 0);
+      const double number = mean > kLeast ? 1 + std::round(std::log(mean / kLeast) / steps[s]) : 0;
+      model.code(out, p, static_cast<std::int32_t>(number));
     }
   return out.finish();
 }
 
 std::string decodeSurfaceExchange(std::span<const std::uint8_t> bytes, const Patches& patches,
-                                  SurfaceExchange& exchange, double step) {
+                                  SurfaceExchange& exchange, double step, bool isOlder) {
   const std::vector<double> steps = stepsOf(patches, exchange.surfaces, step);
   exchange.means.assign(std::size_t{patches.count} * exchange.surfaces, 0.0f);
   RangeDecoder in(bytes);
-  LogarithmModel model(patches);
+  LogarithmModel model(patches, isOlder);
   for (std::uint32_t s = 0; s < exchange.surfaces; ++s)
     for (std::uint32_t p = 0; p < patches.count; ++p) {
       const std::int64_t number = model.code(in, p, 0);

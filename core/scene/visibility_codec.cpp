@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/scene/range_coder.h"
 #include "core/scene/residual_model.h"
@@ -9,119 +10,173 @@
 namespace fiatlux {
 namespace {
 
-constexpr int kWhole = SiteVisibility::kSteps;
+constexpr double kSameDistance = 1e-6;  // m: of two sites as far away the later is taken
 
-/// 0 not seen, 1 partly, 2 wholly.
-std::uint32_t kindOf(int step) { return step == 0 ? 0 : step == kWhole ? 2 : 1; }
+std::uint8_t storedOf(std::uint8_t step, std::uint32_t whole) {
+  return static_cast<std::uint8_t>((2 * step * whole + SiteVisibility::kSteps) /
+                                   (2 * SiteVisibility::kSteps));
+}
+std::uint8_t stepOfStored(std::uint8_t stored, std::uint32_t whole) {
+  return static_cast<std::uint8_t>((2 * stored * SiteVisibility::kSteps + whole) / (2 * whole));
+}
 
-/// Column after column through a coder, which writes (RangeEncoder) or reads (RangeDecoder) it.
+/// The nearest site before the one that comes just before: across the row, where sites hang in rows. j - 1
+/// where there is none.
+std::uint32_t acrossOf(const std::vector<Site>& sites, std::uint32_t first, std::uint32_t j) {
+  std::uint32_t nearest = j - 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = first; i + 1 < j; ++i)
+    if (const double apart = length(sites[i].position - sites[j].position); apart <= least + kSameDistance)
+      least = apart, nearest = i;
+  return nearest;
+}
+
+/// Stored shares column after column through a coder, which writes (RangeEncoder) or reads (RangeDecoder)
+/// them.
 class VisibilityModel {
  public:
-  explicit VisibilityModel(const Patches& patches)
+  VisibilityModel(const Patches& patches, std::uint32_t whole)
       : patches_(patches),
+        whole_(static_cast<int>(whole)),
         right_(patches.rows(), kNone),
         down_(patches.rows(), kNone),
-        before_(patches.rows(), 0),
-        earlier_(patches.rows(), 0) {
+        kinds_(kKindContexts),
+        shares_((2 * whole + 1) * 2 * kSpreads) {
     for (std::uint32_t p = 0; p < patches.rows(); ++p) {
       if (patches.left[p] != kNone) right_[patches.left[p]] = p;
       if (patches.up[p] != kNone) down_[patches.up[p]] = p;
     }
   }
 
-  /// Codes the steps of one site; a decoder writes them. False: a number that no share has.
+  /// Columns of other sites: the one before, the one before that, across the row and before that.
+  struct Known {
+    const std::uint8_t *before, *earlier, *across, *acrossBefore;
+  };
+
+  /// Codes what rows see of one site; a decoder writes it.
   template <class Coder>
-  bool codeColumn(Coder& coder, std::uint8_t* column) {
+  void codeColumn(Coder& coder, const Known& known, std::uint8_t* column) {
     for (std::uint32_t p = 0; p < patches_.rows(); ++p) {
-      const Around around = aroundOf(column, p);
+      const Around around = aroundOf(known, column, p);
       auto& [partly, wholly] = kinds_[contextOf(around)];
       if (!coder.bit(partly, kindOf(column[p]) == 1)) {
-        column[p] = coder.bit(wholly, column[p] == kWhole) ? kWhole : 0;
+        column[p] = static_cast<std::uint8_t>(coder.bit(wholly, column[p] == whole_) ? whole_ : 0);
         continue;
       }
-      const int prediction = predictionOf(around);
-      const auto activity = static_cast<std::uint32_t>(8 * spreadOf(around) + 16);
-      const std::int64_t step =
-          std::int64_t{prediction} +
-          shares_.code(coder, activity, ResidualModel::kOrdinary, 0, column[p] - prediction);
-      if (step < 0 || step > kWhole) return false;
-      column[p] = static_cast<std::uint8_t>(step);
+      const int halves = expectedHalves(around), prediction = std::clamp((halves + 1) / 2, 1, whole_ - 1);
+      const std::uint32_t context =
+          (static_cast<std::uint32_t>(halves) * kSpreads + spreadOf(around)) * 2 + around.isAlone;
+      column[p] = static_cast<std::uint8_t>(
+          prediction + shares_.code(coder, context, column[p] - prediction,
+                                    static_cast<std::uint32_t>(prediction - 1),
+                                    static_cast<std::uint32_t>(whole_ - 1 - prediction)));
     }
-    std::swap(before_, earlier_);
-    before_.assign(column, column + patches_.rows());
-    return true;
   }
 
  private:
   /// What is known when a cell's turn comes: of its own site left and up, of the site before also beyond.
   struct Around {
-    int left, up, before, beforeLeft, beforeRight, beforeDown, earlier;
+    bool isAlone;  // no cell beside it: what is left and up is then across
+    int left, up, before, beforeLeft, beforeRight, beforeDown, earlier, across, acrossLeft, acrossBefore;
   };
 
-  Around aroundOf(const std::uint8_t* column, std::uint32_t p) const {
-    const auto at = [&](const std::uint8_t* of, std::uint32_t cell, int otherwise) {
+  Around aroundOf(const Known& known, const std::uint8_t* column, std::uint32_t p) const {
+    const auto at = [](const std::uint8_t* of, std::uint32_t cell, int otherwise) {
       return cell == kNone ? otherwise : int{of[cell]};
     };
-    const int before = before_[p];
-    const int left = at(column, patches_.left[p], at(column, patches_.up[p], before));
-    return {left,
-            at(column, patches_.up[p], left),
+    const std::uint32_t west = patches_.left[p], north = patches_.up[p];
+    const int before = known.before[p], across = known.across[p];
+    const int left = at(column, west, at(column, north, across));
+    return {west == kNone && north == kNone,
+            left,
+            at(column, north, left),
             before,
-            at(before_.data(), patches_.left[p], before),
-            at(before_.data(), right_[p], before),
-            at(before_.data(), down_[p], before),
-            earlier_[p]};
+            at(known.before, west, before),
+            at(known.before, right_[p], before),
+            at(known.before, down_[p], before),
+            known.earlier[p],
+            across,
+            at(known.across, west, across),
+            known.acrossBefore[p]};
   }
 
-  static std::uint32_t contextOf(const Around& a) {
+  /// 0 not seen, 1 partly, 2 wholly.
+  std::uint32_t kindOf(int share) const { return share == 0 ? 0 : share == whole_ ? 2 : 1; }
+
+  std::uint32_t contextOf(const Around& a) const {
     std::uint32_t context = 0;
-    for (const int step : {a.left, a.up, a.before, a.beforeRight, a.beforeDown, a.earlier})
-      context = 3 * context + kindOf(step);
+    for (const int share :
+         {a.left, a.up, a.before, a.beforeRight, a.beforeDown, a.earlier, a.across, a.acrossBefore})
+      context = 3 * context + kindOf(share);
     return context;
   }
 
-  static int predictionOf(const Around& a) {
-    const int plane = std::clamp(a.left + a.before - a.beforeLeft, 0, kWhole);
-    return (2 * a.before + a.left + a.up + plane) / 5;
+  /// In half steps, 0..2 whole.
+  int expectedHalves(const Around& a) const {
+    const auto within = [&](int share) { return std::clamp(share, 0, whole_); };
+    const int onward = within(a.before + a.across - a.acrossBefore);
+    if (a.isAlone) return (3 * a.before + 3 * a.across + onward + a.earlier) / 4;
+    return (a.before + a.across + a.left + a.up + within(a.left + a.before - a.beforeLeft) + onward +
+            2 * within(a.left + a.across - a.acrossLeft)) /
+           4;
   }
 
-  static int spreadOf(const Around& a) {
-    const auto [least, most] = std::minmax({a.left, a.up, a.before, a.beforeRight, a.beforeDown});
-    return most - least;
+  static std::uint32_t spreadOf(const Around& a) {
+    const auto [least, most] = std::minmax({a.left, a.up, a.before, a.across});
+    const auto spread = static_cast<std::uint32_t>(most - least);
+    return spread < 4 ? spread : spread < 6 ? 4 : 5;
   }
 
-  static constexpr std::uint32_t kContexts = 3 * 3 * 3 * 3 * 3 * 3;
+  static constexpr std::uint32_t kKindContexts = 3 * 3 * 3 * 3 * 3 * 3 * 3 * 3, kSpreads = 6;
   struct Kinds {
     AdaptiveBit partly, wholly;
   };
 
   const Patches& patches_;
-  std::vector<std::uint32_t> right_, down_;     // rows: the next cell on the same chart, or kNone
-  std::vector<std::uint8_t> before_, earlier_;  // steps of the site before, and of the one before that
-  std::array<Kinds, kContexts> kinds_;
-  ResidualModel shares_;
+  int whole_;
+  std::vector<std::uint32_t> right_, down_;  // rows: the next cell on the same chart, or kNone
+  std::vector<Kinds> kinds_;
+  ResidualContexts shares_;
 };
+
+/// Columns of the sites [first, last), which follow one another.
+template <class Coder>
+void codeColumns(Coder& coder, const Patches& patches, const std::vector<Site>& sites, std::uint32_t first,
+                 std::uint32_t last, std::uint32_t whole, std::uint8_t* columns) {
+  const std::size_t rows = patches.rows();
+  const std::vector<std::uint8_t> none(rows, 0);
+  VisibilityModel model(patches, whole);
+  const auto columnOf = [&](std::int64_t j) {
+    return j < std::int64_t{first} ? none.data() : columns + static_cast<std::size_t>(j - first) * rows;
+  };
+  for (std::int64_t j = first; j < std::int64_t{last}; ++j) {
+    const std::int64_t across = j > first ? acrossOf(sites, first, static_cast<std::uint32_t>(j)) : j - 1;
+    const std::int64_t acrossBefore = across > first ? across - 1 : across;
+    model.codeColumn(coder, {columnOf(j - 1), columnOf(j - 2), columnOf(across), columnOf(acrossBefore)},
+                     columns + static_cast<std::size_t>(j - first) * rows);
+  }
+}
 
 }  // namespace
 
-std::vector<std::uint8_t> encodeVisibility(const Patches& patches, const SiteVisibility& visibility,
-                                           std::uint32_t first, std::uint32_t last) {
+std::vector<std::uint8_t> encodeVisibility(const Patches& patches, const std::vector<Site>& sites,
+                                           const SiteVisibility& visibility, std::uint32_t first,
+                                           std::uint32_t last) {
+  std::vector<std::uint8_t> columns(visibility.column(first), visibility.column(last));
+  for (std::uint8_t& share : columns) share = storedOf(share, kStoredShares);
   RangeEncoder out;
-  VisibilityModel model(patches);
-  for (std::uint32_t j = first; j < last; ++j) {
-    std::vector<std::uint8_t> column(visibility.column(j), visibility.column(j) + visibility.rows);
-    model.codeColumn(out, column.data());
-  }
+  codeColumns(out, patches, sites, first, last, kStoredShares, columns.data());
   return out.finish();
 }
 
-std::string decodeVisibility(std::span<const std::uint8_t> bytes, const Patches& patches, std::uint32_t first,
-                             std::uint32_t last, SiteVisibility& visibility) {
+std::string decodeVisibility(std::span<const std::uint8_t> bytes, const Patches& patches,
+                             const std::vector<Site>& sites, std::uint32_t first, std::uint32_t last,
+                             SiteVisibility& visibility, std::uint32_t stored) {
   RangeDecoder in(bytes);
-  VisibilityModel model(patches);
-  for (std::uint32_t j = first; j < last; ++j)
-    if (!model.codeColumn(in, visibility.steps.data() + std::size_t{j} * visibility.rows))
-      return "a share is out of range";
+  std::uint8_t* const columns = visibility.steps.data() + std::size_t{first} * visibility.rows;
+  codeColumns(in, patches, sites, first, last, stored, columns);
+  for (std::size_t i = 0; i < std::size_t{last - first} * visibility.rows; ++i)
+    columns[i] = stepOfStored(columns[i], stored);
   return in.ended() ? "" : "its length does not fit its values";
 }
 
