@@ -85,9 +85,9 @@ Promised of the first, for 95 of 100 values: means 1 % (batwing, cos^4) and 2.5 
 
 const causes = `
 Of the same errors of means, what the direct light has that is made of stored visible shares (a share is of the site's
-square, its shadows as soft; lumens that leave a smaller luminaire arrive, within 2 %: core/transport/shadow_balance.h),
+square, its shadows as soft; lumens that leave a smaller luminaire arrive, within 0.3 %: core/transport/shadow_balance.h),
 and what is left where direct light is true; and the surface with the largest 95 of 100. The rays that "true" direct light
-is made of lose or double up to 3 % of a 12 degree beam themselves.
+is made of keep the lumens of a 12 degree beam within 0.2 %.
 
 | room | type | direct light | exchange | surface |
 | --- | --- | --- | --- | --- |
