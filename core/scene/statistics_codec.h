@@ -10,7 +10,8 @@
 
 namespace fiatlux {
 
-/// Fine enough that sigma holds to 1e-4 where the spread of six luminaires together is a tenth of what each has.
+/// Fine enough that sigma holds to 1e-4 where the spread of six luminaires together is a tenth of what each
+/// has.
 inline constexpr double kCorrelationUnit = 0x1p-18;
 
 /// The error bound e of what is decoded: |x^T C' x - x^T C x| <= e (sum of |x_i| sqrt(C_ii))^2. Means and

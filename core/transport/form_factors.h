@@ -35,11 +35,12 @@ struct FormFactors {
   std::uint32_t clusters = 0;                     // k
   std::vector<float> u;                           // rows x k, row-major
   std::vector<std::uint32_t> cluster;             // n: V's only non-zero of row q is in this column,
-  std::vector<double> share;                      // n: and is this: A_q / A_c
+  std::vector<double> share;                      // n: and is this; sums to 1 over a cluster
   std::vector<std::vector<NearPatch>> near;       // rows: patches ascending
   std::vector<std::vector<ClusterSlope>> slopes;  // rows: clusters ascending
   std::vector<float> slopeShare;                  // n x 2, row-major; sums to 0 over a cluster
   std::vector<float> lost;                        // rows: share of the rays that were lost
+  std::vector<float> open;  // rows: share of distant clusters' light that nothing keeps away
 };
 
 /// V^T e: k x width from n x width, row-major; summed in double.

@@ -7,6 +7,7 @@
 
 #include "precompute/base/parallel.h"
 #include "precompute/light/kernel_factors.h"
+#include "precompute/light/open_shares.h"
 #include "precompute/rays/hemisphere.h"
 #include "precompute/rays/patch_sampler.h"
 #include "precompute/rays/ray_sequence.h"
@@ -65,7 +66,7 @@ FormFactorRow finishedRow(std::uint32_t p, const std::vector<std::uint32_t>& clu
   if (sumOf(static_cast<double>(away - hits.begin())) > kPlausible * met / rays) {
     hits.erase(away, hits.end());
   } else {
-    row = {std::vector<float>(row.u.size(), 0.0f), {}, {}};
+    row = {std::vector<float>(row.u.size(), 0.0f), {}, {}, row.open};
   }
 
   // One factor for all makes the row sum to what was not lost.
@@ -84,7 +85,8 @@ FormFactorRow finishedRow(std::uint32_t p, const std::vector<std::uint32_t>& clu
   }
   for (float& u : row.u) u *= scale;
   for (const NearPatch& near : row.near) row.u[cluster[near.patch]] += near.factor;
-  return {std::move(row.u), std::move(row.near), std::move(row.slopes), static_cast<float>(1 - met / rays)};
+  return {std::move(row.u), std::move(row.near), std::move(row.slopes), static_cast<float>(1 - met / rays),
+          row.open};
 }
 
 /// Sizes everything but near patches and slopes, and fills in V.
@@ -103,6 +105,7 @@ FormFactors emptyFactors(const Patches& patches) {
   factors.near.resize(factors.rows);
   factors.slopes.resize(factors.rows);
   factors.lost.resize(factors.rows);
+  factors.open.resize(factors.rows, 1.0f);
   return factors;
 }
 
@@ -137,7 +140,7 @@ FormFactorRow FormFactorCaster::row(std::uint32_t p) const {
   const PatchSampler sampler(room, p);
   std::vector<std::uint32_t> hits;
   castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
-  KernelFactors::Row row{std::vector<float>(room.patches.clusterCount, 0.0f), {}, {}};
+  KernelFactors::Row row{std::vector<float>(room.patches.clusterCount, 0.0f), {}, {}, 1};
   if (kernels) kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
   return finishedRow(p, room.patches.cluster, kernels ? &*kernels : nullptr, hits, std::move(row));
 }
@@ -148,11 +151,16 @@ FormFactors FormFactorCaster::withoutRows() const {
   return factors;
 }
 
+void FormFactorCaster::complete(FormFactors& factors) const {
+  if (parts_->kernels) weighByOpenness(parts_->room, parts_->kernels->clusters(), factors);
+}
+
 void setRow(FormFactors& factors, std::uint32_t p, const FormFactorRow& row) {
   std::copy(row.u.begin(), row.u.end(), factors.u.begin() + std::size_t{p} * factors.clusters);
   factors.near[p] = row.near;
   factors.slopes[p] = row.slopes;
   factors.lost[p] = row.lost;
+  factors.open[p] = row.open;
 }
 
 FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const CastOptions& options) {
@@ -165,6 +173,7 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
       setRow(factors, p, caster.row(p));
   };
   parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
+  caster.complete(factors);
   return factors;
 }
 

@@ -31,6 +31,7 @@ struct FormFactorRow {
   std::vector<NearPatch> near;
   std::vector<ClusterSlope> slopes;
   float lost = 0;
+  float open = 1;  // of what distant clusters would send it if nothing stood between, the share that arrives
 };
 
 /// Casts rows one by one, in any order, on any thread. Room and tracer must outlive it.
@@ -40,8 +41,9 @@ class FormFactorCaster {
   FormFactorCaster(FormFactorCaster&&) noexcept;
   ~FormFactorCaster();
   FormFactorRow row(std::uint32_t p) const;
-  /// Form factors that want nothing but their rows.
+  /// Form factors that want nothing but their rows (setRow) and then complete().
   FormFactors withoutRows() const;
+  void complete(FormFactors& factors) const;
 
  private:
   struct Parts;

@@ -180,13 +180,27 @@ void KernelFactors::castShadows(std::uint64_t seed, std::uint32_t rays, const Pa
   if (packet.count > 0) flush();
 }
 
+double KernelFactors::factorOf(const Candidate& candidate) {
+  // note: not kernel x visible share, for what is hidden may be the part that would give most.
+  return candidate.visible == candidate.asked ? candidate.kernel : candidate.arrived / candidate.asked;
+}
+
+/// Of all distant clusters together.
+float KernelFactors::openOf(const std::vector<Candidate>& candidates) const {
+  double arrives = 0, all = 0;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.item >= firstPatch_) continue;
+    arrives += factorOf(candidate);
+    all += candidate.kernel;
+  }
+  return all > 0 ? static_cast<float>(arrives / all) : 1.0f;
+}
+
 /// Writes down what row p gets from one cluster.
 void KernelFactors::write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const {
   double sum = 0, leanU = 0, leanV = 0;
   for (const Candidate* candidate = first; candidate < last; ++candidate) {
-    // note: not kernel x visible share, for what is hidden may be the part that would give most.
-    const double factor =
-        candidate->visible == candidate->asked ? candidate->kernel : candidate->arrived / candidate->asked;
+    const double factor = factorOf(*candidate);
     if (factor > 0 && candidate->item >= firstPatch_) {
       row.near.push_back({candidate->item - firstPatch_, static_cast<float>(factor)});
     } else if (factor > 0) {
@@ -226,6 +240,7 @@ void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSample
     if (seen > 0 && seen < asked) castShadows(mixBits(seed), many, sampler, first, last, candidates);
     write(candidates.data() + first, candidates.data() + last, p, row);
   }
+  row.open = openOf(candidates);
 }
 
 }  // namespace fiatlux

@@ -29,6 +29,7 @@ class KernelFactors {
     std::vector<float> u;              // k: of distant clusters; 0 for those that are seen patch by patch
     std::vector<ClusterSlope> slopes;  // of distant clusters, except far ones
     std::vector<NearPatch> near;       // patches of the other clusters
+    float open = 1;                    // share of what distant clusters would send that arrives
   };
   /// effort: of effort.h, 1 to kMostEffort.
   void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
@@ -36,6 +37,7 @@ class KernelFactors {
   /// Whether patch q is too close to row p for this estimate: then only rays tell.
   bool tooClose(std::uint32_t p, std::uint32_t q) const;
 
+  const ClusterParts& clusters() const { return clusters_; }
   /// FormFactors::slopeShare, n x 2.
   const std::vector<float>& slopeShare() const { return clusters_.slopeShare(); }
 
@@ -60,7 +62,9 @@ class KernelFactors {
   std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
   void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
                    std::size_t last, std::vector<Candidate>& candidates) const;
+  static double factorOf(const Candidate& candidate);
   void write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const;
+  float openOf(const std::vector<Candidate>& candidates) const;
   /// Shadow rays to a patch where a part of about four patches gets so many.
   std::uint32_t raysTo(std::uint32_t item, std::uint32_t rays) const {
     return item < firstPatch_ ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);

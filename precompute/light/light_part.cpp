@@ -1,6 +1,6 @@
-// Numbers as they lie in memory. Cast: first row, rows; of each row its lost share, U, and near patches and
-// slopes after their numbers; then direct light and visible shares. Solved: the block, and its lists after
-// their numbers.
+// Numbers as they lie in memory. Cast: first row, rows; of each row its lost and open shares, U, and near
+// patches and slopes after their numbers; then direct light and visible shares. Solved: the block, and its
+// lists after their numbers.
 #include "precompute/light/light_part.h"
 
 #include <cstring>
@@ -66,8 +66,8 @@ class Reader {
 const Error kDamaged{"a part of the light is damaged"};
 
 bool takeRow(Reader& from, std::size_t clusters, FormFactorRow& row) {
-  return from.take(row.lost) && from.take(row.u, clusters) && from.takeList(row.near) &&
-         from.takeList(row.slopes);
+  return from.take(row.lost) && from.take(row.open) && from.take(row.u, clusters) &&
+         from.takeList(row.near) && from.takeList(row.slopes);
 }
 
 }  // namespace
@@ -79,6 +79,7 @@ std::vector<std::uint8_t> encodeLightPart(const LightPart& part) {
   to.putCount(part.rows.size());
   for (const FormFactorRow& row : part.rows) {
     to.put(&row.lost, 1);
+    to.put(&row.open, 1);
     to.put(row.u.data(), row.u.size());
     to.putList(row.near);
     to.putList(row.slopes);

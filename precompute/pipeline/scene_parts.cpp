@@ -144,6 +144,7 @@ Result<std::uint32_t> SceneParts::prepare() {
   const auto prepare = [&] {
     if (state_->missing != 0) throw CommandError(kMissing);
     const auto& [source, room, tracer] = state_->opened;
+    if (state_->caster) state_->caster->complete(state_->light.factors);
     state_->caster.reset();
     state_->solver =
         std::make_unique<Interreflection>(room, tracer, state_->light, state_->options.transport);

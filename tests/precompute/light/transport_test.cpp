@@ -183,6 +183,40 @@ TEST(FormFactors, MoreRaysMeanLessNoiseOfWhatIsPartlyHidden) {
   EXPECT_GT(usual, 0);
 }
 
+/// Mean irradiance of the ceiling (the second surface) where the floor shines `open` below the sky and not at
+/// all below the table.
+double ceilingOverATable(const Room& room, const FormFactors& factors, const std::vector<bool>& isBelow) {
+  std::vector<float> shining(factors.count), received(factors.rows);
+  for (std::uint32_t p = 0; p < factors.count; ++p)
+    shining[p] = room.patches.surface[p] == 0 && !isBelow[p] ? 1 : 0;
+  irradiance(factors, shining.data(), 1, received.data());
+  double sum = 0, area = 0;
+  for (std::uint32_t p = 0; p < factors.count; ++p) {
+    if (room.patches.surface[p] != 1) continue;
+    sum += room.patches.area[p] * received[p];
+    area += room.patches.area[p];
+  }
+  return sum / area;
+}
+
+TEST(FormFactors, FloorInTheOpenIsSeenFromAfarAndFloorUnderATableIsNot) {
+  // The table's edges run through clusters of the floor; nothing of what lies below is seen from the ceiling.
+  const Vec3 low{0.75, 0.1, 1.25}, size{1.25, 0.05, 1.75};
+  const Room room = testing::furnishedBox({3, 2.5, 4}, blockSurfaces("table", low, size, 0.6, 0.25), 0.25);
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  std::vector<bool> isBelow;
+  for (const Vec3& c : room.patches.center)
+    isBelow.push_back(c.x > low.x && c.x < low.x + size.x && c.z > low.z && c.z < low.z + size.z);
+  const double byRays =
+      ceilingOverATable(room, castFormFactors(room, *tracer, {4096, true, 1, 0, {}}), isBelow);
+  const FormFactors factors = castFormFactors(room, *tracer, {1024, false, 1, 0, {}});
+  EXPECT_NEAR(ceilingOverATable(room, factors, isBelow) / byRays, 1, 0.005);
+  std::vector<double> sums(factors.clusters);
+  for (std::uint32_t q = 0; q < factors.count; ++q) sums[factors.cluster[q]] += factors.share[q];
+  for (const double sum : sums) EXPECT_NEAR(sum, 1, 1e-9);
+}
+
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
   const Room room = boxWithBlock();
   const auto transport = transportOf(room);
