@@ -141,7 +141,12 @@ FormFactorRow FormFactorCaster::row(std::uint32_t p) const {
   std::vector<std::uint32_t> hits;
   castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
   KernelFactors::Row row{std::vector<float>(room.patches.clusterCount, 0.0f), {}, {}, 1};
-  if (kernels) kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
+  if (kernels) {
+    std::vector<bool> isMet(room.patches.clusterCount);
+    for (const std::uint32_t q : hits)
+      if (q != kNone) isMet[room.patches.cluster[q]] = true;
+    kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, isMet, row);
+  }
   return finishedRow(p, room.patches.cluster, kernels ? &*kernels : nullptr, hits, std::move(row));
 }
 

@@ -31,8 +31,9 @@ class KernelFactors {
     std::vector<NearPatch> near;       // patches of the other clusters
     float open = 1;                    // share of what distant clusters would send that arrives
   };
-  /// effort: of effort.h, 1 to kMostEffort.
-  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
+  /// effort: of effort.h, 1 to kMostEffort; isMet: of each cluster, whether the row's own rays have met it.
+  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, const std::vector<bool>& isMet,
+           Row& row) const;
 
   /// Whether patch q is too close to row p for this estimate: then only rays tell.
   bool tooClose(std::uint32_t p, std::uint32_t q) const;

@@ -217,6 +217,39 @@ TEST(FormFactors, FloorInTheOpenIsSeenFromAfarAndFloorUnderATableIsNot) {
   for (const double sum : sums) EXPECT_NEAR(sum, 1, 1e-9);
 }
 
+TEST(FormFactors, WhatComesThroughANarrowGapIsNotMissed) {
+  // Two boards before a wall, 3 cm apart: what they see between them of the rest of the room, with as many
+  // rays as patches of a large surface have.
+  auto boards = blockSurfaces("lower", {2, 0.9, 0}, {1, 0.05, 0.3}, 0.6, 0.2);
+  const auto upper = blockSurfaces("upper", {2, 0.98, 0}, {1, 0.05, 0.3}, 0.6, 0.2);
+  boards.insert(boards.end(), upper.begin(), upper.end());
+  const Room room = testing::furnishedBox({5, 2.5, 5}, boards, 0.2);
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  const Patches& patches = room.patches;
+  std::vector<std::uint32_t> between;
+  std::vector<bool> isOfBoards(patches.clusterCount);
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    const Vec3& c = patches.center[p];
+    const bool isBoard = c.x > 1.9 && c.x < 3.1 && c.y > 0.89 && c.y < 1.04 && c.z < 0.31 && c.z > 0;
+    if (isBoard) isOfBoards[patches.cluster[p]] = true;
+    if (isBoard && std::abs(patches.normal[p].y) > 0.9 && std::abs(c.y - 0.965) < 0.016) between.push_back(p);
+  }
+  ASSERT_GE(between.size(), 10u);
+  const auto ofOthers = [&](const CastOptions& options) {
+    const FormFactorCaster caster(room, *tracer, options);
+    double sum = 0;
+    for (const std::uint32_t p : between) {
+      const FormFactorRow row = caster.row(p);
+      for (std::uint32_t c = 0; c < patches.clusterCount; ++c) sum += isOfBoards[c] ? 0 : row.u[c];
+    }
+    return sum;
+  };
+  double mean = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += ofOthers({1024, false, seed, 0, {}, true}) / 8;
+  EXPECT_NEAR(mean / ofOthers({32768, true, 1, 0, {}}), 1, 0.05);
+}
+
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
   const Room room = boxWithBlock();
   const auto transport = transportOf(room);
