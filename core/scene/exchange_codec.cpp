@@ -12,10 +12,6 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::int32_t kLargest = 1 << 26;        // of any number: a coupling of 4e9, far beyond any room
-constexpr std::uint64_t kMostEntries = 1u << 24;  // of the rest
-constexpr float kStrongest = 1e12f;               // 1/m2: sums of products with it stay finite
-constexpr const char* kOutOfRange = "a value is out of range";
 constexpr const char* kNoFit = "its length does not fit its values";
 
 /// The groups beside each group, of those before it: which most of its rows are the left and the upper
@@ -73,8 +69,9 @@ class MeansModel {
     const auto [prediction, context] = expected(c, d);
     const std::int64_t coded =
         std::int64_t{prediction} + residuals_.code(coder, context, number - prediction,
-                                                   static_cast<std::uint32_t>(prediction), kLargest);
-    if (coded > kLargest) return std::nullopt;
+                                                   static_cast<std::uint32_t>(prediction),
+                                                   kLargestExchangeNumber);
+    if (coded > kLargestExchangeNumber) return std::nullopt;
     const auto value = static_cast<std::int32_t>(coded);
     number_[placeOf(c, d)] = value;
     miss_[placeOf(c, d)] =
@@ -225,7 +222,7 @@ class RestModel {
 
   template <class Coder>
   std::int32_t codeNumber(Coder& coder, std::uint32_t context, std::int32_t number) {
-    return numbers_.code(coder, context, number, kLargest, kLargest);
+    return numbers_.code(coder, context, number, kLargestExchangeNumber, kLargestExchangeNumber);
   }
 
   const std::vector<RestEntry>& rowOr(std::uint32_t p, const std::vector<RestEntry>& otherwise) const {
@@ -274,7 +271,7 @@ std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const Exch
       const double coupling =
           exchange.means[std::size_t{c} * groups.count + d] * std::sqrt(area[c] * area[d]);
       const auto number = static_cast<std::int32_t>(std::clamp<double>(
-          std::round(std::sqrt(std::max(0.0, coupling)) / kExchangeMeanStep), 0, kLargest));
+          std::round(std::sqrt(std::max(0.0, coupling)) / kExchangeMeanStep), 0, kLargestExchangeNumber));
       model.code(out, c, d, number);
     }
   return out.finish();
@@ -282,21 +279,11 @@ std::vector<std::uint8_t> encodeExchangeMeans(const Patches& patches, const Exch
 
 std::string decodeExchangeMeans(std::span<const std::uint8_t> bytes, const Patches& patches,
                                 const ExchangeGroups& groups, Exchange& exchange, double step) {
-  const std::vector<double> area = areasOf(patches, groups);
-  exchange.means.assign(std::size_t{groups.total} * groups.count, 0.0f);
   RangeDecoder in(bytes);
   MeansModel model(patches, groups);
-  for (std::uint32_t c = 0; c < groups.total; ++c)
-    for (std::uint32_t d = 0; d < exchangeColumns(groups, c); ++d) {
-      const std::optional<std::int32_t> number = model.code(in, c, d, 0);
-      if (!number) return kOutOfRange;
-      const double root = step * *number;
-      const auto mean = static_cast<float>(root * root / std::sqrt(area[c] * area[d]));
-      if (!(mean < kStrongest)) return kOutOfRange;
-      exchange.means[std::size_t{c} * groups.count + d] = mean;
-      if (c < groups.count) exchange.means[std::size_t{d} * groups.count + c] = mean;
-    }
-  return in.ended() ? "" : kNoFit;
+  const std::string fault = fillExchangeMeans(patches, groups, step, exchange,
+                                              [&](auto c, auto d) { return model.code(in, c, d, 0); });
+  return !fault.empty() ? fault : in.ended() ? "" : kNoFit;
 }
 
 std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const ExchangeGroups& groups,
@@ -310,8 +297,8 @@ std::vector<std::uint8_t> encodeExchangeRest(const Patches& patches, const Excha
     for (std::uint32_t i = exchange.offset[p]; i < exchange.offset[p + 1]; ++i) {
       const std::uint32_t d = exchange.group[i];
       const double coupling = exchange.rest[i] * std::sqrt(patches.area[p] * area[d]);
-      const auto number = static_cast<std::int32_t>(
-          std::clamp<double>(std::round(coupling / kExchangeRestStep), -kLargest, kLargest));
+      const auto number = static_cast<std::int32_t>(std::clamp<double>(
+          std::round(coupling / kExchangeRestStep), -kLargestExchangeNumber, kLargestExchangeNumber));
       if (number != 0) row.push_back({d, number});
     }
     model.code(out, p, row);
@@ -329,11 +316,11 @@ std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patche
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     row.clear();
     if (!model.code(in, p, row)) return "a group is not there, or is there twice";
-    if (in.ranOut() || exchange.group.size() + row.size() > kMostEntries)
+    if (in.ranOut() || exchange.group.size() + row.size() > kMostRestEntries)
       return "it announces more values than it has";
     for (const auto& [group, number] : row) {
       const auto rest = static_cast<float>(step * number / std::sqrt(patches.area[p] * area[group]));
-      if (!(std::abs(rest) < kStrongest)) return kOutOfRange;
+      if (!(std::abs(rest) < kStrongestExchange)) return kExchangeOutOfRange;
       exchange.group.push_back(group), exchange.rest.push_back(rest);
     }
     exchange.offset.push_back(static_cast<std::uint32_t>(exchange.group.size()));

@@ -3,7 +3,9 @@
 // sparse, by what the rows beside a row have.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +39,33 @@ std::string decodeExchangeRest(std::span<const std::uint8_t> bytes, const Patche
 /// How many columns of H a file holds of a group's row: of its lower triangle, and all of a receiver's.
 std::uint32_t exchangeColumns(const ExchangeGroups& groups, std::uint32_t group);
 
+/// Beyond any room: no number of a file is larger, and no coupling (1/m2), so that sums of products stay
+/// finite.
+inline constexpr std::int32_t kLargestExchangeNumber = 1 << 26;
+inline constexpr float kStrongestExchange = 1e12f;
+inline constexpr std::uint64_t kMostRestEntries = 1u << 24;
+inline constexpr const char* kExchangeOutOfRange = "a value is out of range";
+
 /// Areas of the groups, m2.
 std::vector<double> areasOf(const Patches& patches, const ExchangeGroups& groups);
+
+/// Fills exchange.means with what the numbers of a file stand for. `next(c, d)`: the number at column d of
+/// group c's row, asked for in order; nullopt where it is beyond all numbers. "" or what is wrong.
+template <class Next>
+std::string fillExchangeMeans(const Patches& patches, const ExchangeGroups& groups, double step,
+                              Exchange& exchange, const Next& next) {
+  const std::vector<double> area = areasOf(patches, groups);
+  exchange.means.assign(std::size_t{groups.total} * groups.count, 0.0f);
+  for (std::uint32_t c = 0; c < groups.total; ++c)
+    for (std::uint32_t d = 0; d < exchangeColumns(groups, c); ++d) {
+      const std::optional<std::int32_t> number = next(c, d);
+      const double root = number ? step * *number : 0;
+      const auto mean = static_cast<float>(root * root / std::sqrt(area[c] * area[d]));
+      if (!number || !(mean < kStrongestExchange)) return kExchangeOutOfRange;
+      exchange.means[std::size_t{c} * groups.count + d] = mean;
+      if (c < groups.count) exchange.means[std::size_t{d} * groups.count + c] = mean;
+    }
+  return "";
+}
 
 }  // namespace fiatlux

@@ -13,11 +13,8 @@ namespace fiatlux {
 namespace {
 
 constexpr int kOlderWhole = SiteVisibility::kSteps;
-constexpr std::uint8_t kOlderEscape = 255;             // a number of this or more follows in four bytes
-constexpr std::uint64_t kMostOlderEntries = 1u << 24;  // of the rest
-constexpr std::int32_t kLargestOlder = 1 << 26;        // of any number
-constexpr float kStrongestOlder = 1e12f;               // 1/m2
-constexpr const char* kOlderOutOfRange = "a value is out of range";
+constexpr std::uint8_t kOlderEscape = 255;  // a number of this or more follows in four bytes
+constexpr const char* kOlderNoFit = "its length does not fit its values";
 
 /// 0 not seen, 1 partly, 2 wholly.
 std::uint32_t olderKindOf(int step) { return step == 0 ? 0 : step == kOlderWhole ? 2 : 1; }
@@ -156,7 +153,7 @@ class OlderMeans {
     const std::uint32_t activity = 14 * left.miss + 10 * above.miss + 8 * corner.miss;
     const std::int64_t coded =
         std::int64_t{prediction} + model_.code(in, activity, ResidualModel::kOrdinary, 0, 0);
-    if (coded < 0 || coded > kLargestOlder) return std::nullopt;
+    if (coded < 0 || coded > kLargestExchangeNumber) return std::nullopt;
     const auto value = static_cast<std::int32_t>(coded);
     row_[column] = {value, static_cast<std::uint32_t>(std::abs(value - prediction))};
     return value;
@@ -185,26 +182,16 @@ std::string decodeOlderVisibility(std::span<const std::uint8_t> bytes, const Pat
   for (std::uint32_t j = first; j < last; ++j)
     if (!model.read(in, visibility.steps.data() + std::size_t{j} * visibility.rows))
       return "a share is out of range";
-  return in.ended() ? "" : "its length does not fit its values";
+  return in.ended() ? "" : kOlderNoFit;
 }
 
 std::string decodeOlderExchangeMeans(std::span<const std::uint8_t> bytes, const Patches& patches,
                                      const ExchangeGroups& groups, Exchange& exchange, double step) {
-  const std::vector<double> area = areasOf(patches, groups);
-  exchange.means.assign(std::size_t{groups.total} * groups.count, 0.0f);
   RangeDecoder in(bytes);
   OlderMeans model(groups.count);
-  for (std::uint32_t c = 0; c < groups.total; ++c)
-    for (std::uint32_t d = 0; d < exchangeColumns(groups, c); ++d) {
-      const std::optional<std::int32_t> number = model.read(in, c, d);
-      if (!number) return kOlderOutOfRange;
-      const double root = step * *number;
-      const auto mean = static_cast<float>(root * root / std::sqrt(area[c] * area[d]));
-      if (!(mean < kStrongestOlder)) return kOlderOutOfRange;
-      exchange.means[std::size_t{c} * groups.count + d] = mean;
-      if (c < groups.count) exchange.means[std::size_t{d} * groups.count + c] = mean;
-    }
-  return in.ended() ? "" : "its length does not fit its values";
+  const std::string fault = fillExchangeMeans(patches, groups, step, exchange,
+                                              [&](auto c, auto d) { return model.read(in, c, d); });
+  return !fault.empty() ? fault : in.ended() ? "" : kOlderNoFit;
 }
 
 std::string decodeOlderExchangeRest(std::span<const std::uint8_t> bytes, const Patches& patches,
@@ -215,7 +202,7 @@ std::string decodeOlderExchangeRest(std::span<const std::uint8_t> bytes, const P
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     const std::uint32_t more = in.next();
     entries += more;
-    if (!in.ok() || more > groups.count || entries > kMostOlderEntries || entries > bytes.size())
+    if (!in.ok() || more > groups.count || entries > kMostRestEntries || entries > bytes.size())
       return "it announces more values than it has";
     exchange.offset.push_back(static_cast<std::uint32_t>(entries));
   }
@@ -233,12 +220,12 @@ std::string decodeOlderExchangeRest(std::span<const std::uint8_t> bytes, const P
   for (std::uint32_t p = 0; p < patches.rows(); ++p)
     for (std::uint32_t i = exchange.offset[p]; i < exchange.offset[p + 1]; ++i) {
       const std::int32_t number = in.nextSigned();
-      if (number < -kLargestOlder || number > kLargestOlder) return kOlderOutOfRange;
+      if (number < -kLargestExchangeNumber || number > kLargestExchangeNumber) return kExchangeOutOfRange;
       exchange.rest.push_back(
           static_cast<float>(step * number / std::sqrt(patches.area[p] * area[exchange.group[i]])));
-      if (!(std::abs(exchange.rest.back()) < kStrongestOlder)) return kOlderOutOfRange;
+      if (!(std::abs(exchange.rest.back()) < kStrongestExchange)) return kExchangeOutOfRange;
     }
-  return in.finished() ? "" : "its length does not fit its values";
+  return in.finished() ? "" : kOlderNoFit;
 }
 
 }  // namespace fiatlux

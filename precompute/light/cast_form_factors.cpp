@@ -122,9 +122,7 @@ struct FormFactorCaster::Parts {
 };
 
 FormFactorCaster::FormFactorCaster(const Room& room, const RayTracer& tracer, const CastOptions& options) {
-  std::vector<std::uint32_t> effort = options.plain || options.draft
-                                          ? std::vector<std::uint32_t>(room.patches.rows(), 1)
-                                          : effortOfRows(room.patches);
+  std::vector<std::uint32_t> effort = effortOfRows(room.patches, options.plain || options.draft);
   const std::uint32_t most = effort.empty() ? 0 : *std::max_element(effort.begin(), effort.end());
   const std::uint64_t seed = mixBits(options.seed);
   parts_.reset(

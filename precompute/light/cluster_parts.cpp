@@ -20,9 +20,16 @@ ClusterParts::ClusterParts(const Room& room) {
     firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
     measure(patches, c);
     addParts(room, c);
-    addSlopeShares(patches, room.charts[room.chartOfPatch[members_[c][0]]], c);
+    addSlopeShares(room, c);
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+}
+
+ClusterParts::Place ClusterParts::placeOf(const Room& room, std::uint32_t patch) const {
+  const std::uint32_t cluster = room.patches.cluster[patch];
+  const Chart& chart = room.charts[room.chartOfPatch[members_[cluster][0]]];
+  const Vec3 d = room.patches.center[patch] - center_[cluster];
+  return {dot(d, chart.uAxis) / reach_[cluster], dot(d, chart.vAxis) / reach_[cluster]};
 }
 
 void ClusterParts::measure(const Patches& patches, std::uint32_t cluster) {
@@ -87,22 +94,20 @@ void ClusterParts::addParts(const Room& room, std::uint32_t cluster) {
 /// So that a light of first moment s over the cluster, sum f_i (u, v)_i of its parts' form factors over their
 /// sum, becomes the linear density that has this moment: patch q gets share_q + s . slopeShare_q. The second
 /// moments are those of the patches, taken as squares: parts in a row along a diagonal have none across it.
-void ClusterParts::addSlopeShares(const Patches& patches, const Chart& chart, std::uint32_t cluster) {
+void ClusterParts::addSlopeShares(const Room& room, std::uint32_t cluster) {
   const double reach = reach_[cluster];
-  const auto along = [&](std::uint32_t q, const Vec3& axis) {
-    return dot(patches.center[q] - center_[cluster], axis) / reach;
-  };
   double uu = 0, uv = 0, vv = 0;
   for (const std::uint32_t q : members_[cluster]) {
-    const double area = patches.area[q], u = along(q, chart.uAxis), v = along(q, chart.vAxis),
-                 own = area / (12 * reach * reach);
+    const auto [u, v] = placeOf(room, q);
+    const double area = room.patches.area[q], own = area / (12 * reach * reach);
     uu += area * (u * u + own);
     uv += area * u * v;
     vv += area * (v * v + own);
   }
   const double determinant = uu * vv - uv * uv;
   for (const std::uint32_t q : members_[cluster]) {
-    const double weight = patches.area[q] / determinant, u = along(q, chart.uAxis), v = along(q, chart.vAxis);
+    const auto [u, v] = placeOf(room, q);
+    const double weight = room.patches.area[q] / determinant;
     slopeShare_[std::size_t{q} * 2] = static_cast<float>(weight * (vv * u - uv * v));
     slopeShare_[std::size_t{q} * 2 + 1] = static_cast<float>(weight * (uu * v - uv * u));
   }

@@ -27,6 +27,12 @@ class ClusterParts {
   /// m: edge of a square that is as large as the cluster, or reaches as far.
   double reachOf(std::uint32_t cluster) const { return reach_[cluster]; }
 
+  /// Of a patch from the cluster's centre along its chart's two axes, in edges of the cluster.
+  struct Place {
+    double u, v;
+  };
+  Place placeOf(const Room& room, std::uint32_t patch) const;
+
   /// Of all clusters.
   const std::vector<ClusterPart>& parts() const { return parts_; }
   /// The parts of a cluster are parts()[firstOf(c)] to before parts()[firstOf(c + 1)].
@@ -38,7 +44,7 @@ class ClusterParts {
  private:
   void measure(const Patches& patches, std::uint32_t cluster);
   void addParts(const Room& room, std::uint32_t cluster);
-  void addSlopeShares(const Patches& patches, const Chart& chart, std::uint32_t cluster);
+  void addSlopeShares(const Room& room, std::uint32_t cluster);
 
   std::vector<std::vector<std::uint32_t>> members_;  // k: patches, ascending
   std::vector<Vec3> center_;                         // k, m

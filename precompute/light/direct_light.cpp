@@ -239,8 +239,7 @@ class RowLight {
         sources_(luminaires.begin(), luminaires.end()),
         split_(options.draft ? 1 : options.split),
         seed_(mixBits(options.seed ^ 0xd1ec7u)),
-        effort_(options.draft ? std::vector<std::uint32_t>(room.patches.rows(), 1)
-                              : effortOfRows(room.patches)),
+        effort_(effortOfRows(room.patches, options.draft)),
         between_(tracer, placesOfClusters(room, tracer), placesOf(tracer, sources_)) {}
 
   /// light[j * stride] is what source j gives row p; visible[j * stride] the step of the share that shadows

@@ -9,21 +9,14 @@ namespace {
 
 constexpr float kLeastOpen = 0.01f;  // so that a cluster that nobody sees still has shares
 
-/// First moment of a cluster's shares along its chart's axes, in the units of its slopes.
-struct Moment {
-  double u = 0, v = 0;
-};
-
-Moment momentOf(const Room& room, const ClusterParts& clusters, const FormFactors& factors,
-                std::uint32_t cluster) {
-  const auto members = clusters.membersOf(cluster);
-  const Chart& chart = room.charts[room.chartOfPatch[members[0]]];
-  const double unit = kSlopeUnit / clusters.reachOf(cluster);
-  Moment moment;
-  for (const std::uint32_t q : members) {
-    const Vec3 d = room.patches.center[q] - clusters.centerOf(cluster);
-    moment.u += factors.share[q] * unit * dot(d, chart.uAxis);
-    moment.v += factors.share[q] * unit * dot(d, chart.vAxis);
+/// First moment of a cluster's shares, in the units of its slopes.
+ClusterParts::Place momentOf(const Room& room, const ClusterParts& clusters, const FormFactors& factors,
+                             std::uint32_t cluster) {
+  ClusterParts::Place moment{0, 0};
+  for (const std::uint32_t q : clusters.membersOf(cluster)) {
+    const auto [u, v] = clusters.placeOf(room, q);
+    moment.u += kSlopeUnit * factors.share[q] * u;
+    moment.v += kSlopeUnit * factors.share[q] * v;
   }
   return moment;
 }
@@ -36,7 +29,7 @@ std::int8_t without(std::int8_t slope, double moment) {
 }  // namespace
 
 void weighByOpenness(const Room& room, const ClusterParts& clusters, FormFactors& factors) {
-  std::vector<Moment> moments;
+  std::vector<ClusterParts::Place> moments;
   for (std::uint32_t c = 0; c < factors.clusters; ++c) {
     double sum = 0;
     for (const std::uint32_t q : clusters.membersOf(c))

@@ -4,7 +4,8 @@
 
 namespace fiatlux {
 
-std::vector<std::uint32_t> effortOfRows(const Patches& patches) {
+std::vector<std::uint32_t> effortOfRows(const Patches& patches, bool isEven) {
+  if (isEven) return std::vector<std::uint32_t>(patches.rows(), 1);
   std::vector<std::uint32_t> size;
   for (const std::uint32_t s : patches.surface) {
     size.resize(std::max<std::size_t>(size.size(), s + 1), 0);

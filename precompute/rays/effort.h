@@ -14,7 +14,8 @@ inline constexpr std::uint32_t kUsualRays = 1024;
 
 inline constexpr std::uint32_t kMostEffort = 16;
 
-/// A factor from 1 to kMostEffort for every row, the same on all rows of a surface, their mean at most 2.
-std::vector<std::uint32_t> effortOfRows(const Patches& patches);
+/// A factor from 1 to kMostEffort for every row, the same on all rows of a surface, their mean at most 2; 1
+/// for all where it is to be even.
+std::vector<std::uint32_t> effortOfRows(const Patches& patches, bool isEven = false);
 
 }  // namespace fiatlux
