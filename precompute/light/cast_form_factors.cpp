@@ -19,6 +19,9 @@ namespace {
 /// The least share of what its rays met that a row's estimate must see to be believed.
 constexpr double kPlausible = 0.5;
 
+/// The form factor that a shadow ray tells of.
+constexpr double kOfRay = 5e-4, kOfDraftRay = 2e-3;
+
 /// Casts `rays` rays of one patch; hits[i] is the patch that ray i met.
 void castRays(const Room& room, const RayTracer& tracer, const PatchSampler& sampler,
               const RaySequence& sequence, std::uint64_t seed, std::uint32_t rays,
@@ -127,7 +130,7 @@ FormFactorCaster::FormFactorCaster(const Room& room, const RayTracer& tracer, co
   const std::uint64_t seed = mixBits(options.seed);
   parts_.reset(
       new Parts{room, tracer, options, std::move(effort), seed, RaySequence(most * options.rays), {}});
-  if (!options.plain) parts_->kernels.emplace(room, tracer, seed);
+  if (!options.plain) parts_->kernels.emplace(room, tracer, seed, options.draft ? kOfDraftRay : kOfRay);
 }
 FormFactorCaster::FormFactorCaster(FormFactorCaster&&) noexcept = default;
 FormFactorCaster::~FormFactorCaster() = default;
@@ -140,10 +143,7 @@ FormFactorRow FormFactorCaster::row(std::uint32_t p) const {
   castRays(room, tracer, sampler, sequence, seed ^ mixBits(p), effort[p] * options.rays, hits);
   KernelFactors::Row row{std::vector<float>(room.patches.clusterCount, 0.0f), {}, {}, 1};
   if (kernels) {
-    std::vector<bool> isMet(room.patches.clusterCount);
-    for (const std::uint32_t q : hits)
-      if (q != kNone) isMet[room.patches.cluster[q]] = true;
-    kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, isMet, row);
+    kernels->row(p, std::min(finer * effort[p], kMostEffort), sampler, row);
   }
   return finishedRow(p, room.patches.cluster, kernels ? &*kernels : nullptr, hits, std::move(row));
 }

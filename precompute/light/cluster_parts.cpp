@@ -25,10 +25,9 @@ ClusterParts::ClusterParts(const Room& room) {
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
 }
 
-ClusterParts::Place ClusterParts::placeOf(const Room& room, std::uint32_t patch) const {
-  const std::uint32_t cluster = room.patches.cluster[patch];
+ClusterParts::Place ClusterParts::placeAt(const Room& room, std::uint32_t cluster, const Vec3& point) const {
   const Chart& chart = room.charts[room.chartOfPatch[members_[cluster][0]]];
-  const Vec3 d = room.patches.center[patch] - center_[cluster];
+  const Vec3 d = point - center_[cluster];
   return {dot(d, chart.uAxis) / reach_[cluster], dot(d, chart.vAxis) / reach_[cluster]};
 }
 

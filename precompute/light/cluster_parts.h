@@ -27,11 +27,15 @@ class ClusterParts {
   /// m: edge of a square that is as large as the cluster, or reaches as far.
   double reachOf(std::uint32_t cluster) const { return reach_[cluster]; }
 
-  /// Of a patch from the cluster's centre along its chart's two axes, in edges of the cluster.
+  /// Of a point of a cluster, or a patch's centre, from the cluster's along its chart's two axes, in edges of
+  /// the cluster.
   struct Place {
     double u, v;
   };
-  Place placeOf(const Room& room, std::uint32_t patch) const;
+  Place placeOf(const Room& room, std::uint32_t patch) const {
+    return placeAt(room, room.patches.cluster[patch], room.patches.center[patch]);
+  }
+  Place placeAt(const Room& room, std::uint32_t cluster, const Vec3& point) const;
 
   /// Of all clusters.
   const std::vector<ClusterPart>& parts() const { return parts_; }

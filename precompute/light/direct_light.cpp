@@ -87,9 +87,10 @@ double partWeight(const Emission& source, const Vec3& position, const Vec3& norm
 /// Shadow rays from some points of one patch to split x split parts of the source.
 class Shadow {
  public:
-  /// Rays end on the source, or `lower` m before it.
-  Shadow(const RayTracer& tracer, const Emission& source, double lower = 0)
-      : tracer_(tracer), source_(source), lower_(lower * source.normal()) {}
+  /// Rays end on the source, or `lower` m before it. `blockers`: all that may stand there, where that is
+  /// known.
+  Shadow(const RayTracer& tracer, const Emission& source, const Blockers* blockers, double lower = 0)
+      : tracer_(tracer), source_(source), blockers_(blockers), lower_(lower * source.normal()) {}
 
   /// visible[i * split^2 + part] for each point i that faces the source; true elsewhere. `untilMixed`: no
   /// further than it takes to see that the verdict is 0.
@@ -140,7 +141,11 @@ class Shadow {
  private:
   void flush() {
     bool blocked[RayPacket::kSize];
-    tracer_.occluded(packet_, blocked, true);  // from one patch to one source
+    if (blockers_) {
+      blockers_->occluded(packet_, blocked);
+    } else {
+      tracer_.occluded(packet_, blocked, true);  // from one patch to one source
+    }
     for (std::uint32_t i = 0; i < packet_.count; ++i) {
       visible_[lane_[i]] = !blocked[i];
       blocked_ += blocked[i];
@@ -151,6 +156,7 @@ class Shadow {
 
   const RayTracer& tracer_;
   const Emission& source_;
+  const Blockers* blockers_;
   Vec3 lower_;  // m
   std::uint32_t split_ = 1;
   std::size_t cast_ = 0, blocked_ = 0;
@@ -182,17 +188,24 @@ bool isEven(const Emission& source, const PatchPoints& points, const std::vector
                      [&](const Vec3& corner) { return dot(corner - point.position, point.normal) > 0; });
 }
 
+/// What stands between a patch and a source: where that is unknown, something of `blockers`, if they are
+/// there, or of the room.
+struct Shade {
+  Between between = Between::kUnknown;
+  const Blockers* blockers = nullptr;
+};
+
 /// Mean illuminance over one patch by its points, of which the many that are `facing` see the source: where
-/// it is not known what stands `between`, shadow rays go to split x split parts of the source from each, and
+/// it is not known what stands between, shadow rays go to split x split parts of the source from each, and
 /// to penumbra x penumbra where a shadow's edge crosses the patch. `edge`: of the patch, m.
 PatchLight patchLight(const RayTracer& tracer, const Emission& source, const PatchPoints& points,
-                      const std::vector<char>& facing, Between between, double edge, std::uint32_t split,
+                      const std::vector<char>& facing, const Shade& shade, double edge, std::uint32_t split,
                       std::uint32_t penumbra, std::uint64_t seed) {
-  if (between == Between::kWall) return {};
-  bool isClear = between == Between::kNothing;
-  Shadow shadow(tracer, source);
+  if (shade.between == Between::kWall) return {};
+  bool isClear = shade.between == Between::kNothing;
+  Shadow shadow(tracer, source, shade.blockers);
   if (!isClear) {
-    Shadow probe(tracer, source);
+    Shadow probe(tracer, source, shade.blockers);
     probe.cast(points.many, facing, split, true, Random(seed));
     if (probe.verdict() < 0) return {};
     isClear = probe.verdict() > 0;
@@ -223,7 +236,7 @@ double shareFromBehind(const RayTracer& tracer, const Emission& source, const st
     any |= facing.back() != 0;
   }
   if (!any) return 0;
-  Shadow shadow(tracer, source, kTilted);
+  Shadow shadow(tracer, source, nullptr, kTilted);
   shadow.cast(points, facing, 1, false, Random(seed, 2));
   return shadow.openShare();
 }
@@ -252,9 +265,10 @@ class RowLight {
     if (sampler.isFullCell()) points.few = sampler.quadrature(2);
     const double edge = std::sqrt(room_.patches.area[p]);
     const bool isSmall = effort_[p] >= 2;
-    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = (isSmall ? 4 : 2) * split;
+    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = 2 * split;
     const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
     std::vector<char> facing;
+    Blockers blockers;
     for (std::size_t j = 0; j < sources_.size(); ++j) {
       const std::uint64_t own = mixBits(seed_ ^ (std::uint64_t{p} << 32 | j));
       if (sources_[j].isPhotometric()) {
@@ -264,8 +278,8 @@ class RowLight {
       }
       PatchLight lit;
       if (findFacing(sources_[j], points.many, facing))
-        lit = patchLight(tracer_, sources_[j], points, facing, between(p, place, j), edge, split, penumbra,
-                         own);
+        lit = patchLight(tracer_, sources_[j], points, facing, shadeOf(p, place, j, blockers), edge, split,
+                         penumbra, own);
       light[j * stride] = static_cast<float>(lit.illuminance);
       if (visible && lit.visible == 0)
         lit.visible = shareFromBehind(tracer_, sources_[j], points.many, own, facing);
@@ -274,12 +288,15 @@ class RowLight {
   }
 
  private:
-  Between between(std::uint32_t p, const std::optional<Place>& place, std::size_t source) const {
+  Shade shadeOf(std::uint32_t p, const std::optional<Place>& place, std::size_t source,
+                Blockers& blockers) const {
     if (p < room_.patches.count) {
       const Between known = between_.at(room_.patches.cluster[p], source);
-      if (known != Between::kUnknown) return known;
+      if (known != Between::kUnknown) return {known};
     }
-    return place ? tracer_.between(*place, *between_.to(source)) : Between::kUnknown;
+    if (!place) return {};
+    const Between known = tracer_.between(*place, *between_.to(source), blockers);
+    return {known, blockers.isFull() ? nullptr : &blockers};
   }
 
   const Room& room_;
@@ -335,7 +352,7 @@ double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const 
   const Emission source(luminaire);
   if (source.isPhotometric()) return photometricPointLight(tracer, receiver, luminaire, split, mixBits(seed));
   if (!faces(source, receiver.position, receiver.normal)) return 0;
-  Shadow shadow(tracer, source);
+  Shadow shadow(tracer, source, nullptr);
   shadow.cast({receiver}, {1}, split, false, Random(mixBits(seed)));
   const double lit = unshadowed(source, receiver.position, receiver.normal);
   return shadow.verdict() > 0 ? lit : lit * shadow.visibleShare(receiver, 0);

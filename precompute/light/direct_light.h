@@ -16,8 +16,8 @@
 namespace fiatlux {
 
 struct DirectLightOptions {
-  // Parts of the source's edge that shadow rays probe, twice as many on small surfaces: and to look closer,
-  // where a shadow's edge is found, 2 and 4 times as many again.
+  // Parts of the source's edge that shadow rays probe, twice as many on small surfaces; and to look closer,
+  // where a shadow's edge is found, twice as many again.
   std::uint32_t split = 2;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores

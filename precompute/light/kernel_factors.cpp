@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "precompute/light/brightest.h"
 #include "precompute/rays/effort.h"
 #include "precompute/rays/ray_sequence.h"
 
@@ -16,10 +17,11 @@ namespace {
 // Distances between patch and cluster, in edges of both: from the first on one point of a part is a fair
 // quadrature, from the second on the light's spread within the cluster no longer matters.
 constexpr double kNearEdges = 2, kFarEdges = 8;
-// Distance between two patches, in edges of both, from which on Gauss's 2 x 2 points of each are a fair
-// quadrature.
-constexpr double kCloseEdges = 1.5;
-constexpr float kDeep = 0.4f;  // share of distant light that arrives in what counts as a deep place
+// Distances between two patches, in edges of both, from which on Gauss's 2 x 2 points of each are a fair
+// quadrature, and their centres.
+constexpr double kCloseEdges = 1.5, kCenterEdges = 3;
+// Rays to one cluster for each of the row's.
+constexpr std::uint32_t kMostOfCluster = 256;
 constexpr std::uint32_t kLastSlope = std::numeric_limits<std::uint16_t>::max();
 
 std::int8_t inSlopeUnits(double slope) {
@@ -35,14 +37,19 @@ double kernel(const Vec3& d, const Vec3& leaving, const Vec3& arriving) {
   return out * in / (std::numbers::pi * squared * squared);
 }
 
+/// How many times as many rays a row of some effort gets: surfaces of few patches average over little.
+constexpr std::uint32_t timesOf(std::uint32_t effort) { return effort + effort * effort / 8; }
+
 }  // namespace
 
-KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed)
+KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed, double ofRay)
     : room_(room),
       tracer_(tracer),
       seed_(seed),
-      sequence_(kMostRays),
+      ofRay_(ofRay),
+      sequence_(timesOf(kMostEffort) * kMostOfCluster),
       clusters_(room),
+      brightness_(brightestByMean(room, clusters_)),
       between_(tracer, placesOfClusters(room, tracer), placesOfClusters(room, tracer)),
       firstPatch_(static_cast<std::uint32_t>(clusters_.parts().size())) {
   const Patches& patches = room.patches;
@@ -66,10 +73,14 @@ double KernelFactors::edgesTo(std::uint32_t p, std::uint32_t cluster) const {
          (clusters_.reachOf(cluster) + std::sqrt(patches.area[p]));
 }
 
+bool KernelFactors::areWithin(double edges, std::uint32_t p, std::uint32_t q) const {
+  const Vec3 d = room_.patches.center[q] - room_.patches.center[p];
+  const double reach = edges * (patchReach_[p] + patchReach_[q]);
+  return dot(d, d) < reach * reach;
+}
+
 bool KernelFactors::tooClose(std::uint32_t p, std::uint32_t q) const {
-  const Patches& patches = room_.patches;
-  if (edgesTo(p, patches.cluster[q]) >= kNearEdges) return false;
-  return length(patches.center[q] - patches.center[p]) < kCloseEdges * (patchReach_[p] + patchReach_[q]);
+  return edgesTo(p, room_.patches.cluster[q]) < kNearEdges && areWithin(kCloseEdges, p, q);
 }
 
 /// A point of a part or patch, uniform by area: the first number chooses the patch of a part, what is left of
@@ -104,149 +115,163 @@ void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>
       const ClusterPart& part = clusters_.parts()[i];
       const double factor =
           part.area * kernel(part.center - patches.center[p], patches.normal[p], part.normal);
-      if (factor > 0) candidates.push_back({i, c, factor});
+      if (factor > 0) candidates.push_back({i, factor});
     }
     return;
   }
   for (const std::uint32_t q : clusters_.membersOf(c)) {
-    if (tooClose(p, q)) continue;
+    if (areWithin(kCloseEdges, p, q)) continue;
     double factor = 0;
-    for (const PatchPoint& from : points) {
-      for (const PatchPoint& to : gauss_[q])
-        factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
+    if (areWithin(kCenterEdges, p, q)) {
+      for (const PatchPoint& from : points) {
+        for (const PatchPoint& to : gauss_[q])
+          factor += from.weight * to.weight * kernel(to.position - from.position, from.normal, to.normal);
+      }
+    } else {
+      factor = kernel(patches.center[q] - patches.center[p], patches.normal[p], patches.normal[q]);
     }
     factor *= patches.area[q];
-    if (factor > 0) candidates.push_back({firstPatch_ + q, c, factor});
+    if (factor > 0) candidates.push_back({firstPatch_ + q, factor});
   }
 }
 
-/// All that the row may see, by cluster.
-std::vector<KernelFactors::Candidate> KernelFactors::candidatesOf(std::uint32_t p,
-                                                                  const PatchSampler& sampler) const {
+/// In proportion to the light that the cluster may send.
+std::uint32_t KernelFactors::raysTo(const Group& group, std::uint32_t effort) const {
+  const double wanted = std::min(brightness_[group.cluster] * group.kernel / ofRay_, double{kMostOfCluster});
+  return std::max(1u, static_cast<std::uint32_t>(std::lround(timesOf(effort) * wanted)));
+}
+
+/// All that the row may see.
+KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effort,
+                                            const PatchSampler& sampler) const {
   const std::vector<PatchPoint> points = sampler.quadrature(2);
-  std::vector<Candidate> candidates;
+  Faced faced;
   for (std::uint32_t c = 0; c < room_.patches.clusterCount; ++c) {
-    const std::size_t first = candidates.size();
-    addCandidates(p, points, c, candidates);
-    if (candidates.size() == first) continue;
+    Group group{c, faced.candidates.size(), 0};
+    addCandidates(p, points, c, faced.candidates);
+    group.last = faced.candidates.size();
+    if (group.last == group.first) continue;
     const Between known = between(p, c);
-    if (known == Between::kWall)
-      candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end());
-    for (std::size_t i = first; i < candidates.size(); ++i)
-      candidates[i].isClear = known == Between::kNothing;
+    if (known == Between::kWall) {
+      faced.candidates.resize(group.first);
+      continue;
+    }
+    for (std::size_t i = group.first; i < group.last; ++i) group.kernel += faced.candidates[i].kernel;
+    if (known == Between::kUnknown) group.rays = raysTo(group, effort);
+    faced.groups.push_back(group);
   }
-  return candidates;
+  return faced;
 }
 
-/// Rays from all over the patch to all over each candidate: both ends share a four-dimensional sequence, so
-/// few rays already cover both, and what hides a cluster from one side of the patch only (a picture's frame)
-/// is not mistaken.
-void KernelFactors::castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler,
-                                std::size_t first, std::size_t last,
-                                std::vector<Candidate>& candidates) const {
+/// Rays from all over the patch to all over each cluster, to each part of it as many as it would give light:
+/// both ends share a four-dimensional sequence, so few rays already cover both, and what hides a cluster from
+/// one side of the patch only (a picture's frame) is not mistaken.
+/// note: no second look where a first one finds that some is hidden. What is seen a little would often be
+/// missed by the first, and counted for nothing: deep shelves were 4 % too dark.
+void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler, Faced& faced) const {
   RayPacket packet;
-  std::size_t lane[RayPacket::kSize];
+  Candidate* lane[RayPacket::kSize];
   double carried[RayPacket::kSize];
+  ClusterParts::Place place[RayPacket::kSize];
   const auto flush = [&] {
     bool blocked[RayPacket::kSize];
     tracer_.occluded(packet, blocked);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
       if (blocked[i]) continue;
-      ++candidates[lane[i]].visible;
-      candidates[lane[i]].arrived += carried[i];
+      ++lane[i]->visible;
+      lane[i]->arrived += carried[i];
+      lane[i]->leanU += carried[i] * place[i].u;
+      lane[i]->leanV += carried[i] * place[i].v;
     }
     packet.count = 0;
   };
 
-  // Eight rays go together, of whichever candidates they are.
-  for (std::size_t i = first; i < last; ++i) {
-    Candidate& candidate = candidates[i];
-    if (candidate.isClear) continue;
-    const auto scramble = RaySequence::scramble(mixBits(seed ^ candidate.item));
-    const double area = areaOf(candidate.item);
-    candidate.visible = 0;
-    candidate.arrived = 0;
-    candidate.asked = raysTo(candidate.item, rays);
-    for (std::uint32_t ray = 0; ray < candidate.asked; ++ray) {
+  // Eight rays go together, of whichever clusters they are.
+  for (const Group& group : faced.groups) {
+    const auto scramble = RaySequence::scramble(mixBits(seed ^ group.cluster));
+    // Equal steps from a random first one: no candidate gets a ray more or less than it should.
+    const double step = group.rays > 0 ? group.kernel / group.rays : 0;
+    double along = step * (scramble[0] ^ scramble[3]) * 0x1p-32;
+    std::size_t chosen = group.first;
+    for (std::uint32_t ray = 0; ray < group.rays; ++ray, along += step) {
+      while (chosen + 1 < group.last && along >= faced.candidates[chosen].kernel)
+        along -= faced.candidates[chosen++].kernel;
+      Candidate& candidate = faced.candidates[chosen];
       const auto sample = sequence_.point(ray, scramble);
       const PatchPoint from = sampler.at(sample[2], sample[3]),
                        to = pointOn(candidate.item, sample[0], sample[1]);
       const Vec3 origin = from.position + tracer_.offset() * from.normal;
-      lane[packet.count] = i;
-      carried[packet.count] = area * kernel(to.position - from.position, from.normal, to.normal);
+      ++candidate.asked;
+      lane[packet.count] = &candidate;
+      place[packet.count] = clusters_.placeAt(room_, group.cluster, to.position);
+      carried[packet.count] =
+          areaOf(candidate.item) * kernel(to.position - from.position, from.normal, to.normal);
       tracer_.aim(packet, origin, to.position + tracer_.offset() * to.normal - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
     }
   }
   if (packet.count > 0) flush();
+
+  for (Group& group : faced.groups) {
+    group.isHidden =
+        std::any_of(faced.candidates.begin() + static_cast<std::ptrdiff_t>(group.first),
+                    faced.candidates.begin() + static_cast<std::ptrdiff_t>(group.last),
+                    [](const Candidate& candidate) { return candidate.visible < candidate.asked; });
+  }
 }
 
-double KernelFactors::factorOf(const Candidate& candidate) {
+double KernelFactors::factorOf(const Candidate& candidate, const Group& group) {
+  if (!group.isHidden) return candidate.kernel;
+  if (candidate.visible == 0) return 0;
   // note: not kernel x visible share, for what is hidden may be the part that would give most.
-  return candidate.visible == candidate.asked ? candidate.kernel : candidate.arrived / candidate.asked;
+  const double factor = candidate.arrived / candidate.asked;
+  // What gets less than a ray, stands for others like it where it gets one.
+  return factor / std::min(1.0, group.rays * candidate.kernel / group.kernel);
 }
 
 /// Of all distant clusters together.
-float KernelFactors::openOf(const std::vector<Candidate>& candidates) const {
+float KernelFactors::openOf(const Faced& faced) const {
   double arrives = 0, all = 0;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.item >= firstPatch_) continue;
-    arrives += factorOf(candidate);
-    all += candidate.kernel;
+  for (const Group& group : faced.groups) {
+    if (faced.candidates[group.first].item >= firstPatch_) continue;
+    for (std::size_t i = group.first; i < group.last; ++i) arrives += factorOf(faced.candidates[i], group);
+    all += group.kernel;
   }
   return all > 0 ? static_cast<float>(arrives / all) : 1.0f;
 }
 
 /// Writes down what row p gets from one cluster.
-void KernelFactors::write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const {
+void KernelFactors::write(const Faced& faced, const Group& group, std::uint32_t p, Row& row) const {
   double sum = 0, leanU = 0, leanV = 0;
-  for (const Candidate* candidate = first; candidate < last; ++candidate) {
-    const double factor = factorOf(*candidate);
-    if (factor > 0 && candidate->item >= firstPatch_) {
-      row.near.push_back({candidate->item - firstPatch_, static_cast<float>(factor)});
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    const std::uint32_t item = faced.candidates[i].item;
+    const double factor = factorOf(faced.candidates[i], group);
+    if (factor > 0 && item >= firstPatch_) {
+      row.near.push_back({item - firstPatch_, static_cast<float>(factor)});
     } else if (factor > 0) {
-      const ClusterPart& part = clusters_.parts()[candidate->item];
+      const ClusterPart& part = clusters_.parts()[item];
+      const Candidate& seen = faced.candidates[i];
       sum += factor;
-      leanU += factor * part.u;
-      leanV += factor * part.v;
+      leanU += factor * (group.isHidden ? seen.leanU / seen.arrived : part.u);
+      leanV += factor * (group.isHidden ? seen.leanV / seen.arrived : part.v);
     }
   }
   if (!(sum > 0)) return;
-  const std::uint32_t cluster = first->cluster;
-  row.u[cluster] = static_cast<float>(sum);
-  if (cluster <= kLastSlope && edgesTo(p, cluster) < kFarEdges)
+  row.u[group.cluster] = static_cast<float>(sum);
+  if (group.cluster <= kLastSlope && edgesTo(p, group.cluster) < kFarEdges)
     row.slopes.push_back(
-        {static_cast<std::uint16_t>(cluster), inSlopeUnits(leanU / sum), inSlopeUnits(leanV / sum)});
+        {static_cast<std::uint16_t>(group.cluster), inSlopeUnits(leanU / sum), inSlopeUnits(leanV / sum)});
 }
 
-void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler,
-                        const std::vector<bool>& isMet, Row& row) const {
+void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const {
   assert(effort >= 1 && effort <= kMostEffort);
   row.u.assign(room_.patches.clusterCount, 0.0f);
   row.slopes.clear();
   row.near.clear();
-  std::vector<Candidate> candidates = candidatesOf(p, sampler);
-
-  const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
-  const std::uint32_t few = effort, many = effort * std::max(4u, effort);  // kMostRays at most
-  castShadows(seed, few, sampler, 0, candidates.size(), candidates);
-
-  // A cluster that is seen in part is asked again, more often. So is, where little is open, one that no
-  // shadow ray has seen but another ray has met: what comes through narrow gaps is most of the light there,
-  // and was missed, so that deep shelves were 4 % too dark.
-  const bool isDeep = openOf(candidates) < kDeep;
-  for (std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
-    std::uint32_t seen = 0, asked = 0;
-    for (last = first; last < candidates.size() && candidates[last].cluster == candidates[first].cluster;
-         ++last) {
-      seen += candidates[last].visible;
-      asked += candidates[last].asked;
-    }
-    const bool isSeen = seen > 0 || (isDeep && isMet[candidates[first].cluster]);
-    if (isSeen && seen < asked) castShadows(mixBits(seed), many, sampler, first, last, candidates);
-    write(candidates.data() + first, candidates.data() + last, p, row);
-  }
-  row.open = openOf(candidates);
+  Faced faced = facedBy(p, effort, sampler);
+  castShadows(mixBits(seed_ ^ (std::uint64_t{p} << 32)), sampler, faced);
+  for (const Group& group : faced.groups) write(faced, group, p, row);
+  row.open = openOf(faced);
 }
 
 }  // namespace fiatlux

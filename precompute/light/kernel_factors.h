@@ -1,7 +1,7 @@
 // Form factors to all but the closest patches, by the kernel cos cos / (pi r^2) and shadow rays: patch by
 // patch nearby, further away by quarters of clusters. A cosine ray rarely meets a small bright spot, and one
-// hit too many is a bright patch; this estimate has no such noise. Clusters that nothing stands between, or a
-// whole wall, need no rays.
+// hit too many is a bright patch; where nothing stands between, this estimate has no such noise. Clusters
+// that nothing stands between, or a whole wall, need no rays; others get as many as they may give light.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,9 @@ namespace fiatlux {
 /// Thread-safe once built. Room and tracer must outlive it.
 class KernelFactors {
  public:
-  KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed);
+  /// ofRay: the form factor that one shadow ray tells of, for rows of effort 1 and a cluster as bright as the
+  /// others.
+  KernelFactors(const Room& room, const RayTracer& tracer, std::uint64_t seed, double ofRay);
 
   /// What one row gets from everything that is not too close.
   struct Row {
@@ -31,9 +33,8 @@ class KernelFactors {
     std::vector<NearPatch> near;       // patches of the other clusters
     float open = 1;                    // share of what distant clusters would send that arrives
   };
-  /// effort: of effort.h, 1 to kMostEffort; isMet: of each cluster, whether the row's own rays have met it.
-  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, const std::vector<bool>& isMet,
-           Row& row) const;
+  /// effort: of effort.h, 1 to kMostEffort.
+  void row(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler, Row& row) const;
 
   /// Whether patch q is too close to row p for this estimate: then only rays tell.
   bool tooClose(std::uint32_t p, std::uint32_t q) const;
@@ -43,36 +44,42 @@ class KernelFactors {
   const std::vector<float>& slopeShare() const { return clusters_.slopeShare(); }
 
  private:
-  static constexpr std::uint32_t kMostRays = 256;      // shadow rays to one part
-  static constexpr std::uint32_t kMostPatchRays = 16;  // and to one patch
-  static constexpr std::uint32_t kGauss = 4;           // points of a patch for the kernel
+  static constexpr std::uint32_t kGauss = 4;  // points of a patch for the kernel
 
-  struct Candidate {            // a part or a patch that faces the row
-    std::uint32_t item;         // part, or firstPatch_ + patch
-    std::uint32_t cluster;      // of it
-    double kernel;              // form factor if nothing is between
-    bool isClear = false;       // and nothing is: no need to ask
-    std::uint32_t asked = 0;    // shadow rays
-    std::uint32_t visible = 0;  // of these arrived
-    double arrived = 0;         // sum of the form factors that these stand for
+  struct Candidate {              // a part or a patch that faces the row
+    std::uint32_t item;           // part, or firstPatch_ + patch
+    double kernel;                // form factor if nothing is between
+    std::uint32_t asked = 0;      // shadow rays
+    std::uint32_t visible = 0;    // of these arrived
+    double arrived = 0;           // sum of the form factors that these stand for
+    double leanU = 0, leanV = 0;  // of these, times where in the cluster they come from
+  };
+  struct Group {  // what of one cluster faces the row
+    std::uint32_t cluster;
+    std::size_t first, last;  // candidates
+    double kernel = 0;        // of them together
+    std::uint32_t rays = 0;   // to them; 0 where nothing is between
+    bool isHidden = false;    // in part
+  };
+  struct Faced {
+    std::vector<Candidate> candidates;
+    std::vector<Group> groups;
   };
 
   Between between(std::uint32_t p, std::uint32_t cluster) const;
   void addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points, std::uint32_t c,
                      std::vector<Candidate>& candidates) const;
-  std::vector<Candidate> candidatesOf(std::uint32_t p, const PatchSampler& sampler) const;
-  void castShadows(std::uint64_t seed, std::uint32_t rays, const PatchSampler& sampler, std::size_t first,
-                   std::size_t last, std::vector<Candidate>& candidates) const;
-  static double factorOf(const Candidate& candidate);
-  void write(const Candidate* first, const Candidate* last, std::uint32_t p, Row& row) const;
-  float openOf(const std::vector<Candidate>& candidates) const;
-  /// Shadow rays to a patch where a part of about four patches gets so many.
-  std::uint32_t raysTo(std::uint32_t item, std::uint32_t rays) const {
-    return item < firstPatch_ ? rays : std::clamp<std::uint32_t>(rays / 2, 1, kMostPatchRays);
-  }
+  std::uint32_t raysTo(const Group& group, std::uint32_t effort) const;
+  Faced facedBy(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler) const;
+  void castShadows(std::uint64_t seed, const PatchSampler& sampler, Faced& faced) const;
+  static double factorOf(const Candidate& candidate, const Group& group);
+  void write(const Faced& faced, const Group& group, std::uint32_t p, Row& row) const;
+  float openOf(const Faced& faced) const;
 
   /// Distance of a row from a cluster, in edges of both.
   double edgesTo(std::uint32_t p, std::uint32_t cluster) const;
+  /// Of two patches, in edges of both.
+  bool areWithin(double edges, std::uint32_t p, std::uint32_t q) const;
   double areaOf(std::uint32_t item) const {
     return item < firstPatch_ ? clusters_.parts()[item].area : room_.patches.area[item - firstPatch_];
   }
@@ -81,8 +88,10 @@ class KernelFactors {
   const Room& room_;
   const RayTracer& tracer_;
   std::uint64_t seed_;
+  double ofRay_;
   RaySequence sequence_;
   ClusterParts clusters_;
+  std::vector<double> brightness_;                     // k, that may be, relative to the mean
   BetweenPlaces between_;                              // clusters
   std::uint32_t firstPatch_;                           // items: parts, from here on patches
   std::vector<double> patchReach_;                     // rows, m: squareReach of patches

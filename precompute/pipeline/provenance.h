@@ -10,7 +10,7 @@
 namespace fiatlux {
 
 /// Changes whenever the same room and options would give other light: part of a room's identity.
-inline constexpr int kMethodVersion = 10;
+inline constexpr int kMethodVersion = 11;
 
 /// 16 hex digits of the source, the options that change the light, and the method.
 std::string identityOf(const SceneOptions& options, const Room& room);

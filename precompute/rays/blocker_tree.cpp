@@ -178,10 +178,13 @@ BlockerTree::BlockerTree(std::span<const Position> positions, std::span<const Tr
   Builder(positions, triangles, *this);
 }
 
-Between BlockerTree::between(const Place& from, const Place& to) const {
+/// add(quads, lane): whether to look on, of what reaches between the two places and is no wall.
+template <class Add>
+Between BlockerTree::walk(const Place& from, const Place& to, const Add& add) const {
   if (nodes_.empty()) return Between::kNothing;
   const Shaft shaft(from, to, touch_);
-  std::uint32_t stack[kDeepest], size = 0, found = 0;
+  std::uint32_t stack[kDeepest], size = 0;
+  bool isFound = false;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t reference = stack[--size];
@@ -193,11 +196,26 @@ Between BlockerTree::between(const Place& from, const Place& to) const {
     }
     const Quads& quads = quads_[reference & ~kLeaf];
     for (unsigned lanes = shaft.crossed(quads); lanes; lanes &= lanes - 1) {
-      if (shaft.isCutBy(quads, static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return Between::kWall;
-      if (++found == kEnough) return Between::kUnknown;
+      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(lanes));
+      if (shaft.isCutBy(quads, lane)) return Between::kWall;
+      if (!add(quads, lane)) return Between::kUnknown;
+      isFound = true;
     }
   }
-  return found == 0 ? Between::kNothing : Between::kUnknown;
+  return isFound ? Between::kUnknown : Between::kNothing;
+}
+
+Between BlockerTree::between(const Place& from, const Place& to) const {
+  std::uint32_t found = 0;
+  return walk(from, to, [&](const Quads&, std::uint32_t) { return ++found < kEnough; });
+}
+
+Between BlockerTree::between(const Place& from, const Place& to, Blockers& found) const {
+  found.clear();
+  return walk(from, to, [&](const Quads& quads, std::uint32_t lane) {
+    found.add(quads, lane, touch_ / 2);
+    return !found.isFull();
+  });
 }
 
 }  // namespace fiatlux

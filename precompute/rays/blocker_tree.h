@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "precompute/rays/blockers.h"
 #include "precompute/rays/shaft.h"
 
 namespace fiatlux {
@@ -21,6 +22,9 @@ class BlockerTree {
   BlockerTree(std::span<const Position> positions, std::span<const Triangle> triangles, float touch);
 
   Between between(const Place& from, const Place& to) const;
+  /// The same, and where that is unknown, `found` is all that may stand there; full where it is too much for
+  /// that.
+  Between between(const Place& from, const Place& to, Blockers& found) const;
 
  private:
   struct alignas(64) Node {
@@ -30,6 +34,9 @@ class BlockerTree {
   static constexpr std::uint32_t kLeaf = 1u << 31;
 
   class Builder;
+
+  template <class Add>
+  Between walk(const Place& from, const Place& to, const Add& add) const;
 
   float touch_;
   std::vector<Node> nodes_;  // the root first; empty without quads

@@ -118,6 +118,10 @@ Between RayTracer::between(const Place& from, const Place& to) const {
   return parts_->blockers.between(from, to);
 }
 
+Between RayTracer::between(const Place& from, const Place& to, Blockers& found) const {
+  return parts_->blockers.between(from, to, found);
+}
+
 double RayTracer::offset() const { return parts_->offset; }
 
 }  // namespace fiatlux

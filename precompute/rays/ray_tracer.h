@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "precompute/rays/blockers.h"
 #include "precompute/rays/shaft.h"
 #include "precompute/room/room.h"
 
@@ -64,6 +65,9 @@ class RayTracer {
   /// What all rays from one place to another meet, as far as that can be said without casting any. What
   /// stands between them by less than a part of the offset is not seen.
   Between between(const Place& from, const Place& to) const;
+  /// The same, and where that is unknown, `found` is all that may stand there; full where it is too much for
+  /// that.
+  Between between(const Place& from, const Place& to, Blockers& found) const;
 
   /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
   double offset() const;

@@ -71,6 +71,74 @@ int openRays(const RayTracer& tracer, const Corners& from, const Corners& to, Ra
   return open;
 }
 
+TEST(BlockerTree, WhatItFindsStopsTheRaysThatTheRoomStops) {
+  Random random(12);
+  Boxes room;
+  room.addBox({0, 0, 0}, {8, 3, 6});
+  for (int i = 0; i < 40; ++i)
+    room.addBox({8 * random.unit(), 3 * random.unit(), 6 * random.unit()},
+                {0.02 + 0.5 * random.unit(), 0.02 + 0.5 * random.unit(), 0.02 + 0.5 * random.unit()});
+  const RayTracer tracer = room.tracer();
+  int rays = 0, stopped = 0, differ = 0;
+  for (int pair = 0; pair < 2000; ++pair) {
+    const auto anywhere = [&] { return Vec3{8 * random.unit(), 3 * random.unit(), 6 * random.unit()}; };
+    const Corners from = rectangleAt(anywhere(), 0.2, random), to = rectangleAt(anywhere(), 0.2, random);
+    Blockers found;
+    if (tracer.between(tracer.place(from), tracer.place(to), found) != Between::kUnknown || found.isFull())
+      continue;
+    EXPECT_GT(found.count(), 0u);
+    for (int packet = 0; packet < 8; ++packet) {
+      RayPacket some;
+      while (some.count < 5) {
+        const Vec3 origin = pointOn(from, random);
+        tracer.aim(some, origin, pointOn(to, random) - origin, 1);
+      }
+      bool byList[RayPacket::kSize], byRoom[RayPacket::kSize];
+      found.occluded(some, byList);
+      tracer.occluded(some, byRoom);
+      for (std::uint32_t i = 0; i < some.count; ++i) {
+        ++rays;
+        stopped += byRoom[i] ? 1 : 0;
+        differ += byList[i] != byRoom[i] ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(rays, 20000);
+  EXPECT_GT(stopped, rays / 4);
+  EXPECT_LT(stopped, rays * 3 / 4);
+  EXPECT_LE(differ, rays / 10000);  // such as pass an edge within the slack
+}
+
+TEST(Blockers, LetNoRayThroughASeam) {
+  Random random(13);
+  Boxes wall;
+  wall.addBox({0, 0, 0}, {8, 3, 6});
+  // Strips of a wall that lean a little to one another, each two triangles.
+  for (int i = 0; i < 20; ++i) {
+    const double x = 0.4 * i, z = 3 + 0.01 * (i % 2), next = 3 + 0.01 * ((i + 1) % 2);
+    wall.addQuad({Vec3{x, 0, z}, Vec3{x + 0.4, 0, next}, Vec3{x + 0.4, 3, next}, Vec3{x, 3, z}});
+  }
+  const RayTracer tracer = wall.tracer();
+  for (int pair = 0; pair < 500; ++pair) {
+    const Corners from = rectangleAt({1 + 6 * random.unit(), 1.5, 1}, 0.1, random);
+    const double seam = 0.4 * (2 + std::floor(16 * random.unit()));
+    const Vec3 center = 0.25 * (from[0] + from[1] + from[2] + from[3]);
+    const Vec3 through{seam, 1 + random.unit(), 3 + 0.01 * (std::lround(seam / 0.4) % 2)};
+    const Corners to = rectangleAt(center + 1.5 * (through - center), 0.05, random);
+    Blockers found;
+    const Between known = tracer.between(tracer.place(from), tracer.place(to), found);
+    if (known == Between::kWall) continue;
+    ASSERT_EQ(known, Between::kUnknown);
+    ASSERT_FALSE(found.isFull());
+    RayPacket rays;
+    while (rays.count < RayPacket::kSize)
+      tracer.aim(rays, center, through + 1e-7 * random.unit() * Vec3{1, 0, 0} - center, 1.5);
+    bool blocked[RayPacket::kSize];
+    found.occluded(rays, blocked);
+    for (const bool is : blocked) EXPECT_TRUE(is) << seam;
+  }
+}
+
 TEST(BlockerTree, SaysOfAllRaysWhatHoldsForEach) {
   Random random(11);
   Boxes room;
