@@ -97,7 +97,7 @@ export async function makeAll(rooms, isWanted = () => true) {
 }
 
 // Where in a run its stages stand, as shares of the time that they took in the sample rooms.
-export const stages = { 'form factors': [0, 0.55], 'direct light': [0.55, 0.87], interreflection: [0.87, 1] };
+export const stages = { 'form factors': [0, 0.4], 'direct light': [0.4, 0.65], interreflection: [0.65, 1] };
 
 /** Share of a precompute that is done, from a line of its progress; null where it says nothing of that. */
 export function shareOf(line) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOfPair = 0.1;  // of what a row and a site take in full: one ray where that has four or more
 constexpr double kUsualTimes = 2.5, kMostTimes = 6;  // times as long are patches
-constexpr double kLittle = 3;                        // s of work: where it would be more, they get longer
+constexpr double kLittle = 1.35;                     // s of work: where it would be more, they get longer
 constexpr double kFewer = 1.6;  // rows fall with this power of their length: furniture keeps its faces
 
 }  // namespace

@@ -8,9 +8,9 @@
 namespace fiatlux {
 namespace {
 
-constexpr double kPerRow = 18e-6;            // s, times the square of the triangles' logarithm
-constexpr double kPerPair = 1.1e-6;          // s, of a row and a site, times that logarithm
-constexpr double kPerPairAlone = 1.3e-6;     // s, whatever the model
+constexpr double kPerRow = 8e-6;             // s, times the square of the triangles' logarithm
+constexpr double kPerPair = 0.5e-6;          // s, of a row and a site, times that logarithm
+constexpr double kPerPairAlone = 0.6e-6;     // s, whatever the model
 constexpr double kLong = 180, kShort = 120;  // s: what is said beforehand, and what is offered instead
 
 std::string minutes(double seconds) { return std::to_string(std::max(1L, std::lround(seconds / 60))); }

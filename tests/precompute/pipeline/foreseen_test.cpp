@@ -25,7 +25,7 @@ std::vector<std::string> saidOf(const SceneOptions& options) {
   std::vector<std::string> said;
   Impatient impatient;
   Host host = testing::plainHost();
-  host.progress = &impatient, host.threads = 2;
+  host.progress = &impatient, host.threads = 1;
   host.warn = [&](const std::vector<std::string>& lines) {
     EXPECT_FALSE(impatient.begun);
     said.insert(said.end(), lines.begin(), lines.end());
@@ -38,18 +38,18 @@ TEST(Foreseen, ALongRunIsSaidBeforeItBegins) {
   SceneOptions options = testing::quickOptions();
   EXPECT_THAT(saidOf(options), IsEmpty());
   options.room.patch = 0.05, options.room.memory = 64, options.transport.rays = 65536;
-  EXPECT_THAT(saidOf(options), ElementsAre(HasSubstr("minutes on 2 cores, and about 2 with --patch 0.")));
+  EXPECT_THAT(saidOf(options), ElementsAre(HasSubstr("minutes on 1 core, and about 2 with --patch 0.")));
 }
 
 TEST(Foreseen, WhatIsOfferedIsShortAndSampleRoomsAreNot) {
   Room room;
   room.patchSize = 0.2;
-  room.patches.count = 40000, room.patches.area.resize(40000);
+  room.patches.count = 90000, room.patches.area.resize(90000);
   room.sites.resize(400), room.triangles.resize(60000);
   const std::string note = noteOfTime(room, 1024, 2);
   EXPECT_THAT(note, HasSubstr("this will take about "));
   const double patch = std::stod(note.substr(note.rfind(' ') + 1));
-  const double rows = 40000 * (0.2 / patch) * (0.2 / patch);
+  const double rows = 90000 * (0.2 / patch) * (0.2 / patch);
   EXPECT_LT(coreSeconds(rows, 400, 60000) / 2, 125);
   EXPECT_GT(coreSeconds(rows, 400, 60000) / 2, 100);
   room.sites.resize(9), room.triangles.resize(12);
