@@ -6,7 +6,7 @@ namespace fiatlux {
 
 namespace {
 
-constexpr double kLeast = 0.5, kMost = 30;  // what rows see of the others is not to be forgotten
+constexpr double kLeastBright = 0.5, kMostBright = 30;  // what rows see of the others is not to be forgotten
 
 /// Illuminance of a part by a site, but for a factor that all share; 0 where they face away.
 double lightOf(const Site& site, const ClusterPart& part) {
@@ -34,7 +34,7 @@ std::vector<double> brightestByMean(const Room& room, const ClusterParts& cluste
     area += ofCluster;
   }
   if (!(sum > 0)) return std::vector<double>(count, 1.0);
-  for (double& value : brightest) value = std::clamp(value * area / sum, kLeast, kMost);
+  for (double& value : brightest) value = std::clamp(value * area / sum, kLeastBright, kMostBright);
   return brightest;
 }
 

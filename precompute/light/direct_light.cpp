@@ -76,15 +76,14 @@ double unshadowed(const Emission& source, const Vec3& position, const Vec3& norm
 
 /// The same; of an area that is far away and all of it before the receiver, by Gauss's 2 x 2 points of it.
 double unshadowedFar(const Emission& source, const Vec3& position, const Vec3& normal) {
-  static constexpr double kNodes[] = {0.21132486540518713, 0.78867513459481287};
   const double largest = std::max(source.width(), source.height());
   const Vec3 away = source.position() - position;
   if (source.isPoint() || source.isBehind(position) ||
       dot(away, away) < kGaussEdges * kGaussEdges * largest * largest || dot(away, normal) < largest)
     return unshadowed(source, position, normal);
   double sum = 0;
-  for (const double u : kNodes)
-    for (const double v : kNodes) {
+  for (const double u : {kGaussNode, 1 - kGaussNode})
+    for (const double v : {kGaussNode, 1 - kGaussNode}) {
       const Vec3 d = position - source.at(u, v);
       const double squared = dot(d, d);
       sum -= dot(d, normal) * dot(d, source.normal()) / (squared * squared);

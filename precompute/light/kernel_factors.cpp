@@ -170,18 +170,21 @@ KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effor
 /// missed by the first, and counted for nothing: deep shelves were 4 % too dark.
 void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler, Faced& faced) const {
   RayPacket packet;
-  Candidate* lane[RayPacket::kSize];
-  double carried[RayPacket::kSize];
-  ClusterParts::Place place[RayPacket::kSize];
+  struct Sent {
+    Candidate* candidate;
+    double factor;  // that the ray stands for
+    ClusterParts::Place place;
+  } sent[RayPacket::kSize];
   const auto flush = [&] {
     bool blocked[RayPacket::kSize];
     tracer_.occluded(packet, blocked);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
       if (blocked[i]) continue;
-      ++lane[i]->visible;
-      lane[i]->arrived += carried[i];
-      lane[i]->leanU += carried[i] * place[i].u;
-      lane[i]->leanV += carried[i] * place[i].v;
+      const auto& [candidate, factor, place] = sent[i];
+      ++candidate->visible;
+      candidate->arrived += factor;
+      candidate->leanU += factor * place.u;
+      candidate->leanV += factor * place.v;
     }
     packet.count = 0;
   };
@@ -202,10 +205,9 @@ void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler,
                        to = pointOn(candidate.item, sample[0], sample[1]);
       const Vec3 origin = from.position + tracer_.offset() * from.normal;
       ++candidate.asked;
-      lane[packet.count] = &candidate;
-      place[packet.count] = clusters_.placeAt(room_, group.cluster, to.position);
-      carried[packet.count] =
-          areaOf(candidate.item) * kernel(to.position - from.position, from.normal, to.normal);
+      sent[packet.count] = {
+          &candidate, areaOf(candidate.item) * kernel(to.position - from.position, from.normal, to.normal),
+          clusters_.placeAt(room_, group.cluster, to.position)};
       tracer_.aim(packet, origin, to.position + tracer_.offset() * to.normal - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
     }

@@ -32,12 +32,11 @@ PatchPoint PatchSampler::onFragments(double u, double v) const {
 std::vector<PatchPoint> PatchSampler::quadrature(std::uint32_t edge) const {
   assert(edge >= 1);
   // Gauss-Legendre nodes and weights on [0, 1].
-  static constexpr double kNode2 = 0.21132486540518713, kNode4a = 0.06943184420297371,
-                          kNode4b = 0.33000947820757187;
+  static constexpr double kNode4a = 0.06943184420297371, kNode4b = 0.33000947820757187;
   static constexpr double kWeight4a = 0.17392742256872692, kWeight4b = 0.32607257743127307;
   std::vector<double> node(edge), weight(edge, 1.0 / edge);
   for (std::uint32_t i = 0; i < edge; ++i) node[i] = (i + 0.5) / edge;
-  if (fullCell_ && edge == 2) node = {kNode2, 1 - kNode2};
+  if (fullCell_ && edge == 2) node = {kGaussNode, 1 - kGaussNode};
   if (fullCell_ && edge == 4) {
     node = {kNode4a, kNode4b, 1 - kNode4b, 1 - kNode4a};
     weight = {kWeight4a, kWeight4b, kWeight4b, kWeight4a};

@@ -9,6 +9,9 @@
 
 namespace fiatlux {
 
+/// The first of Gauss-Legendre's two nodes on [0, 1]; the other is as far from 1. Both weigh the same.
+inline constexpr double kGaussNode = 0.21132486540518713;
+
 /// A point on a patch with the geometric unit normal there; weight: its share of the patch's area.
 struct PatchPoint {
   Vec3 position, normal;
