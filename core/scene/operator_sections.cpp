@@ -15,6 +15,9 @@ namespace fiatlux {
 namespace {
 
 constexpr double kLongestCell = 1e6;  // m
+// Steps of 1 that charts' frames are kept in; finer is noise of the model's vertices, which no two of a row
+// of chairs share, so that it does not deflate.
+constexpr double kFrameSteps = 4096;
 constexpr std::string_view kNames[] = {"siteVisibility", "charts",   "chartFrames",
                                        "groups",         "exchange", "exchangeRest"};
 constexpr std::string_view kAspects = "chartAspects", kSurfaceExchange = "surfaceExchange";
@@ -23,6 +26,16 @@ constexpr std::string_view kAspects = "chartAspects", kSurfaceExchange = "surfac
 std::uint32_t visibilityBlockSites(std::uint32_t rows) {
   return static_cast<std::uint32_t>(
       std::max<std::uint64_t>(1, kMaxInflatedBytes / (6 * std::uint64_t{rows} + 6)));
+}
+
+/// A part of a unit vector. Zero has no sign.
+float keptPart(double x) { return static_cast<float>(std::round(x * kFrameSteps) / kFrameSteps + 0.0); }
+
+/// A length, of which the parts of the next power of 2 are kept.
+float keptLength(double x) {
+  int exponent = 0;
+  const double part = std::frexp(x, &exponent);
+  return static_cast<float>(std::ldexp(std::round(part * kFrameSteps) / kFrameSteps, exponent));
 }
 
 PlainSection bytesSection(std::string name, std::vector<std::uint8_t> bytes) {
@@ -178,8 +191,8 @@ Result<Done> encodeOperator(const Scene& scene, std::vector<PlainSection>& secti
   std::vector<float> frames;
   for (const Charts::Frame& frame : charts.frames) {
     for (const Vec3& v : {frame.uAxis, frame.vAxis})
-      for (const double x : {v.x, v.y, v.z}) frames.push_back(static_cast<float>(x));
-    for (const double edge : {frame.cellU, frame.cellV}) frames.push_back(static_cast<float>(edge));
+      for (const double x : {v.x, v.y, v.z}) frames.push_back(keptPart(x));
+    for (const double edge : {frame.cellU, frame.cellV}) frames.push_back(keptLength(edge));
   }
   sections.push_back(integersSection("charts", charts.ofRow, 1));
   sections.push_back(plainSection("chartFrames", ElementType::kFloat32, Encoding::kFloatPlanes,

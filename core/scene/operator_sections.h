@@ -2,7 +2,7 @@
 //
 //   siteVisibility[.1 ...]  bytes     visible shares, in blocks of sites (visibility_codec.h)
 //   charts                  rows      the chart of a row
-//   chartFrames             F x 8     u axis, v axis, edges of a cell (m)
+//   chartFrames             F x 8     u axis, v axis, edges of a cell (m), each to 12 bits
 //   groups                  rows x 2  the group of a row; barriers to its left (1) and upper (2) neighbour
 //   exchange                bytes     means between groups
 //   exchangeRest            bytes     what their interpolation leaves over

@@ -86,6 +86,26 @@ TEST(OperatorSections, ComeBackWithinTheirSteps) {
                   0.501 * kExchangeRestStep / std::sqrt(scene.patches.area[p] * area[in.exchange.group[i]]));
 }
 
+TEST(OperatorSections, ChartsKeepTwelveBitsWhateverTheirSize) {
+  Scene scene = operatorScene(8, 3);
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  const Charts::Frame tilted{{c, s, 0}, {-s * s, c * s, c}, 0.1234567, 33.333333};
+  const Charts::Frame noise{{c + 1e-7, s, -0.0}, {-s * s, c * s, c}, 0.1234567 + 1e-8, 33.333333 - 1e-6};
+  std::vector<Charts::Frame>& frames = scene.lightOperator->charts.frames;
+  frames[1] = tilted, frames[2] = noise;
+  const Result<Scene> back = readBack(scene, encodeScene(scene).value());
+  ASSERT_TRUE(back) << back.error().message;
+  const Charts::Frame &read = back->lightOperator->charts.frames[1],
+                      &alike = back->lightOperator->charts.frames[2];
+  EXPECT_LT(length(read.uAxis - tilted.uAxis), 3e-4);
+  EXPECT_LT(length(read.vAxis - tilted.vAxis), 3e-4);
+  EXPECT_NEAR(read.cellU / tilted.cellU, 1, 1.0 / 4096);
+  EXPECT_NEAR(read.cellV / tilted.cellV, 1, 1.0 / 4096);
+  EXPECT_EQ(length(read.uAxis - alike.uAxis), 0) << "noise of the vertices is gone";
+  EXPECT_EQ(read.cellU, alike.cellU);
+  EXPECT_EQ(read.cellV, alike.cellV);
+}
+
 TEST(OperatorSections, EncodingWhatWasDecodedChangesNothing) {
   const Scene scene = operatorScene(8, 3);
   const Result<Scene> once = readBack(scene, encodeScene(scene).value());
