@@ -504,6 +504,11 @@ void takeCandidates(Candidates& candidates, const Session& known, val there) {
     candidates.scene->take(*known.scene(), vectorOf<std::uint32_t>(there));
 }
 
+/// `some`: indices of candidates.
+void leaveDark(Candidates& candidates, val some) {
+  if (candidates.scene) candidates.scene->leaveDark(vectorOf<std::uint32_t>(some));
+}
+
 std::string beginPainted(Candidates& candidates, const Candidates& base, Session& room, val paint) {
   const Result<std::shared_ptr<const Repaint>> painted = room.repaint(paintOf(paint));
   if (!painted) return painted.error().message;
@@ -732,6 +737,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("beginPainted", &beginPainted)
       .function("beginSquares", &beginSquares)
       .function("take", &takeCandidates)
+      .function("leaveDark", &leaveDark)
       .function("know", &knowCandidates)
       .function("observe", &observeCandidates)
       .function("advance", &advanceCandidates);

@@ -60,6 +60,7 @@ CandidateScene::CandidateScene(const Scene& room, std::vector<CandidateType> typ
   responses_->illuminance.resize(std::size_t{responses_->rows} * responses_->sites);
   means_.assign(firstZone(room), {std::vector<double>(candidates_.size()), {}});
   for (std::uint32_t j = responses_->sites; j-- > 0;) left_.push_back(j);
+  isDark_.resize(candidates_.size());
 }
 
 Result<CandidateScene> CandidateScene::begin(const Scene& room, std::vector<CandidateType> types,
@@ -142,6 +143,11 @@ void CandidateScene::takeMeans(const std::vector<SurfaceStatistics>& means,
       if (there[j] != kNone) means_[s].mean[j] = means[s].mean[there[j]];
 }
 
+void CandidateScene::leaveDark(const std::vector<std::uint32_t>& some) {
+  for (const std::uint32_t j : some) isDark_[j] = 1;
+  std::erase_if(left_, [&](std::uint32_t j) { return isDark_[j] != 0; });
+}
+
 Result<Done> CandidateScene::know(std::vector<float> columns) {
   const auto isLight = [](float value) { return value >= 0 && value < std::numeric_limits<float>::max(); };
   if (columns.size() != responses_->illuminance.size() ||
@@ -178,6 +184,10 @@ CandidateScene CandidateScene::repainted(std::shared_ptr<const Repaint> paint) c
   assert(left_.empty() && !paint_);
   CandidateScene scene(*room_, types_, candidates_, light_, std::move(paint));
   scene.unpainted_ = responses_;
+  std::vector<std::uint32_t> dark;
+  for (std::uint32_t j = 0; j < isDark_.size(); ++j)
+    if (isDark_[j]) dark.push_back(j);
+  scene.leaveDark(dark);
   return scene;
 }
 
@@ -211,7 +221,7 @@ bool CandidateScene::look(const std::vector<Observer>& observers) {
   const std::vector<const Seen*> known = knownTo(observers);
   std::vector<std::uint32_t> others;
   for (std::uint32_t j = 0; j < known.size(); ++j)
-    if (!known[j]) others.push_back(j);
+    if (!known[j] && !isDark_[j]) others.push_back(j);
   if (looked_.size() == observers.size() || others.empty()) return true;
   // Where lines of sight are not kept, all places share them now.
   const auto first = observers.begin() + static_cast<std::ptrdiff_t>(looked_.size());
@@ -236,7 +246,9 @@ std::vector<ObserverRows> CandidateScene::seenBy(const std::vector<Observer>& ob
       std::size_t next = 0;
       for (std::size_t j = 0; j < known.size(); ++j)
         (all[o].*row)
-            .push_back(known[j] ? (known[j]->rows[o].*row)[known[j]->there[j]] : (looked_[o].*row)[next++]);
+            .push_back(known[j]     ? (known[j]->rows[o].*row)[known[j]->there[j]]
+                       : isDark_[j] ? 0
+                                    : (looked_[o].*row)[next++]);
     }
   }
   return all;

@@ -59,6 +59,10 @@ class CandidateScene {
   /// advance(), from several where they are.
   void take(const Scene& known, const std::vector<std::uint32_t>& there);
 
+  /// Leaves some of them dark: their columns are zeros, and nobody sees anything of them. After what is
+  /// taken, before the first advance().
+  void leaveDark(const std::vector<std::uint32_t>& some);
+
   /// Takes the light of all candidates as somebody else has computed it: column-major rows x candidates, lx,
   /// each at its type's flux. An error where there is not so much of it, or it is no light.
   Result<Done> know(std::vector<float> columns);
@@ -114,6 +118,7 @@ class CandidateScene {
   std::vector<CandidateType> types_;               // none of squares
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> left_;  // candidates whose columns are not there, the next one last
+  std::vector<char> isDark_;         // a candidate
   std::shared_ptr<Responses> responses_;
   std::vector<SurfaceStatistics> means_;  // mean rows of the illuminance that is there, one a surface
   std::vector<Seen> seen_;

@@ -67,6 +67,20 @@ double guthWeight(const Vec3& way, const Vec3& sight) {
   return positionWeight(std::abs(dot(way, above)), std::abs(dot(way, beside)), dot(way, sight));
 }
 
+/// Calls `add` with the way from an eye to the middle of each of `split` x `split` parts of a luminaire that
+/// it sees.
+template <class Add>
+void visitParts(const TileTree& tree, const Vec3& eye, const Luminaire& luminaire, std::uint32_t split,
+                const Add& add) {
+  const Vec3 across = cross(luminaire.normal, luminaire.axis);
+  for (std::uint32_t i = 0; i < split * split; ++i) {
+    const double u = (i % split + 0.5) / split - 0.5, v = (i / split + 0.5) / split - 0.5;
+    const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
+                      (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
+    if (!tree.isBlocked(eye, part)) add(part - eye);
+  }
+}
+
 }  // namespace
 
 std::vector<SightLines::Sight> SightLines::met(const Vec3& position, std::uint32_t count) const {
@@ -83,7 +97,6 @@ std::vector<SightLines::Sight> SightLines::met(const Vec3& position, std::uint32
 
 std::shared_ptr<const std::vector<SightLines::Sight>> SightLines::from(const Vec3& position,
                                                                        std::uint32_t count) const {
-  constexpr std::size_t kKept = 64;
   for (const Known& known : known_)
     if (known.count == count && length(known.position - position) == 0) return known.sights;
   if (known_.size() == kKept) known_.erase(known_.begin());
@@ -118,28 +131,48 @@ double glareOf(const Luminaire& luminaire, const Observer& observer) {
   return 0.25 * candela * candela / (area * squared) * weight;
 }
 
-/// Calls `add` with the way from an eye to the middle of each of `split` x `split` parts of a luminaire that
-/// it sees.
-template <class Add>
-void RoomView::visitParts(const Vec3& eye, const Luminaire& luminaire, std::uint32_t split,
-                          const Add& add) const {
-  const Vec3 across = cross(luminaire.normal, luminaire.axis);
-  for (std::uint32_t i = 0; i < split * split; ++i) {
-    const double u = (i % split + 0.5) / split - 0.5, v = (i / split + 0.5) / split - 0.5;
-    const Vec3 part = luminaire.position + (u * luminaire.width) * luminaire.axis +
-                      (v * luminaire.height) * across + kLuminaireClearance * luminaire.normal;
-    if (!lines_->tree().isBlocked(eye, part)) add(part - eye);
+/// E = integral of L cos over the half space before the eye, L = rho E_patch / pi; L_b = E / pi. E_z =
+/// integral of L sin(angle from the vertical) / pi over all directions.
+std::shared_ptr<const SightLines::Outlook> SightLines::outlook(const Vec3& position,
+                                                               const std::vector<Vec3>& directions) const {
+  const auto isThis = [&](const std::shared_ptr<const Outlook>& known) {
+    return length(known->position - position) == 0 &&
+           std::equal(known->directions.begin(), known->directions.end(), directions.begin(),
+                      directions.end(), [](const Vec3& a, const Vec3& b) { return length(a - b) == 0; });
+  };
+  const auto known = std::find_if(outlooks_.begin(), outlooks_.end(), isThis);
+  if (known != outlooks_.end()) return *known;
+  Outlook outlook{position, directions, {}, {}, {}};
+  constexpr double kShare = 4.0 / kEyeSights / std::numbers::pi;
+  for (const Sight& sight : *from(position)) {
+    if (outlook.patches.empty() || outlook.patches.back() != sight.patch) {
+      outlook.patches.push_back(sight.patch);
+      outlook.cylindrical.push_back(0);
+      outlook.background.resize(outlook.background.size() + directions.size());
+    }
+    outlook.cylindrical.back() += kShare * levelOf(sight.direction);
+    double* background = &outlook.background[outlook.background.size() - directions.size()];
+    for (const Vec3& direction : directions)
+      *background++ += kShare * std::max(0.0, dot(sight.direction, direction));
   }
+  if (outlooks_.size() == kKept) outlooks_.erase(outlooks_.begin());
+  return outlooks_.emplace_back(std::make_shared<const Outlook>(std::move(outlook)));
 }
 
-double RoomView::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
+double SightLines::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
+  constexpr std::size_t kKeptShares = 1 << 16;
+  const Vec3 &p = luminaire.position, &n = luminaire.normal, &a = luminaire.axis;
+  const Area area{eye.x, eye.y,           eye.z,           p.x, p.y, p.z, n.x, n.y, n.z, a.x, a.y,
+                  a.z,   luminaire.width, luminaire.height};
+  if (const auto known = shares_.find(area); known != shares_.end()) return known->second;
   const auto shareOf = [&](std::uint32_t split) {
     std::uint32_t seen = 0;
-    visitParts(eye, luminaire, split, [&](const Vec3&) { ++seen; });
+    visitParts(tree_, eye, luminaire, split, [&](const Vec3&) { ++seen; });
     return static_cast<double>(seen) / (split * split);
   };
-  const double share = shareOf(kSeenParts);
-  return share > 0 && share < 1 ? shareOf(kFineParts) : share;
+  const double coarse = shareOf(kSeenParts), share = coarse > 0 && coarse < 1 ? shareOf(kFineParts) : coarse;
+  if (shares_.size() == kKeptShares) shares_.clear();
+  return shares_[area] = share;
 }
 
 UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& directions,
@@ -153,7 +186,7 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
   // other.
   std::vector<std::uint32_t> patches;
   std::vector<double> weights;  // of the cylinder and the vertical planes, patch by patch
-  for (const Sight& sight : *sights) {
+  for (const SightLines::Sight& sight : *sights) {
     if (patches.empty() || patches.back() != sight.patch) {
       patches.push_back(sight.patch);
       weights.resize(patches.size() * (1 + count));
@@ -179,71 +212,63 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
       for (std::size_t d = 0; d < count; ++d)
         sums[1 + d] += strength * std::max(0.0, dot(way, directions[d]));
     };
-    if (j < luminaires.size()) visitParts(point, luminaires[j], kSeenParts, addPart);
+    if (j < luminaires.size()) visitParts(lines_->tree(), point, luminaires[j], kSeenParts, addPart);
     rows.cylindrical[j] = static_cast<float>(sums[0]);
     for (std::size_t d = 0; d < count; ++d) rows.vertical[d][j] = static_cast<float>(sums[1 + d]);
   }
   return rows;
 }
 
-RoomView::Place RoomView::placeOf(const Vec3& position, std::size_t luminaires) const {
-  return {position, lines_->from(position), std::vector<double>(luminaires, -1)};
-}
-
-/// E = integral of L cos over the half space before the eye, L = rho E_patch / pi; L_b = E / pi. E_z =
-/// integral of L sin(angle from the vertical) / pi over all directions.
-std::vector<RoomView::Part> RoomView::reflectedOf(const Place& place, const Vec3& direction) const {
-  std::vector<Part> parts;
-  for (const Sight& sight : *place.sights) {
-    if (parts.empty() || parts.back().patch != sight.patch) parts.push_back({sight.patch, 0, 0});
-    const double share = 4.0 / SightLines::kEyeSights * reflectance_[sight.patch] / std::numbers::pi;
-    parts.back().background += share * std::max(0.0, dot(sight.direction, direction));
-    parts.back().cylindrical += share * levelOf(sight.direction);
-  }
-  return parts;
-}
-
 /// What patches add to the readings of observers at one place, who meet the same of them: a light is looked
-/// up once for all, and their sums lie side by side.
+/// up once for all, and their sums lie side by side, of as many patches as a processor adds at a time.
 class RoomView::Reflected {
  public:
-  explicit Reflected(const std::vector<std::vector<Part>>& ofObservers)
-      : observers_(ofObservers.size()), blocks_((observers_ + kBlock - 1) / kBlock) {
-    for (std::size_t k = 0; k < ofObservers[0].size(); ++k) {
-      patches_.push_back(ofObservers[0][k].patch);
-      cylindrical_.push_back(ofObservers[0][k].cylindrical);
-    }
+  Reflected(const SightLines::Outlook& outlook, const std::vector<float>& reflectance)
+      : observers_(outlook.directions.size()),
+        blocks_((observers_ + kBlock - 1) / kBlock),
+        patches_(outlook.patches) {
+    // Filled up with what adds nothing.
+    patches_.resize((patches_.size() + kAbreast - 1) / kAbreast * kAbreast);
+    cylindrical_.resize(patches_.size()), light_.resize(patches_.size());
     background_.resize(blocks_ * patches_.size() * kBlock);
-    for (std::size_t o = 0; o < observers_; ++o)
-      for (std::size_t k = 0; k < patches_.size(); ++k)
-        background_[(o / kBlock * patches_.size() + k) * kBlock + o % kBlock] = ofObservers[o][k].background;
+    for (std::size_t k = 0; k < outlook.patches.size(); ++k) {
+      const double rho = reflectance[outlook.patches[k]];
+      cylindrical_[k] = rho * outlook.cylindrical[k];
+      for (std::size_t o = 0; o < observers_; ++o)
+        background_[(o / kBlock * patches_.size() + k) * kBlock + o % kBlock] =
+            rho * outlook.background[k * observers_ + o];
+    }
   }
 
   /// To a reading of each observer that has the direct light.
-  void addTo(const float* illuminance, std::vector<ObserverReading>& readings) const {
-    double cylindrical = 0;
-    for (std::size_t k = 0; k < patches_.size(); ++k)
-      cylindrical += cylindrical_[k] * illuminance[patches_[k]];
+  void addTo(const float* illuminance, std::vector<ObserverReading>& readings) {
+    for (std::size_t k = 0; k < patches_.size(); ++k) light_[k] = illuminance[patches_[k]];
+    double cylindrical[kAbreast] = {};
+    for (std::size_t k = 0; k < patches_.size(); k += kAbreast)
+      for (std::size_t a = 0; a < kAbreast; ++a) cylindrical[a] += cylindrical_[k + a] * light_[k + a];
     for (std::size_t block = 0; block < blocks_; ++block) {
       const double* weights = background_.data() + block * patches_.size() * kBlock;
-      double sums[kBlock] = {};
-      for (std::size_t k = 0; k < patches_.size(); ++k)
-        for (std::size_t i = 0; i < kBlock; ++i)
-          sums[i] += weights[k * kBlock + i] * illuminance[patches_[k]];
+      double sums[kAbreast][kBlock] = {};
+      for (std::size_t k = 0; k < patches_.size(); k += kAbreast)
+        for (std::size_t a = 0; a < kAbreast; ++a)
+          for (std::size_t i = 0; i < kBlock; ++i)
+            sums[a][i] += weights[(k + a) * kBlock + i] * light_[k + a];
       for (std::size_t o = block * kBlock; o < std::min(observers_, (block + 1) * kBlock); ++o) {
         ObserverReading& reading = readings[o];
-        reading.background = sums[o % kBlock];
+        for (std::size_t a = 0; a < kAbreast; ++a) reading.background += sums[a][o % kBlock];
         reading.vertical += std::numbers::pi * reading.background;
-        reading.cylindrical += cylindrical;
+        for (const double part : cylindrical) reading.cylindrical += part;
       }
     }
   }
 
  private:
   static constexpr std::size_t kBlock = 4;  // observers: so many look from each place of a grid
+  static constexpr std::size_t kAbreast = 4;
   std::size_t observers_, blocks_;
   std::vector<std::uint32_t> patches_;
   std::vector<double> background_, cylindrical_;  // per lx; the former by blocks, rows of kBlock
+  std::vector<double> light_;                     // lx on the patches, latest
 };
 
 /// Of luminaire j, by what of it is seen.
@@ -256,7 +281,7 @@ ObserverReading RoomView::directAt(Place& place, const Observer& observer,
   const double candela = candelaOf(luminaire, seenFrom(luminaire, (-1 / distance) * way));
   if (!(candela > 0)) return {};
   double& visible = place.visible[j];
-  if (visible < 0) visible = visibleShare(place.position, luminaire);
+  if (visible < 0) visible = lines_->visibleShare(place.position, luminaire);
   const double light = visible * candela / (squared * distance);
   return {visible * glareOf(luminaire, observer), 0, light * std::max(0.0, dot(way, observer.direction)),
           light * std::hypot(way.x, way.z) / std::numbers::pi};
@@ -269,7 +294,7 @@ std::vector<ObserverReading> RoomView::readings(const std::vector<Observer>& obs
   Place place;  // shared by those who look from there one after the other
   for (const Observer& observer : observers) {
     if (readings.empty() || length(observer.position - place.position) > 0)
-      place = placeOf(observer.position, luminaires.size());
+      place = {observer.position, std::vector<double>(luminaires.size(), -1)};
     std::vector<ObserverReading> reading(1);
     for (std::size_t j = 0; j < luminaires.size(); ++j) {
       const ObserverReading direct = directAt(place, observer, luminaires, j);
@@ -277,7 +302,8 @@ std::vector<ObserverReading> RoomView::readings(const std::vector<Observer>& obs
       reading[0].vertical += dimming * direct.vertical;
       reading[0].cylindrical += dimming * direct.cylindrical;
     }
-    Reflected({reflectedOf(place, observer.direction)}).addTo(illuminance.data(), reading);
+    Reflected(*lines_->outlook(observer.position, {observer.direction}), reflectance_)
+        .addTo(illuminance.data(), reading);
     readings.push_back(reading[0]);
   }
   return readings;
@@ -304,10 +330,10 @@ std::vector<ObserverRows> RoomView::rows(const std::vector<Observer>& observers,
     const auto end =
         std::find_if(observers.begin() + static_cast<std::ptrdiff_t>(first), observers.end(), isElsewhere);
     last = static_cast<std::size_t>(end - observers.begin());
-    Place place = placeOf(observers[first].position, luminaires.size());
-    std::vector<std::vector<Part>> parts;
-    for (std::size_t o = first; o < last; ++o) parts.push_back(reflectedOf(place, observers[o].direction));
-    const Reflected reflected(parts);
+    Place place{observers[first].position, std::vector<double>(luminaires.size(), -1)};
+    std::vector<Vec3> directions;
+    for (std::size_t o = first; o < last; ++o) directions.push_back(observers[o].direction);
+    Reflected reflected(*lines_->outlook(place.position, directions), reflectance_);
     for (const std::uint32_t j : some) {
       readings.clear();
       for (std::size_t o = first; o < last; ++o)

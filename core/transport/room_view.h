@@ -3,7 +3,9 @@
 // is what a few thousand lines of sight meet.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -48,8 +50,21 @@ class SightLines {
   /// `count` evenly over all directions, patch by patch; those that meet nothing are left out.
   std::shared_ptr<const std::vector<Sight>> from(const Vec3& position,
                                                  std::uint32_t count = kEyeSights) const;
+  /// What white patches add to the readings of those who look from somewhere into some directions, per lx.
+  struct Outlook {
+    Vec3 position;
+    std::vector<Vec3> directions;
+    std::vector<std::uint32_t> patches;
+    std::vector<double> cylindrical;  // patches: lx
+    std::vector<double> background;   // patches x directions: cd/m2
+  };
+  std::shared_ptr<const Outlook> outlook(const Vec3& position, const std::vector<Vec3>& directions) const;
+  /// Of a luminaire's area.
+  double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
 
  private:
+  /// An eye, and a luminaire's place, axes and size.
+  using Area = std::array<double, 14>;
   struct Known {
     Vec3 position;
     std::uint32_t count;
@@ -57,9 +72,12 @@ class SightLines {
   };
   std::vector<Sight> met(const Vec3& position, std::uint32_t count) const;
 
+  static constexpr std::size_t kKept = 64;
   const Scene& room_;
   TileTree tree_;
   mutable std::vector<Known> known_;  // the latest last
+  mutable std::vector<std::shared_ptr<const Outlook>> outlooks_;
+  mutable std::map<Area, double> shares_;  // of what has been asked for
 };
 
 /// Refers to the scene, which must have a light operator and outlive it.
@@ -90,28 +108,16 @@ class RoomView {
                       const std::vector<Luminaire>& luminaires, const Responses& responses) const;
 
  private:
-  using Sight = SightLines::Sight;
-  /// What is met from a place, and which share of each luminaire is seen.
+  /// Which share of each luminaire is seen from somewhere.
   struct Place {
     Vec3 position;
-    std::shared_ptr<const std::vector<Sight>> sights;
     std::vector<double> visible;  // below 0: not looked for yet
-  };
-  /// What a patch adds to a reading per lx on it.
-  struct Part {
-    std::uint32_t patch;
-    double background, cylindrical;  // cd/m2, lx
   };
 
   class Reflected;
 
-  Place placeOf(const Vec3& position, std::size_t luminaires) const;
-  std::vector<Part> reflectedOf(const Place& place, const Vec3& direction) const;
   ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
                            std::size_t j) const;
-  template <class Add>
-  void visitParts(const Vec3& eye, const Luminaire& luminaire, std::uint32_t split, const Add& add) const;
-  double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
 
   const std::vector<float>& reflectance_;  // of the patches
   std::shared_ptr<const SightLines> lines_;

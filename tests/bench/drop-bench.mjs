@@ -8,7 +8,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { inBrowser, served } from './drag-bench.mjs';
 
-const drops = 8;
+const drops = 20;
 const settled = 60_000; // ms that a search may take to settle
 
 /** In the page, before its scripts: every Worker writes down what it answers about luminaires of types. */

@@ -141,6 +141,43 @@ test('what observers see of candidates is looked for one place after the other',
   expect(observed!.observers.names).toEqual(['P0', 'P1', 'P2']);
 });
 
+test('a luminaire on a dark place is not shown as one without light', () => {
+  const candidates = candidatesOf([spot], () => undefined, scene).filter(({ site }) => sites.includes(site));
+  const dark = new Set([8]);
+  const making = new core.Candidates();
+  beginCandidates(making, room, candidates, fileOf);
+  making.leaveDark(
+    Uint32Array.from(candidates.flatMap(({ site }, index) => (dark.has(site) ? [index] : []))),
+  );
+  while (!making.advance(5)) continue;
+  const luminaires = { ...anywhere, count: 2, excluded: [...dark], types: [spot] } as const;
+  const goals = [{ statistic: 'mean', sense: 'max', weight: 1, surfaces: ['floor'] }] as const;
+  const asked = coreIntentions(
+    { quantity: 'illuminance', luminaires, goals, constraints: [] },
+    scene.surfaces,
+  );
+  const session = new core.Session();
+  expect(session.adopt(making, asked)).toBe('');
+  making.delete();
+  const mounted = new MountedSession(session, candidates, dark);
+  mounted.ask(luminaires, true);
+  expect(mounted.setIntentions(asked)).toBe('');
+  const both = layoutOf([
+    [8, spot],
+    [21, spot],
+  ]);
+  expect(mounted.has(both)).toBe(false);
+  expect(mounted.has(layoutOf([[21, spot]]))).toBe(true);
+  expect([...light(mounted, both).layout.sites]).toEqual([21]);
+  // Nor does a search go there.
+  expect(mounted.start(1)).toBe('');
+  valid(mounted.advance(2_000));
+  const found = valid(mounted.incumbent());
+  expect(found.layout.sites).toHaveLength(2);
+  expect(found.layout.sites).not.toContain(8);
+  expect(Math.min(...found.illuminance)).toBeGreaterThanOrEqual(0);
+});
+
 test('a rule binds a search that has all candidates, not the places of one layout', () => {
   const session = sessionOf([panel]);
   const luminaires = {

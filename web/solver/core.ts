@@ -347,6 +347,8 @@ export interface Candidates {
    * has the index of each candidate in it, or `unknown`.
    */
   take(known: Session, there: Uint32Array): void;
+  /** After take(): does without the light of some of them, which nobody is to try. */
+  leaveDark(some: Uint32Array): void;
   /** After begin(): takes the light of all of them as somebody else has computed it, lx, column by column; '' or one line. */
   know(columns: Float32Array): string;
   /** After begin(): whoever is to adopt them will ask about the observers of `asked`. */

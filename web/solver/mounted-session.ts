@@ -56,6 +56,7 @@ function wayOf(mounting: Mounting, ways: Map<string, number>): number {
 
 export class MountedSession extends HungSession {
   readonly #candidates: readonly Candidate[];
+  readonly #dark: ReadonlySet<number>;
   readonly #bySite = new Map<number, number[]>(); // candidates of each site
   readonly #byKey = new Map<string, number>();
   readonly #types: readonly LuminaireType[];
@@ -63,10 +64,11 @@ export class MountedSession extends HungSession {
   #hasAll = false; // everything that a search may try
   #held: readonly number[] = []; // candidates of the layout that a search starts from
 
-  /** `session` has the scene of these candidates. */
-  constructor(session: Session, candidates: readonly Candidate[]) {
+  /** `session` has the scene of these candidates, but for the light of those on `dark` sites, which stay free. */
+  constructor(session: Session, candidates: readonly Candidate[], dark: ReadonlySet<number> = new Set()) {
     super(session);
     this.#candidates = candidates;
+    this.#dark = dark;
     this.#types = typesOf(candidates);
     candidates.forEach(({ site, mounting }, index) => {
       this.#bySite.set(site, [...(this.#bySite.get(site) ?? []), index]);
@@ -76,7 +78,9 @@ export class MountedSession extends HungSession {
 
   /** Whether every luminaire of a layout hangs as one of the candidates does. */
   has({ sites, mountings }: Layout): boolean {
-    return sites.every((site, i) => mountings?.[i] && this.#byKey.has(keyOf(site, mountings[i])));
+    return sites.every(
+      (site, i) => mountings?.[i] && !this.#dark.has(site) && this.#byKey.has(keyOf(site, mountings[i])),
+    );
   }
 
   /** A layout in candidates: each luminaire as it hangs, or as one may hang there; else it is left out. */
@@ -148,6 +152,7 @@ export class MountedSession extends HungSession {
   }
 
   #candidateAt(site: number, mounting: Mounting | undefined): number | undefined {
+    if (this.#dark.has(site)) return undefined;
     const there = this.#bySite.get(site) ?? [];
     return there[
       chosenAt(

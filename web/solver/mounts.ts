@@ -42,6 +42,7 @@ interface Made {
   readonly key: string; // what it was made for
   readonly session: HungSession;
   readonly light: Light | null; // in the room as its file has it
+  readonly dark: ReadonlySet<number>; // sites whose candidates have no light
 }
 
 /** A scene of candidates, for others that have some of them, too. */
@@ -54,6 +55,7 @@ interface Light {
 interface Plan {
   readonly size: number; // columns of light
   readonly candidates: readonly Candidate[]; // none of squares
+  readonly dark: ReadonlySet<number>; // sites where no search may try them
   readonly begin: (scene: Candidates) => void;
   readonly sessionOf: (session: Session) => HungSession;
 }
@@ -64,8 +66,15 @@ interface Making {
   readonly scene: Candidates;
 }
 
-const slice = 16; // candidates between two looks at what else is asked: the core makes so many together
-const paintedSlice = 8; // in a painted room, where the next step of a slider is waited for
+interface Base {
+  readonly key: string;
+  readonly plan: Plan;
+  readonly scene: Candidates;
+  isWhole: boolean;
+}
+
+const slice = 8; // candidates between two looks at what else is asked: twice as many take 4 % less time each
+const repaintedSlice = 16; // of those whose light without paint is there
 const mostKept = 640; // candidates whose light without paint is kept for the next step: 64 MB in a large room
 
 export class Mounts {
@@ -77,7 +86,7 @@ export class Mounts {
   #all: Made | null = null;
   #making: Making | null = null; // the next `#all`
   #unpainted: { readonly key: string; readonly scene: Candidates } | null = null; // of the latest painted layout
-  #base: { readonly key: string; readonly scene: Candidates; isWhole: boolean } | null = null; // of all, for any paint
+  #base: Base | null = null; // of all, for any paint
   #described: { readonly file: Uint8Array; readonly description: OrError<PhotometricDescription> } | null =
     null;
   #listed: { readonly key: string; readonly candidates: readonly Candidate[] } | null = null; // latest list
@@ -147,9 +156,10 @@ export class Mounts {
     const hasBase = isPainted && this.#mayKeep(wanted);
     if (hasBase && !this.#advanceBase(wanted)) return false;
     const making = this.#making;
-    if (making?.key !== this.#keyOf(wanted)) return this.#beginMaking(wanted, hasBase);
+    if (making?.key !== this.#keyOf(wanted) || !isLitFor(wanted, making.plan))
+      return this.#beginMaking(wanted, hasBase);
     const { key, plan, scene } = making;
-    if (!scene.advance(isPainted && !hasBase ? paintedSlice : slice)) return false;
+    if (!scene.advance(hasBase ? repaintedSlice : slice)) return false;
     if (!isPainted) this.#forgetBase();
     this.#all?.session.delete();
     this.#all = { key, ...this.#adopted(scene, plan, wanted) };
@@ -225,10 +235,10 @@ export class Mounts {
   #advanceBase({ asked, ...rest }: Wanted): boolean {
     const wanted = { asked: { ...asked, paint: [] }, ...rest };
     const key = this.#usedOf(wanted);
-    if (this.#base?.key !== key) {
+    if (this.#base?.key !== key || !isLitFor(wanted, this.#base.plan)) {
       this.#forgetBase();
       const plan = this.#plan(wanted);
-      this.#base = { key, scene: new this.#core.Candidates(), isWhole: false };
+      this.#base = { key, plan, scene: new this.#core.Candidates(), isWhole: false };
       this.#begin(this.#base.scene, plan, wanted);
       return false;
     }
@@ -262,7 +272,8 @@ export class Mounts {
   #made(wanted: Wanted): Made | null {
     const { extent, layout } = wanted;
     const isOfAll = this.#all?.key === this.#keyOf({ ...wanted, extent: 'all' });
-    if (this.#all && isOfAll && (extent !== 'layout' || !layout || this.#all.session.has(layout)))
+    const isLit = this.#all && (extent === 'layout' || isLitFor(wanted, this.#all));
+    if (this.#all && isOfAll && isLit && (extent !== 'layout' || !layout || this.#all.session.has(layout)))
       return this.#all;
     return extent !== 'all' && this.#few?.key === this.#keyOf(wanted) ? this.#few : null;
   }
@@ -272,8 +283,12 @@ export class Mounts {
     this.#forget();
     const plan = this.#plan(wanted);
     const scene = new this.#core.Candidates();
-    if (hasBase) check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
-    else this.#begin(scene, plan, wanted);
+    if (hasBase) {
+      check(scene.beginPainted(this.#base!.scene, this.#room, this.#paint(wanted)));
+      leaveDark(scene, plan);
+    } else {
+      this.#begin(scene, plan, wanted);
+    }
     scene.observe(this.#coreAsked(wanted));
     this.#making = { key: this.#keyOf(wanted), plan, scene };
     return false;
@@ -282,7 +297,11 @@ export class Mounts {
   /** Begins a scene, with the light that others have already. */
   #begin(scene: Candidates, plan: Plan, wanted: Wanted): void {
     plan.begin(scene);
-    if (plan.candidates.length === 0 || this.#paint(wanted).length > 0) return;
+    if (this.#paint(wanted).length === 0) this.#takeKnown(scene, plan);
+    leaveDark(scene, plan);
+  }
+
+  #takeKnown(scene: Candidates, plan: Plan): void {
     const keys = plan.candidates.map(lightKey);
     for (const light of [this.#all?.light, this.#few?.light])
       if (light && keys.some((key) => light.indices.has(key)))
@@ -299,12 +318,14 @@ export class Mounts {
     const candidates = this.#candidates(wanted);
     if (candidates.length === 0) throw new Error(fitsNowhere(types));
     if (wanted.asked.glare) this.#checkLuminousAreas(candidates);
+    const dark = new Set(wanted.extent === 'all' ? wanted.asked.luminaires.excluded : []);
     return {
       size: candidates.length,
       candidates,
+      dark,
       begin: (scene) =>
         beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file, paint),
-      sessionOf: (session) => new MountedSession(session, candidates),
+      sessionOf: (session) => new MountedSession(session, candidates, dark),
     };
   }
 
@@ -322,6 +343,7 @@ export class Mounts {
     return {
       size: sites.length,
       candidates: [],
+      dark: new Set(),
       begin: (scene) => {
         check(scene.beginSquares(this.#room, Uint32Array.from(sites), paint));
       },
@@ -338,7 +360,9 @@ export class Mounts {
     }
     const isLight = plan.candidates.length > 0 && this.#paint(wanted).length === 0;
     const indices = new Map(plan.candidates.map((candidate, index) => [lightKey(candidate), index]));
-    return { session: plan.sessionOf(session), light: isLight ? { session, indices } : null };
+    for (const index of darkOf(plan)) indices.delete(lightKey(plan.candidates[index]!));
+    const { dark } = plan;
+    return { session: plan.sessionOf(session), light: isLight ? { session, indices } : null, dark };
   }
 
   #coreAsked({ asked }: Wanted): CoreIntentions {
@@ -404,6 +428,21 @@ export class Mounts {
 /** What the light of a candidate depends on. */
 const lightKey = ({ site, type: { hash, flux }, mounting: { turn }, aim }: Candidate): string =>
   [site, hash, flux, turn, ...(aim ?? [])].join(' ');
+
+/** Indices of the candidates on dark sites. */
+const darkOf = ({ candidates, dark }: Plan): number[] =>
+  candidates.flatMap(({ site }, index) => (dark.has(site) ? [index] : []));
+
+function leaveDark(scene: Candidates, plan: Plan): void {
+  const dark = darkOf(plan);
+  if (dark.length > 0) scene.leaveDark(Uint32Array.from(dark));
+}
+
+/** Whether all that a search may try has its light. */
+function isLitFor({ asked }: Wanted, { dark }: { readonly dark: ReadonlySet<number> }): boolean {
+  const excluded = new Set(asked.luminaires.excluded);
+  return [...dark].every((site) => excluded.has(site));
+}
 
 const areSame = (a: Uint8Array, b: Uint8Array) =>
   a.length === b.length && a.every((byte, i) => byte === b[i]);

@@ -113,6 +113,40 @@ TEST(CandidateScene, TakesWhatAnotherSceneKnows) {
 }
 
 /// Observers of one place are looked for together, one place after the other; whoever changes is anew.
+/// Under paint as well, of which the others' light is what it is without the dark ones.
+TEST(CandidateScene, LeavesDarkWhatNobodyIsToTry) {
+  const Scene room = operatorScene(12, 6);
+  const std::vector<Observer> observers = {{"west", {1, 1.2, 1}, {1, 0, 0}}};
+  const auto light = std::make_shared<const PhotometricLight>(room);
+  const auto paint =
+      std::make_shared<const Repaint>(room, light->exchange(), paintedReflectance(room, {{0, 0.3}}));
+  for (const bool isPainted : {false, true}) {
+    const auto sceneOf = [&](const std::vector<std::uint32_t>& dark) {
+      Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), kCandidates, light);
+      making->leaveDark(dark);
+      while (!making->advance(1)) continue;
+      if (isPainted) making = making->repainted(paint);
+      while (!making->advance(1)) continue;
+      std::vector<ObserverRows> rows = making->seenBy(observers);
+      Scene scene = making->finish(Quantity::kIlluminance);
+      scene.observers = std::move(rows);
+      return scene;
+    };
+    const Scene lit = sceneOf({}), some = sceneOf({0, 2});
+    const std::uint32_t rows = room.patches.rows();
+    for (std::uint32_t j = 0; j < kCandidates.size(); ++j) {
+      const bool isDark = j == 0 || j == 2;
+      const std::vector<float> column(some.responses.column(j), some.responses.column(j) + rows),
+          wanted(lit.responses.column(j), lit.responses.column(j) + rows);
+      EXPECT_EQ(column, isDark ? std::vector<float>(rows) : wanted) << j;
+      EXPECT_EQ(some.illuminance[0].mean[j], isDark ? 0 : lit.illuminance[0].mean[j]) << j;
+      EXPECT_EQ(some.observers[0].background[j], isDark ? 0 : lit.observers[0].background[j]) << j;
+      EXPECT_EQ(some.observers[0].glare[j], isDark ? 0 : lit.observers[0].glare[j]) << j;
+      EXPECT_GT(lit.observers[0].background[j], 0) << j;
+    }
+  }
+}
+
 TEST(CandidateScene, LooksFromOnePlaceAtATime) {
   const Scene room = operatorScene(12, 6);
   const std::vector<Observer> observers = {{"west", {1, 1.2, 1}, {1, 0, 0}},

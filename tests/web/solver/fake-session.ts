@@ -22,6 +22,7 @@ export class FakeCandidates implements Candidates {
   static advanced = 0; // slices of light
   asked: number[] = []; // site and file of each
   taken: number[][] = []; // of each its index in other scenes
+  dark: number[] = []; // indices of those that have none
   known: Float32Array | null = null; // light that somebody else has computed
   observed: CoreIntentions | null = null; // whose observers they were to look for
   #left = 0;
@@ -35,6 +36,10 @@ export class FakeCandidates implements Candidates {
   take(_known: Session, there: Uint32Array) {
     this.taken.push([...there]);
     this.#left -= there.filter((index) => index !== unknown).length;
+  }
+  leaveDark(some: Uint32Array) {
+    this.dark = [...some];
+    this.#left -= some.length;
   }
   beginPainted(base: FakeCandidates, _room: Session, paint: Float64Array) {
     this.asked = [...base.asked, ...paint];
@@ -327,8 +332,9 @@ export class FakeSession implements Session {
     this.byPairs = -1 - goal;
   }
   adopt(candidates: Candidates) {
-    const { asked, taken, observed } = candidates as FakeCandidates;
+    const { asked, taken, dark, observed } = candidates as FakeCandidates;
     this.calls.push(`adopt ${asked.join(' ')}`);
+    if (dark.length > 0) this.calls.push(`dark ${dark.join(' ')}`);
     this.observed = observed;
     for (const there of taken)
       this.calls.push(`took ${there.map((at) => (at === unknown ? '-' : at)).join(' ')}`);

@@ -432,8 +432,12 @@ describe('luminaires of types', () => {
     expect(session.calls.at(-1)).toBe('prepare');
     expect(driver.busy).toBe(false);
   });
+});
 
-  test('what is made serves the next wish', async () => {
+describe('candidates of types', () => {
+  beforeEach(openedForTypes);
+
+  test('serve the next wish', async () => {
     await driver.receive(solve(2, { intentions: ofTypes(), start }));
     settle();
     const known = mounted;
@@ -443,7 +447,7 @@ describe('luminaires of types', () => {
     expect(searched()).toEqual(['start 3 from 1 0', 'start 4 from 1 0']);
   });
 
-  test('what is known of one type is not made again beside another', async () => {
+  test('that are known of one type are not made again beside another', async () => {
     await driver.receive(solve(2, { intentions: ofTypes(), start }));
     settle();
     const other = luminaireType('t2', 'flood');
@@ -454,6 +458,27 @@ describe('luminaires of types', () => {
     expect(mounted.calls).toContain('adopt 0 0 0 1 1 0 1 1');
     expect(mounted.calls).toContain('took 0 - 1 -'); // of the search before
     expect(mounted.calls).toContain('took - 1 - 0'); // of the start, which hung as the new one does
+  });
+
+  test('on places that are excluded are not lit until they are allowed', async () => {
+    const without = (excluded: number[]) => {
+      const { luminaires, ...rest } = ofTypes();
+      return { ...rest, luminaires: { ...luminaires, excluded } };
+    };
+    await driver.receive(solve(2, { intentions: without([0]), start: null }));
+    settle();
+    expect(mounted.calls).toContain('dark 0');
+    const [known, { begun }] = [mounted, FakeCandidates];
+    await driver.receive(solve(3, { intentions: without([0, 1]), start: null }));
+    settle();
+    expect(mounted).toBe(known); // what is lit may be excluded, too
+    expect(FakeCandidates.begun).toBe(begun);
+    await driver.receive(solve(4, { intentions: ofTypes(), start: null }));
+    settle();
+    expect(mounted).not.toBe(known);
+    expect(mounted.calls).toContain('took - 1'); // what was dark is not known
+    expect(mounted.calls.some((call) => call.startsWith('dark'))).toBe(false);
+    expect(kinds().at(-1)).toBe('settled 4');
   });
 
   test('the latest wish wins while candidates are being made', async () => {
