@@ -27,8 +27,9 @@ struct EvaluateOptions {
 /// The first few, and how many there are beyond them.
 void printNotes(const std::string& path, const std::vector<std::string>& notes) {
   constexpr std::size_t kMost = 10;
-  for (std::size_t i = 0; i < notes.size() && i < kMost; ++i) printNote(path + ": " + notes[i]);
-  if (notes.size() > kMost) printNote(path + ": " + std::to_string(notes.size() - kMost) + " more notes");
+  for (std::size_t i = 0; i < notes.size() && i < kMost; ++i) printNote("warning: " + path + ": " + notes[i]);
+  if (notes.size() > kMost)
+    printNote("warning: " + path + ": " + std::to_string(notes.size() - kMost) + " more like these");
 }
 
 void evaluate(const EvaluateOptions& options) {

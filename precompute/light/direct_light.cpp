@@ -218,7 +218,8 @@ struct Shade {
 
 /// Mean illuminance over one patch by its points, of which the many that are `facing` see the source: where
 /// it is not known what stands between, shadow rays go to split x split parts of the source from each, and
-/// to penumbra x penumbra where a shadow's edge crosses the patch. `edge`: of the patch, m.
+/// to penumbra x penumbra, if these are more, where a shadow's edge crosses the patch. `edge`: of the patch,
+/// m.
 PatchLight patchLight(const RayTracer& tracer, const Emission& source, const PatchPoints& points,
                       const std::vector<char>& facing, const Shade& shade, double edge, std::uint32_t split,
                       std::uint32_t penumbra, std::uint64_t seed) {
@@ -226,11 +227,10 @@ PatchLight patchLight(const RayTracer& tracer, const Emission& source, const Pat
   bool isClear = shade.between == Between::kNothing;
   Shadow shadow(tracer, source, shade.blockers);
   if (!isClear) {
-    Shadow probe(tracer, source, shade.blockers);
-    probe.cast(points.many, facing, split, true, Random(seed));
-    if (probe.verdict() < 0) return {};
-    isClear = probe.verdict() > 0;
-    if (!isClear) shadow.cast(points.many, facing, penumbra, false, Random(seed, 1));
+    shadow.cast(points.many, facing, split, penumbra > split, Random(seed));
+    if (shadow.verdict() < 0) return {};
+    isClear = shadow.verdict() > 0;
+    if (!isClear && penumbra > split) shadow.cast(points.many, facing, penumbra, false, Random(seed, 1));
   }
   const bool isFew = isClear && isEven(source, points, facing, edge);
   const std::vector<PatchPoint>& used = isFew ? points.few : points.many;
@@ -272,6 +272,7 @@ class RowLight {
         luminaires_(luminaires),
         sources_(luminaires.begin(), luminaires.end()),
         split_(options.draft ? 1 : options.split),
+        finer_(options.draft ? 1 : 2),
         seed_(mixBits(options.seed ^ 0xd1ec7u)),
         effort_(effortOfRows(room.patches, options.draft)),
         between_(tracer, placesOfClusters(room, tracer), placesOf(tracer, sources_)) {}
@@ -286,7 +287,7 @@ class RowLight {
     if (sampler.isFullCell()) points.few = sampler.quadrature(2);
     const double edge = std::sqrt(room_.patches.area[p]);
     const bool isSmall = effort_[p] >= 2;
-    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = 2 * split;
+    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = finer_ * split;
     const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
     std::vector<char> facing;
     Blockers blockers;
@@ -324,7 +325,7 @@ class RowLight {
   const RayTracer& tracer_;
   const std::vector<Luminaire>& luminaires_;
   std::vector<Emission> sources_;
-  std::uint32_t split_;
+  std::uint32_t split_, finer_;  // times as many parts at a shadow's edge
   std::uint64_t seed_;
   std::vector<std::uint32_t> effort_;  // rows
   BetweenPlaces between_;              // clusters x sources

@@ -318,7 +318,7 @@ export class Mounts {
     const candidates = this.#candidates(wanted);
     if (candidates.length === 0) throw new Error(fitsNowhere(types));
     if (wanted.asked.glare) this.#checkLuminousAreas(candidates);
-    const dark = new Set(wanted.extent === 'all' ? wanted.asked.luminaires.excluded : []);
+    const dark = this.#darkOf(wanted, candidates);
     return {
       size: candidates.length,
       candidates,
@@ -327,6 +327,15 @@ export class Mounts {
         beginCandidates(scene, this.#room, candidates, ({ hash }) => this.#files.get(hash)!.file, paint),
       sessionOf: (session) => new MountedSession(session, candidates, dark),
     };
+  }
+
+  /** Excluded sites, but for those whose light is known: what asks in turn for this and that is then soon done. */
+  #darkOf(wanted: Wanted, candidates: readonly Candidate[]): ReadonlySet<number> {
+    if (wanted.extent !== 'all') return new Set();
+    const excluded = new Set(wanted.asked.luminaires.excluded);
+    const known = this.#paint(wanted).length === 0 ? this.#all?.light?.indices : undefined;
+    const isDark = (candidate: Candidate) => excluded.has(candidate.site) && !known?.has(lightKey(candidate));
+    return new Set(candidates.filter(isDark).map(({ site }) => site));
   }
 
   #checkLuminousAreas(candidates: readonly Candidate[]): void {

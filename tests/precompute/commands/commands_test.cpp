@@ -558,6 +558,7 @@ TEST_F(Commands, NotesKeepStatusZero) {
   const CommandRun run = runFiatlux(*folder_, "evaluate box.flux --layout free.json --json");
   EXPECT_EQ(run.status, 0);
   EXPECT_TRUE(json::accept(run.out));
+  EXPECT_THAT(run.err, HasSubstr("warning: "));
   EXPECT_THAT(run.err, HasSubstr("nearest site"));
   EXPECT_THAT(run.err, HasSubstr("ignored here, on a site: normal"));
 }
@@ -569,7 +570,7 @@ TEST_F(Commands, NotesAreFew) {
   const CommandRun run = runFiatlux(*folder_, "evaluate box.flux --layout same.json");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 11) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("20 more notes"));
+  EXPECT_THAT(run.err, HasSubstr("20 more like these"));
 }
 
 TEST_F(Commands, AFullDiskLeavesNothing) {

@@ -473,12 +473,16 @@ describe('candidates of types', () => {
     settle();
     expect(mounted).toBe(known); // what is lit may be excluded, too
     expect(FakeCandidates.begun).toBe(begun);
-    await driver.receive(solve(4, { intentions: ofTypes(), start: null }));
+    await driver.receive(solve(4, { intentions: without([1]), start: null }));
     settle();
     expect(mounted).not.toBe(known);
     expect(mounted.calls).toContain('took - 1'); // what was dark is not known
     expect(mounted.calls.some((call) => call.startsWith('dark'))).toBe(false);
-    expect(kinds().at(-1)).toBe('settled 4');
+    const all = mounted;
+    await driver.receive(solve(5, { intentions: without([0]), start: null }));
+    settle();
+    expect(mounted).toBe(all); // both have their light now
+    expect(kinds().at(-1)).toBe('settled 5');
   });
 
   test('the latest wish wins while candidates are being made', async () => {
