@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { adaptationLevel, automaticExposure } from '../../../web/viewer/light/exposure.ts';
 import { LightTexture } from '../../../web/viewer/light/light-texture.ts';
 import { RoomLight } from '../../../web/viewer/light/room-light.ts';
-import type { FrameLoop } from '../../../web/viewer/stage/frame-loop.ts';
+import type { Animation, FrameLoop } from '../../../web/viewer/stage/frame-loop.ts';
 import type { Display, SceneInfo } from '../../../web/document/types.ts';
 import { barycentric, lightAtVertex } from '../../../web/viewer/light/probe.ts';
 
@@ -61,11 +61,12 @@ describe('who looks', () => {
 
 /** The exposure of a RoomLight in a frame loop that is stepped by hand. */
 function exposed() {
-  const animations = new Set<(now: number) => boolean>();
+  const animations = new Set<Animation>();
+  let drawn = 0;
   const loop = {
     invalidate() {},
-    animate: (step: (now: number) => boolean) => void animations.add(step),
-    cancel: (step: (now: number) => boolean) => void animations.delete(step),
+    animate: (step: Animation) => void animations.add(step),
+    cancel: (step: Animation) => void animations.delete(step),
   };
   const light = new RoomLight(loop as unknown as FrameLoop);
   const patches = 100;
@@ -77,14 +78,19 @@ function exposed() {
     patchReflectance: new Float32Array(patches).fill(0.5),
   } as unknown as SceneInfo);
   const step = (now: number) => {
-    for (const animation of animations) if (!animation(now)) animations.delete(animation);
+    for (const animation of animations) {
+      const more = animation(now);
+      if (more !== 'unseen') ++drawn;
+      if (!more) animations.delete(animation);
+    }
   };
   return {
     light,
     shine: (lux: number) => light.set(new Float32Array(patches).fill(lux)),
     settle: () => {
-      for (let now = 1; now < 20_000; now += 50) step(now);
+      for (let now = 1; now < 20_000; now += 16) step(now);
     },
+    drawn: () => drawn,
   };
 }
 
@@ -100,6 +106,18 @@ describe('the exposure of a room', () => {
     light.hold(false);
     settle();
     expect(light.uniforms.exposure.value).toBeCloseTo(before / 10 ** 0.87, 3);
+    light.dispose();
+  });
+
+  test('is drawn as often as it can be seen to change', () => {
+    const { light, shine, settle, drawn } = exposed();
+    shine(300);
+    shine(330); // some 2 s, 140 frames
+    const before = light.uniforms.exposure.value;
+    settle();
+    expect(light.uniforms.exposure.value).toBeCloseTo(before / 1.1 ** 0.87, 3);
+    expect(drawn()).toBeGreaterThan(10);
+    expect(drawn()).toBeLessThan(30);
     light.dispose();
   });
 

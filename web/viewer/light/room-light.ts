@@ -5,11 +5,12 @@ import { colorTable, tableSize } from './color-maps.ts';
 import type { Box } from '../eye/framing.ts';
 import { adaptationLevel, automaticExposure } from './exposure.ts';
 import { legendEnds } from './false-color.ts';
-import { reducedMotion, type FrameLoop } from '../stage/frame-loop.ts';
+import { reducedMotion, type Animation, type FrameLoop } from '../stage/frame-loop.ts';
 import { sharedUniforms } from './light-material.ts';
 import { LightTexture } from './light-texture.ts';
 
 const settling = 700; // ms in which the exposure makes 63 % of its way: slow enough to be seen
+const unseen = 0.005; // of the exposure: less is about half a step of a screen's brightness
 const blending = 600; // ms in which light first takes its colour
 
 export class RoomLight {
@@ -30,6 +31,7 @@ export class RoomLight {
   #isHeld = false; // while a person drags
   #last = 0;
   #adapting = false;
+  #seen = 0; // lx that the picture is exposed for
 
   constructor(loop: FrameLoop) {
     this.#loop = loop;
@@ -159,26 +161,28 @@ export class RoomLight {
       this.#level = this.#wanted;
       this.#expose();
       this.#loop.invalidate();
-    } else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > 0.003) {
+    } else if (!this.#adapting && Math.abs(Math.log(this.#wanted / this.#level)) > unseen) {
       this.#adapting = true;
       this.#last = 0;
       this.#loop.animate(this.#adapt);
     }
   }
 
-  #adapt = (now: number): boolean => {
+  #adapt: Animation = (now) => {
     if (this.#isHeld) return (this.#adapting = false);
     const passed = this.#last === 0 ? 16 : now - this.#last;
     this.#last = now;
     const way = Math.log(Math.max(this.#wanted, 0.05) / Math.max(this.#level, 0.05));
     this.#level = Math.max(this.#level, 0.05) * Math.exp(way * (1 - Math.exp(-passed / settling)));
-    this.#adapting = Math.abs(way) > 0.002;
+    this.#adapting = Math.abs(way) > unseen;
     if (!this.#adapting) this.#level = this.#wanted;
+    else if (Math.abs(Math.log(this.#level / this.#seen)) < unseen) return 'unseen';
     this.#expose();
     return this.#adapting;
   };
 
   #expose(): void {
+    this.#seen = Math.max(this.#level, 0.05);
     this.uniforms.usualLight.value = this.level;
     this.uniforms.exposure.value = automaticExposure(this.level, this.#ev, this.#adaptation);
   }

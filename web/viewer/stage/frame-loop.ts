@@ -3,13 +3,14 @@
  * stepped before the frame and keep it coming until they are over.
  */
 
-/** Called once a frame with the time (ms); true while there is more to come. */
-export type Animation = (now: number) => boolean;
+/** Called once a frame with the time (ms); true while there is more to come: 'unseen' where nothing shows yet. */
+export type Animation = (now: number) => boolean | 'unseen';
 
 export class FrameLoop {
   #request = 0;
   #animations = new Set<Animation>();
   #running = true;
+  #isSeen = false; // something changed since the last frame was drawn
   #draw: (now: number) => void;
 
   constructor(draw: (now: number) => void) {
@@ -17,6 +18,11 @@ export class FrameLoop {
   }
 
   invalidate(): void {
+    this.#isSeen = true;
+    this.#ask();
+  }
+
+  #ask(): void {
     if (this.#request === 0 && this.#running) this.#request = requestAnimationFrame(this.#step);
   }
 
@@ -24,6 +30,7 @@ export class FrameLoop {
   flush(): void {
     if (!this.#running) return;
     cancelAnimationFrame(this.#request);
+    this.#isSeen = true;
     this.#step(performance.now());
   }
 
@@ -51,9 +58,16 @@ export class FrameLoop {
 
   #step = (now: number): void => {
     this.#request = 0;
-    for (const animation of this.#animations) if (!animation(now)) this.#animations.delete(animation);
-    this.#draw(now);
-    if (this.#animations.size > 0) this.invalidate();
+    for (const animation of this.#animations) {
+      const more = animation(now);
+      if (more !== 'unseen') this.#isSeen = true;
+      if (!more) this.#animations.delete(animation);
+    }
+    if (this.#isSeen) {
+      this.#isSeen = false;
+      this.#draw(now);
+    }
+    if (this.#animations.size > 0) this.#ask();
   };
 }
 

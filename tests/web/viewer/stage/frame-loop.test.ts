@@ -10,6 +10,27 @@ beforeEach(() => {
   globalThis.cancelAnimationFrame = (id) => void waiting.delete(id);
 });
 
+test('what an animation does unseen is not drawn, unless something else changed', () => {
+  let drawn = 0;
+  const loop = new FrameLoop(() => void drawn++);
+  const frame = () => {
+    const [[id, action]] = [...waiting] as [[number, FrameRequestCallback]];
+    waiting.delete(id);
+    action(0);
+  };
+  const answers = ['unseen', true, 'unseen', 'unseen', false] as const;
+  let next = 0;
+  loop.animate(() => answers[next++]!);
+  const after: number[] = [];
+  for (let i = 0; i < answers.length; ++i) {
+    if (i === 3) loop.invalidate();
+    frame();
+    after.push(drawn);
+  }
+  expect(after).toEqual([1, 2, 2, 3, 4]); // what was there before the first is drawn with it
+  expect(waiting.size).toBe(0);
+});
+
 test('a flush draws at once, in place of the frame that was waiting', () => {
   let drawn = 0;
   const loop = new FrameLoop(() => void drawn++);
