@@ -133,30 +133,35 @@ double glareOf(const Luminaire& luminaire, const Observer& observer) {
 
 /// E = integral of L cos over the half space before the eye, L = rho E_patch / pi; L_b = E / pi. E_z =
 /// integral of L sin(angle from the vertical) / pi over all directions.
-std::shared_ptr<const SightLines::Outlook> SightLines::outlook(const Vec3& position,
-                                                               const std::vector<Vec3>& directions) const {
-  const auto isThis = [&](const std::shared_ptr<const Outlook>& known) {
-    return length(known->position - position) == 0 &&
-           std::equal(known->directions.begin(), known->directions.end(), directions.begin(),
-                      directions.end(), [](const Vec3& a, const Vec3& b) { return length(a - b) == 0; });
-  };
-  const auto known = std::find_if(outlooks_.begin(), outlooks_.end(), isThis);
-  if (known != outlooks_.end()) return *known;
+SightLines::Outlook SightLines::outlookAt(const Vec3& position, const std::vector<Vec3>& directions,
+                                          std::uint32_t count) const {
   Outlook outlook{position, directions, {}, {}, {}};
-  constexpr double kShare = 4.0 / kEyeSights / std::numbers::pi;
-  for (const Sight& sight : *from(position)) {
+  const double share = 4.0 / count / std::numbers::pi;
+  for (const Sight& sight : *from(position, count)) {
     if (outlook.patches.empty() || outlook.patches.back() != sight.patch) {
       outlook.patches.push_back(sight.patch);
       outlook.cylindrical.push_back(0);
       outlook.background.resize(outlook.background.size() + directions.size());
     }
-    outlook.cylindrical.back() += kShare * levelOf(sight.direction);
+    outlook.cylindrical.back() += share * levelOf(sight.direction);
     double* background = &outlook.background[outlook.background.size() - directions.size()];
     for (const Vec3& direction : directions)
-      *background++ += kShare * std::max(0.0, dot(sight.direction, direction));
+      *background++ += share * std::max(0.0, dot(sight.direction, direction));
   }
+  return outlook;
+}
+
+std::shared_ptr<const SightLines::Outlook> SightLines::outlookOfEye(
+    const Vec3& position, const std::vector<Vec3>& directions) const {
+  const auto isSame = [](const Vec3& a, const Vec3& b) { return length(a - b) == 0; };
+  const auto isThis = [&](const std::shared_ptr<const Outlook>& known) {
+    return isSame(known->position, position) && std::equal(known->directions.begin(), known->directions.end(),
+                                                           directions.begin(), directions.end(), isSame);
+  };
+  const auto known = std::find_if(outlooks_.begin(), outlooks_.end(), isThis);
+  if (known != outlooks_.end()) return *known;
   if (outlooks_.size() == kKept) outlooks_.erase(outlooks_.begin());
-  return outlooks_.emplace_back(std::make_shared<const Outlook>(std::move(outlook)));
+  return outlooks_.emplace_back(std::make_shared<const Outlook>(outlookAt(position, directions, kEyeSights)));
 }
 
 double SightLines::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
@@ -181,21 +186,15 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
   UprightRows rows;
   rows.cylindrical.resize(sites);
   rows.vertical.assign(count, std::vector<float>(sites));
-  const auto sights = lines_->from(point, SightLines::kPointSights);
-  // What each patch adds per lx on it: E = integral of L cos, L = rho E_patch / pi, one sight after the
-  // other.
-  std::vector<std::uint32_t> patches;
+  // What each patch adds per lx on it.
+  const SightLines::Outlook outlook = lines_->outlookAt(point, directions, SightLines::kPointSights);
+  const std::vector<std::uint32_t>& patches = outlook.patches;
   std::vector<double> weights;  // of the cylinder and the vertical planes, patch by patch
-  for (const SightLines::Sight& sight : *sights) {
-    if (patches.empty() || patches.back() != sight.patch) {
-      patches.push_back(sight.patch);
-      weights.resize(patches.size() * (1 + count));
-    }
-    double* of = &weights[(patches.size() - 1) * (1 + count)];
-    const double share = 4.0 / SightLines::kPointSights * reflectance_[sight.patch];
-    of[0] += share / std::numbers::pi * std::hypot(sight.direction.x, sight.direction.z);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const double rho = reflectance_[patches[k]];
+    weights.push_back(rho * outlook.cylindrical[k]);
     for (std::size_t d = 0; d < count; ++d)
-      of[1 + d] += share * std::max(0.0, dot(sight.direction, directions[d]));
+      weights.push_back(std::numbers::pi * rho * outlook.background[k * count + d]);
   }
   std::vector<double> sums(1 + count);
   for (std::uint32_t j = 0; j < sites; ++j) {
@@ -271,17 +270,14 @@ class RoomView::Reflected {
   std::vector<double> light_;                     // lx on the patches, latest
 };
 
-/// Of luminaire j, by what of it is seen.
-ObserverReading RoomView::directAt(Place& place, const Observer& observer,
-                                   const std::vector<Luminaire>& luminaires, std::size_t j) const {
-  const Luminaire& luminaire = luminaires[j];
+/// By what of the luminaire is seen.
+ObserverReading RoomView::directAt(const Observer& observer, const Luminaire& luminaire) const {
   const Vec3 way = luminaire.position - observer.position;
   const double squared = dot(way, way), distance = std::sqrt(squared);
   if (!(distance > 0)) return {};
   const double candela = candelaOf(luminaire, seenFrom(luminaire, (-1 / distance) * way));
   if (!(candela > 0)) return {};
-  double& visible = place.visible[j];
-  if (visible < 0) visible = lines_->visibleShare(place.position, luminaire);
+  const double visible = lines_->visibleShare(observer.position, luminaire);
   const double light = visible * candela / (squared * distance);
   return {visible * glareOf(luminaire, observer), 0, light * std::max(0.0, dot(way, observer.direction)),
           light * std::hypot(way.x, way.z) / std::numbers::pi};
@@ -291,18 +287,15 @@ std::vector<ObserverReading> RoomView::readings(const std::vector<Observer>& obs
                                                 const std::vector<Luminaire>& luminaires, double dimming,
                                                 const std::vector<float>& illuminance) const {
   std::vector<ObserverReading> readings;
-  Place place;  // shared by those who look from there one after the other
   for (const Observer& observer : observers) {
-    if (readings.empty() || length(observer.position - place.position) > 0)
-      place = {observer.position, std::vector<double>(luminaires.size(), -1)};
     std::vector<ObserverReading> reading(1);
-    for (std::size_t j = 0; j < luminaires.size(); ++j) {
-      const ObserverReading direct = directAt(place, observer, luminaires, j);
+    for (const Luminaire& luminaire : luminaires) {
+      const ObserverReading direct = directAt(observer, luminaire);
       reading[0].glare += dimming * dimming * direct.glare;
       reading[0].vertical += dimming * direct.vertical;
       reading[0].cylindrical += dimming * direct.cylindrical;
     }
-    Reflected(*lines_->outlook(observer.position, {observer.direction}), reflectance_)
+    Reflected(*lines_->outlookOfEye(observer.position, {observer.direction}), reflectance_)
         .addTo(illuminance.data(), reading);
     readings.push_back(reading[0]);
   }
@@ -330,14 +323,12 @@ std::vector<ObserverRows> RoomView::rows(const std::vector<Observer>& observers,
     const auto end =
         std::find_if(observers.begin() + static_cast<std::ptrdiff_t>(first), observers.end(), isElsewhere);
     last = static_cast<std::size_t>(end - observers.begin());
-    Place place{observers[first].position, std::vector<double>(luminaires.size(), -1)};
     std::vector<Vec3> directions;
     for (std::size_t o = first; o < last; ++o) directions.push_back(observers[o].direction);
-    Reflected reflected(*lines_->outlook(place.position, directions), reflectance_);
+    Reflected reflected(*lines_->outlookOfEye(observers[first].position, directions), reflectance_);
     for (const std::uint32_t j : some) {
       readings.clear();
-      for (std::size_t o = first; o < last; ++o)
-        readings.push_back(directAt(place, observers[o], luminaires, j));
+      for (std::size_t o = first; o < last; ++o) readings.push_back(directAt(observers[o], luminaires[j]));
       reflected.addTo(responses.column(j), readings);
       for (std::size_t o = first; o < last; ++o) {
         all[o].glare.push_back(readings[o - first].glare);

@@ -58,8 +58,12 @@ class SightLines {
     std::vector<double> cylindrical;  // patches: lx
     std::vector<double> background;   // patches x directions: cd/m2
   };
-  std::shared_ptr<const Outlook> outlook(const Vec3& position, const std::vector<Vec3>& directions) const;
-  /// Of a luminaire's area.
+  /// By `count` sights.
+  Outlook outlookAt(const Vec3& position, const std::vector<Vec3>& directions, std::uint32_t count) const;
+  /// By those of an eye; kept, of the latest.
+  std::shared_ptr<const Outlook> outlookOfEye(const Vec3& position,
+                                              const std::vector<Vec3>& directions) const;
+  /// Of a luminaire's area. Kept.
   double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
 
  private:
@@ -108,16 +112,9 @@ class RoomView {
                       const std::vector<Luminaire>& luminaires, const Responses& responses) const;
 
  private:
-  /// Which share of each luminaire is seen from somewhere.
-  struct Place {
-    Vec3 position;
-    std::vector<double> visible;  // below 0: not looked for yet
-  };
-
   class Reflected;
 
-  ObserverReading directAt(Place& place, const Observer& observer, const std::vector<Luminaire>& luminaires,
-                           std::size_t j) const;
+  ObserverReading directAt(const Observer& observer, const Luminaire& luminaire) const;
 
   const std::vector<float>& reflectance_;  // of the patches
   std::shared_ptr<const SightLines> lines_;

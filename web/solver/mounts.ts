@@ -66,10 +66,7 @@ interface Making {
   readonly scene: Candidates;
 }
 
-interface Base {
-  readonly key: string;
-  readonly plan: Plan;
-  readonly scene: Candidates;
+interface Base extends Making {
   isWhole: boolean;
 }
 
@@ -318,7 +315,7 @@ export class Mounts {
     const candidates = this.#candidates(wanted);
     if (candidates.length === 0) throw new Error(fitsNowhere(types));
     if (wanted.asked.glare) this.#checkLuminousAreas(candidates);
-    const dark = this.#darkOf(wanted, candidates);
+    const dark = this.#darkSites(wanted, candidates);
     return {
       size: candidates.length,
       candidates,
@@ -330,7 +327,7 @@ export class Mounts {
   }
 
   /** Excluded sites, but for those whose light is known: what asks in turn for this and that is then soon done. */
-  #darkOf(wanted: Wanted, candidates: readonly Candidate[]): ReadonlySet<number> {
+  #darkSites(wanted: Wanted, candidates: readonly Candidate[]): ReadonlySet<number> {
     if (wanted.extent !== 'all') return new Set();
     const excluded = new Set(wanted.asked.luminaires.excluded);
     const known = this.#paint(wanted).length === 0 ? this.#all?.light?.indices : undefined;
@@ -369,7 +366,7 @@ export class Mounts {
     }
     const isLight = plan.candidates.length > 0 && this.#paint(wanted).length === 0;
     const indices = new Map(plan.candidates.map((candidate, index) => [lightKey(candidate), index]));
-    for (const index of darkOf(plan)) indices.delete(lightKey(plan.candidates[index]!));
+    for (const index of darkIndices(plan)) indices.delete(lightKey(plan.candidates[index]!));
     const { dark } = plan;
     return { session: plan.sessionOf(session), light: isLight ? { session, indices } : null, dark };
   }
@@ -439,11 +436,11 @@ const lightKey = ({ site, type: { hash, flux }, mounting: { turn }, aim }: Candi
   [site, hash, flux, turn, ...(aim ?? [])].join(' ');
 
 /** Indices of the candidates on dark sites. */
-const darkOf = ({ candidates, dark }: Plan): number[] =>
+const darkIndices = ({ candidates, dark }: Plan): number[] =>
   candidates.flatMap(({ site }, index) => (dark.has(site) ? [index] : []));
 
 function leaveDark(scene: Candidates, plan: Plan): void {
-  const dark = darkOf(plan);
+  const dark = darkIndices(plan);
   if (dark.length > 0) scene.leaveDark(Uint32Array.from(dark));
 }
 
