@@ -99,12 +99,14 @@ std::vector<Ties> symmetricTies(const SiteGrid& grid, std::uint32_t sites, PlanA
 
 // --- Rows
 
-/// All rows of `count` sites along a direction, one P a pitch.
-void addRows(const SiteGrid& grid, int direction, std::uint32_t count, std::vector<Ties>& result) {
+/// All rows on chains of one length along a direction, one P a pitch.
+void addRows(const SiteGrid& grid, int direction, const std::vector<Chain>& chains,
+             std::vector<Ties>& result) {
   const PlanAxis axis = direction == 0 ? PlanAxis::kX : PlanAxis::kZ;
   const auto lines = static_cast<std::uint32_t>(grid.values(1 - direction).size());
   const std::size_t first = result.size();
-  for (const Chain& chain : grid.chains(direction, count)) {
+  for (const Chain& chain : chains) {
+    const auto count = static_cast<std::uint32_t>(chain.at.size());
     const TieKey key{Rule::kRows, axis, count, static_cast<std::uint32_t>(std::lround(1e3 * chain.pitch))};
     auto ties = std::find_if(
         result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
@@ -131,8 +133,11 @@ std::vector<Ties> rowTies(const SiteGrid& grid, const LuminaireRules& rules) {
   std::vector<Ties> result;
   for (const PlanAxis axis : {PlanAxis::kX, PlanAxis::kZ}) {
     if (rules.arrangement.axis != axis && rules.arrangement.axis != PlanAxis::kFound) continue;
-    for (std::uint32_t count = std::min(rules.arrangement.leastInRow, most); count <= most; ++count)
-      if (most / count * count >= rules.count) addRows(grid, axis == PlanAxis::kX ? 0 : 1, count, result);
+    const int direction = axis == PlanAxis::kX ? 0 : 1;
+    const Chains chains(grid, direction);
+    const std::uint32_t longest = std::min(most, chains.longest());
+    for (std::uint32_t count = std::min(rules.arrangement.leastInRow, most); count <= longest; ++count)
+      if (most / count * count >= rules.count) addRows(grid, direction, chains.of(count), result);
   }
   result.erase(std::remove_if(result.begin(), result.end(), [](const Ties& t) { return t.members.empty(); }),
                result.end());
@@ -155,8 +160,11 @@ class Occupied {
   }
 
   bool accepts(const std::vector<std::uint32_t>& tie) const {
-    for (const std::vector<std::uint32_t>& row : rows_)
-      if (runTogether(scene_, row, tie)) return false;
+    if (areRows_) {
+      const RowSpan span(scene_, tie);
+      for (const RowSpan& row : rows_)
+        if (row.runsInto(span)) return false;
+    }
     for (std::size_t i = 0; i < tie.size(); ++i) {
       if (barred_[tie[i]]) return false;
       if (minDistance_ <= 0 && !hasBodies_) continue;
@@ -168,7 +176,7 @@ class Occupied {
     return true;
   }
   void take(const std::vector<std::uint32_t>& tie) {
-    if (areRows_) rows_.push_back(tie);
+    if (areRows_) rows_.emplace_back(scene_, tie);
     for (const std::uint32_t site : tie) {
       barred_[site] = 1;
       taken_.push_back(site);
@@ -201,7 +209,7 @@ class Occupied {
   bool hasBodies_, areRows_;
   std::vector<char> barred_;
   std::vector<std::uint32_t> taken_;
-  std::vector<std::vector<std::uint32_t>> rows_;  // that were taken
+  std::vector<RowSpan> rows_;  // that were taken
 };
 
 /// The ways to hold the pinned sites from the `next`-th on by ties.
@@ -290,24 +298,25 @@ std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules) {
   return {alone};
 }
 
-bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
-                 const std::vector<std::uint32_t>& b) {
-  if (a.size() < 2 || b.size() < 2) return false;
+RowSpan::RowSpan(const Scene& scene, const std::vector<std::uint32_t>& row) {
+  if (row.size() < 2) return;
   const auto place = [&](std::uint32_t site) { return scene.sites[site].position; };
-  const Vec3 origin = place(a[0]), along = normalized(place(a[1]) - origin);
-  const Vec3 across = place(b[0]) - origin;
-  if (length(across - dot(across, along) * along) > kSameLine) return false;
-  const auto spanOf = [&](const std::vector<std::uint32_t>& row) {
-    std::array<double, 2> span = {kUnbounded, -kUnbounded};
-    for (const std::uint32_t site : row) {
-      const double at = dot(place(site) - origin, along);
-      span = {std::min(span[0], at), std::max(span[1], at)};
-    }
-    return span;
-  };
-  const std::array<double, 2> first = spanOf(a), second = spanOf(b);
-  const double pitch = (first[1] - first[0]) / static_cast<double>(a.size() - 1);
-  return std::max(first[0], second[0]) - std::min(first[1], second[1]) < pitch - kSameLine;
+  origin_ = place(row[0]);
+  along_ = normalized(place(row[1]) - origin_);
+  for (const std::uint32_t site : row) {
+    const double at = dot(place(site) - origin_, along_);
+    if (at <= begin_) begin_ = at, ends_[0] = place(site);
+    if (at >= end_) end_ = at, ends_[1] = place(site);
+  }
+  pitch_ = (end_ - begin_) / static_cast<double>(row.size() - 1);
+}
+
+bool RowSpan::runsInto(const RowSpan& other) const {
+  if (pitch_ == 0 || other.pitch_ == 0) return false;
+  const Vec3 across = other.origin_ - origin_;
+  if (length(across - dot(across, along_) * along_) > kSameLine) return false;
+  const double a = dot(other.ends_[0] - origin_, along_), b = dot(other.ends_[1] - origin_, along_);
+  return std::max(begin_, std::min(a, b)) - std::min(end_, std::max(a, b)) < pitch_ - kSameLine;
 }
 
 std::vector<Ties> tiesOfEachType(const Scene& scene, const Ties& ties, const LuminaireRules& rules) {
@@ -384,8 +393,9 @@ Fields::Fields(const SiteGrid& grid, std::uint32_t least, std::uint32_t most, Pl
   for (int d = 0; d < 2; ++d) {
     // Mirrored about a line along x it is the same across.
     const bool isMirrored = axis == PlanAxis::kBoth || axis == (d == 1 ? PlanAxis::kX : PlanAxis::kZ);
-    for (std::uint32_t count = 1; count <= most && count <= grid.values(d).size(); ++count)
-      for (Chain& chain : grid.chains(d, count))
+    const Chains chains(grid, d);
+    for (std::uint32_t count = 1; count <= std::min(most, chains.longest()); ++count)
+      for (Chain& chain : chains.of(count))
         if (!isMirrored || isCentred(chain, grid.values(d))) chains_[d].push_back(std::move(chain));
   }
 }

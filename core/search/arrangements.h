@@ -39,10 +39,20 @@ struct Ties {
 /// has no two that run together. A field has none.
 std::vector<Ties> tiesUnder(const SiteGrid& grid, const LuminaireRules& rules);
 
-/// Do two rows on one line run into each other, or come nearer than their pitch? Nobody would read them as
-/// rows: on a ceiling they are one line of uneven gaps. Precondition: ties of one P of Rule::kRows.
-bool runTogether(const Scene& scene, const std::vector<std::uint32_t>& a,
-                 const std::vector<std::uint32_t>& b);
+/// Where a row lies: a tie of Rule::kRows.
+class RowSpan {
+ public:
+  RowSpan(const Scene& scene, const std::vector<std::uint32_t>& row);
+  /// Does another row of the same P run into this one on one line, or come nearer than their pitch? Nobody
+  /// would read them as rows: on a ceiling they are one line of uneven gaps.
+  bool runsInto(const RowSpan& other) const;
+
+ private:
+  Vec3 origin_, along_;         // m; unit
+  double begin_ = 0, end_ = 0;  // m along it from the origin
+  double pitch_ = 0;            // m; 0 of a single luminaire, which runs into nothing
+  Vec3 ends_[2];                // m
+};
 
 /// Those of `ties` whose luminaires are of one type, for each type of which a layout may consist alone; none
 /// where the scene has one type only. A search among these finds what one among all is slow to find.

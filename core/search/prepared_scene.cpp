@@ -126,11 +126,14 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
   const auto gapBetween = [&](std::uint32_t i, std::uint32_t j) {
     return known.empty() ? sites.gapOfSites(i, j) : known[std::size_t{i} * sites.candidateCount_ + j];
   };
-  const auto gapOf = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-    if (ties_.key.rule == Rule::kRows && runTogether(scene_, a, b)) return 0.0;
+  std::vector<RowSpan> spans;
+  if (ties_.key.rule == Rule::kRows)
+    for (const std::vector<std::uint32_t>& members : ties_.members) spans.emplace_back(scene_, members);
+  const auto gapOf = [&](std::uint32_t a, std::uint32_t b) {
+    if (!spans.empty() && spans[a].runsInto(spans[b])) return 0.0;
     double gap = kUnbounded;
-    for (const std::uint32_t i : a)
-      for (const std::uint32_t j : b) gap = std::min(gap, gapBetween(i, j));
+    for (const std::uint32_t i : ties_.members[a])
+      for (const std::uint32_t j : ties_.members[b]) gap = std::min(gap, gapBetween(i, j));
     return gap;
   };
   std::vector<Vec3> centers;
@@ -146,7 +149,7 @@ PreparedScene::PreparedScene(PreparedScene& sites, Ties ties)
         innerDistance_[a] = std::min(innerDistance_[a], gapBetween(members[i], members[k]));
     for (std::uint32_t b = 0; b < a; ++b)
       gaps_[std::size_t{a} * candidateCount_ + b] = gaps_[std::size_t{b} * candidateCount_ + a] =
-          static_cast<float>(gapOf(members, ties_.members[b]));
+          static_cast<float>(gapOf(a, b));
   }
   findNear(centers);
   overlapping_.resize(candidateCount_);

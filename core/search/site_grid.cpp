@@ -101,23 +101,36 @@ std::uint32_t SiteGrid::indexOf(int direction, double value) const {
   return indexIn(values_[direction], value);
 }
 
-std::vector<Chain> SiteGrid::chains(int direction, std::uint32_t count) const {
-  const std::vector<double>& values = values_[direction];
-  const auto n = static_cast<std::uint32_t>(values.size());
-  std::vector<Chain> result;
-  for (std::uint32_t first = 0; first < n; ++first) {
-    if (count == 1) result.push_back({{first}, 0});
-    for (std::uint32_t second = first + 1; count > 1 && second < n; ++second) {
-      Chain chain{{first, second}, values[second] - values[first]};
-      while (chain.at.size() < count) {
-        const std::uint32_t next =
-            indexOf(direction, values[first] + static_cast<double>(chain.at.size()) * chain.pitch);
-        if (next == kNone) break;
+Chains::Chains(const SiteGrid& grid, int direction)
+    : values_(grid.values(direction)),
+      longest_(static_cast<std::uint32_t>(std::min<std::size_t>(values_.size(), 2))) {
+  const auto n = static_cast<std::uint32_t>(values_.size());
+  for (std::uint32_t first = 0; first < n; ++first)
+    for (std::uint32_t second = first + 1; second < n; ++second) {
+      const double pitch = values_[second] - values_[first];
+      std::uint32_t next = grid.indexOf(direction, values_[first] + 2 * pitch);
+      if (next == kNone) continue;
+      Chain chain{{first, second}, pitch};
+      while (next != kNone) {
         chain.at.push_back(next);
+        next = grid.indexOf(direction, values_[first] + static_cast<double>(chain.at.size()) * pitch);
       }
-      if (chain.at.size() == count) result.push_back(std::move(chain));
+      longest_ = std::max(longest_, static_cast<std::uint32_t>(chain.at.size()));
+      long_.push_back(std::move(chain));
     }
+}
+
+std::vector<Chain> Chains::of(std::uint32_t count) const {
+  const auto n = static_cast<std::uint32_t>(values_.size());
+  std::vector<Chain> result;
+  for (std::uint32_t first = 0; count < 3 && first < n; ++first) {
+    if (count == 1) result.push_back({{first}, 0});
+    for (std::uint32_t second = first + 1; count == 2 && second < n; ++second)
+      result.push_back({{first, second}, values_[second] - values_[first]});
   }
+  for (const Chain& chain : long_)
+    if (count > 2 && chain.at.size() >= count)
+      result.push_back({{chain.at.begin(), chain.at.begin() + count}, chain.pitch});
   return result;
 }
 

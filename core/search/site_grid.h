@@ -41,9 +41,6 @@ class SiteGrid {
   /// The index of a coordinate, or kNone.
   std::uint32_t indexOf(int direction, double value) const;
 
-  /// All chains of `count` coordinates along a direction, the order being that of first and pitch.
-  std::vector<Chain> chains(int direction, std::uint32_t count) const;
-
  private:
   static std::uint64_t keyOf(const std::array<std::uint32_t, 3>& cell) {
     return (std::uint64_t{cell[2]} << 42) | (std::uint64_t{cell[1]} << 21) | cell[0];
@@ -53,6 +50,22 @@ class SiteGrid {
   std::vector<char> squares_;  // of each plane
   std::vector<std::array<std::uint32_t, 3>> cells_;
   std::unordered_map<std::uint64_t, std::uint32_t> siteOfCell_;
+};
+
+/// The chains along one direction of a grid, which must outlive them.
+class Chains {
+ public:
+  Chains(const SiteGrid& grid, int direction);
+
+  /// The most coordinates of one.
+  std::uint32_t longest() const { return longest_; }
+  /// All of `count` coordinates, the order being that of first and pitch.
+  std::vector<Chain> of(std::uint32_t count) const;
+
+ private:
+  const std::vector<double>& values_;
+  std::vector<Chain> long_;  // the longest of each first and pitch, of three at least
+  std::uint32_t longest_ = 0;
 };
 
 }  // namespace fiatlux

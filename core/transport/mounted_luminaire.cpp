@@ -25,14 +25,29 @@ Vec3 inPlane(const Vec3& wish, const Vec3& normal) {
   return {0, 1, 0};
 }
 
+/// The table's light ends there, as a cosine of gamma; -2 where it goes all around.
+double leastCosine(const Photometry& photometry) {
+  std::size_t end = photometry.gamma.size();
+  const auto isDark = [&](std::size_t gamma) {
+    for (std::size_t plane = 0; plane < photometry.c.size(); ++plane)
+      if (photometry.at(plane, gamma) != 0) return false;
+    return true;
+  };
+  while (end > 0 && isDark(end - 1)) --end;
+  const double last = photometry.gamma[std::min(end, photometry.gamma.size() - 1)];
+  return last < 180 ? std::cos(kRadian * last) - 1e-9 : -2;
+}
+
 }  // namespace
 
 PhotometricType exactType(std::shared_ptr<const Photometry> photometry) {
   PhotometricType type{
       photometry->luminous, photometry->longAxis, integratedFlux(*photometry), 0, {}, nullptr};
   type.beam = kRadian * std::max(openingAngle(*photometry, 0.5), kNarrowest);
-  type.candela = [table = std::move(photometry)](const Vec3& direction) {
-    return intensity(*table, direction);
+  // Much of the sphere is dark, and an angle takes long to find.
+  const double least = leastCosine(*photometry);
+  type.candela = [table = std::move(photometry), least](const Vec3& direction) {
+    return direction.z < least ? 0 : intensity(*table, direction);
   };
   return type;
 }

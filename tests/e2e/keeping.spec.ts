@@ -19,9 +19,15 @@ async function openRoomAsLeft(page: Page, title: string): Promise<void> {
   await tab(page, 'Luminaires');
 }
 
+/** Nothing is searched for any more. */
+async function atRest(page: Page): Promise<void> {
+  // note: what was settled before a reload is as given after it.
+  await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
+}
+
 /** The work is in the browser's database, as the page says. */
 async function kept(page: Page): Promise<void> {
-  await settled(page);
+  await atRest(page);
   await page.waitForTimeout(2500); // longer than the work waits to be kept: the page may speak of an earlier time
   await tab(page, 'Results');
   const about = page.getByText('About this room');
@@ -36,7 +42,7 @@ test('a reload right after an edit loses nothing, and each tab has its own work'
   await openRoom(page, 'Box');
   await setFlux(page, '2340');
   await page.reload();
-  await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
+  await atRest(page);
   await tab(page, 'Luminaires');
   await expect(flux(page)).toHaveValue('2340');
   await kept(page);
@@ -47,7 +53,7 @@ test('a reload right after an edit loses nothing, and each tab has its own work'
   await kept(other);
   await other.close();
   await page.reload();
-  await expect(status(page)).toHaveText(/^(Settled|As given)$/, { timeout: 60_000 });
+  await atRest(page);
   await tab(page, 'Luminaires');
   await expect(flux(page)).toHaveValue('2340');
 });

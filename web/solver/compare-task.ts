@@ -61,7 +61,10 @@ export class CompareTask {
   #advance(session: Searching, asked: Intentions): Outcome | 'unfinished' {
     // note: what takes no evaluations says nothing of how long they take.
     if (!session.enterAside()) return 'unfinished';
-    const found = this.#begun!.slicer.run((evaluations) => session.advanceAside(evaluations));
+    const found = this.#begun!.slicer.run(
+      (evaluations) => session.advanceAside(evaluations),
+      pace.asideMilliseconds,
+    );
     if (found === null) return 'unfinished';
     this.#begun = null;
     // What was asked of the session in between has ended it: it is tried again.

@@ -8,6 +8,7 @@ export const pace = {
   firstMilliseconds: 4,
   probe: 1_000, // evaluations of a slice whose speed is not known yet
   sliceMilliseconds: 3,
+  asideMilliseconds: 1.5, // of what nobody waits for
   answerGap: 16, // ms between answers, but for the first so many, in which each slice may answer
   fruitlessEvaluations: 2_000_000, // without improvement: settled
   fruitlessMilliseconds: 2_000,

@@ -37,6 +37,7 @@ type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' 
 
 const preparedSites = 16; // of a room, between two looks at what has arrived of it: the core takes so many together
 const idleSites = 4; // likewise, where a slider may want an answer
+const thought = 100; // ms that whoever has had a file described takes at most to ask for its light
 const preparedRows = 512; // of the light of all candidates, likewise: a slice of their statistics
 
 export class SessionDriver {
@@ -68,6 +69,7 @@ export class SessionDriver {
   #compare: CompareTask | null = null; // goes on while no search runs
   #reads: Request<'read'>[] = []; // layouts whose light is wanted beside all that
   #paint: Float64Array = new Float64Array(); // of the room in which the latest intentions want it, as the core takes it
+  #restsUntil = 0; // by the clock
   #searched: number | null = null; // revision of the wish that the session's search is for; null = it has none
 
   /**
@@ -92,6 +94,7 @@ export class SessionDriver {
 
   /** Whether `step` has something to do. */
   get busy(): boolean {
+    if (this.#rests) return false;
     const running = [this.#next, this.#preparing, this.#task, this.#bound, this.#compare];
     return (
       this.#preparesRoom ||
@@ -100,6 +103,11 @@ export class SessionDriver {
       this.#reads.length > 0 ||
       running.some((each) => each !== null)
     );
+  }
+
+  /** Whoever has had a file described is about to ask for its light: nothing else is begun. */
+  get #rests(): boolean {
+    return this.#clock() < this.#restsUntil;
   }
 
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
@@ -135,6 +143,7 @@ export class SessionDriver {
 
   /** One slice of what runs. */
   step(): void {
+    if (this.#rests) return;
     const isIdle = [this.#preparing, this.#task, this.#bound, this.#compare].every((each) => each === null);
     if (this.#preparesRoom) this.#prepareRoom();
     else if (this.#next) this.#attempt(this.#next.revision, this.#beginSearch, this.#next);
@@ -150,6 +159,7 @@ export class SessionDriver {
   }
 
   #take(asked: Turned): void {
+    this.#restsUntil = 0;
     const message = this.#scene?.hasOperator ? asked : withoutOperator(asked);
     switch (message.type) {
       case 'solve':
@@ -241,6 +251,9 @@ export class SessionDriver {
     const transfer = typeof description === 'string' ? [] : [description.candela.buffer];
     this.#post({ type: 'described', revision, description }, transfer);
     this.#mounts.expect();
+    if (typeof description === 'string') return;
+    this.#restsUntil = this.#clock() + thought;
+    setTimeout(this.#wake, thought + 1);
   }
 
   #tellGains({ revision, intentions, layout }: Request<'gains'>): void {

@@ -310,13 +310,16 @@ TEST(Arrangements, ARowHasAsManyAsAreAskedFor) {
 // Two rows whose luminaires alternate on one line are a line of uneven gaps: on a ceiling nobody sees rows.
 TEST(Arrangements, RowsOnOneLineDoNotRunIntoEachOther) {
   const Scene scene = ceiling();
-  EXPECT_TRUE(runTogether(scene, {0, 5, 10}, {2, 7, 12}));
-  EXPECT_TRUE(runTogether(scene, {2, 7, 12}, {0, 5, 10}));
-  EXPECT_TRUE(runTogether(scene, {0, 2, 4}, {5, 7, 9}));    // nearer than their pitch
-  EXPECT_FALSE(runTogether(scene, {0, 2, 4}, {6, 8, 10}));  // one goes on where the other ends
-  EXPECT_FALSE(runTogether(scene, {0, 2, 4}, {9, 11, 13}));
-  EXPECT_FALSE(runTogether(scene, {0, 5, 10}, {22, 27, 32}));   // on the next line
-  EXPECT_TRUE(runTogether(scene, {0, 40, 80}, {20, 60, 100}));  // across
+  const auto runTogether = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    return RowSpan(scene, a).runsInto(RowSpan(scene, b));
+  };
+  EXPECT_TRUE(runTogether({0, 5, 10}, {2, 7, 12}));
+  EXPECT_TRUE(runTogether({2, 7, 12}, {0, 5, 10}));
+  EXPECT_TRUE(runTogether({0, 2, 4}, {5, 7, 9}));    // nearer than their pitch
+  EXPECT_FALSE(runTogether({0, 2, 4}, {6, 8, 10}));  // one goes on where the other ends
+  EXPECT_FALSE(runTogether({0, 2, 4}, {9, 11, 13}));
+  EXPECT_FALSE(runTogether({0, 5, 10}, {22, 27, 32}));   // on the next line
+  EXPECT_TRUE(runTogether({0, 40, 80}, {20, 60, 100}));  // across
 
   PreparedScene prepared(smallRoom());
   const std::uint32_t line = kWidth;  // all of the small room but its first line is kept free

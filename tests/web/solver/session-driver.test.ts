@@ -259,6 +259,25 @@ describe('a photometric file', () => {
     expect(session.expected).toEqual([7, 2]);
   });
 
+  test('makes room for the question that comes next, but not for ever', async () => {
+    await opened();
+    await driver.receive(solve(2));
+    driver.step();
+    await driver.receive(read(3, 7));
+    const { calls } = session;
+    const before = calls.length;
+    driver.step();
+    expect(driver.busy).toBe(false);
+    expect(calls.length).toBe(before);
+    await driver.receive(solve(4));
+    expect(driver.busy).toBe(true);
+    await driver.receive(read(5, 7));
+    clock.now += 101;
+    expect(driver.busy).toBe(true);
+    settle();
+    expect(kinds().at(-1)).toBe('settled 4');
+  });
+
   test('lets a search go on, and is answered by one line where it is none', async () => {
     await opened();
     await driver.receive(solve(2));
