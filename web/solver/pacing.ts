@@ -4,10 +4,10 @@
 export type Clock = () => number;
 
 export const pace = {
-  firstEvaluations: 30_000, // before the first answer, unless they take longer than
+  firstEvaluations: 20_000, // before the first answer, unless they take longer than
   firstMilliseconds: 4,
   probe: 1_000, // evaluations of a slice whose speed is not known yet
-  sliceMilliseconds: 3,
+  sliceMilliseconds: 2,
   asideMilliseconds: 1.5, // of what nobody waits for
   answerGap: 16, // ms between answers, but for the first so many, in which each slice may answer
   fruitlessEvaluations: 2_000_000, // without improvement: settled

@@ -71,6 +71,8 @@ export class Stage {
     this.#canvas = canvas;
     this.#host = host;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    // note: each question about errors waits for the graphics process; a program that fails warns in the console.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.setClearColor(new Color(0x000000), 1);
     this.renderer.toneMapping = AgXToneMapping;
     this.renderer.localClippingEnabled = true;
