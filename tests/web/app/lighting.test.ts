@@ -76,6 +76,7 @@ function lightingOf(first: SceneInfo) {
     work: 3,
     why: '',
     foreseen: [] as (number | undefined)[],
+    seen: [] as (string | undefined)[],
   };
   type Make = (scene: SceneInfo) => Promise<Placement>;
   const place = async (_: unknown, title: string, __: unknown, make: Make) => {
@@ -100,6 +101,10 @@ function lightingOf(first: SceneInfo) {
       opened?.({ warnings: room.warnings, work: room.work } as never);
       tell({ stage: 'casting', share: 0 });
       room.foreseen.push(store.lighting.peek()?.secondsForeseen);
+      tell({ stage: 'casting', share: 0.1 });
+      room.seen.push(`${store.lighting.peek()?.stage} ${store.lighting.peek()?.share}`);
+      tell({ stage: 'writing', share: 0.9 });
+      room.seen.push(`${store.lighting.peek()?.stage} ${store.lighting.peek()?.share}`);
       room.told = store.messages.peek().map(({ text }) => text);
       if (!options.draft && room.isFullTooLarge && options.patch < 0.2)
         throw new TooLarge('not enough memory');
@@ -207,6 +212,12 @@ test('where memory runs out the preview stays, and larger patches are offered un
   await lighting.coarser();
   expect(built.at(-1)?.patch).toBe(0.26);
   expect(store.lighting.value).toBeNull();
+});
+
+test('steps that follow closely are not each drawn, but stages are', async () => {
+  const { room, lighting } = lightingOf(draft);
+  await lighting.light({ name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() });
+  expect(room.seen.slice(0, 2)).toEqual(['casting 0', 'writing 0.9']);
 });
 
 test('a draft whose full light was stopped goes on saying that it is one, until that is put away', async () => {

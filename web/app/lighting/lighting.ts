@@ -35,6 +35,7 @@ import { reasonOf } from '../../document/reason.ts';
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
 export const lessWork = 1 / coarser ** 2; // then, of the work
 
+const toldEvery = 200; // ms: each time the page is drawn, which takes a fifth of a computer without graphics card where it is more often
 const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
 
 export type CreatePool = () => Promise<BuilderPool>;
@@ -237,10 +238,14 @@ export class Lighting {
     const left = new TimeLeft(performance.now());
     let begun = begunOf(model, pass);
     lighting.value = begun;
+    let toldAt = -Infinity;
     const tell = ({ stage, share }: Pick<LightingState, 'stage' | 'share'>) => {
-      if (signal.aborted) return;
+      const now = performance.now();
+      const isSoon = lighting.peek()?.stage === stage && now - toldAt < toldEvery;
+      if (signal.aborted || isSoon) return;
+      toldAt = now;
       const furthest = Math.max(share, lighting.peek()?.share ?? 0);
-      const secondsLeft = left.at(furthest, performance.now());
+      const secondsLeft = left.at(furthest, now);
       lighting.value = { ...begun, stage, share: furthest, secondsLeft };
     };
     const wish = { model, signal, tell };

@@ -11,11 +11,13 @@ import {
   LoadingManager,
   Mesh,
   MeshBasicMaterial,
+  MeshLambertMaterial,
   ShaderMaterial,
   type Group,
   type Material,
   type MeshStandardMaterial,
   type Object3D,
+  type Side as DrawnSide,
 } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
@@ -192,17 +194,29 @@ export function loadRoomMesh(
   };
 }
 
+/**
+ * All is diffuse. glTF's own material would have other pictures fetched that say nothing of that, and a program that takes
+ * long to link, without which nothing is seen.
+ */
+function diffuse(source: MeshStandardMaterial, side: DrawnSide): MeshLambertMaterial {
+  const { name, color, map, vertexColors, flatShading, transparent, opacity, alphaTest, depthWrite } = source;
+  const look = { name, color, map, vertexColors, flatShading, transparent, opacity, alphaTest, depthWrite };
+  return new MeshLambertMaterial({ ...look, side });
+}
+
 /** Loads any .glb as it is, to be looked at under plain lights. */
 export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<RoomMesh> {
   const root = await readGlb(glb);
   root.updateMatrixWorld(true);
-  for (const mesh of meshesOf(root))
-    for (const material of [mesh.material].flat() as MeshStandardMaterial[]) {
-      material.side = cutAway ? FrontSide : DoubleSide;
-      material.metalness = 0; // all is diffuse; a metal with nothing to mirror would be black
-    }
+  const looks = new Map<Material, Material>();
+  for (const mesh of meshesOf(root)) {
+    const source = mesh.material as MeshStandardMaterial;
+    const look = looks.get(source) ?? diffuse(source, cutAway ? FrontSide : DoubleSide);
+    looks.set(source, look);
+    mesh.material = look;
+  }
   const box = boundsOf(root);
   const { hanging, standing, rugs } = splitHungMeshes(meshesOf(root), box);
-  const dispose = () => freeMeshes(root, []);
+  const dispose = () => freeMeshes(root, looks.keys());
   return { root, lit: [], hanging, standing, rugs, box, facing: new Map(), dispose };
 }
