@@ -151,17 +151,19 @@ SightLines::Outlook SightLines::outlookAt(const Vec3& position, const std::vecto
   return outlook;
 }
 
-std::shared_ptr<const SightLines::Outlook> SightLines::outlookOfEye(
-    const Vec3& position, const std::vector<Vec3>& directions) const {
+std::shared_ptr<const SightLines::Outlook> SightLines::outlook(const Vec3& position,
+                                                               const std::vector<Vec3>& directions,
+                                                               std::uint32_t count, Outlooks& kept,
+                                                               std::size_t most) const {
   const auto isSame = [](const Vec3& a, const Vec3& b) { return length(a - b) == 0; };
   const auto isThis = [&](const std::shared_ptr<const Outlook>& known) {
     return isSame(known->position, position) && std::equal(known->directions.begin(), known->directions.end(),
                                                            directions.begin(), directions.end(), isSame);
   };
-  const auto known = std::find_if(outlooks_.begin(), outlooks_.end(), isThis);
-  if (known != outlooks_.end()) return *known;
-  if (outlooks_.size() == kKept) outlooks_.erase(outlooks_.begin());
-  return outlooks_.emplace_back(std::make_shared<const Outlook>(outlookAt(position, directions, kEyeSights)));
+  const auto known = std::find_if(kept.begin(), kept.end(), isThis);
+  if (known != kept.end()) return *known;
+  if (kept.size() == most) kept.erase(kept.begin());
+  return kept.emplace_back(std::make_shared<const Outlook>(outlookAt(position, directions, count)));
 }
 
 double SightLines::visibleShare(const Vec3& eye, const Luminaire& luminaire) const {
@@ -187,14 +189,14 @@ UprightRows RoomView::upright(const Vec3& point, const std::vector<Vec3>& direct
   rows.cylindrical.resize(sites);
   rows.vertical.assign(count, std::vector<float>(sites));
   // What each patch adds per lx on it.
-  const SightLines::Outlook outlook = lines_->outlookAt(point, directions, SightLines::kPointSights);
-  const std::vector<std::uint32_t>& patches = outlook.patches;
+  const auto outlook = lines_->outlookOfPoint(point, directions);
+  const std::vector<std::uint32_t>& patches = outlook->patches;
   std::vector<double> weights;  // of the cylinder and the vertical planes, patch by patch
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const double rho = reflectance_[patches[k]];
-    weights.push_back(rho * outlook.cylindrical[k]);
+    weights.push_back(rho * outlook->cylindrical[k]);
     for (std::size_t d = 0; d < count; ++d)
-      weights.push_back(std::numbers::pi * rho * outlook.background[k * count + d]);
+      weights.push_back(std::numbers::pi * rho * outlook->background[k * count + d]);
   }
   std::vector<double> sums(1 + count);
   for (std::uint32_t j = 0; j < sites; ++j) {

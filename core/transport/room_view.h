@@ -58,11 +58,17 @@ class SightLines {
     std::vector<double> cylindrical;  // patches: lx
     std::vector<double> background;   // patches x directions: cd/m2
   };
-  /// By `count` sights.
-  Outlook outlookAt(const Vec3& position, const std::vector<Vec3>& directions, std::uint32_t count) const;
-  /// By those of an eye; kept, of the latest.
+  using Outlooks = std::vector<std::shared_ptr<const Outlook>>;
+  /// By the sights of an eye; kept, of the latest.
   std::shared_ptr<const Outlook> outlookOfEye(const Vec3& position,
-                                              const std::vector<Vec3>& directions) const;
+                                              const std::vector<Vec3>& directions) const {
+    return outlook(position, directions, kEyeSights, eyes_, kKept);
+  }
+  /// By those of a measuring plane's point; likewise, of more.
+  std::shared_ptr<const Outlook> outlookOfPoint(const Vec3& position,
+                                                const std::vector<Vec3>& directions) const {
+    return outlook(position, directions, kPointSights, points_, kKeptPoints);
+  }
   /// Of a luminaire's area. Kept.
   double visibleShare(const Vec3& eye, const Luminaire& luminaire) const;
 
@@ -75,12 +81,15 @@ class SightLines {
     std::shared_ptr<const std::vector<Sight>> sights;
   };
   std::vector<Sight> met(const Vec3& position, std::uint32_t count) const;
+  Outlook outlookAt(const Vec3& position, const std::vector<Vec3>& directions, std::uint32_t count) const;
+  std::shared_ptr<const Outlook> outlook(const Vec3& position, const std::vector<Vec3>& directions,
+                                         std::uint32_t count, Outlooks& kept, std::size_t most) const;
 
-  static constexpr std::size_t kKept = 64;
+  static constexpr std::size_t kKept = 64, kKeptPoints = 512;
   const Scene& room_;
   TileTree tree_;
-  mutable std::vector<Known> known_;  // the latest last
-  mutable std::vector<std::shared_ptr<const Outlook>> outlooks_;
+  mutable std::vector<Known> known_;       // the latest last
+  mutable Outlooks eyes_, points_;         // likewise
   mutable std::map<Area, double> shares_;  // of what has been asked for
 };
 
