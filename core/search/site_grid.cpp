@@ -123,14 +123,17 @@ Chains::Chains(const SiteGrid& grid, int direction)
 std::vector<Chain> Chains::of(std::uint32_t count) const {
   const auto n = static_cast<std::uint32_t>(values_.size());
   std::vector<Chain> result;
-  for (std::uint32_t first = 0; count < 3 && first < n; ++first) {
-    if (count == 1) result.push_back({{first}, 0});
-    for (std::uint32_t second = first + 1; count == 2 && second < n; ++second)
-      result.push_back({{first, second}, values_[second] - values_[first]});
+  if (count == 1) {
+    for (std::uint32_t only = 0; only < n; ++only) result.push_back({{only}, 0});
+  } else if (count == 2) {
+    for (std::uint32_t first = 0; first < n; ++first)
+      for (std::uint32_t second = first + 1; second < n; ++second)
+        result.push_back({{first, second}, values_[second] - values_[first]});
+  } else {
+    for (const Chain& chain : long_)
+      if (chain.at.size() >= count)
+        result.push_back({{chain.at.begin(), chain.at.begin() + count}, chain.pitch});
   }
-  for (const Chain& chain : long_)
-    if (count > 2 && chain.at.size() >= count)
-      result.push_back({{chain.at.begin(), chain.at.begin() + count}, chain.pitch});
   return result;
 }
 

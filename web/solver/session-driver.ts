@@ -37,8 +37,8 @@ type Turned = Exclude<ToWorker, Request<'open' | 'describe' | 'bring' | 'paint' 
 
 const preparedSites = 16; // of a room, between two looks at what has arrived of it: the core takes so many together
 const idleSites = 4; // likewise, where a slider may want an answer
-const thought = 100; // ms that whoever has had a file described takes at most to ask for its light
 const preparedRows = 512; // of the light of all candidates, likewise: a slice of their statistics
+const thought = 100; // ms that whoever has had a file described takes at most to ask for its light
 
 export class SessionDriver {
   readonly #mounts: Mounts;
@@ -113,6 +113,7 @@ export class SessionDriver {
   /** Resolves when the request is taken (for 'open': when it is answered). Rejects only when the module traps. */
   async receive(message: ToWorker): Promise<void> {
     if (message.type === 'open') return this.open(message.revision, wholeFile(message.bytes));
+    if ('intentions' in message) this.#restsUntil = 0; // the question, though it may have to wait for a room
     if (message.type === 'describe') this.#describe(message);
     else if (message.type === 'bring') this.#mounts.bring(message.hash, new Uint8Array(message.file));
     else if (message.type === 'paint') this.#color.paint(message.colors);
@@ -159,7 +160,6 @@ export class SessionDriver {
   }
 
   #take(asked: Turned): void {
-    this.#restsUntil = 0;
     const message = this.#scene?.hasOperator ? asked : withoutOperator(asked);
     switch (message.type) {
       case 'solve':

@@ -35,7 +35,7 @@ import { reasonOf } from '../../document/reason.ts';
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
 export const lessWork = 1 / coarser ** 2; // then, of the work
 
-const toldEvery = 200; // ms: each time the page is drawn, which takes a fifth of a computer without graphics card where it is more often
+const toldEvery = 200; // ms: each time the page is drawn, of which 20 a second take a fifth of two cores without a graphics card
 const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
 
 export type CreatePool = () => Promise<BuilderPool>;

@@ -199,7 +199,8 @@ export function loadRoomMesh(
  * long to link, without which nothing is seen.
  */
 function diffuse(source: MeshStandardMaterial, side: DrawnSide): MeshLambertMaterial {
-  const { name, color, map, vertexColors, flatShading, transparent, opacity, alphaTest, depthWrite } = source;
+  const { name, color, map, vertexColors, transparent, opacity, alphaTest, depthWrite } = source;
+  const { flatShading = false } = source; // of an unlit material there is none
   const look = { name, color, map, vertexColors, flatShading, transparent, opacity, alphaTest, depthWrite };
   return new MeshLambertMaterial({ ...look, side });
 }
