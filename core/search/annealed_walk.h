@@ -4,7 +4,8 @@
 // each with about the chance that the temperature gives it; that counts for as many trials as last as long.
 // The temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a
 // penalty, which grows while bounds are broken and shrinks while they are met, so that the walk keeps to
-// their edge. Neither knows any unit.
+// their edge. Neither knows any unit. What a missed aim costs is little at first, for one that is met hardly
+// lets anything move, and all of it in the end.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,7 @@ class AnnealedWalk {
   double heat_ = 1, scale_ = 1;
   double temperature_ = 0;  // in units of the goal, as is
   double penalty_ = 0;      // of a violation of 100 %
+  double aimShare_ = 1;     // of what missed aims cost
   double taken_ = 0;        // share of the latest steps
   double follow_ = 0;       // of what is measured and led, a step
 };

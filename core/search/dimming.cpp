@@ -25,12 +25,19 @@ void narrow(const DimmedBound& b, double& low, double& high) {
     high = std::min(high, edge);
 }
 
-/// What of the goal depends on t.
-double varyingAt(const DimmedGoal& goal, double t) {
-  double sum = goal.slope * t;
+double missedAt(const DimmedGoal& goal, double t) {
+  double sum = 0;
   for (std::uint32_t i = 0; i < goal.aimCount; ++i)
     sum += goal.aims[i].weight * distanceFrom(goal.aims[i].target, t * goal.aims[i].value);
   return sum;
+}
+
+/// What of the goal depends on t.
+double varyingAt(const DimmedGoal& goal, double t) { return goal.slope * t + missedAt(goal, t); }
+
+Evaluation evaluationAt(const DimmedGoal& goal, double violation, double t) {
+  const double missed = missedAt(goal, t);
+  return {violation, goal.constant + goal.slope * t + missed, t, missed};
 }
 
 /// Calls `consider` with every t in (low, high) at which an aim is met: there the goal may have its least
@@ -93,7 +100,7 @@ double violationAt(const DimmedBound* bounds, std::uint32_t count, double t) {
 Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, const DimmedGoal& goal, double low,
                         double high) {
   assert(0 <= low && low <= high);
-  if (low == high) return {violationAt(bounds, count, low), goal.constant + varyingAt(goal, low), low};
+  if (low == high) return evaluationAt(goal, violationAt(bounds, count, low), low);
   double first = low, last = high, scaleFree = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (bounds[i].scaleFree)
@@ -102,11 +109,10 @@ Evaluation solveDimming(const DimmedBound* bounds, std::uint32_t count, const Di
       narrow(bounds[i], first, last);
   }
   if (first <= last) {
-    const double t = bestWithin(goal, first, last);
-    return {scaleFree, goal.constant + varyingAt(goal, t), t};
+    return evaluationAt(goal, scaleFree, bestWithin(goal, first, last));
   }
   const double t = leastViolationAt(bounds, count, goal, low, high);
-  return {violationAt(bounds, count, t), goal.constant + varyingAt(goal, t), t};
+  return evaluationAt(goal, violationAt(bounds, count, t), t);
 }
 
 }  // namespace fiatlux

@@ -36,6 +36,7 @@ struct Evaluation {
   double violation = 0;  // sum of excessOver
   double goal = 0;       // sum of weight x signed value / reference value
   double dimming = 1;
+  double missed = 0;  // what missed aims add to the goal
 };
 
 /// Better by more than the rounding of the sums.

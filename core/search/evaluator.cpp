@@ -172,8 +172,7 @@ void Evaluator::refresh() {
 }
 
 bool Evaluator::prefers(const Evaluation& a, const Evaluation& b) const {
-  if (penalty_ == 0) return isBetter(a, b);
-  return a.goal + penalty_ * a.violation < b.goal + penalty_ * b.violation - 1e-10;
+  return prices_.areFirm() ? isBetter(a, b) : prices_.worthOf(a) < prices_.worthOf(b) - 1e-10;
 }
 
 /// With true extremes asked for: the trial's evaluation, by hope first and patches last. False when it cannot
@@ -215,10 +214,35 @@ void Evaluator::momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std:
   }
 }
 
+/// Where bounds come first, they have a price that no goal pays.
+Prices Evaluator::surveyPrices() const {
+  return prices_.penalty > 0 ? prices_
+                             : Prices{kBeyondGoals * (1 + std::fabs(current_.goal)), prices_.aimShare};
+}
+
 void Evaluator::survey(std::uint32_t i, const std::uint32_t* candidates, double* worths) {
   momentsOfMoves(i, candidates, kSurveyed);
-  const double price = penalty_ > 0 ? penalty_ : kBeyondGoals * (1 + std::fabs(current_.goal));
-  objective_.survey(means_.data(), variances_.data(), price, worths);
+  objective_.survey(means_.data(), variances_.data(), surveyPrices(), worths);
+}
+
+void Evaluator::surveyPairs(const Move* first, const Move* second, double* worths) {
+  double flux[2][kSurveyed];
+  std::uint32_t from[2][kSurveyed], to[2][kSurveyed];
+  for (std::uint32_t k = 0; k < kSurveyed; ++k)
+    for (int end = 0; end < 2; ++end) {
+      const auto [luminaire, site] = end == 0 ? first[k] : second[k];
+      flux[end][k] = flux_[luminaire];
+      from[end][k] = sites_[luminaire];
+      to[end][k] = site;
+    }
+  const FluxMoves moves{flux[0], from[0], to[0]}, others{flux[1], from[1], to[1]};
+  for (std::size_t s = 0; s < moments_.size(); ++s) {
+    const std::vector<double>& mean = objective_.sets()[s].statistics->mean;
+    pairedMeans(mean.data(), moments_[s].mean, moves, others, kSurveyed, means_.data() + s * kBlock);
+    if (sums_[s])
+      sums_[s]->movedPairs(moments_[s].variance, moves, others, kSurveyed, variances_.data() + s * kBlock);
+  }
+  objective_.survey(means_.data(), variances_.data(), surveyPrices(), worths);
 }
 
 void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {

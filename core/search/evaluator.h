@@ -58,13 +58,15 @@ class Evaluator {
   /// What luminaire `i` on each of kSurveyed candidates would be worth, bounds at the penalty, or without one
   /// at a price that no goal pays; the one that it is on may be among them. Precondition: maySurvey().
   void survey(std::uint32_t i, const std::uint32_t* candidates, double* worths);
+  /// What kSurveyed pairs of moves would be worth, first[k] and second[k] made at once. As survey().
+  void surveyPairs(const Move* first, const Move* second, double* worths);
 
   /// Tries two moves at once; `best` as above. One evaluation.
   void tryPair(const Move& a, const Move& b, Trial& best);
 
-  /// Above 0, trials compare goal + penalty x violation instead of violation first: a walk through layouts
-  /// that break a bound a little. 0 restores the order of `isBetter`.
-  void setPenalty(double penalty) { penalty_ = penalty; }
+  /// Trials are compared at these prices, for a walk through layouts that break a bound a little or miss an
+  /// aim. Firm ones restore the order of `isBetter`.
+  void setPrices(const Prices& prices) { prices_ = prices; }
 
   /// Makes the moves of a trial. With FIATLUX_CHECK_DELTA (the sanitizer build) it asserts that the trial,
   /// what the cached sums say afterwards and a full evaluation agree.
@@ -86,6 +88,7 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void refresh();
+  Prices surveyPrices() const;
   void momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count);
   const double* countedFlux(const ObjectiveSet& set) const {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
@@ -100,7 +103,7 @@ class Evaluator {
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
   const PreparedScene& prepared_;
-  double penalty_ = 0;
+  Prices prices_;
   std::vector<double> flux_, squares_;  // squares: of the fluxes
   Objective objective_;
   std::vector<std::uint32_t> sites_;

@@ -59,6 +59,7 @@ class FreeSites {
     };
     return isClear(toA) && isClear(toB) && !conflict(toA, toB);
   }
+  std::uint32_t candidateCount() const { return prepared_.candidateCount(); }
   bool isTied() const { return prepared_.isTied(); }
   /// Are they the sites of one type, each a tie of its own, and as many as luminaires?
   bool isOfOneType() const { return !counts_ && prepared_.isTied() && prepared_.isOfOneType(); }

@@ -47,6 +47,29 @@ void movedVariances(const float* covariance, const float* diagonal, std::uint32_
   }
 }
 
+void pairedMeans(const double* mean, double current, const FluxMoves& moves, const FluxMoves& others,
+                 std::uint32_t count, double* out) {
+  for (std::uint32_t k = 0; k < count; ++k)
+    out[k] = current + moves.flux[k] * (mean[moves.to[k]] - mean[moves.from[k]]) +
+             others.flux[k] * (mean[others.to[k]] - mean[others.from[k]]);
+}
+
+void pairedVariances(const float* covariance, const float* diagonal, std::uint32_t m, const double* row,
+                     double current, const FluxMoves& moves, const FluxMoves& others, std::uint32_t count,
+                     double* out) {
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t a = moves.from[k], b = moves.to[k], c = others.from[k], d = others.to[k];
+    const double flux = moves.flux[k], otherFlux = others.flux[k];
+    const float *left = covariance + std::size_t{a} * m, *taken = covariance + std::size_t{b} * m;
+    const double leftToTaken = left[b], otherLeftToTaken = covariance[std::size_t{c} * m + d];
+    const double own = 2 * (row[b] - row[a]) + flux * (diagonal[a] - 2 * leftToTaken + diagonal[b]);
+    const double other =
+        2 * (row[d] - row[c]) + otherFlux * (diagonal[c] - 2 * otherLeftToTaken + diagonal[d]);
+    const double both = (static_cast<double>(taken[d]) - taken[c]) - (static_cast<double>(left[d]) - left[c]);
+    out[k] = current + flux * own + otherFlux * other + 2 * flux * otherFlux * both;
+  }
+}
+
 double changedVariance(const float* covariance, std::uint32_t m, const double* row, double current,
                        const FluxChange* changes, std::uint32_t count) {
   double sum = current;

@@ -16,6 +16,12 @@ struct FluxChange {
   double flux = 0;
 };
 
+/// Moves side by side: of each, how much goes from which candidate to which.
+struct FluxMoves {
+  const double* flux;  // lm
+  const std::uint32_t *from, *to;
+};
+
 /// row = C x (m entries), from nothing.
 FIATLUX_KERNEL void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites,
                             const double* flux, std::uint32_t count, double* row);
@@ -36,11 +42,21 @@ FIATLUX_KERNEL double varianceFromRow(const double* row, const std::uint32_t* si
 FIATLUX_KERNEL void movedMeans(const double* mean, double current, std::uint32_t from, double flux,
                                const std::uint32_t* candidates, std::uint32_t count, double* out);
 
+/// Means after each of `count` pairs of moves.
+FIATLUX_KERNEL void pairedMeans(const double* mean, double current, const FluxMoves& moves,
+                                const FluxMoves& others, std::uint32_t count, double* out);
+
 /// Variances after moving `flux` lm from site `from` to each of `count` candidates: O(1) each by the cached
 /// row C x. `diagonal` holds the m entries C[i, i].
 FIATLUX_KERNEL void movedVariances(const float* covariance, const float* diagonal, std::uint32_t m,
                                    const double* row, double current, std::uint32_t from, double flux,
                                    const std::uint32_t* candidates, std::uint32_t count, double* out);
+
+/// Variances after each of `count` pairs of moves: `flux` lm from `from` to `to`, and `otherFlux` lm from
+/// `otherFrom` to `otherTo` at once.
+FIATLUX_KERNEL void pairedVariances(const float* covariance, const float* diagonal, std::uint32_t m,
+                                    const double* row, double current, const FluxMoves& moves,
+                                    const FluxMoves& others, std::uint32_t count, double* out);
 
 /// Variance after any sparse change d: x^T C x + 2 d^T (C x) + d^T C d.
 FIATLUX_KERNEL double changedVariance(const float* covariance, std::uint32_t m, const double* row,

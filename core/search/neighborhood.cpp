@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/search/best_pairs.h"
+
 namespace fiatlux {
 namespace {
 
@@ -140,6 +142,7 @@ constexpr Neighborhood kNeighborhoods[] = {
     {"near", openNear, tryMoves, everyLuminaire, true, false, false},
     {"far", openFar, tryMoves, everyLuminaire, false, false, false},
     {"swaps", openSwaps, trySwaps, onceForAll, true, false, true},
+    {"best pairs", openBestPairs, tryBestPairs, onceForAll, true, true, false},
     {"pairs", openPairs, tryPairs, everyLuminaire, false, true, false},
 };
 

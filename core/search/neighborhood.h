@@ -17,10 +17,12 @@ struct Scan {
   std::uint32_t luminaire = 0;                               // whose turn it is: given before a row opens
   std::uint32_t partner = 0;                                 // that moves with it
   std::vector<std::uint32_t> candidates, partnerCandidates;  // sites for the two
-  std::uint32_t position = 0;  // of the trials, those left out included: a row counts it up
-  std::uint32_t size = 0;      // trials in all: the scan ends there
-  bool isSurvey = false;       // the candidates are looked at together, kSurveyed at a time
-  Trial found;                 // the best so far; its count is 0 while nothing better was found
+  std::vector<Move> promising;     // of all luminaires, for pairs of them (best_pairs.h),
+  double leastWorth = kUnbounded;  // and what the best pair so far is worth
+  std::uint32_t position = 0;      // of the trials, those left out included: a row counts it up
+  std::uint32_t size = 0;          // trials in all: the scan ends there
+  bool isSurvey = false;           // the candidates are looked at together, kSurveyed at a time
+  Trial found;                     // the best so far; its count is 0 while nothing better was found
 };
 
 /// What a row works on.
@@ -28,6 +30,8 @@ struct Surroundings {
   Evaluator& evaluator;  // stands at the layout whose neighbours are tried
   const FreeSites& freeSites;
   Random& random;
+  std::uint64_t walked = 0;  // trials of the walk that the local search comes from; 0: it comes from no walk
+  double price = 0;          // of a violation of 100 %, as the walk has learned
 
   /// May one luminaire's moves be surveyed?
   bool maySurvey() const {

@@ -138,6 +138,7 @@ void Objective::addGoal(PreparedScene& prepared, const Goal& goal, Quantity quan
             traits.scaleFree(),
             near ? goal.target : 0};
   if (near) aims_.emplace_back();
+  hasAims_ |= near;
   if (traits.needsOver) term.over = setOf(prepared, quantity, goal.over, false);
   terms_.push_back(term);
 }

@@ -39,6 +39,18 @@ struct ObjectiveSet {
   double counted(double flux) const { return row == RowOf::kGlare ? flux * std::fabs(flux) : flux; }
 };
 
+/// What counts while layouts that are not good yet are walked through: goal - (1 - aimShare) x missed +
+/// penalty x violation.
+struct Prices {
+  double penalty = 0;   // of a violation of 100 %; 0: violations come before goals
+  double aimShare = 1;  // of what missed aims cost
+
+  bool areFirm() const { return penalty == 0 && aimShare == 1; }
+  double worthOf(const Evaluation& evaluation) const {
+    return evaluation.goal - (1 - aimShare) * evaluation.missed + penalty * evaluation.violation;
+  }
+};
+
 /// Layouts that are surveyed at once, and how far the moments of one set stand from those of the next.
 inline constexpr std::uint32_t kSurveyed = 20, kSurveyStride = 64;
 /// Trials that a survey counts for, as long as it takes.
@@ -62,11 +74,11 @@ class Objective {
   /// May trials be surveyed? Where all goals and bounds are of means and sigmas.
   bool maySurvey() const { return maySurvey_; }
 
-  /// What kSurveyed layouts are worth, bounds at a price: goal + penalty x violation as of judge(), all at
+  /// What kSurveyed layouts are worth at such prices: goal, violation and aims as of judge(), all at
   /// once and in a fraction of the time. Their moments stand by sets, kSurveyStride entries from one to the
   /// next; of the variances it makes sigmas. Where no dimming meets all bounds it takes an end of the range,
   /// not the best t. Precondition: maySurvey().
-  void survey(const double* means, double* variances, double penalty, double* worths) const;
+  void survey(const double* means, double* variances, const Prices& prices, double* worths) const;
 
   /// What mean and variance alone allow: 0 <= minimum <= mean, maximum >= mean + variance / mean
   /// (Bhatia-Davis).
@@ -112,6 +124,9 @@ class Objective {
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double glareOf(const Bound& bound, const Moments* moments) const;
   bool isSurveyable() const;
+  const double* valuesOf(const Term& term, const double* means, const double* sigmas) const;
+  void surveyGoals(const double* means, const double* sigmas, const double* slopes, const double* dimmings,
+                   double aimShare, double* worths) const;
   void surveyDimming(const double* means, const double* sigmas, const double* slopes, double* dimmings) const;
   void surveyBound(const Bound& bound, const double* means, const double* sigmas, double* values) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
@@ -125,7 +140,7 @@ class Objective {
   std::vector<Bound> sides_;
   std::vector<Term> terms_;
   double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
-  bool needsExtremes_ = false, powerVaries_ = false, maySurvey_ = false;
+  bool needsExtremes_ = false, powerVaries_ = false, maySurvey_ = false, hasAims_ = false;
   std::uint32_t powerSet_ = kNone;           // the set that sums powers, where power is asked for and varies
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side
   mutable std::vector<DimmedAim> aims_;      // scratch, one per aim

@@ -21,12 +21,21 @@ void mix(Statistic statistic, const double* mean, double share, const double* si
     for (std::uint32_t k = 0; k < kSurveyed; ++k) out[k] = statistic == Statistic::kMean ? mean[k] : sigma[k];
 }
 
+double clamped(double value, double low, double high) {
+  const double atLeast = value > low ? value : low;
+  return atLeast < high ? atLeast : high;
+}
+
 }  // namespace
+
+const double* Objective::valuesOf(const Term& term, const double* means, const double* sigmas) const {
+  return (term.statistic == Statistic::kMean ? means : sigmas) + std::size_t{term.set} * kSurveyStride;
+}
 
 bool Objective::isSurveyable() const {
   if (needsExtremes_) return false;
   for (const Term& term : terms_)
-    if (!isOfMoments(term.statistic) || term.target > 0) return false;
+    if (!isOfMoments(term.statistic)) return false;
   for (const Bound& bound : sides_)
     if (!isOfMoments(bound.statistic) || bound.value == 0) return false;
   return true;
@@ -39,7 +48,20 @@ void Objective::surveyBound(const Bound& bound, const double* means, const doubl
       values);
 }
 
-/// Of each layout the dimming that its goals like best within the bounds.
+/// What the goals add up to, each layout at its dimming: the linear ones and a share of the aims.
+void Objective::surveyGoals(const double* means, const double* sigmas, const double* slopes,
+                            const double* dimmings, double aimShare, double* __restrict worths) const {
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) worths[k] = dimmings[k] * slopes[k];
+  for (const Term& term : terms_) {
+    if (!(term.target > 0)) continue;
+    const double* value = valuesOf(term, means, sigmas);
+    const double target = term.target, weight = aimShare * term.factor / target;
+    for (std::uint32_t k = 0; k < kSurveyed; ++k)
+      worths[k] += weight * std::fabs(dimmings[k] * value[k] - target);
+  }
+}
+
+/// Of each layout the dimming that its goals like best within the bounds: at an end, or where an aim is met.
 void Objective::surveyDimming(const double* means, const double* sigmas, const double* slopes,
                               double* __restrict dimmings) const {
   double first[kSurveyed], last[kSurveyed], values[kSurveyed];
@@ -54,14 +76,32 @@ void Objective::surveyDimming(const double* means, const double* sigmas, const d
       for (std::uint32_t k = 0; k < kSurveyed; ++k) last[k] = values[k] < last[k] ? values[k] : last[k];
   }
   const double low = dimmingLow_, high = dimmingHigh_;
-  for (std::uint32_t k = 0; k < kSurveyed; ++k) {
-    const double wanted = slopes[k] > 0 ? first[k] : last[k];
-    const double atLeast = wanted < low ? low : wanted;
-    dimmings[k] = atLeast > high ? high : atLeast;
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) first[k] = clamped(first[k], low, high);
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) last[k] = clamped(last[k], low, high);
+  if (!hasAims_) {
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) dimmings[k] = slopes[k] > 0 ? first[k] : last[k];
+    return;
+  }
+  double least[kSurveyed], tried[kSurveyed], worths[kSurveyed];
+  const auto consider = [&] {
+    surveyGoals(means, sigmas, slopes, tried, 1, worths);
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) dimmings[k] = worths[k] < least[k] ? tried[k] : dimmings[k];
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) least[k] = worths[k] < least[k] ? worths[k] : least[k];
+  };
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) dimmings[k] = last[k];
+  surveyGoals(means, sigmas, slopes, dimmings, 1, least);
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) tried[k] = first[k];
+  consider();
+  for (const Term& term : terms_) {
+    if (!(term.target > 0)) continue;
+    const double* value = valuesOf(term, means, sigmas);
+    for (std::uint32_t k = 0; k < kSurveyed; ++k)
+      tried[k] = clamped(term.target / value[k], first[k], last[k]);
+    consider();
   }
 }
 
-void Objective::survey(const double* means, double* variances, double penalty,
+void Objective::survey(const double* means, double* variances, const Prices& prices,
                        double* __restrict worths) const {
   assert(maySurvey_);
   for (std::size_t s = 0; s < sets_.size(); ++s) {
@@ -74,25 +114,21 @@ void Objective::survey(const double* means, double* variances, double penalty,
   double slopes[kSurveyed], dimmings[kSurveyed];
   for (std::uint32_t k = 0; k < kSurveyed; ++k) slopes[k] = 0;
   for (const Term& term : terms_) {
-    const double* value =
-        (term.statistic == Statistic::kMean ? means : sigmas) + std::size_t{term.set} * kSurveyStride;
+    if (term.target > 0) continue;
+    const double* value = valuesOf(term, means, sigmas);
     const double factor = term.factor;
     for (std::uint32_t k = 0; k < kSurveyed; ++k) slopes[k] += factor * value[k];
-  }
-  if (dimmingLow_ == dimmingHigh_ && sides_.empty()) {
-    const double dimming = dimmingHigh_;
-    for (std::uint32_t k = 0; k < kSurveyed; ++k) worths[k] = dimming * slopes[k];
-    return;
   }
   if (dimmingLow_ == dimmingHigh_)
     for (std::uint32_t k = 0; k < kSurveyed; ++k) dimmings[k] = dimmingHigh_;
   else
     surveyDimming(means, sigmas, slopes, dimmings);
-  for (std::uint32_t k = 0; k < kSurveyed; ++k) worths[k] = dimmings[k] * slopes[k];
+  surveyGoals(means, sigmas, slopes, dimmings, prices.aimShare, worths);
   for (const Bound& bound : sides_) {
     double values[kSurveyed];
     surveyBound(bound, means, sigmas, values);
-    const double price = bound.side == Side::kLower ? penalty * bound.perUnit : -penalty * bound.perUnit;
+    const double price =
+        bound.side == Side::kLower ? prices.penalty * bound.perUnit : -prices.penalty * bound.perUnit;
     const double edge = bound.value;
     for (std::uint32_t k = 0; k < kSurveyed; ++k) {
       const double cost = price * (edge - dimmings[k] * values[k]);

@@ -2,6 +2,7 @@
 #include "core/search/variance_sums.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace fiatlux {
 namespace {
@@ -48,6 +49,13 @@ void VarianceSums::moved(double current, std::uint32_t from, double flux, const 
   std::copy(sums_.begin(), sums_.end(), trial_.begin());
   statistics_.factor->add(from, -flux, trial_.data());
   statistics_.factor->added(trial_.data(), flux, candidates, count, scratch_.data(), out);
+}
+
+void VarianceSums::movedPairs(double current, const FluxMoves& moves, const FluxMoves& others,
+                              std::uint32_t count, double* out) const {
+  assert(!statistics_.factor);
+  pairedVariances(statistics_.covariance.data(), statistics_.diagonal.data(), strideOf(statistics_),
+                  sums_.data(), current, moves, others, count, out);
 }
 
 double VarianceSums::changed(double current, const FluxChange* changes, std::uint32_t count) {

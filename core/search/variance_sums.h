@@ -24,6 +24,9 @@ class VarianceSums {
   /// After moving `flux` lm from candidate `from` to each of `count`; `current` is variance().
   void moved(double current, std::uint32_t from, double flux, const std::uint32_t* candidates,
              std::uint32_t count, double* out);
+  /// After each of `count` pairs of moves. Precondition: of a covariance, not of a factor.
+  void movedPairs(double current, const FluxMoves& moves, const FluxMoves& others, std::uint32_t count,
+                  double* out) const;
   /// After any change.
   double changed(double current, const FluxChange* changes, std::uint32_t count);
 

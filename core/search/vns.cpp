@@ -143,7 +143,7 @@ void Vns::begin(const std::vector<std::uint32_t>& sites) {
 
 void Vns::enter(std::size_t neighborhood) {
   neighborhood_ = neighborhood;
-  evaluator_.setPenalty(0);
+  evaluator_.setPrices({});
   gathering_ = choosing_ = walking_ = scanning_ = easing_ = false;
   fruitless_ = 0;
 }
@@ -277,7 +277,7 @@ void Vns::searchChild(const std::vector<std::uint32_t>& child) {
   crossing_ = true;
   foundSince_ = false;
   easing_ = walk_.penalty() > 0;
-  evaluator_.setPenalty(walk_.penalty());
+  evaluator_.setPrices({walk_.penalty()});
 }
 
 /// The first time, all luminaires around each site (or some, where there are very many); later, some of them

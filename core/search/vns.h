@@ -69,7 +69,9 @@ class Vns {
   void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
   void closeStep();
   void endWalk();
-  Surroundings here() { return {evaluator_, freeSites_, random_}; }
+  Surroundings here() {
+    return {evaluator_, freeSites_, random_, crossing_ ? 0 : walk_.trials(), walk_.penalty()};
+  }
 
   std::uint64_t evaluations_ = 0, foundAt_ = 0;
   Evaluator evaluator_;
