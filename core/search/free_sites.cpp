@@ -108,7 +108,10 @@ void FreeSites::around(std::uint32_t from, std::uint32_t near, std::uint32_t cou
   const std::uint32_t known = std::min(std::min(near, prepared_.nearCount()), count - 1);
   out.resize(count);
   out[0] = from;
-  std::copy_n(prepared_.nearSites(from), known, out.begin() + 1);
+  // Where many ways at one place are nearest, any of them and those of places around.
+  const std::uint32_t reach = std::min(near * waysPerPlace(), prepared_.nearCount());
+  for (std::uint32_t k = 0; k < known; ++k)
+    out[1 + k] = prepared_.nearSites(from)[reach > known ? random.below(reach) : k];
   for (std::uint32_t k = 1 + known; k < count; ++k) out[k] = random.below(prepared_.candidateCount());
 }
 

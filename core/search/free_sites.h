@@ -83,8 +83,8 @@ class FreeSites {
   void drawMoves(std::uint32_t from, std::uint32_t reach, std::uint32_t count, Random& random,
                  std::vector<std::uint32_t>& out) const;
 
-  /// `count` candidates, `from` itself first, then its `near` nearest and random ones, free or not: mayMove
-  /// tells.
+  /// `count` candidates, `from` itself first, then its `near` nearest (of several ways a place: as many drawn
+  /// from so many places' worth) and random ones, free or not: mayMove tells.
   void around(std::uint32_t from, std::uint32_t near, std::uint32_t count, Random& random,
               std::vector<std::uint32_t>& out) const;
 

@@ -39,12 +39,17 @@ void openSurveys(const Surroundings& at, Scan& scan) {
 
 void openNear(const Surroundings& at, Scan& scan) {
   const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
-  if (at.maySurvey()) {
+  const std::uint32_t ways = at.freeSites.waysPerPlace();
+  if (at.maySurvey() && ways == 1) {
     at.freeSites.around(from, kSurveyed - 1, kSurveyed, at.random, scan.candidates);
     return openSurveys(at, scan);
   }
+  at.freeSites.nearMoves(from, kNearReach * ways, scan.candidates);
+  if (at.maySurvey()) {
+    scan.candidates.insert(scan.candidates.begin(), from);
+    return openSurveys(at, scan);
+  }
   scan.isSurvey = false;
-  at.freeSites.nearMoves(from, kNearReach * at.freeSites.waysPerPlace(), scan.candidates);
   scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 

@@ -34,10 +34,7 @@ struct Surroundings {
   double price = 0;          // of a violation of 100 %, as the walk has learned
 
   /// May one luminaire's moves be surveyed?
-  bool maySurvey() const {
-    return evaluator.maySurvey() && freeSites.waysPerPlace() == 1 &&
-           (!freeSites.isTied() || freeSites.isOfOneType());
-  }
+  bool maySurvey() const { return evaluator.maySurvey() && (!freeSites.isTied() || freeSites.isOfOneType()); }
 };
 
 struct Neighborhood {
