@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t kIdleSteps = 20000;  // steps without a single trial: no site is free to go to
 constexpr std::uint32_t kGatherings = 64;    // tried before a walk begins at the best of them
-constexpr std::uint32_t kLonger = 4;         // the next one is longer by one part in so many
 constexpr std::uint32_t kCenters = 512;      // of gatherings of all luminaires
 constexpr std::uint32_t kFirstRoom = 4;      // layouts remembered, one more for each walk
 constexpr double kCrossShare = 0.3;          // of other work, that much more with each walk
@@ -24,12 +23,13 @@ constexpr std::uint32_t kMostInVain = 15;    // crossings in a row, until there 
 /// How a search goes about, as suits what its steps are.
 struct Pace {
   std::uint32_t trialsPerLuminaire;  // of the first walk
+  std::uint32_t longer;              // the next one is longer by one part in so many
   double reheat;                     // of a walk from a good layout
   std::uint32_t
       walksFirstBounded;     // before layouts are crossed where there are bounds, to whose edges they lead
   std::uint32_t worthTurns;  // of "far" in the time of a walk: it may end thoroughly
 };
-constexpr Pace kSurveying = {250, 0.7, 3, 12}, kTrying = {400, 0.5, 4, 2};
+constexpr Pace kSurveying = {100, 16, 0.7, 3, 12}, kTrying = {400, 4, 0.5, 4, 2};
 
 const Pace& paceOf(const Surroundings& at) { return at.maySurvey() ? kSurveying : kTrying; }
 
@@ -322,7 +322,7 @@ void Vns::beginWalk(const std::vector<std::uint32_t>& sites, double heat) {
   walked_ = sites;
   walkedEvaluation_ = evaluator_.current();
   walk_.begin(length_, heat, bestEvaluation_.goal);
-  length_ += length_ / kLonger;
+  length_ += length_ / paceOf(here()).longer;
 }
 
 /// Takes the step of a walk, where there is one.
