@@ -33,7 +33,8 @@ inline Scene operatorScene(std::uint32_t cells, std::uint32_t sites) {
   op.exchange.means.resize(std::size_t{total} * k);
   for (std::uint32_t c = 0; c < total; ++c)
     for (std::uint32_t d = 0; d < k; ++d)
-      op.exchange.means[c * k + d] = static_cast<float>(0.02 + 0.05 / (1 + std::abs(static_cast<double>(c) - d)));
+      op.exchange.means[c * k + d] =
+          static_cast<float>(0.02 + 0.05 / (1 + std::abs(static_cast<double>(c) - d)));
   op.exchange.offset.push_back(0);
   for (std::uint32_t p = 0; p < rows; ++p) {
     if (p % 3 == 0) {
