@@ -16,9 +16,9 @@ constexpr double kFollow = 0.05, kFollowSurveys = 0.1;  // of what is measured a
 constexpr double kFirstTemperature = 0.01;              // of the goal, before it is led
 constexpr double kFirstPenalty = 4;                     // likewise, of a violation of 100 %
 constexpr double kLeastPenalty = 0.1, kLargestPenalty = 1e6;
-constexpr double kFirstAimShare = 0.01,
-                 kAimRise = 4.6;     // by a factor of exp(kAimRise) in a walk, to nearly 1
-constexpr double kLeastGoal = 1e-3;  // a goal near 0 is no scale
+constexpr double kFirstAimShare = 0.01;  // of what a missed aim costs
+constexpr double kAimRise = 4.6;         // in a walk: the logarithm of 1 / kFirstAimShare
+constexpr double kLeastGoal = 1e-3;      // a goal near 0 is no scale
 
 /// About exponentially distributed, of mean 1: its density halves from step to step. Without a logarithm,
 /// which machines round differently.

@@ -48,6 +48,13 @@ void addSites(const Surroundings& at, std::uint32_t luminaire, Scan& scan) {
   for (std::uint32_t k = 0; k < kSites; ++k) scan.promising.push_back({luminaire, order[k].second});
 }
 
+/// Do the rules allow both moves at once, each of which they allow alone?
+bool areTogether(const Surroundings& at, const Move& a, const Move& b) {
+  const std::vector<std::uint32_t>& sites = at.evaluator.sites();
+  return !at.freeSites.conflict(a.site, b.site) &&
+         at.freeSites.keepsCount(sites[a.luminaire], a.site, sites[b.luminaire], b.site);
+}
+
 /// Surveys the pairs from number `first` on; the most promising of all scans so far is judged by a trial.
 void surveyPairs(const Surroundings& at, std::uint64_t first, Scan& scan) {
   const std::uint64_t luminaires = scan.promising.size() / kSites,
@@ -64,7 +71,7 @@ void surveyPairs(const Surroundings& at, std::uint64_t first, Scan& scan) {
   at.evaluator.surveyPairs(one, other, worths);
   std::uint32_t best = kSurveyed;
   for (std::uint32_t k = 0; k < kSurveyed; ++k) {
-    if (!(worths[k] < scan.leastWorth) || at.freeSites.conflict(one[k].site, other[k].site)) continue;
+    if (!(worths[k] < scan.leastWorth) || !areTogether(at, one[k], other[k])) continue;
     scan.leastWorth = worths[k];
     best = k;
   }

@@ -7,9 +7,11 @@
 
 #include "core/bound/layout_bound.h"
 #include "core/candidates/candidate_list.h"
+#include "core/search/best_pairs.h"
 #include "core/search/identity.h"
 #include "core/search/layout_search.h"
 #include "core/search/shown.h"
+#include "core/search/start_layout.h"
 #include "core/search/type_counts.h"
 #include "core/search/validate_intentions.h"
 #include "tests/core/operator_scene.h"
@@ -111,6 +113,37 @@ TEST(TypesInOneSearch, TiesOfEachTypeAreSearchedAlone) {
   EXPECT_FALSE(each[0].key == all.key);
   rules.types = {{1, 6}, {0, 6}};  // there is a flood in every layout
   EXPECT_EQ(tiesOfEachType(mixed(), all, rules).size(), 1u);
+}
+
+/// Each of two moves may keep the counts of the types, and both together not.
+TEST(TypesInOneSearch, PairsOfTheBestSitesKeepTheirCounts) {
+  PreparedScene prepared(mixed());
+  Intentions intentions = evenFloor(4);
+  intentions.luminaires.types = {{1, 3}, {1, 3}};
+  Evaluator evaluator(prepared, intentions);
+  FreeSites freeSites(prepared, intentions.luminaires, 4);
+  std::uint32_t found = 0, changed = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    const std::vector<std::uint32_t> sites = randomSites(prepared, intentions.luminaires, random);
+    evaluator.load(sites);
+    freeSites.load(sites);
+    const Surroundings here{evaluator, freeSites, random, 1u << 20, 0};
+    ASSERT_TRUE(here.maySurvey()) << "of several ways at a place, too";
+    Scan scan;
+    scan.found = {{}, 0, evaluator.current()};
+    openBestPairs(here, scan);
+    tryBestPairs(here, scan, scan.size);
+    if (scan.found.count == 0) continue;
+    ++found;
+    std::vector<std::uint32_t> after = sites;
+    for (const Move& move : scan.found.moves) after[move.luminaire] = move.site;
+    const std::vector<std::uint32_t> counts = countsIn(mixed(), {after, {}, 1});
+    changed += counts != countsIn(mixed(), {sites, {}, 1});
+    EXPECT_GE(std::min(counts[0], counts[1]), 1u);
+  }
+  EXPECT_GT(found, 50u);
+  EXPECT_GT(changed, 10u);
 }
 
 /// What a search finds by so many evaluations.
