@@ -205,7 +205,11 @@ that is bold.
 The family of true uniformity, which lights thousands of patches a trial, has ${slow.seeds} seeds at ${slow.evaluations.toLocaleString('en')} evaluations.
 
 An evaluation is one trial layout. A survey of twenty sites for a luminaire, of means and sigmas only
-(\`core/search/survey.cpp\`), takes as long as five and counts as five.
+(\`core/search/survey.cpp\`), takes as long as five and counts as five; so does one of twenty pairs of moves.
+
+The gallery is the hardest: its pictures hang on all walls, every luminaire lights several of them, and very many layouts that are
+nothing alike are better than all that is one or two moves away from them. There a gap falls with the logarithm of the
+evaluations.
 
 ${table('family', chosen, (name) => runs.filter((run) => run.family === name), evaluations)}
 
