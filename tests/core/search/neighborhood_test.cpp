@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "core/search/best_pairs.h"
 #include "core/search/start_layout.h"
 #include "tests/core/corridor_scene.h"
 
@@ -105,65 +104,6 @@ TEST(Neighborhoods, KeepToTheRulesAndFindTheSameInAnySlices) {
     }
     EXPECT_GT(found, 0u) << row.name << " found nothing anywhere";
   }
-}
-
-TEST(BestPairs, AreLookedThroughOnlyBesideALongWalk) {
-  PreparedScene prepared(longCorridor());
-  const Intentions intentions = strictRules();
-  Evaluator evaluator(prepared, intentions);
-  FreeSites freeSites(prepared, intentions.luminaires, 6);
-  Random random(4);
-  const auto sites = randomSites(prepared, intentions.luminaires, random);
-  evaluator.load(sites);
-  freeSites.load(sites);
-  const auto trialsAfter = [&](std::uint64_t walked) {
-    Scan scan;
-    openBestPairs({evaluator, freeSites, random, walked, 0}, scan);
-    return scan.size;
-  };
-  EXPECT_EQ(trialsAfter(0), 0u) << "no walk";
-  const std::uint32_t size = trialsAfter(kLongWalk);
-  EXPECT_GT(size, 0u);
-  EXPECT_EQ(trialsAfter(4 * size), size);
-  EXPECT_EQ(trialsAfter(4 * size - 1), 0u) << "it would take more than a quarter of the walk";
-}
-
-TEST(BestPairs, FindWhatNoSingleMoveDoes) {
-  PreparedScene prepared(longCorridor());
-  Intentions intentions;
-  intentions.luminaires.count = 5;
-  Goal aim{Statistic::kMean, Sense::kNear, 10, {2}, {}, 30};
-  intentions.goals = {aim, {Statistic::kSigma, Sense::kMinimize, 1, {2}, {}}};
-  Evaluator evaluator(prepared, intentions);
-  FreeSites freeSites(prepared, intentions.luminaires, 5);
-  const Neighborhood* row = nullptr;
-  for (const Neighborhood& each : neighborhoods())
-    if (std::string(each.name) == "best pairs") row = &each;
-  ASSERT_NE(row, nullptr);
-  std::uint32_t found = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    Random random(seed);
-    std::vector<std::uint32_t> sites = randomSites(prepared, intentions.luminaires, random);
-    // Down to where no single luminaire has a better site.
-    for (bool moves = true; moves;) {
-      evaluator.load(sites);
-      Trial best{{}, 0, evaluator.current()};
-      for (std::uint32_t i = 0; i < sites.size(); ++i) {
-        std::vector<std::uint32_t> free;
-        freeSites.load(sites);
-        freeSites.farMoves(sites[i], free);
-        evaluator.tryMoves(i, free.data(), static_cast<std::uint32_t>(free.size()), best);
-      }
-      moves = best.count > 0;
-      if (moves) sites[best.moves[0].luminaire] = best.moves[0].site;
-    }
-    const Trial pair = scanned(*row, evaluator, freeSites, 0, 1u << 20);
-    if (pair.count == 0) continue;
-    ++found;
-    EXPECT_EQ(pair.count, 2u);
-    EXPECT_TRUE(isBetter(pair.evaluation, evaluator.current()));
-  }
-  EXPECT_GT(found, 0u);
 }
 
 TEST(FreeSites, AreThoseThatEveryPairAllows) {
