@@ -11,10 +11,6 @@ constexpr std::uint32_t kSites = 6;                // of each luminaire
 constexpr std::uint32_t kPartsOfAWalk = 4;         // a scan is at most one of them
 constexpr std::uint32_t kPairs = kSites * kSites;  // of the sites of two luminaires
 
-std::uint32_t surveysOf(std::uint64_t trials) {
-  return static_cast<std::uint32_t>((trials + kSurveyed - 1) / kSurveyed);
-}
-
 /// A scan in surveys: first of each luminaire's sites, then of pairs.
 struct Plan {
   std::uint32_t luminaires, surveysOfEach, surveysOfPairs;

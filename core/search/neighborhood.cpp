@@ -31,10 +31,20 @@ bool isNobodyAgain(const Surroundings& at, const Scan& scan) {
 
 /// Looks at the candidates together, kSurveyed at a time; the luminaire's own site is the first and fills up.
 void openSurveys(const Surroundings& at, Scan& scan) {
-  const std::uint32_t surveys = (countOf(scan.candidates) + kSurveyed - 1) / kSurveyed;
+  const std::uint32_t surveys = surveysOf(scan.candidates.size());
   scan.candidates.resize(std::size_t{surveys} * kSurveyed, at.evaluator.sites()[scan.luminaire]);
   scan.size = surveys * kTrialsPerSurvey;
   scan.isSurvey = true;
+}
+
+/// Looks at the candidates, none of which is the luminaire's own, together where that may be.
+void openMoves(const Surroundings& at, Scan& scan) {
+  if (at.maySurvey()) {
+    scan.candidates.insert(scan.candidates.begin(), at.evaluator.sites()[scan.luminaire]);
+    return openSurveys(at, scan);
+  }
+  scan.isSurvey = false;
+  scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
 }
 
 void openNear(const Surroundings& at, Scan& scan) {
@@ -45,23 +55,12 @@ void openNear(const Surroundings& at, Scan& scan) {
     return openSurveys(at, scan);
   }
   at.freeSites.nearMoves(from, kNearReach * ways, scan.candidates);
-  if (at.maySurvey()) {
-    scan.candidates.insert(scan.candidates.begin(), from);
-    return openSurveys(at, scan);
-  }
-  scan.isSurvey = false;
-  scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
+  openMoves(at, scan);
 }
 
 void openFar(const Surroundings& at, Scan& scan) {
-  const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
-  at.freeSites.farMoves(from, scan.candidates);
-  if (at.maySurvey()) {
-    scan.candidates.insert(scan.candidates.begin(), from);
-    return openSurveys(at, scan);
-  }
-  scan.isSurvey = false;
-  scan.size = isNobodyAgain(at, scan) ? 0 : countOf(scan.candidates);
+  at.freeSites.farMoves(at.evaluator.sites()[scan.luminaire], scan.candidates);
+  openMoves(at, scan);
 }
 
 /// The surveys choose one move, which a trial of its own judges: counted with them.

@@ -55,6 +55,10 @@ struct Prices {
 inline constexpr std::uint32_t kSurveyed = 20, kSurveyStride = 64;
 /// Trials that a survey counts for, as long as it takes.
 inline constexpr std::uint32_t kTrialsPerSurvey = 5;
+/// Surveys of so many layouts.
+inline std::uint32_t surveysOf(std::size_t layouts) {
+  return static_cast<std::uint32_t>((layouts + kSurveyed - 1) / kSurveyed);
+}
 
 class Objective {
  public:
