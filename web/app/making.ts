@@ -11,6 +11,7 @@ import { outlines } from '../room-maker/plan-shapes.mjs';
 import { planOf, readPlan, type RoomPlan } from '../room-maker/room-plan.mjs';
 import type { PackedPlan } from '../document/made-room.ts';
 import type { App } from './app.ts';
+import { inOurWords } from '../language/faults.ts';
 import { words } from '../language/language.ts';
 import { reasonOf } from '../document/reason.ts';
 
@@ -46,7 +47,7 @@ export class Making {
     this.#app = app;
     const { plan, fault } = packed ? unpackedPlan(packed) : {};
     if (plan) this.plan.value = plan;
-    if (fault) app.store.say('error', words.value.maker.planUnreadable(fault));
+    if (fault) app.store.say('error', words.value.maker.planUnreadable(inOurWords(fault)));
     const first = this.plan.peek();
     this.#end = effect(() => {
       const latest = this.plan.value;

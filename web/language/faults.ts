@@ -27,6 +27,9 @@ const patterns = Object.entries(en.faults).map(
 
 const decimal = (told: string): string => told.replace(/^(\d+)\.(\d+)( %)?$/, '$1,$2$3');
 
+/** The command writes plain ASCII. */
+const squared = (text: string): string => text.replace(/ m2(?![\w²])/g, ' m²');
+
 /** A fault as it was told, in the language of the page where that has words for it, and without options of the command. */
 export function inOurWords(fault: string): string {
   const own: Partial<typeof en.faults> = language.value === 'en' ? pageFaults : words.value.faults;
@@ -36,7 +39,7 @@ export function inOurWords(fault: string): string {
     const [found, place = '', ...told] = pattern.exec(fault) ?? [];
     if (found === undefined) continue;
     const parts = told.map((text) => inOurWords(language.value === 'de' ? decimal(text) : text));
-    return place + say(telling as Telling, parts);
+    return squared(place + say(telling as Telling, parts));
   }
-  return fault;
+  return squared(fault);
 }

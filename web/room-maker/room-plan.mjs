@@ -4,7 +4,11 @@
 import * as v from 'valibot';
 import { distance, isSimple, signedArea } from './polygon.mjs';
 
-const number = (low, high) => v.pipe(v.number(), v.finite(), v.minValue(low), v.maxValue(high));
+function number(low, high) {
+  const range = `it must lie between ${low} and ${high}`;
+  return v.pipe(v.number(), v.finite(range), v.minValue(low, range), v.maxValue(high, range));
+}
+const atMost = (count) => v.maxLength(count, `there are more than ${count}`);
 const coordinate = number(-1000, 1000);
 const degrees = number(-3600, 3600);
 
@@ -62,14 +66,18 @@ const task = v.object({
 const planSchema = v.pipe(
   v.object({
     name: v.pipe(v.string(), v.maxLength(2000), v.transform(cleaned)),
-    outline: v.pipe(v.array(v.tuple([coordinate, coordinate])), v.minLength(3), v.maxLength(mostCorners)),
+    outline: v.pipe(
+      v.array(v.tuple([coordinate, coordinate])),
+      v.minLength(3, 'there are fewer than 3 corners'),
+      atMost(mostCorners),
+    ),
     height: number(0.5, 50),
     finishes: v.object({ ceiling: finish, walls: finish, floor: finish }),
-    openings: v.pipe(v.array(opening), v.maxLength(mostOpenings)),
-    items: v.pipe(v.array(item), v.maxLength(mostItems)),
+    openings: v.pipe(v.array(opening), atMost(mostOpenings)),
+    items: v.pipe(v.array(item), atMost(mostItems)),
     mount,
     plane: v.nullable(plane),
-    tasks: v.pipe(v.array(task), v.maxLength(mostTasks)),
+    tasks: v.pipe(v.array(task), atMost(mostTasks)),
   }),
   v.check(({ outline }) => isSimple(outline), 'the walls cross or touch each other'),
   v.check(({ outline }) => Math.abs(signedArea(outline)) >= leastFloor, 'the floor is smaller than 0.25 m2'),
@@ -106,7 +114,8 @@ export function readPlan(value) {
   if (read.success) return { plan: read.output };
   const [issue] = read.issues;
   const path = issue.path?.map(({ key }) => String(key)).join('.') ?? '';
-  return { fault: `${path ? `${path}: ` : ''}${issue.message}`.replace(/\p{C}/gu, '').slice(0, 160) };
+  const what = issue.message.startsWith('Invalid ') ? 'it is missing or of another kind' : issue.message;
+  return { fault: `${path ? `${path}: ` : ''}${what}`.replace(/\p{C}/gu, '').slice(0, 160) };
 }
 
 /** Usual sizes [width, depth, height] in metres. */

@@ -6,6 +6,9 @@ import { fileURLToPath } from 'node:url';
 import { en } from '../../../web/language/en.ts';
 import { pageFaults } from '../../../web/language/en/page-faults.ts';
 import { inOurWords } from '../../../web/language/faults.ts';
+import { unpackedPlan } from '../../../web/room-maker/plan-code.mjs';
+import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
+import { planOf, readPlan, usualItem } from '../../../web/room-maker/room-plan.mjs';
 import { speak, words } from '../../../web/language/language.ts';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
@@ -88,11 +91,18 @@ test('a rule that leaves no layout is told of one luminaire and of many', async 
 
 /** The text of what says them, its broken strings joined. */
 function sources(
-  folders: readonly string[] = ['core', 'precompute', 'web/solver', 'web/builder', 'web/document'],
+  folders: readonly string[] = [
+    'core',
+    'precompute',
+    'web/solver',
+    'web/builder',
+    'web/document',
+    'web/room-maker',
+  ],
 ): string {
   const files = folders.flatMap((folder) =>
     readdirSync(path.join(root, folder), { recursive: true, encoding: 'utf8' })
-      .filter((name) => /\.(cpp|h|ts)$/.test(name))
+      .filter((name) => /\.(cpp|h|mjs|ts)$/.test(name))
       .map((name) => readFileSync(path.join(root, folder, name), 'utf8')),
   );
   return files.join('\n').replace(/"\s*\n?\s*"/g, '');
@@ -152,6 +162,22 @@ test('remarks on a model are told in the language of the page, to their last cla
   );
 });
 
+test('what is wrong with a plan is told in the language of the page', async () => {
+  const plan = planOf(outlines.rectangle(6, 4), 2.8);
+  const told = (change: object) => inOurWords(readPlan({ ...plan, ...change }).fault ?? '');
+  await speak('de');
+  expect(told({ height: 60 })).toBe('height: muss zwischen 0,5 und 50 liegen');
+  const red = { reflectance: 0.5, colour: 'red' };
+  expect(told({ finishes: { ...plan.finishes, walls: red } })).toBe(
+    'finishes.walls.colour: ist keine Farbe wie #f4f1ea',
+  );
+  expect(told({ items: Array(501).fill(usualItem('desk', [1, 1], 2.8)) })).toBe('items: mehr als 500');
+  expect(told({ items: [null] })).toBe('items.0: fehlt oder ist etwas anderes');
+  expect(inOurWords(unpackedPlan([99, 'x', 1, [], [], [], [], [], [], []]).fault ?? '')).toMatch(
+    /^er stammt aus einer anderen Fassung \(Grundriss 99; /,
+  );
+});
+
 test('each is what the sources say, word for word', () => {
   const text = sources();
   for (const [name, telling] of Object.entries(en.faults)) {
@@ -179,7 +205,7 @@ test('a page has no command line: what names options is told with what can be do
     "--mount 'celing': no node or surface is called that; the closest are 'ceiling'",
   ];
   expect(remarks.map(inOurWords)).toEqual([
-    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m2, 2.5 m above the floor)",
+    "no mount is marked: luminaires are proposed to hang on 'slab' (20 m², 2.5 m above the floor)",
     'the ceiling is 9.2 m above the floor: is that so?',
     'the ceiling is 9 m above the floor: is that so? In feet, which can be chosen under How it was understood, it would be 2.74 m',
     "hall.glb: 3 of 8 places on 'slab' are left out: something is less than 1 m below them; hang luminaires less low",

@@ -35,6 +35,7 @@ import type { OwnRooms } from '../rooms/own-rooms.ts';
 import { modelExtensions } from '../importing/model-files.ts';
 import { FileOpening } from './opening-files.ts';
 import { Placing, type Placement } from './placing.ts';
+import { inOurWords } from '../../language/faults.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
 
@@ -337,7 +338,7 @@ export class Opening {
       await this.#files.open([await madeFile(room, plan)]);
       return true;
     } catch (error) {
-      const why = reasonOf(error);
+      const why = inOurWords(reasonOf(error));
       this.#store.say('error', words.value.opening.linkNotMade(why));
       return false;
     }

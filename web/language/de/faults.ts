@@ -206,6 +206,18 @@ export const faults: Words['faults'] = {
     `Keine gefundene Anordnung gibt ${promise}: Schon die Mittelwerte reichen nicht.`,
   alphaTwoEmpty: (promise) =>
     `Kein Alpha führt zu ${promise}: Mit einem kleinen verfehlen es manche Teilflächen, mit einem größeren hält keine Anordnung den Abstand ein.`,
+  planNone: 'das ist kein Raum',
+  planVersion: (version, own) =>
+    `er stammt aus einer anderen Fassung (Grundriss ${version}; hier werden Grundrisse bis ${own} gelesen)`,
+  planNumbers: 'etwas darin ist keine ganze Zahl, oder es sind zu viele',
+  planMissing: 'fehlt oder ist etwas anderes',
+  planRange: (least, most) => `muss zwischen ${least} und ${most} liegen`,
+  planMany: (most) => `mehr als ${most}`,
+  planFewCorners: 'weniger als 3 Ecken',
+  planColour: 'ist keine Farbe wie #f4f1ea',
+  planCrossed: 'die Wände kreuzen oder berühren einander',
+  planSmall: 'der Boden ist kleiner als 0,25 m²',
+  planShortWall: 'eine Wand ist kürzer als 5 cm',
   noArrangement: (what, count) =>
     `Auf den freien Plätzen gibt es ${noKindOf(what)} von ${luminaires(count)}: die Anzahl ändern, einen Bereich angeben oder die Anordnung freigeben`,
   noRows: (what, count, least) =>

@@ -181,6 +181,18 @@ export const faults = {
     `[${section}] ${line} is not ${count} numbers`,
   stfNotWhole: (section: string, line: string, most: string) =>
     `[${section}] ${line} is not a whole number up to ${most}`,
+  planNone: 'it is no room',
+  planVersion: (version: string, own: string) =>
+    `it was made by another version (plan ${version}; this app reads plans up to ${own})`,
+  planNumbers: 'it holds something that is no whole number, or too many',
+  planMissing: 'it is missing or of another kind',
+  planRange: (least: string, most: string) => `it must lie between ${least} and ${most}`,
+  planMany: (most: string) => `there are more than ${most}`,
+  planFewCorners: 'there are fewer than 3 corners',
+  planColour: 'it is no colour such as #f4f1ea',
+  planCrossed: 'the walls cross or touch each other',
+  planSmall: 'the floor is smaller than 0.25 m2',
+  planShortWall: 'a wall is shorter than 5 cm',
   noArrangement: (what: string, count: string) =>
     `arrangement: found no ${what} of ${count} luminaires on the free sites; change the count, give it a range, or free the arrangement`,
   noRows: (what: string, count: string, least: string) =>
