@@ -22,6 +22,7 @@ namespace {
 struct ExperimentsOptions {
   std::string scene = "public/scenes/e-corridor.flux", folder = "docs", wall = "yellow wall";
   std::uint32_t runs = 20, evaluations = 25000;
+  bool byPairs = false;
 };
 
 /// The pictures of the room that `npm run pictures` left beside the plots, named after the experiments.
@@ -74,7 +75,8 @@ std::string reportOf(const ExperimentsOptions& options, const Experiments& e,
   const Scene& scene = e.prepared.scene();
   std::string table = "| figure | paper | here | why they differ |\n|---|---|---|---|\n";
   for (const std::string& row : e.comparison) table += row + "\n";
-  return "# The paper's experiments, run again\n\nMade by `fiatlux experiments` on " +
+  return "# The paper's experiments, run again\n\nMade by `fiatlux experiments" +
+         std::string(options.byPairs ? " --pairs" : "") + "` on " +
          std::filesystem::path(options.scene).filename().string() + " (" +
          std::to_string(scene.patches.count) + " patches, " + std::to_string(scene.patches.clusterCount) +
          " clusters, " + std::to_string(scene.sites.size()) +
@@ -91,6 +93,7 @@ void runExperiments(const ExperimentsOptions& options) {
   Experiments e{prepared, orThrow(surfacesNamed(scene, {options.wall}))};
   e.runs = options.runs;
   e.evaluations = options.evaluations;
+  e.byPairs = options.byPairs;
   checkScene(options, scene, e.wall);
 
   const std::filesystem::path folder = options.folder, plots = folder / "experiments";
@@ -121,6 +124,8 @@ void addExperimentsCommand(CLI::App& app) {
   command->add_option("--evaluations", options->evaluations, "trial layouts a run")
       ->check(wholeFrom(1, 10000000))
       ->capture_default_str();
+  command->add_flag("--pairs", options->byPairs,
+                    "prove how near to the best possible they are by pairs of luminaires, too (minutes)");
   command->callback([options] { runExperiments(*options); });
 }
 

@@ -62,7 +62,7 @@ std::string planOf(Experiments& e, const std::string& name, const Layout& layout
 
 std::string provedText(Experiments& e, const Intentions& intentions, const Evaluation& best) {
   OptimumBound bound(e.prepared, intentions, best);
-  bound.takePairs();  // minutes for all experiments
+  if (!e.byPairs) bound.takePairs();
   while (!bound.done()) bound.advance(1u << 12);
   const std::optional<double> within = bound.within(best);
   if (!within) return "nothing proved";

@@ -18,8 +18,9 @@ struct Experiments {
   PreparedScene& prepared;
   SurfaceSet wall;  // the yellow wall
   std::uint32_t runs = 20, evaluations = 25000;
-  double flux = 1000;                                                                        // lm each
-  std::string report = {};                                                                   // Markdown
+  bool byPairs = false;     // bounds by pairs of luminaires, too: minutes instead of seconds
+  double flux = 1000;       // lm each
+  std::string report = {};  // Markdown
   std::string rows = "experiment,seed,goal,violation,evaluations,found_at,seconds,sites\n";  // CSV
   std::vector<std::pair<std::string, std::string>> pictures = {};                            // file name, SVG
   std::vector<std::string> comparison = {};  // rows of the table of paper against ours

@@ -55,12 +55,15 @@ test('a building is cut by its storeys, stood in room by room, and lit in one of
   expect((await page.locator('canvas').first().boundingBox())!.height).toBeGreaterThan(400);
   await page.getByRole('button', { name: 'Not now' }).click();
   await page.setViewportSize(usual);
+  const tags = page.locator('.viewer-labels').first();
   await choose.click();
+  await expect(tags).toHaveClass(/are-hidden/); // nothing hangs between the click and the room
   await page
     .locator('canvas')
     .first()
     .click({ position: { x: 260, y: 300 } });
   await expect(page.getByText('Only the room that was clicked is lit.')).toBeVisible();
+  await expect(tags).not.toHaveClass(/are-hidden/);
   await expect(size).not.toContainText('12.60', { timeout: 60_000 });
   await page
     .getByRole('group', { name: 'Close its doors and windows' })

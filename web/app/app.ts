@@ -282,7 +282,11 @@ export class App {
   /** What the app tells the view, whenever it changes. */
   #tellViewer(): void {
     const { store, viewer } = this;
-    effect(() => viewer.setDisplay(store.display.value));
+    effect(() => {
+      const { value: display } = store.display;
+      // Nothing hangs between a click and the room that it is to choose.
+      viewer.setDisplay(store.sheet.value?.isPicking ? { ...display, luminaires: false } : display);
+    });
     holdDuringGestures(store, viewer);
     effect(() => viewer.setBodies(this.types.bodies.value, this.types.bodiesOf(this.variants.types)));
     effect(() => {

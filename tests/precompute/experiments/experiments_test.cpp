@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "tests/core/corridor_scene.h"
 
@@ -31,6 +32,20 @@ TEST(Experiments, RunOnASmallRoomAndFindTheEnumeratedOptima) {
     EXPECT_EQ(svg.rfind("<svg", 0), 0u) << name;
     EXPECT_EQ(svg.find("nan"), std::string::npos) << name;
   }
+}
+
+TEST(Experiments, ProveMoreByPairs) {
+  PreparedScene prepared(fiatlux::testing::smallRoom());
+  Experiments e{prepared, {2}};
+  e.runs = 3;
+  const Intentions even = problemOf(e, 4, Statistic::kSigma, Sense::kMinimize, {});
+  const RunSummary found = repeat(e, "even", even);
+  const auto shareIn = [](const std::string& proved) { return std::stod(proved.substr(7)); };
+  const std::string alone = provedText(e, even, found.bestEvaluation);
+  ASSERT_EQ(alone.rfind("within ", 0), 0u) << alone;
+  e.byPairs = true;
+  const std::string byPairs = provedText(e, even, found.bestEvaluation);
+  if (byPairs != "proved optimal") EXPECT_LT(shareIn(byPairs), 0.9 * shareIn(alone)) << byPairs << alone;
 }
 
 }  // namespace

@@ -294,6 +294,16 @@ test('what is wrong with a room is told before it is computed, once', async () =
   expect(store.messages.peek()).toHaveLength(1);
 });
 
+test('what the sheet has told is not told once more', async () => {
+  const { store, room, lighting } = lightingOf(draft);
+  room.warnings = ['the room is open'];
+  const model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  await lighting.light(model, usualChoices, true);
+  expect(store.messages.peek()).toEqual([]);
+  await lighting.light(model, usualChoices);
+  expect(store.messages.peek()).toHaveLength(1);
+});
+
 test('what was wrong with a room is not said of the next one', async () => {
   const { store, room, lighting } = lightingOf(draft);
   room.warnings = ['the room is open'];

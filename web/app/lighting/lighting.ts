@@ -51,6 +51,7 @@ interface Running {
   readonly controller: AbortController;
   readonly turn: number; // of the openings, when it began
   readonly isAgain: boolean; // the same model as the room that was on the screen: what was asked of it stays
+  readonly isTold: boolean; // the remarks on the model were read
 }
 
 export class Lighting {
@@ -82,8 +83,11 @@ export class Lighting {
     this.#polishing = new Polishing(store, solving);
   }
 
-  /** Lights the model whose preview is on the screen; without choices as it was understood for the last time. */
-  async light(model: Model, choices?: ModelChoices): Promise<void> {
+  /**
+   * Lights the model whose preview is on the screen; without choices as it was understood for the last time. `isTold`: a person
+   * has read what there is to remark on it.
+   */
+  async light(model: Model, choices?: ModelChoices, isTold = false): Promise<void> {
     this.cancel();
     this.closeSheet();
     this.#forgetWarnings();
@@ -92,6 +96,7 @@ export class Lighting {
       controller: new AbortController(),
       turn: this.#placing.turn,
       isAgain: this.#model === model && this.#isOnScreen(),
+      isTold,
     });
     this.#store.lighting.value = begunOf(model, 'draft');
     this.#model = model;
@@ -232,7 +237,7 @@ export class Lighting {
     pool: BuilderPool,
     model: Model,
     pass: LightingState['pass'],
-    { controller: { signal } }: Running,
+    { controller: { signal }, isTold }: Running,
   ): Promise<Built> {
     const { lighting } = this.#store;
     const left = new TimeLeft(performance.now());
@@ -252,7 +257,7 @@ export class Lighting {
     const opened = ({ warnings, work }: RoomCounts) => {
       if (signal.aborted) return;
       begun = { ...begun, secondsForeseen: secondsForeseen({ work }) };
-      if (pass === 'full' || this.#store.sheet.peek()) return;
+      if (pass === 'full' || isTold || this.#store.sheet.peek()) return;
       for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
     };
     const options = chosenOptions(this.#choices);

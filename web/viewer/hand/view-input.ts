@@ -78,7 +78,8 @@ export class ViewInput {
     if (room.length === 0) return null;
     const frame = canvas.getBoundingClientRect();
     const other = wipe.lightAt((x - frame.left) / frame.width); // its luminaires are looked at only
-    const [own, there] = other ? [[], other] : [luminaires.objects, light.light];
+    const seen = luminaires.root.visible ? luminaires.objects : [];
+    const [own, there] = other ? [[], other] : [seen, light.light];
     return picking.pick(x, y, rig.active, room, own, there, light.reflectance);
   }
 
