@@ -48,6 +48,7 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
   await page.getByRole('banner').getByRole('button').first().click();
   const gallery = page.getByRole('dialog', { name: 'Rooms' });
   await expect(gallery.getByRole('heading', { name: 'Your rooms' })).toBeVisible();
+  await expect(gallery.getByText(/MB of .* are taken/)).toBeVisible();
   await gallery.getByRole('button', { name: 'Rename my box' }).click();
   await gallery.getByLabel('Name of the room').fill('Atelier');
   await gallery.getByRole('button', { name: 'Rename', exact: true }).click();
@@ -58,6 +59,30 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
 
   await page.getByRole('banner').getByRole('button').first().click();
   await gallery.getByRole('button', { name: 'Delete Atelier' }).click();
+  await expect(gallery.getByRole('heading', { name: 'Your rooms' })).toHaveCount(0);
+});
+
+test('where the browser stores no more, the room stays on the screen, and that is said', async ({ page }) => {
+  test.setTimeout(900_000);
+  await page.addInitScript(() => {
+    const { put } = IDBObjectStore.prototype;
+    IDBObjectStore.prototype.put = function (...asked) {
+      if (this.name === 'files') throw new DOMException('the disk is full', 'QuotaExceededError');
+      return put.apply(this, asked);
+    };
+  });
+  await openRoom(page, 'Box');
+  await drop(page, { 'my box.glb': await smallRoom() });
+  const warning = page.getByRole('region', { name: 'Messages' });
+  await expect(warning.getByText(/“my box” is not kept in this browser: its storage is full/)).toBeVisible(
+    patience,
+  );
+  await expect(working(page)).toHaveCount(0, patience);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('my box');
+  await expectLit(page);
+  await page.getByRole('banner').getByRole('button').first().click();
+  const gallery = page.getByRole('dialog', { name: 'Rooms' });
+  await expect(gallery.getByRole('heading', { name: 'Rooms', exact: true })).toBeVisible();
   await expect(gallery.getByRole('heading', { name: 'Your rooms' })).toHaveCount(0);
 });
 

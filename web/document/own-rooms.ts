@@ -24,6 +24,7 @@ export interface OwnRoom {
 export interface Quota {
   readonly taken: number;
   readonly granted: number;
+  readonly isSafe: boolean; // else the browser may clear it where the disk is full
 }
 
 let database: Promise<IDBPDatabase> | null = null;
@@ -56,8 +57,8 @@ export async function keepRoom(entry: Omit<OwnRoom, 'bytes' | 'at'>, file: Array
 export async function putRoom(entry: OwnRoom, file: ArrayBuffer): Promise<void> {
   const transaction = (await open()).transaction(['list', 'files'], 'readwrite');
   await Promise.all([
+    transaction.objectStore('files').put(file, entry.room), // first: what refuses it has listed nothing
     transaction.objectStore('list').put(entry),
-    transaction.objectStore('files').put(file, entry.room),
     transaction.done,
   ]);
 }
@@ -90,5 +91,6 @@ export async function deleteRoom(room: string): Promise<void> {
 
 export async function quota(): Promise<Quota | null> {
   const { usage, quota: granted } = (await navigator.storage?.estimate?.()) ?? {};
-  return usage === undefined || granted === undefined ? null : { taken: usage, granted };
+  const isSafe = (await navigator.storage?.persisted?.()) ?? false;
+  return usage === undefined || granted === undefined ? null : { taken: usage, granted, isSafe };
 }

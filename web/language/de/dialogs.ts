@@ -63,6 +63,7 @@ export const dialogs: Words['dialogs'] = {
     name: 'Eigene Räume',
     where: 'Sie bleiben nur in diesem Browser.',
     taken: (where, taken, granted) => `${where} ${taken} von ${granted} sind belegt.`,
+    mayGo: 'Ist der Datenträger voll, kann der Browser sie löschen: als .flux sichern, was bleiben soll.',
     deleted: (title) => `„${title}“ ist gelöscht.`,
     bringBack: 'Zurückholen',
     rename: (title) => `${title} umbenennen`,

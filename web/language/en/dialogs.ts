@@ -61,6 +61,7 @@ export const dialogs = {
     name: 'Your rooms',
     where: 'They are kept in this browser only.',
     taken: (where: string, taken: string, granted: string) => `${where} ${taken} of ${granted} are taken.`,
+    mayGo: 'When the disk is full, the browser may clear them: save as .flux what is to stay.',
     deleted: (title: string) => `“${title}” is deleted.`,
     bringBack: 'Bring it back',
     rename: (title: string) => `Rename ${title}`,

@@ -8,7 +8,8 @@ import { words } from '../../language/language.ts';
 import { fixed, locale } from '../../language/numbers.ts';
 import { reasonOf } from '../../document/reason.ts';
 
-const megabytes = (bytes: number) => `${fixed(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
+const megabytes = (bytes: number) =>
+  bytes < 1e9 ? `${fixed(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB` : `${fixed(bytes / 1e9, 1)} GB`;
 
 export function OwnRooms({ close }: { readonly close: () => void }) {
   const { own } = useApp();
@@ -31,10 +32,10 @@ export function OwnRooms({ close }: { readonly close: () => void }) {
 }
 
 function quotaText(quota: Quota | null): string {
-  const where = words.value.dialogs.own.where;
-  return quota
-    ? words.value.dialogs.own.taken(where, megabytes(quota.taken), megabytes(quota.granted))
-    : where;
+  const { where, taken, mayGo } = words.value.dialogs.own;
+  if (!quota) return where;
+  const told = taken(where, megabytes(quota.taken), megabytes(quota.granted));
+  return quota.isSafe ? told : `${told} ${mayGo}`;
 }
 
 function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => void }) {
@@ -62,7 +63,8 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
       >
         <strong>{room.title}</strong>
         <span>
-          {new Date(room.at).toLocaleDateString(locale.value)}, {megabytes(room.bytes)}
+          {new Date(room.at).toLocaleDateString(locale.value, { dateStyle: 'medium' })},{' '}
+          {megabytes(room.bytes)}
         </span>
       </button>
       <button
