@@ -154,7 +154,7 @@ const rooms = [
         description: 'Jeder Tisch ist eine Insel aus Licht, und der Raum ringsum bleibt im Dunkeln.',
       },
     },
-    precompute: ['--patch', '0.3', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
+    precompute: ['--patch', '0.3', '--cluster', '4', '--site-size', '0.3'],
     opening: {
       cards: [
         { verb: 'homogenize', surfaces: tables, aim: 150, contrast: { over: ['floor'], min: 6 } },
@@ -208,7 +208,7 @@ const rooms = [
         description: 'Leselicht in einer Ecke, und im Übrigen so viel, wie ein Abend braucht.',
       },
     },
-    precompute: ['--patch', '0.25', '--cluster', '6', '--rays', '512', '--site-size', '0.3'],
+    precompute: ['--patch', '0.25', '--cluster', '4', '--site-size', '0.3'],
     opening: {
       cards: [
         { verb: 'illuminate', surfaces: ['reading place'], aim: 400 },
