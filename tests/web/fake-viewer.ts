@@ -51,6 +51,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       building: () => null,
       openingCut: async () => null,
       open: async () => void viewer.opened++,
+      expectPreview: () => {},
       preview: async () => {},
       arrive: () => {},
       colors: async () => null,

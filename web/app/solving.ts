@@ -314,6 +314,11 @@ export class Solving {
     this.#client.stop();
   }
 
+  /** Where nothing is searched any more, what is still proved of it ends: something else wants the processor. */
+  rest(): void {
+    if (this.#store.progress.peek().state === 'settled') this.#client.stop();
+  }
+
   #newClient(): SolverClient {
     return new SolverClient(this.#createWorker, (message) => this.#receive(message));
   }

@@ -13,7 +13,9 @@ export function DropZone() {
     const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
     const listeners: Record<string, (event: DragEvent) => void> = {
       dragenter: (event) => {
-        if (hasFiles(event)) setOver(++depth > 0);
+        if (!hasFiles(event)) return;
+        setOver(++depth > 0);
+        app.viewer.expectPreview();
       },
       dragleave: (event) => {
         if (hasFiles(event)) setOver(--depth > 0);

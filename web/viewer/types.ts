@@ -102,6 +102,8 @@ export interface Viewer {
   prepare(glb: ArrayBuffer): void;
   /** Shows a room's display mesh; resolves when it can be drawn. Rejects with one readable line. */
   open(glb: ArrayBuffer, scene: SceneInfo): Promise<void>;
+  /** A plain .glb may come: what draws it is made ready meanwhile. */
+  expectPreview(): void;
   /** Shows a plain .glb without light (a dropped file that still needs `fiatlux precompute`). */
   preview(glb: ArrayBuffer, options?: { readonly keepView?: boolean }): Promise<void>;
   /**

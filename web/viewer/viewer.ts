@@ -1,5 +1,5 @@
 /** The view: opens a room, shows its light and its luminaires; the parts it is made of are put together here. */
-import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type ShaderMaterial } from 'three';
+import { Box3, DoubleSide, FrontSide, Mesh, Ray, Vector3, type Object3D, type ShaderMaterial } from 'three';
 import type { PlanFrame, RoomPlan } from '../document/plan-frame.ts';
 import type { MarkedArea } from '../document/areas.ts';
 import type { Camera, Display, Layout, SceneInfo } from '../document/types.ts';
@@ -26,7 +26,14 @@ import { breath } from './stage/breath.ts';
 import { planOf, roomFrame } from './room/floor-plan.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
-import { loadPreview, loadRoomMesh, readGlb, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
+import {
+  drawnSide,
+  loadPreview,
+  loadRoomMesh,
+  readGlb,
+  type LitMesh,
+  type RoomMesh,
+} from './room/room-mesh.ts';
 import { Section } from './room/section.ts';
 import { cutOf, isBuilding, openingCut } from './room/storeys.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
@@ -46,7 +53,7 @@ import type {
 } from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
-import { warmUp } from './warm-up.ts';
+import { previewSample, warmUp } from './warm-up.ts';
 
 const twoStoreys = 4.2; // m: a lower room has one
 /** 300 ms after a room was opened: its first picture goes before. */
@@ -94,6 +101,7 @@ class RoomViewer implements Viewer {
   #looked: Promise<void> = Promise.resolve(); // whether it is a building is known
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
   #cool: () => void; // frees what was warmed up
+  #expected: Object3D | null = null; // holds the programs of a room without light
   #ready = false; // every part is there
   #disposed = false;
 
@@ -179,6 +187,17 @@ class RoomViewer implements Viewer {
     this.#frame = frame;
     this.#awaitLight(turn);
     this.#looked = this.#look(turn);
+  }
+
+  expectPreview(): void {
+    if (this.#expected) return;
+    this.#expected = previewSample(drawnSide(this.#display?.cutAway ?? true));
+    this.#stage.startLinking(this.#expected, this.#rig.active);
+  }
+
+  #forgetExpected(): void {
+    if (this.#expected) freeGpu(this.#expected);
+    this.#expected = null;
   }
 
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
@@ -398,6 +417,7 @@ class RoomViewer implements Viewer {
     this.#input.dispose();
     this.#clearRoom();
     this.#cool();
+    this.#forgetExpected();
     this.#tags.dispose();
     this.#planeLabels.dispose();
     this.#otherPlaneLabels.dispose();
@@ -593,6 +613,7 @@ class RoomViewer implements Viewer {
     if (lost) {
       this.#loop.suspend();
       freeGpu(this.#stage.scene);
+      this.#forgetExpected();
       this.#light.release();
       this.#contacts.release();
       this.#wipe.release();

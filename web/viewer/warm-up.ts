@@ -5,14 +5,19 @@
 import {
   PlaneGeometry,
   Color,
+  Group,
   Mesh,
+  MeshStandardMaterial,
   Scene,
   Texture,
   type Camera,
   type Material,
+  type Side as DrawnSide,
   type WebGLRenderer,
 } from 'three';
 import { createLightMaterial, type SharedUniforms } from './light/light-material.ts';
+import { diffuse } from './room/room-mesh.ts';
+import { programsOf } from './stage/gpu-resources.ts';
 import {
   createHaloMaterial,
   createHousingMaterial,
@@ -39,15 +44,17 @@ const enough = 500; // times: where no link ends (the context is lost) the first
 
 /** Uses every program once it is linked: only the first use waits for the link, and asks for the uniforms. */
 function useLinked(renderer: WebGLRenderer, turn = 0): void {
-  const programs = (renderer.info.programs ?? []) as unknown as readonly Program[];
+  const programs = programsOf(renderer);
   if (programs.every((program) => program.isReady())) for (const program of programs) program.getUniforms();
   else if (turn < enough) setTimeout(() => useLinked(renderer, turn + 1), often);
 }
 
-/** What three has and its types leave out. */
-interface Program {
-  isReady(): boolean; // linked, or not to be known without waiting
-  getUniforms(): unknown;
+/** As most meshes of a room without light are. The programs of what it returns are those of them, once it is compiled. */
+export function previewSample(side: DrawnSide): Group {
+  const group = new Group();
+  for (const map of [null, new Texture()])
+    group.add(new Mesh(new PlaneGeometry(), diffuse(new MeshStandardMaterial({ map }), side)));
+  return group;
 }
 
 /** Starts the linking and returns at once; the programs last until what it returns is called. */

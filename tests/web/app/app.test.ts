@@ -258,6 +258,16 @@ describe('an edit', () => {
     expect(solver.last('bound')).toBeDefined();
   });
 
+  test('what is proved of it ends for a model that is on its way; what is still searched does not', () => {
+    app.addCard('illuminate', ['floor']);
+    app.store.progress.value = { ...app.store.progress.value, state: 'improving' };
+    app.opening.lighting.expect();
+    expect(solver.last('stop')).toBeUndefined();
+    settle();
+    app.opening.lighting.expect();
+    expect(solver.asked.at(-1)).toEqual({ type: 'stop' });
+  });
+
   test('exitance is refused while an intention is aimed at a measuring plane', () => {
     const scene = app.store.scene.value!;
     const surfaces = scene.surfaces.map((surface) => ({ ...surface, measuring: surface.name === 'wall' }));

@@ -150,6 +150,11 @@ export class Lighting {
     }
   }
 
+  /** A model is on its way, whose picture and light want the processor. */
+  expect(): void {
+    this.#solving.rest();
+  }
+
   /** Why a model cannot be lit, as far as that is known before anything is computed; null where it can. */
   async faultOf(model: Model): Promise<string | null> {
     try {

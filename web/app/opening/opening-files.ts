@@ -225,6 +225,8 @@ export class FileOpening {
 
   /** Shows a model as it will look, and computes its light. One that is broken is not shown: what lights it says why. */
   async #light(name: string, bytes: ArrayBuffer, others: readonly File[]): Promise<void> {
+    this.#viewer.expectPreview();
+    this.#lighting.expect();
     const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
     for (const other of others) siblings.set(other.name, new Uint8Array(await other.arrayBuffer()));
     let model: Model = { name, bytes: new Uint8Array(bytes), siblings };

@@ -112,7 +112,7 @@ function floorOf({ lit }: RoomMesh): number[] {
   const lowest = Math.min(...bottoms);
   const floors = new Map<number, number[][]>(); // by surface
   for (const { mesh, surface } of solid.filter((_, i) => bottoms[i]! < lowest + level)) {
-    const faces = floorTriangles(trianglesOf(mesh), lowest);
+    const faces = floorTriangles(trianglesOf(mesh, lowest + level), lowest);
     floors.set(surface, [...(floors.get(surface) ?? []), faces]);
   }
   const areas = [...floors.values()].map((parts) => parts.reduce((sum, faces) => sum + levelArea(faces), 0));
@@ -130,16 +130,23 @@ function levelArea(faces: Triangles): number {
   return sum;
 }
 
-function trianglesOf({ geometry, matrixWorld }: RoomMesh['lit'][number]['mesh']): Float64Array {
+/** In world space; only those whose middle lies below a height, where one is given. */
+function trianglesOf({ geometry, matrixWorld }: RoomMesh['lit'][number]['mesh'], below = Infinity): number[] {
   const position = geometry.getAttribute('position');
-  const index = geometry.index?.array;
-  const corners = new Float64Array(3 * (index?.length ?? position.count));
+  const places = new Float64Array(3 * position.count);
   const point = new Vector3();
-  for (let i = 0; 3 * i < corners.length; i++)
+  for (let i = 0; i < position.count; i++)
     point
-      .fromBufferAttribute(position, index ? index[i]! : i)
+      .fromBufferAttribute(position, i)
       .applyMatrix4(matrixWorld)
-      .toArray(corners, 3 * i);
+      .toArray(places, 3 * i);
+  const { index } = geometry;
+  const corners: number[] = [];
+  for (let first = 0; first + 2 < (index?.count ?? position.count); first += 3) {
+    const at = [first, first + 1, first + 2].map((k) => 3 * (index?.getX(k) ?? k));
+    if (at.reduce((sum, k) => sum + places[k + 1]!, 0) / 3 >= below) continue;
+    for (const k of at) corners.push(places[k]!, places[k + 1]!, places[k + 2]!);
+  }
   return corners;
 }
 

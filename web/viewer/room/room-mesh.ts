@@ -198,12 +198,14 @@ export function loadRoomMesh(
  * All is diffuse. glTF's own material would have other pictures fetched that say nothing of that, and a program that takes
  * long to link, without which nothing is seen.
  */
-function diffuse(source: MeshStandardMaterial, side: DrawnSide): MeshLambertMaterial {
+export function diffuse(source: MeshStandardMaterial, side: DrawnSide): MeshLambertMaterial {
   const { name, color, map, vertexColors, transparent, opacity, alphaTest, depthWrite } = source;
   const { flatShading = false } = source; // of an unlit material there is none
   const look = { name, color, map, vertexColors, flatShading, transparent, opacity, alphaTest, depthWrite };
   return new MeshLambertMaterial({ ...look, side });
 }
+
+export const drawnSide = (cutAway: boolean): DrawnSide => (cutAway ? FrontSide : DoubleSide);
 
 /** Loads any .glb as it is, to be looked at under plain lights. */
 export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<RoomMesh> {
@@ -212,7 +214,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   const looks = new Map<Material, Material>();
   for (const mesh of meshesOf(root)) {
     const source = mesh.material as MeshStandardMaterial;
-    const look = looks.get(source) ?? diffuse(source, cutAway ? FrontSide : DoubleSide);
+    const look = looks.get(source) ?? diffuse(source, drawnSide(cutAway));
     looks.set(source, look);
     mesh.material = look;
   }

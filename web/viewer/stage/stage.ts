@@ -14,6 +14,8 @@ import {
   type Object3D,
 } from 'three';
 import { createBackground } from './background.ts';
+import { breath } from './breath.ts';
+import { programsOf, texturesUnder } from './gpu-resources.ts';
 import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
@@ -100,14 +102,29 @@ export class Stage {
     return this.renderer.getPixelRatio();
   }
 
-  /** Ends when the programs of a room without light are linked: the first frame with it would wait for that. */
+  /**
+   * Ends when the first frame with a room without light has nothing to wait for: its programs are linked and known, and its
+   * textures on their way, each in a task of its own. Within a frame, each first question about a program would wait for all
+   * textures that were uploaded before.
+   */
   async link(root: Object3D, camera: Camera): Promise<void> {
-    const { visible } = this.daylight;
-    this.daylight.visible = true; // as it is then
-    const linked = this.renderer.compileAsync(root, camera, this.scene);
-    this.daylight.visible = visible;
+    const linked = this.#inDaylight(() => this.renderer.compileAsync(root, camera, this.scene));
     const late = new Promise((resolve) => setTimeout(resolve, longestLink));
     await Promise.race([linked, late]);
+    await this.#caughtUp();
+    for (const program of programsOf(this.renderer)) {
+      program.getUniforms();
+      await breath();
+    }
+    for (const texture of texturesUnder(root)) {
+      this.renderer.initTexture(texture);
+      await breath();
+    }
+  }
+
+  /** Starts the linking of such a room's programs, and returns at once. */
+  startLinking(root: Object3D, camera: Camera): void {
+    this.#inDaylight(() => this.renderer.compile(root, camera, this.scene));
   }
 
   /** Draws the picture, or the part of it between two shares of its width. */
@@ -158,6 +175,27 @@ export class Stage {
     this.#canvas.removeEventListener('webglcontextrestored', this.#restored);
     this.#background.dispose();
     this.renderer.dispose();
+  }
+
+  /** Ends when the graphics process has done all that it was given; at once in a lost context. */
+  async #caughtUp(): Promise<void> {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    gl.flush();
+    const until = performance.now() + longestLink;
+    while (performance.now() < until && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED)
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    gl.deleteSync(fence);
+  }
+
+  /** With the lights by which a room without light is seen. */
+  #inDaylight<T>(compile: () => T): T {
+    const { visible } = this.daylight;
+    this.daylight.visible = true;
+    const result = compile();
+    this.daylight.visible = visible;
+    return result;
   }
 
   #resize = (): void => {
