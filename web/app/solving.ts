@@ -450,7 +450,9 @@ export class Solving {
       words.value.values.luminaires(shown.layout.sites.length),
       outcome,
     );
-    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions());
+    const { lighting } = this.#store;
+    const isLighting = lighting.peek() !== null && !lighting.peek()?.fault; // which wants the processor, and will change the light
+    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions(), isLighting);
   }
 
   #alphaStepped({ step }: Answer<'alphaStep'>): void {

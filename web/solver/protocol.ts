@@ -156,6 +156,7 @@ export type ToWorker =
       readonly revision: number;
       readonly intentions: Intentions;
       readonly search: number | null; // revision of the 'solve' for these very intentions; null = there was none
+      readonly isBrief: boolean; // without its last and longest stage
     }
   /** Recomputes every surface of a layout from the patches -> 'checked'. */
   | {

@@ -339,9 +339,11 @@ export class SessionDriver {
     check(this.#asked.startBound());
     const { revision } = request;
     const task = new BoundTask(this.#asked, this.#clock, revision);
-    this.#endProof = task.handOn((pairs, tell) =>
-      this.#prove(pairs, (proved) => this.#attempt(revision, () => this.#tell(tell(proved)), null)),
-    );
+    if (request.isBrief) this.#asked.takePairs();
+    else
+      this.#endProof = task.handOn((pairs, tell) =>
+        this.#prove(pairs, (proved) => this.#attempt(revision, () => this.#tell(tell(proved)), null)),
+      );
     this.#task = task;
   }
 

@@ -113,9 +113,9 @@ export class SolverClient {
     return this.#ask({ type: 'alpha', revision: ++this.#revision, intentions, seed, held });
   }
 
-  bound(intentions: Intentions): number {
+  bound(intentions: Intentions, isBrief = false): number {
     const search = this.#searchFor(intentions);
-    return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search });
+    return this.#ask({ type: 'bound', revision: ++this.#revision, intentions, search, isBrief });
   }
 
   /** Tries other intentions beside those that are asked; the first from `start`. */

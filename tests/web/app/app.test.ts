@@ -255,7 +255,19 @@ describe('an edit', () => {
   test('of a settled, met problem asks for a bound', () => {
     app.addCard('illuminate', ['floor']);
     settle();
-    expect(solver.last('bound')).toBeDefined();
+    expect(solver.last('bound')).toMatchObject({ isBrief: false });
+  });
+
+  test('of a settled, met problem asks for a brief bound while other light is computed', () => {
+    const lighting = { name: 'a.glb', pass: 'full', stage: 'casting', share: 0.5, secondsLeft: 9 } as const;
+    app.store.lighting.value = { ...lighting, fault: null };
+    app.addCard('illuminate', ['floor']);
+    settle();
+    expect(solver.last('bound')).toMatchObject({ isBrief: true });
+    app.store.lighting.value = { ...lighting, fault: 'The computation was stopped.' };
+    app.addCard('homogenize', ['floor']);
+    settle();
+    expect(solver.last('bound')).toMatchObject({ isBrief: false });
   });
 
   test('what is proved of it ends for a model that is on its way; what is still searched does not', () => {

@@ -854,7 +854,7 @@ describe('what is long of a bound', () => {
   test('goes on beside the driver, and the better of both is told', async () => {
     await opened();
     session.pairs = Float64Array.of(7);
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: false });
     settle();
     expect(proofs.map(({ pairs }) => [...pairs])).toEqual([[7]]);
     expect(answers.at(-1)).toMatchObject({ type: 'bounded', done: false });
@@ -873,10 +873,19 @@ describe('what is long of a bound', () => {
     expect(proofs[0]!.isEnded).toBe(false);
   });
 
+  test('is left out where it is not asked for', async () => {
+    await opened();
+    session.pairs = Float64Array.of(7);
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: true });
+    settle();
+    expect(proofs).toEqual([]);
+    expect(answers.at(-1)).toMatchObject({ type: 'bounded', gap: 0.1, done: true });
+  });
+
   test('a worker that ends without a proof leaves what is proved', async () => {
     await opened();
     session.pairs = Float64Array.of(7);
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: false });
     settle();
     proofs[0]!.tell({ goal: -Infinity, done: true });
     expect(answers.at(-1)).toMatchObject({ type: 'bounded', gap: 0.1, done: true });
@@ -889,7 +898,7 @@ describe('what is long of a bound', () => {
   ])('$type ends the proof at once, before anything of its own is done', async (message) => {
     await opened();
     session.pairs = Float64Array.of(7);
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: false });
     settle();
     await driver.receive(message);
     expect(proofs.map(({ isEnded }) => isEnded)).toEqual([true]);
@@ -924,7 +933,7 @@ describe('alpha, bound and stop', () => {
   test('bound waits for the search, uses it, and tells smaller and smaller gaps', async () => {
     await opened();
     await driver.receive(solve(2));
-    await driver.receive({ type: 'bound', revision: 3, intentions: asked, search: 2 });
+    await driver.receive({ type: 'bound', revision: 3, intentions: asked, search: 2, isBrief: false });
     settle();
     expect(session.calls.filter((call) => call.startsWith('start') || call === 'bound')).toEqual([
       'start 3',
@@ -940,7 +949,7 @@ describe('alpha, bound and stop', () => {
 
   test('bound without a search of the same intentions makes one', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: false });
     settle();
     expect(session.calls).toContain('start 1');
     expect(answers.at(-1)).toMatchObject({ type: 'bounded', revision: 2, done: true });
@@ -948,7 +957,7 @@ describe('alpha, bound and stop', () => {
 
   test('a new wish ends the bound', async () => {
     await opened();
-    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null });
+    await driver.receive({ type: 'bound', revision: 2, intentions: asked, search: null, isBrief: false });
     driver.step();
     await driver.receive(solve(3));
     answers.length = 0;
