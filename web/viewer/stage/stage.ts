@@ -14,8 +14,8 @@ import {
   type Object3D,
 } from 'three';
 import { createBackground } from './background.ts';
-import { breath } from './breath.ts';
-import { programsOf, texturesUnder } from './gpu-resources.ts';
+import { breaths } from './breath.ts';
+import { programsOf, texturesUnder, type Program } from './gpu-resources.ts';
 import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
@@ -60,6 +60,7 @@ export class Stage {
   readonly daylight = new Group();
   width = 1; // CSS px
   height = 1;
+  readonly #known = new WeakSet<Program>(); // asked for their uniforms
   #canvas: HTMLCanvasElement;
   #host: StageHost;
   #background = createBackground();
@@ -104,21 +105,24 @@ export class Stage {
 
   /**
    * Ends when the first frame with a room without light has nothing to wait for: its programs are linked and known, and its
-   * textures on their way, each in a task of its own. Within a frame, each first question about a program would wait for all
+   * textures on their way, in short tasks. Within a frame, each first question about a program would wait for all
    * textures that were uploaded before.
    */
   async link(root: Object3D, camera: Camera): Promise<void> {
     const linked = this.#inDaylight(() => this.renderer.compileAsync(root, camera, this.scene));
     const late = new Promise((resolve) => setTimeout(resolve, longestLink));
     await Promise.race([linked, late]);
-    await this.#caughtUp();
-    for (const program of programsOf(this.renderer)) {
+    const fresh = programsOf(this.renderer).filter((program) => !this.#known.has(program));
+    if (fresh.length > 0) await this.#caughtUp();
+    const pause = breaths();
+    for (const program of fresh) {
       program.getUniforms();
-      await breath();
+      this.#known.add(program);
+      await pause();
     }
     for (const texture of texturesUnder(root)) {
       this.renderer.initTexture(texture);
-      await breath();
+      await pause();
     }
   }
 
