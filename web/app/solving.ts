@@ -450,8 +450,8 @@ export class Solving {
       words.value.values.luminaires(shown.layout.sites.length),
       outcome,
     );
-    const { lighting } = this.#store;
-    const isLighting = lighting.peek() !== null && !lighting.peek()?.fault; // which wants the processor, and will change the light
+    const lighting = this.#store.lighting.peek();
+    const isLighting = lighting !== null && lighting.fault === null; // wants the processor, and will change the light
     if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions(), isLighting);
   }
 

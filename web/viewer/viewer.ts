@@ -195,11 +195,6 @@ class RoomViewer implements Viewer {
     this.#stage.startLinking(this.#expected, this.#rig.active);
   }
 
-  #forgetExpected(): void {
-    if (this.#expected) freeGpu(this.#expected);
-    this.#expected = null;
-  }
-
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {
     const turn = ++this.#opening;
     const room = await loadPreview(glb, this.#display?.cutAway ?? true);
@@ -491,6 +486,11 @@ class RoomViewer implements Viewer {
     if (turn !== this.#opening || this.#disposed || this.#section.storeys.length < 2) return;
     this.#applyDisplay();
     this.#loop.invalidate();
+  }
+
+  #forgetExpected(): void {
+    if (this.#expected) freeGpu(this.#expected);
+    this.#expected = null;
   }
 
   #clearRoom(): void {

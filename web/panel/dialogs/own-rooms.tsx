@@ -8,7 +8,7 @@ import { words } from '../../language/language.ts';
 import { fixed, locale } from '../../language/numbers.ts';
 import { reasonOf } from '../../document/reason.ts';
 
-const megabytes = (bytes: number) =>
+const sizeText = (bytes: number) =>
   bytes < 1e9 ? `${fixed(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB` : `${fixed(bytes / 1e9, 1)} GB`;
 
 export function OwnRooms({ close }: { readonly close: () => void }) {
@@ -34,7 +34,7 @@ export function OwnRooms({ close }: { readonly close: () => void }) {
 function quotaText(quota: Quota | null): string {
   const { where, taken, mayGo } = words.value.dialogs.own;
   if (!quota) return where;
-  const told = taken(where, megabytes(quota.taken), megabytes(quota.granted));
+  const told = taken(where, sizeText(quota.taken), sizeText(quota.granted));
   return quota.isSafe ? told : `${told} ${mayGo}`;
 }
 
@@ -64,7 +64,7 @@ function Row({ room, close }: { readonly room: OwnRoom; readonly close: () => vo
         <strong>{room.title}</strong>
         <span>
           {new Date(room.at).toLocaleDateString(locale.value, { dateStyle: 'medium' })},{' '}
-          {megabytes(room.bytes)}
+          {sizeText(room.bytes)}
         </span>
       </button>
       <button
