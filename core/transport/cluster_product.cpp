@@ -1,6 +1,7 @@
 #include "core/transport/cluster_product.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cstring>
 
 namespace fiatlux {
@@ -33,21 +34,27 @@ void productOfRows(const float* u, std::size_t clusters, const float* x, float* 
   std::memcpy(out, sums, sizeof sums);
 }
 
+constexpr std::size_t kMostRows = 4;
+
+/// Of at least kMostRows rows.
 template <std::uint32_t kBlocks>
 void productInBlocks(const float* u, std::size_t rows, std::size_t clusters, const float* x, float* out) {
-  constexpr std::size_t kRows = 4, kWidth = 8 * kBlocks;
-  std::size_t p = 0;
-  for (; p + kRows <= rows; p += kRows)
+  constexpr std::size_t kRows = kBlocks > 2 ? 2 : kMostRows, kWidth = 8 * kBlocks;  // as sums fit registers
+  for (std::size_t done = 0; done < rows; done += kRows) {
+    const std::size_t p = std::min(done, rows - kRows);  // the last ones overlap those before
     productOfRows<kBlocks, kRows>(u + p * clusters, clusters, x, out + p * kWidth);
-  for (; p < rows; ++p) productOfRows<kBlocks, 1>(u + p * clusters, clusters, x, out + p * kWidth);
+  }
 }
 
 }  // namespace
 
 void clusterProduct(const float* u, std::size_t rows, std::size_t clusters, const float* x,
                     std::uint32_t width, float* out) {
-  if (width == 8) return productInBlocks<1>(u, rows, clusters, x, out);
-  if (width == 16) return productInBlocks<2>(u, rows, clusters, x, out);
+  if (rows >= kMostRows) {
+    if (width == 8) return productInBlocks<1>(u, rows, clusters, x, out);
+    if (width == 16) return productInBlocks<2>(u, rows, clusters, x, out);
+    if (width == 32) return productInBlocks<4>(u, rows, clusters, x, out);
+  }
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto size = [](std::size_t count) { return static_cast<Eigen::Index>(count); };
   Eigen::Map<Matrix>(out, size(rows), width).noalias() =

@@ -12,10 +12,15 @@
 
 namespace fiatlux {
 
-/// Sources solved together: each near patch and slope is read once for them all.
-inline constexpr std::uint32_t kBlockWidth = 16;
+/// Sources solved together: the form factors, larger than any cache, are read once for them all.
+inline constexpr std::uint32_t kBlockWidth = 32;
 
-/// One block of sources, `width` columns (kBlockWidth is the fastest). All matrices row-major.
+/// Columns that so many sources are made up to with zeros, for which products of a known width are kept.
+inline std::uint32_t paddedSources(std::uint32_t sources) {
+  return sources <= 8 ? 8 : kBlockWidth;
+}
+
+/// One block of sources, `width` columns (those of paddedSources() are the fastest). All matrices row-major.
 struct ResponseBlock {
   std::uint32_t width = 0;
   std::vector<float> direct;  // in: rows x width, lx

@@ -178,7 +178,7 @@ TracedRoom build(const SourceScene& source, const RoomOptions& options) {
   addMeasuringPlanes(source, roles.measures, options, inside.names, room);
   if (options.plane > 0)
     addMeasuringPlanes(workingPlane(mesh, inside, options), {0}, options, inside.names, room);
-  room.patches.covered = coveredRows(room, tracer);
+  room.patches.covered = coveredRows(room, tracer, options.threads);
   sumSurfaces(room);
   addSites(mesh, inside.mounts, tracer, *inside.space, options, room);
   room.floor = floorBelow(room, tracer);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "precompute/base/parallel.h"
 #include "precompute/rays/hemisphere.h"
 #include "precompute/rays/patch_sampler.h"
 #include "precompute/rays/ray_sequence.h"
@@ -21,6 +22,7 @@ constexpr double kMostly = 0.5;        // share of the points
 constexpr std::uint32_t kPoints = 32;  // on a patch, a whole number of packets
 constexpr double kEyeAbove = 0.05;     // m above a place: from there it is looked round
 constexpr double kFirstWay = 0.2;      // rad: what is built lies along the axes, and no look should
+constexpr std::uint32_t kRows = 256;   // a thread's portion
 constexpr std::uint32_t kInsides = 5;  // of eight looks round: a straight sheet is met from behind by four
 
 /// What the rays from one patch have told: of how many points.
@@ -113,15 +115,18 @@ class Looker {
 
 }  // namespace
 
-std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer) {
+std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer, unsigned threads) {
   const Patches& patches = room.patches;
   const Looker looker(room, tracer);
   std::vector<std::uint8_t> covered(patches.rows());
+  parallelFor((patches.rows() + kRows - 1) / kRows, threads, [&](std::size_t portion) {
+    const auto first = static_cast<std::uint32_t>(portion) * kRows;
+    for (std::uint32_t p = first; p < std::min(first + kRows, patches.rows()); ++p)
+      covered[p] = looker.isCovered(p);
+  });
   std::vector<char> counts(room.surfaces.size());  // whether some patch of a surface does
-  for (std::uint32_t p = 0; p < patches.rows(); ++p) {
-    covered[p] = looker.isCovered(p);
+  for (std::uint32_t p = 0; p < patches.rows(); ++p)
     if (!covered[p]) counts[patches.surface[p]] = 1;
-  }
   for (std::uint32_t p = 0; p < patches.rows(); ++p)
     if (!counts[patches.surface[p]]) covered[p] = 0;
   if (std::find(covered.begin(), covered.end(), 1) == covered.end()) covered.clear();

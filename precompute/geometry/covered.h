@@ -15,7 +15,8 @@ namespace fiatlux {
 /// of its area is hidden, by whatever hides each place: a body closer than 2 cm in front of it, or around it,
 /// or things closer than 25 cm on both sides, 50 cm in a slit not higher than 15 cm, as of floor under a low
 /// sofa or wall behind a shelf. A measuring plane where something lies on it (within 10 cm above) or where it
-/// is inside a body. A surface that would be covered throughout counts as a whole. Deterministic.
-std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer);
+/// is inside a body. A surface that would be covered throughout counts as a whole. The same for any number of
+/// threads.
+std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer, unsigned threads);
 
 }  // namespace fiatlux

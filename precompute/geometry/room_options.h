@@ -53,7 +53,7 @@ struct RoomOptions {
   bool doubleSided = false;           // every material is: fronts may look either way
   double memory = 4;                  // GB, refused above
   std::uint32_t rays = kUsualRays;    // per patch that will be cast later: only to foresee the memory
-  unsigned threads = 1;               // that will share the work: only to foresee the memory
+  unsigned threads = 1;               // that share the work, now and later
   bool exchange = false;              // that will be computed later: only to foresee the memory
   bool paper = false;                 // clusters stay exactly cluster x cluster, however many there are
   std::vector<Luminaire> luminaires;  // known beforehand: what they light stays, even if it faces the void

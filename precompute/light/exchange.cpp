@@ -46,7 +46,7 @@ ExchangeBlock ExchangeColumns::solve(std::uint32_t index) const {
   const std::uint32_t first = index * kBlockWidth, used = std::min(kBlockWidth, groups_.count - first);
   const std::vector<double>& area = interpolation_.areas();
   ResponseBlock block;
-  block.width = used > 8 ? 16 : 8;
+  block.width = paddedSources(used);
   block.direct.assign(std::size_t{patches_.rows()} * block.width, 0.0f);
   block.emission.assign(std::size_t{patches_.count} * block.width, 0.0f);
   for (std::uint32_t p = 0; p < patches_.count; ++p) {

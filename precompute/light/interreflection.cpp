@@ -46,7 +46,7 @@ SolvedBlock Interreflection::solve(std::uint32_t index) const {
   if (index >= siteBlocks()) return {{}, {}, exchange_->solve(index - siteBlocks()), {}};
   const std::uint32_t rows = room_.patches.rows(), used = usedSites(index);
   ResponseBlock block;
-  block.width = used > 8 ? 16 : 8;
+  block.width = paddedSources(used);
   block.direct.assign(std::size_t{rows} * block.width, 0.0f);
   for (std::uint32_t j = 0; j < used; ++j) {
     const float* column = cast_.direct.data() + (std::size_t{index} * kBlockWidth + j) * rows;

@@ -20,7 +20,7 @@ class SurfaceExchangeRows {
   SurfaceExchangeRows(const Room& room, const FormFactors& factors, const LowRankRadiosity& lowRank);
   std::uint32_t blocks() const;
   std::uint32_t used(std::uint32_t block) const;
-  /// Of surfaces [first, first + used) with first = block x kBlockWidth: patches x used, row-major, 1/m2.
+  /// Of surfaces [first, first + used) with first = block x kColumnBlock: patches x used, row-major, 1/m2.
   std::vector<float> solve(std::uint32_t block) const;
 
  private:

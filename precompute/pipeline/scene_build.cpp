@@ -9,6 +9,7 @@
 #include "core/scene/scene_reader.h"
 #include "core/scene/scene_sections.h"
 #include "core/scene/section_codec.h"
+#include "precompute/base/parallel.h"
 
 namespace fiatlux {
 namespace {
@@ -115,9 +116,11 @@ PlainSection bytesSection(const char* name, std::vector<std::uint8_t> bytes) {
   return plainSection(name, ElementType::kUint8, Encoding::kPlain, size, 1, std::move(bytes));
 }
 
-/// What a reader will make of the file, whose sections inflate to these.
-Result<Scene> readBack(std::span<const std::uint8_t> file, const std::vector<PlainSection>& sections) {
-  Result<SceneReader> reader = SceneReader::open(file);
+/// What a reader will make of a file of these sections.
+Result<Scene> readBack(const Scene& scene, const std::vector<PlainSection>& sections) {
+  std::vector<StoredSection> stored;
+  for (const PlainSection& plain : sections) stored.push_back({plain.section, plain.bytes});
+  Result<SceneReader> reader = SceneReader::open(assembleSceneFile(scene.identity, countsOf(scene), stored));
   if (!reader) return reader.error();
   for (std::uint32_t i = 0; i < sections.size(); ++i) {
     if (!reader->needed(i) && !reader->ofOperator(i)) continue;
@@ -127,25 +130,29 @@ Result<Scene> readBack(std::span<const std::uint8_t> file, const std::vector<Pla
   return reader->finish();
 }
 
-}  // namespace
-
-std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate) {
+StoredSection storeSection(const PlainSection& plain, const Deflate& deflate) {
   // note: a very even section would look like a bomb to the reader.
-  const auto looksLikeBomb = [](const PlainSection& plain, const std::vector<std::uint8_t>& bytes) {
+  const auto looksLikeBomb = [&](const std::vector<std::uint8_t>& bytes) {
     return plain.bytes.size() > kFreeInflatedBytes && plain.bytes.size() / kMaxInflationRatio > bytes.size();
   };
-  std::vector<StoredSection> result;
-  for (const PlainSection& plain : sections) {
-    StoredSection stored{plain.section, deflate(plain.bytes, DeflateKind::kUsual)};
-    if (looksLikeBomb(plain, stored.bytes)) stored.bytes = deflate(plain.bytes, DeflateKind::kHuffman);
-    stored.section.codec = Codec::kDeflate;
-    if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {
-      stored.section.codec = Codec::kStored;
-      stored.bytes = plain.bytes;
-    }
-    result.push_back(std::move(stored));
+  StoredSection stored{plain.section, deflate(plain.bytes, DeflateKind::kUsual)};
+  if (looksLikeBomb(stored.bytes)) stored.bytes = deflate(plain.bytes, DeflateKind::kHuffman);
+  stored.section.codec = Codec::kDeflate;
+  if (stored.bytes.empty() || stored.bytes.size() >= plain.bytes.size()) {
+    stored.section.codec = Codec::kStored;
+    stored.bytes = plain.bytes;
   }
-  return result;
+  return stored;
+}
+
+}  // namespace
+
+std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate,
+                                         unsigned threads) {
+  std::vector<StoredSection> stored(sections.size());
+  parallelFor(sections.size(), threads,
+              [&](std::size_t i) { stored[i] = storeSection(sections[i], deflate); });
+  return stored;
 }
 
 Scene sceneOf(const Room& room, Transport&& transport, const std::string& identity) {
@@ -167,7 +174,8 @@ Scene sceneOf(const Room& room, Transport&& transport, const std::string& identi
 
 Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
                                      const std::optional<PaperTransport>& paper,
-                                     const std::optional<OpeningLight>& opening, const Deflate& deflate) {
+                                     const std::optional<OpeningLight>& opening, const Deflate& deflate,
+                                     unsigned threads) {
   EncodingReport report;
   Result<std::vector<PlainSection>> sections = encodeScene(scene, &report);
   if (!sections) return sections.error();
@@ -185,14 +193,20 @@ Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_
   EncodedScene encoded;
   encoded.identity = scene.identity;
   encoded.counts = countsOf(scene);
-  encoded.sections = storeSections(*sections, deflate);
   encoded.ranks = std::move(report.ranks);
 
-  // Read back what will be written, and measure it, before the provenance is added that tells so.
-  const Result<Scene> back =
-      readBack(assembleSceneFile(encoded.identity, encoded.counts, encoded.sections), *sections);
-  if (!back) return Error{kNotReadBack + back.error().message + ")"};
-  encoded.errors = errorsOf(scene, *back, std::move(report.responseRms));
+  // Read back what will be written, and measured, before the provenance is added that tells so; meanwhile
+  // deflated, which changes nothing for who inflates it.
+  std::string notRead;
+  const auto measure = [&] {
+    if (const Result<Scene> back = readBack(scene, *sections); back)
+      encoded.errors = errorsOf(scene, *back, std::move(report.responseRms));
+    else
+      notRead = back.error().message;
+  };
+  const auto store = [&] { encoded.sections = storeSections(*sections, deflate, std::max(2u, threads) - 1); };
+  parallelFor(2, threads, [&](std::size_t i) { i == 0 ? measure() : store(); });
+  if (!notRead.empty()) return Error{kNotReadBack + notRead + ")"};
   return encoded;
 }
 

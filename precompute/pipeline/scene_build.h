@@ -23,8 +23,9 @@ enum class DeflateKind { kUsual, kHuffman };
 using Deflate = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>, DeflateKind)>;
 
 /// Sections deflated where that makes them smaller (and, beyond 1 MB, within the ratio that the reader
-/// allows).
-std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate);
+/// allows), on that many threads.
+std::vector<StoredSection> storeSections(const std::vector<PlainSection>& sections, const Deflate& deflate,
+                                         unsigned threads = 1);
 
 /// What a scene says, before any rounding; the large arrays are moved out of `transport`.
 Scene sceneOf(const Room& room, Transport&& transport, const std::string& identity);
@@ -48,11 +49,12 @@ struct EncodedScene {
 
 /// Encodes, deflates, reads the result back and measures it. `picture`: a .glb to display, empty: none;
 /// `paper`: the paper's matrices, to be written too; `opening`: the light that is to be seen first, if any.
-/// What is seen first comes first. An error where the scene is too large for a file, or
-/// where what was read back is not what was written.
+/// What is seen first comes first. `deflate` is called on that many threads. An error where the scene is too
+/// large for a file, or where what was read back is not what was written.
 Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_t> picture,
                                      const std::optional<PaperTransport>& paper,
-                                     const std::optional<OpeningLight>& opening, const Deflate& deflate);
+                                     const std::optional<OpeningLight>& opening, const Deflate& deflate,
+                                     unsigned threads);
 
 /// The file's bytes, with `provenance` (JSON text).
 Result<std::vector<std::uint8_t>> closeSceneFile(EncodedScene scene, const std::string& provenance,
