@@ -116,16 +116,11 @@ PlainSection bytesSection(const char* name, std::vector<std::uint8_t> bytes) {
   return plainSection(name, ElementType::kUint8, Encoding::kPlain, size, 1, std::move(bytes));
 }
 
-/// Of a file of these sections, which it does not keep.
-Result<SceneReader> readerOf(const Scene& scene, const std::vector<PlainSection>& sections) {
-  std::vector<StoredSection> stored;
-  for (const PlainSection& plain : sections) stored.push_back({plain.section, plain.bytes});
-  return SceneReader::open(assembleSceneFile(scene.identity, countsOf(scene), stored));
-}
-
 /// What a reader will make of a file of these sections.
 Result<Scene> readBack(const Scene& scene, const std::vector<PlainSection>& sections) {
-  Result<SceneReader> reader = readerOf(scene, sections);
+  std::vector<StoredSection> stored;
+  for (const PlainSection& plain : sections) stored.push_back({plain.section, plain.bytes});
+  Result<SceneReader> reader = SceneReader::open(assembleSceneFile(scene.identity, countsOf(scene), stored));
   if (!reader) return reader.error();
   for (std::uint32_t i = 0; i < sections.size(); ++i) {
     if (!reader->needed(i) && !reader->ofOperator(i)) continue;
