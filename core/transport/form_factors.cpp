@@ -46,6 +46,7 @@ void correctBlocks(const FormFactors& factors, const float* detail, const float*
 void correct(const FormFactors& factors, std::uint32_t width, const float* detail, const float* leaning,
              float* out) {
   if (width == 8) return correctBlocks<1>(factors, detail, leaning, out);
+  if (width == 16) return correctBlocks<2>(factors, detail, leaning, out);
   if (width == 32) return correctBlocks<4>(factors, detail, leaning, out);
   for (std::size_t p = 0; p < factors.rows; ++p) {
     float* row = out + p * width;

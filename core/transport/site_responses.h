@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kBlockWidth = 32;
 
 /// Columns that so many sources are made up to with zeros, for which products of a known width are kept.
 inline std::uint32_t paddedSources(std::uint32_t sources) {
-  return sources <= 8 ? 8 : kBlockWidth;
+  return sources <= 8 ? 8 : sources <= 16 ? 16 : kBlockWidth;
 }
 
 /// One block of sources, `width` columns (those of paddedSources() are the fastest). All matrices row-major.

@@ -45,4 +45,14 @@ void parallelFor(std::size_t count, unsigned threads, const std::function<void(s
   if (failure) std::rethrow_exception(failure);
 }
 
+void parallelPortions(std::uint32_t count, std::uint32_t portion, unsigned threads,
+                      const std::function<void(std::uint32_t, std::uint32_t)>& body,
+                      const std::function<void(double)>& progress) {
+  const auto doPortion = [&](std::size_t i) {
+    const auto first = static_cast<std::uint32_t>(i) * portion;
+    body(first, std::min(first + portion, count));
+  };
+  parallelFor((count + portion - 1) / portion, threads, doPortion, progress);
+}
+
 }  // namespace fiatlux

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace fiatlux {
@@ -14,5 +15,10 @@ unsigned threadCount(unsigned asked);
 /// with the share done so far. An exception of a body stops the loop and is thrown again here.
 void parallelFor(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& body,
                  const std::function<void(double)>& progress = {});
+
+/// The same in portions of indices next to each other: body(first, end).
+void parallelPortions(std::uint32_t count, std::uint32_t portion, unsigned threads,
+                      const std::function<void(std::uint32_t, std::uint32_t)>& body,
+                      const std::function<void(double)>& progress = {});
 
 }  // namespace fiatlux

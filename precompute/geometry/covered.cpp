@@ -22,7 +22,6 @@ constexpr double kMostly = 0.5;        // share of the points
 constexpr std::uint32_t kPoints = 32;  // on a patch, a whole number of packets
 constexpr double kEyeAbove = 0.05;     // m above a place: from there it is looked round
 constexpr double kFirstWay = 0.2;      // rad: what is built lies along the axes, and no look should
-constexpr std::uint32_t kRows = 256;   // a thread's portion
 constexpr std::uint32_t kInsides = 5;  // of eight looks round: a straight sheet is met from behind by four
 
 /// What the rays from one patch have told: of how many points.
@@ -119,10 +118,9 @@ std::vector<std::uint8_t> coveredRows(const Room& room, const RayTracer& tracer,
   const Patches& patches = room.patches;
   const Looker looker(room, tracer);
   std::vector<std::uint8_t> covered(patches.rows());
-  parallelFor((patches.rows() + kRows - 1) / kRows, threads, [&](std::size_t portion) {
-    const auto first = static_cast<std::uint32_t>(portion) * kRows;
-    for (std::uint32_t p = first; p < std::min(first + kRows, patches.rows()); ++p)
-      covered[p] = looker.isCovered(p);
+  constexpr std::uint32_t kRows = 256;  // a thread's portion
+  parallelPortions(patches.rows(), kRows, threads, [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t p = first; p < end; ++p) covered[p] = looker.isCovered(p);
   });
   std::vector<char> counts(room.surfaces.size());  // whether some patch of a surface does
   for (std::uint32_t p = 0; p < patches.rows(); ++p)

@@ -170,12 +170,10 @@ FormFactors castFormFactors(const Room& room, const RayTracer& tracer, const Cas
   const FormFactorCaster caster(room, tracer, options);
   FormFactors factors = caster.withoutRows();
   constexpr std::uint32_t kRows = 32;  // a thread's portion
-  const auto castRows = [&](std::size_t portion) {
-    const auto first = static_cast<std::uint32_t>(portion) * kRows;
-    for (std::uint32_t p = first; p < std::min(first + kRows, factors.rows); ++p)
-      setRow(factors, p, caster.row(p));
+  const auto castRows = [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t p = first; p < end; ++p) setRow(factors, p, caster.row(p));
   };
-  parallelFor((factors.rows + kRows - 1) / kRows, options.threads, castRows, options.progress);
+  parallelPortions(factors.rows, kRows, options.threads, castRows, options.progress);
   caster.complete(factors);
   return factors;
 }

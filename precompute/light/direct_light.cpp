@@ -348,12 +348,11 @@ std::vector<float> directLight(const Room& room, const RayTracer& tracer,
   std::uint8_t* const visible = stepsOf(visibility, rows, luminaires.size());
   const RowLight rowLight(room, tracer, luminaires, options);
   constexpr std::uint32_t kRows = 32;  // a thread's portion
-  const auto lightRows = [&](std::size_t portion) {
-    const auto first = static_cast<std::uint32_t>(portion) * kRows;
-    for (std::uint32_t p = first; p < std::min(first + kRows, rows); ++p)
+  const auto lightRows = [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t p = first; p < end; ++p)
       rowLight.row(p, rows, light.data() + p, visible ? visible + p : nullptr);
   };
-  parallelFor((rows + kRows - 1) / kRows, options.threads, lightRows, options.progress);
+  parallelPortions(rows, kRows, options.threads, lightRows, options.progress);
   return light;
 }
 

@@ -195,8 +195,8 @@ Result<EncodedScene> encodeSceneFile(const Scene& scene, std::vector<std::uint8_
   encoded.counts = countsOf(scene);
   encoded.ranks = std::move(report.ranks);
 
-  // Read back what will be written, and measured, before the provenance is added that tells so; meanwhile
-  // deflated, which changes nothing for who inflates it.
+  // What will be written is read back and measured before the provenance is added that tells so, and
+  // meanwhile deflated, which changes nothing for who inflates it.
   std::string notRead;
   const auto measure = [&] {
     if (const Result<Scene> back = readBack(scene, *sections); back)

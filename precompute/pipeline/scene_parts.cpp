@@ -36,13 +36,14 @@ std::vector<float> reflectedColumns(const Patches& patches, const FormFactors& f
   std::vector<float> columns(direct.size());
   for (std::size_t first = 0; first < count; first += kBlockWidth) {
     ResponseBlock block;
-    block.width = static_cast<std::uint32_t>(std::min<std::size_t>(kBlockWidth, count - first));
+    const std::size_t used = std::min<std::size_t>(kBlockWidth, count - first);
+    block.width = paddedSources(static_cast<std::uint32_t>(used));
     block.direct.resize(rows * block.width);
-    for (std::size_t j = 0; j < block.width; ++j)
+    for (std::size_t j = 0; j < used; ++j)
       for (std::size_t p = 0; p < rows; ++p)
         block.direct[p * block.width + j] = direct[(first + j) * rows + p];
     solveResponses(factors, patches, lowRank, options.steps, options.tolerance, block);
-    for (std::size_t j = 0; j < block.width; ++j)
+    for (std::size_t j = 0; j < used; ++j)
       for (std::size_t p = 0; p < rows; ++p)
         columns[(first + j) * rows + p] = std::max(0.0f, block.irradiance[p * block.width + j]);
   }

@@ -25,6 +25,17 @@ TEST(Parallel, EachIndexComesOnce) {
   for (const unsigned threads : {0u, 1u, 7u}) EXPECT_TRUE(eachComesOnce(threads));
 }
 
+TEST(Parallel, PortionsAreNextToEachOtherAndTheLastIsShorter) {
+  for (const unsigned threads : {1u, 7u}) {
+    std::vector<int> times(1000);
+    parallelPortions(1000, 64, threads, [&](std::uint32_t first, std::uint32_t end) {
+      EXPECT_EQ(end - first, first == 960 ? 40u : 64u);
+      for (std::uint32_t i = first; i < end; ++i) ++times[i];
+    });
+    EXPECT_EQ(times, std::vector<int>(1000, 1));
+  }
+}
+
 TEST(Parallel, AFailureOfABodyComesBack) {
   const auto failing = [](std::size_t i) {
     if (i == 500) throw std::runtime_error("five hundred");
