@@ -94,11 +94,14 @@ void irradiance(const FormFactors& factors, const float* b, std::uint32_t width,
   std::vector<float> x(std::size_t{factors.clusters} * width);
   reduce(factors, b, width, x.data());
   clusterProduct(factors.u.data(), factors.rows, factors.clusters, x.data(), width, out);
+  addDetail(factors, b, x.data(), width, out);
+}
 
+void addDetail(const FormFactors& factors, const float* b, const float* x, std::uint32_t width, float* out) {
   // What V smears: each patch's difference from its cluster's mean.
   std::vector<float> detail(std::size_t{factors.count} * width);
   for (std::uint32_t q = 0; q < factors.count; ++q) {
-    const float* mean = x.data() + std::size_t{factors.cluster[q]} * width;
+    const float* mean = x + std::size_t{factors.cluster[q]} * width;
     for (std::uint32_t j = 0; j < width; ++j) {
       detail[std::size_t{q} * width + j] = b[std::size_t{q} * width + j] - mean[j];
     }

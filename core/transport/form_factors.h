@@ -51,6 +51,9 @@ void reduce(const FormFactors& factors, const float* e, std::uint32_t width, flo
 /// ever needed.
 void irradiance(const FormFactors& factors, const float* b, std::uint32_t width, float* out);
 
+/// Adds to `out` what F b has beyond U x, given x = V^T b (k x width).
+void addDetail(const FormFactors& factors, const float* b, const float* x, std::uint32_t width, float* out);
+
 /// F^T w (n x kColumnBlock) for w (rows x kColumnBlock): how much what leaves a patch weighs where it
 /// arrives.
 void transposedIrradiance(const FormFactors& factors, const float* w, float* out);

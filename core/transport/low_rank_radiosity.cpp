@@ -50,23 +50,35 @@ Result<LowRankRadiosity> LowRankRadiosity::factorize(const FormFactors& factors,
   return LowRankRadiosity(std::move(parts));
 }
 
-void LowRankRadiosity::respond(const float* x, std::uint32_t width, float* irradiance) const {
-  const FormFactors& factors = *parts_->factors;
-  const RowMatrixD reduced = ConstRowMapF(x, factors.clusters, width).cast<double>();
-  const RowMatrixF solved = parts_->core.solve(reduced).cast<float>();
-  clusterProduct(factors.u.data(), factors.count, factors.clusters, solved.data(), width, irradiance);
+/// (I - V^T R U)^-1 V^T e, which is V^T b: k x width.
+std::vector<float> LowRankRadiosity::clusterMeans(const float* e, std::uint32_t width) const {
+  const std::uint32_t k = parts_->factors->clusters;
+  std::vector<float> x(std::size_t{k} * width);
+  reduce(*parts_->factors, e, width, x.data());
+  const RowMatrixD reduced = ConstRowMapF(x.data(), k, width).cast<double>();
+  RowMapF(x.data(), k, width) = parts_->core.solve(reduced).cast<float>();
+  return x;
+}
+
+/// b = e + R gathered; `b` may be `gathered`.
+void LowRankRadiosity::reflect(const float* e, std::uint32_t width, const float* gathered, float* b) const {
+  for (std::size_t q = 0, at = 0; q < parts_->factors->count; ++q)
+    for (std::uint32_t j = 0; j < width; ++j, ++at) b[at] = e[at] + parts_->reflectance[q] * gathered[at];
 }
 
 void LowRankRadiosity::solve(const float* e, std::uint32_t width, float* b) const {
-  std::vector<float> x(std::size_t{parts_->factors->clusters} * width);
-  reduce(*parts_->factors, e, width, x.data());
-  respond(x.data(), width, b);
-  for (std::uint32_t q = 0; q < parts_->factors->count; ++q) {
-    for (std::uint32_t j = 0; j < width; ++j) {
-      const std::size_t at = std::size_t{q} * width + j;
-      b[at] = e[at] + parts_->reflectance[q] * b[at];
-    }
-  }
+  const FormFactors& factors = *parts_->factors;
+  const std::vector<float> means = clusterMeans(e, width);
+  clusterProduct(factors.u.data(), factors.count, factors.clusters, means.data(), width, b);
+  reflect(e, width, b, b);
+}
+
+void LowRankRadiosity::solve(const float* e, std::uint32_t width, float* b, float* gathered) const {
+  const FormFactors& factors = *parts_->factors;
+  const std::vector<float> means = clusterMeans(e, width);
+  clusterProduct(factors.u.data(), factors.rows, factors.clusters, means.data(), width, gathered);
+  reflect(e, width, gathered, b);
+  addDetail(factors, b, means.data(), width, gathered);
 }
 
 std::vector<double> LowRankRadiosity::coreInverse() const {

@@ -23,9 +23,9 @@ class LowRankRadiosity {
 
   /// b = (I - Y V^T) e for `width` columns, both n x width row-major.
   void solve(const float* e, std::uint32_t width, float* b) const;
-  /// U (I - V^T R U)^-1 x: the irradiance (n x width) that reduced emissions x (k x width) cause; times -R it
-  /// is Y x.
-  void respond(const float* x, std::uint32_t width, float* irradiance) const;
+  /// The same, and F b (rows x width, as irradiance()) beside it: V^T b is known on the way, so that both
+  /// need one product with U.
+  void solve(const float* e, std::uint32_t width, float* b, float* irradiance) const;
   /// (I - V^T R U)^-1, k x k row-major.
   std::vector<double> coreInverse() const;
   /// The n x k matrix Y, row-major.
@@ -33,6 +33,8 @@ class LowRankRadiosity {
 
  private:
   struct Parts;
+  std::vector<float> clusterMeans(const float* e, std::uint32_t width) const;
+  void reflect(const float* e, std::uint32_t width, const float* gathered, float* b) const;
   explicit LowRankRadiosity(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

@@ -76,9 +76,8 @@ Direction nextDirection(const FormFactors& factors, const Patches& patches, cons
                         const std::vector<Direction>& taken) {
   Direction next;
   next.correction.resize(residual.size());
-  lowRank.solve(residual.data(), width, next.correction.data());
   next.gathered.resize(std::size_t{patches.rows()} * width);
-  irradiance(factors, next.correction.data(), width, next.gathered.data());
+  lowRank.solve(residual.data(), width, next.correction.data(), next.gathered.data());
   next.change = systemOf(patches, width, next.correction, next.gathered);
   for (const Direction& before : taken) {
     const std::vector<double> along = ratios(-1, sums.of(next.change, before.change), before.squares);
@@ -103,9 +102,8 @@ void solveResponses(const FormFactors& factors, const Patches& patches, const Lo
 
   std::vector<float>&b = block.radiosity, &gathered = block.irradiance;
   b.resize(e.size());
-  lowRank.solve(e.data(), width, b.data());
   gathered.resize(std::size_t{patches.rows()} * width);
-  irradiance(factors, b.data(), width, gathered.data());
+  lowRank.solve(e.data(), width, b.data(), gathered.data());
   std::vector<float> residual = systemOf(patches, width, b, gathered);
   for (std::size_t at = 0; at < e.size(); ++at) residual[at] = e[at] - residual[at];
 

@@ -172,17 +172,21 @@ void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler,
   RayPacket packet;
   struct Sent {
     Candidate* candidate;
-    double factor;  // that the ray stands for
-    ClusterParts::Place place;
+    std::uint32_t cluster;
+    PatchPoint from, to;
   } sent[RayPacket::kSize];
   const auto flush = [&] {
     bool blocked[RayPacket::kSize];
     tracer_.occluded(packet, blocked);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
       if (blocked[i]) continue;
-      const auto& [candidate, factor, place] = sent[i];
+      const auto& [candidate, cluster, from, to] = sent[i];
+      const double factor =  // that the ray stands for
+          areaOf(candidate->item) * kernel(to.position - from.position, from.normal, to.normal);
       ++candidate->visible;
       candidate->arrived += factor;
+      if (candidate->item >= firstPatch_) continue;
+      const ClusterParts::Place place = clusters_.placeAt(room_, cluster, to.position);
       candidate->leanU += factor * place.u;
       candidate->leanV += factor * place.v;
     }
@@ -205,9 +209,7 @@ void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler,
                        to = pointOn(candidate.item, sample[0], sample[1]);
       const Vec3 origin = from.position + tracer_.offset() * from.normal;
       ++candidate.asked;
-      sent[packet.count] = {
-          &candidate, areaOf(candidate.item) * kernel(to.position - from.position, from.normal, to.normal),
-          clusters_.placeAt(room_, group.cluster, to.position)};
+      sent[packet.count] = {&candidate, group.cluster, from, to};
       tracer_.aim(packet, origin, to.position + tracer_.offset() * to.normal - origin, 1);
       if (packet.count == RayPacket::kSize) flush();
     }

@@ -117,6 +117,24 @@ TEST(LowRankRadiosity, SolvesItsOwnSystem) {
   }
 }
 
+TEST(LowRankRadiosity, GathersWhatItsAnswerSends) {
+  const RandomRoom room(60, 12, 64);
+  const auto lowRank = LowRankRadiosity::factorize(room.factors, room.patches);
+  ASSERT_TRUE(lowRank);
+  for (const std::uint32_t width : {1u, 8u, 32u}) {
+    std::vector<float> e(60 * width), alone(e.size()), b(e.size()), gathered(e.size()), expected(e.size());
+    Random random(width);
+    for (float& value : e) value = static_cast<float>(random.unit());
+    lowRank->solve(e.data(), width, alone.data());
+    lowRank->solve(e.data(), width, b.data(), gathered.data());
+    irradiance(room.factors, b.data(), width, expected.data());
+    for (std::size_t at = 0; at < e.size(); ++at) {
+      EXPECT_EQ(b[at], alone[at]);
+      EXPECT_NEAR(gathered[at], expected[at], 1e-5);
+    }
+  }
+}
+
 TEST(LowRankRadiosity, YGivesTheSameAnswer) {
   const RandomRoom room(40, 10, 32);
   const auto lowRank = LowRankRadiosity::factorize(room.factors, room.patches);
