@@ -297,6 +297,13 @@ export class Solving {
     }
   }
 
+  /** Takes the search, or the proof of what it has found, up again after something that has ended it came to nothing. */
+  goOn(): void {
+    const { state } = this.#store.progress.peek();
+    const isProving = state === 'settled' && this.#store.bound.peek()?.done !== true;
+    if (state === 'improving' || isProving) this.solve();
+  }
+
   /** The layout whose light came with the scene, now on the screen, where what is asked is as it was then. */
   #foreseen({ luminaires }: Intentions): Layout | null {
     const light = this.#first;
@@ -518,9 +525,9 @@ export class Solving {
       if (!fatal) void this.#easeAxis(this.#refusal, message);
     }
     this.#opening = this.#probing = this.#arrived = null;
-    // A file that cannot be opened takes nothing from what is shown, except a search that was running.
-    const isOver = wasOpening && this.#store.progress.peek().state !== 'improving';
-    if (!isOver) this.#store.progress.value = idle;
+    // A file that cannot be opened takes nothing from what is shown.
+    if (!wasOpening || fatal) this.#store.progress.value = idle;
+    else this.goOn();
     if (this.#store.alphaRun.peek()?.done === null) this.#store.alphaRun.value = null;
   }
 

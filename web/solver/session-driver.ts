@@ -203,7 +203,6 @@ export class SessionDriver {
     this.#waiting = [];
     this.#reads = [];
     this.#mounts.setScene(null);
-    this.#color.clear();
     let isTold = false;
     try {
       const isOpen = await openScene(this.#session, file, isCurrent, {
@@ -211,6 +210,7 @@ export class SessionDriver {
         scene: (scene, light) => {
           this.#scene = scene;
           this.#mounts.setScene(scene);
+          this.#color.clear();
           this.#searched = null;
           isTold = true;
           this.#post({ type: 'opened', revision, scene, light }, light ? [light.illuminance.buffer] : []);
@@ -239,6 +239,7 @@ export class SessionDriver {
       if (isTold && this.#isOpening) this.#scene = null;
       if (isTold) this.#lost = reasonOf(error);
       if (isTold) this.#waiting = [];
+      else this.#mounts.setScene(this.#scene); // the session has kept it
     }
     if (!isCurrent()) return;
     this.#isOpening = this.#preparesRoom = false;

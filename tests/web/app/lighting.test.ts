@@ -75,6 +75,7 @@ function lightingOf(first: SceneInfo) {
     told: [] as string[],
     work: 3,
     why: '',
+    resumed: 0, // searches of the room before
     foreseen: [] as (number | undefined)[],
     seen: [] as (string | undefined)[],
   };
@@ -114,7 +115,7 @@ function lightingOf(first: SceneInfo) {
   };
   const lighting = new Lighting(
     store,
-    { layout: () => null } as unknown as Solving,
+    { layout: () => null, goOn: () => (room.resumed += 1) } as unknown as Solving,
     placing as unknown as Placing,
     rememberingShelf(),
     async () => pool as unknown as BuilderPool,
@@ -333,6 +334,7 @@ test('a model that can be neither shown nor lit is refused in a message that nam
     "alone.gltf: buffer 0 names 'room.bin', which is not beside it",
     '“alone.gltf”: Not enough memory.',
   ]);
+  expect(room.resumed).toBe(2);
   store.preview.value = 'alone.gltf'; // what is shown has its own note
   await lighting.light(model);
   expect(store.lighting.value?.fault).toBe('Not enough memory.');

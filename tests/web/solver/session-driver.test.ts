@@ -324,6 +324,16 @@ test('of a task area, too, light may be asked of types', async () => {
   expect(kinds().at(-1)).toBe('settled 2');
 });
 
+test('types are asked about in the room that stays where another file is no scene', async () => {
+  await openedForTypes();
+  await driver.receive(open(2, 0, 7));
+  expect(kinds()).toEqual(['failed 2']);
+  await driver.receive(solve(3, { intentions: ofTypes() }));
+  settle();
+  expect(kinds().at(-1)).toBe('settled 3');
+  expect(mounted.calls).toEqual(['adopt 0 0 1 0', 'start 3']);
+});
+
 test('types are asked about before the statistics are there, squares are not', async () => {
   let end!: () => void;
   const body = new ReadableStream<Uint8Array>({

@@ -229,6 +229,7 @@ export class Lighting {
     const isSeen = this.#store.preview.peek() !== null || isDraftOnScreen(this.#store);
     if (state && !isSeen) {
       this.#store.lighting.value = null;
+      this.#solving.goOn(); // with the room before
       const isNamed = why.startsWith(state.name);
       this.#store.say(
         'error',

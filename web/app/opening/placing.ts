@@ -113,7 +113,10 @@ export class Placing {
     this.#remember();
     const layout = this.#solving.layout();
     performance.mark('scene fetched');
-    const { scene, room } = await this.#solving.open(bytes);
+    const { scene, room } = await this.#solving.open(bytes).catch((error: unknown) => {
+      if (isCurrent()) void this.#paint(); // the room on the screen stays, without the colours that the solver had of it
+      throw error;
+    });
     performance.mark('scene opened');
     if (!isCurrent()) return;
     let placement: Placement;
@@ -165,6 +168,7 @@ export class Placing {
       this.#store.preview.value = null;
       this.#store.plan.value = planOfScene(back.scene);
       this.#solving.relight();
+      this.#solving.goOn(); // its proof made way for the preview
     });
   }
 
