@@ -55,7 +55,7 @@ export function reportOf(app: App): Report {
   const { types } = document.luminaires;
   const best = store.bestFigures.peek();
   const efficacy = store.efficacy.peek();
-  const power = powerOf(layout, scene.surfaces, efficacy, types);
+  const power = powerOf(layout, scene, efficacy, types);
   const isPlane = ({ name }: SurfaceResult) =>
     store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
   const rows = shown.surfaces

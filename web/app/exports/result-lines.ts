@@ -48,7 +48,7 @@ export function resultLines(store: Store): ResultLine[] {
   );
   const { flux, watts, floor } = powerOf(
     shown.layout,
-    scene.surfaces,
+    scene,
     store.efficacy.peek(),
     document.luminaires.types,
   );

@@ -1,6 +1,6 @@
 /** What the light costs: flux, power, and both per floor area. */
 import { drawnBy } from '../../document/schedule.ts';
-import type { Layout, LuminaireType } from '../../document/types.ts';
+import type { Layout, LuminaireType, SceneInfo } from '../../document/types.ts';
 
 export interface Power {
   readonly flux: number; // lm, after dimming
@@ -20,20 +20,33 @@ export function needsEfficacy(layout: Layout, types?: readonly LuminaireType[]):
   );
 }
 
+/** What tells how much floor there is. */
+type Floors = Pick<SceneInfo, 'surfaces' | 'surfaceOfPatch' | 'patchArea'>;
+
 export function powerOf(
   layout: Layout,
-  surfaces: readonly { name: string; area: number }[],
+  scene: Floors,
   efficacy: number, // lm/W
   types?: readonly LuminaireType[],
 ): Power {
   const flux = layout.sites.reduce((sum, _, index) => sum + (layout.flux[index] ?? 0) * layout.dimming, 0);
-  return { flux, watts: wattsOf(layout, efficacy, types), floor: floorArea(surfaces) };
+  return { flux, watts: wattsOf(layout, efficacy, types), floor: floorArea(scene) };
 }
 
-/** Area of what is called floor; null in a room that names none. */
-export function floorArea(surfaces: readonly { name: string; area: number }[]): number | null {
-  const area = surfaces
-    .filter(({ name }) => /(^|\/)floor\b/i.test(name))
-    .reduce((sum, surface) => sum + surface.area, 0);
+/** Area of what is called floor, under furniture too (statistics leave that out); null in a room that names none. */
+export function floorArea({ surfaces, surfaceOfPatch, patchArea }: Floors): number | null {
+  const isFloor = surfaces.map(({ name }) => /(^|\/)floor\b/i.test(name));
+  let area = 0;
+  for (let row = 0; row < patchArea.length; row++)
+    if (isFloor[surfaceOfPatch[row]!]) area += patchArea[row]!;
   return area > 0 ? area : null;
+}
+
+const aRoom = 0.4; // of the floor: a plane that measures less of it, but for a rim, is no measure of the room
+
+/** The measuring plane that speaks for the whole room, as its index among the surfaces; null where none does. */
+export function roomPlane(scene: Floors): number | null {
+  const areas = scene.surfaces.map(({ measuring, area }) => (measuring ? area : 0));
+  const largest = areas.indexOf(Math.max(...areas));
+  return (areas[largest] ?? 0) >= aRoom * (floorArea(scene) ?? Infinity) ? largest : null;
 }

@@ -54,8 +54,8 @@ export function differencesOf(store: Store, types: readonly LuminaireType[] | un
   return {
     asked: askedOf(store, other),
     cost: costOf(
-      [other, powerOf(other.layout, surfaces, efficacy, types)],
-      [work, powerOf(work.layout, surfaces, efficacy, store.document.value.luminaires.types)],
+      [other, powerOf(other.layout, scene, efficacy, types)],
+      [work, powerOf(work.layout, scene, efficacy, store.document.value.luminaires.types)],
     ),
     light: lightOf(other.surfaces, work.surfaces, store.sceneWithAreas.value?.surfaces ?? surfaces),
   };

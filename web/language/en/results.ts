@@ -74,7 +74,7 @@ export const results = {
     perSurface: 'Per surface area',
     power: 'Power',
     leniTip: 'EN 15193-1: energy for light in a year, by the hours and controls below',
-    per100: (value: string) => `, ${value} W/m² per 100 lx`,
+    per100: (value: string, plane: string) => `, ${value} W/m² per 100 lx of ${plane}`,
     efficacy: 'Efficacy',
     luminousEfficacy: 'Luminous efficacy',
   },

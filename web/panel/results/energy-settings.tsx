@@ -28,7 +28,7 @@ export function EnergySettings() {
   const { store } = useApp();
   const { set, end } = useEnergy();
   const { energy } = store.document.value;
-  if (floorArea(store.scene.value?.surfaces ?? []) === null) return null;
+  if (!store.scene.value || floorArea(store.scene.value) === null) return null;
   const isUsed = energySettings.some(([key]) => energy?.[key] !== undefined);
   return (
     <div class="energy-settings">

@@ -1,6 +1,6 @@
 /** What the light is and what it costs: power, surface by surface, and how far the numbers can be trusted. */
 import { useApp } from '../../app/app.ts';
-import { needsEfficacy, powerOf } from '../../app/state/power.ts';
+import { needsEfficacy, powerOf, roomPlane } from '../../app/state/power.ts';
 import { compact } from '../../app/words/format.ts';
 import { leni } from '../../document/energy.ts';
 import { Differences } from '../compare/differences.tsx';
@@ -13,6 +13,7 @@ import { NumberField } from '../controls/number-field.tsx';
 import { PlaneTable } from './plane-table.tsx';
 import { SurfaceTable } from './surface-table.tsx';
 import { VerdictTable } from './verdict-table.tsx';
+import { surfaceText } from '../../language/surface-names.ts';
 import { words } from '../../language/language.ts';
 
 export function ResultsTab() {
@@ -41,8 +42,8 @@ function Power() {
   const scene = store.scene.value;
   if (!layout || !surfaces || !scene) return null;
   const { types } = store.document.value.luminaires;
-  const { flux: lumens, watts, floor } = powerOf(layout, scene.surfaces, store.efficacy.value, types);
-  const plane = surfaces[scene.surfaces.findIndex(({ measuring }) => measuring)];
+  const { flux: lumens, watts, floor } = powerOf(layout, scene, store.efficacy.value, types);
+  const plane = surfaces[roomPlane(scene) ?? -1];
   const isLit = floor && plane && plane.mean > 0 && store.document.value.quantity === 'illuminance';
   const per100 = isLit ? watts / floor / (plane.mean / 100) : null;
   return (
@@ -66,7 +67,7 @@ function Power() {
           <dt>LENI</dt>
           <dd>
             {compact(leni(watts, floor, store.energy.value))} kWh/(m² a)
-            {per100 && words.value.results.power.per100(compact(per100))}
+            {per100 && plane && words.value.results.power.per100(compact(per100), surfaceText(plane.name))}
           </dd>
         </div>
       )}

@@ -1,0 +1,33 @@
+import { expect, test } from '@jest/globals';
+import type { SceneInfo } from '../../../../web/document/types.ts';
+import { floorArea, powerOf, roomPlane } from '../../../../web/app/state/power.ts';
+
+/** Two floors, the second in a storey, a table and two planes; statistics leave half of the first floor out. */
+const scene = {
+  surfaces: [
+    { name: 'floor', area: 8, measuring: false },
+    { name: 'upper/floor', area: 4, measuring: false },
+    { name: 'table', area: 2, measuring: false },
+    { name: 'reading place', area: 1, measuring: true },
+    { name: 'working plane', area: 9, measuring: true },
+  ] as unknown as SceneInfo['surfaces'],
+  surfaceOfPatch: Uint32Array.of(0, 0, 1, 2, 3, 4),
+  patchArea: Float32Array.of(8, 8, 4, 2, 1, 9),
+};
+
+test('the floor is all of it, under furniture too', () => {
+  expect(floorArea(scene)).toBe(20);
+  const layout = { sites: [0, 1], flux: [1000, 3000], dimming: 0.5 };
+  expect(powerOf(layout, scene, 100)).toEqual({ flux: 2000, watts: 20, floor: 20 });
+});
+
+test('a room that names no floor has no area of it', () => {
+  expect(floorArea({ ...scene, surfaces: scene.surfaces.slice(2) })).toBeNull();
+});
+
+test('the largest plane speaks for the room where it measures much of the floor', () => {
+  expect(roomPlane(scene)).toBe(4);
+  const small = { ...scene, surfaces: scene.surfaces.slice(0, 4) };
+  expect(roomPlane(small)).toBeNull();
+  expect(roomPlane({ ...scene, surfaces: [] })).toBeNull();
+});
