@@ -134,6 +134,15 @@ export class LuminaireTypes {
     this.#store.say('warning', (lost.length === 1 ? one : many)(names));
   }
 
+  /** Which of these files whoever opens a link will not find on the site, by their names. */
+  async notOnSite(names: readonly string[]): Promise<readonly string[]> {
+    const asked = this.all.filter(({ file }) => names.includes(file));
+    if (asked.length === 0) return [];
+    const found = await filesOnSite(asked).catch(() => []); // no list: all have to be sent
+    const there = new Set(found.map(hashOf));
+    return asked.filter(({ hash }) => !there.has(hash)).map(({ file }) => file);
+  }
+
   change(id: string, label: string, change: (type: LuminaireType) => LuminaireType, gesture?: string): void {
     this.#store.edit(
       label,
@@ -245,12 +254,14 @@ export class LuminaireTypes {
 
   /** Files of the site that are among the missing ones. */
   async #findGeneric(missing: readonly LuminaireType[]): Promise<void> {
-    const names = new Set(missing.map(({ file }) => file));
-    for (const { file } of await genericLuminaires()) {
-      if (!names.has(file)) continue;
-      const bytes = await genericFile(file);
-      if (missing.some(({ hash }) => hash === hashOf(bytes)))
-        this.#keep(withFile(this.files.peek(), bytes).files);
-    }
+    for (const bytes of await filesOnSite(missing)) this.#keep(withFile(this.files.peek(), bytes).files);
   }
+}
+
+/** The files of these types, those that the site has. Rejects with one readable clause. */
+async function filesOnSite(types: readonly LuminaireType[]): Promise<Uint8Array<ArrayBuffer>[]> {
+  const names = new Set(types.map(({ file }) => file));
+  const known = (await genericLuminaires()).filter(({ file }) => names.has(file));
+  const files = await Promise.all(known.map(({ file }) => genericFile(file)));
+  return files.filter((bytes) => types.some(({ hash }) => hash === hashOf(bytes)));
 }

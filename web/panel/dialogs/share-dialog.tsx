@@ -1,6 +1,6 @@
 /** The link of the present layout, ready to copy, and what it holds. */
 import { Send } from 'lucide-preact';
-import { useMemo } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { exportFormats, wordsOf } from '../../app/exports/formats.ts';
 import { saveAs } from '../../app/exports/save-as.ts';
@@ -17,7 +17,7 @@ const canSend = (): boolean =>
 
 export function ShareDialog({ close }: { close: () => void }) {
   const app = useApp();
-  const { store, keeping } = app;
+  const { store, keeping, types } = app;
   const [shared, fault] = useMemo(() => {
     try {
       return [keeping.link(), null];
@@ -25,6 +25,8 @@ export function ShareDialog({ close }: { close: () => void }) {
       return [null, reasonOf(error)];
     }
   }, []);
+  const [sent, setSent] = useState<readonly string[]>([]); // files that whoever opens it has to be sent
+  useEffect(() => void types.notOnSite(shared?.left ?? []).then(setSent), [shared]);
   const isOwn = !app.rooms.has(store.document.value.room);
   const holdsRoom = !isOwn || store.plan.value !== null;
   return (
@@ -51,7 +53,7 @@ export function ShareDialog({ close }: { close: () => void }) {
             {isOwn && holdsRoom && words.value.dialogs.share.holdsRoom}
             {!holdsRoom && words.value.dialogs.share.namesRoom(store.document.value.room)}
           </p>
-          {shared.left.length > 0 && <p class="fine-print">{leftText(shared.left)}</p>}
+          {sent.length > 0 && <p class="fine-print">{leftText(sent)}</p>}
         </>
       ) : (
         <p class="fault">{fault}</p>

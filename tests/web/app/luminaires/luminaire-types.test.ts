@@ -133,6 +133,12 @@ describe('types of a project or link', () => {
     expect(types.files.value[type.hash]).toBe(text);
     expect(again).toBe(1);
     expect(last()).toBeUndefined();
+    expect(await types.notOnSite([type.file])).toEqual([]);
+    globalThis.fetch = async (address) =>
+      String(address).endsWith('catalog.json') ? Response.json(list) : new Response('another spot');
+    expect(await types.notOnSite([type.file])).toEqual([type.file]);
+    globalThis.fetch = async () => Promise.reject(new Error('no connection'));
+    expect(await types.notOnSite([type.file])).toEqual([type.file]);
   });
 
   test.each([
