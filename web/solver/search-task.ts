@@ -49,7 +49,8 @@ export class SearchTask implements Task {
     const { progress, milliseconds } = this.#job;
     const shown = shownOf(core, progress.goal, this.#leaves);
     const { revision, askedAt } = this.#request;
-    const cost = { evaluations: progress.evaluations, milliseconds, askedAt, postedAt: this.#clock() };
+    const evaluations = Math.max(progress.evaluations, this.done ? 1 : 0); // the only layout there is was looked at, too
+    const cost = { evaluations, milliseconds, askedAt, postedAt: this.#clock() };
     return { message: { type, revision, shown, ...cost }, transfer: [shown.illuminance.buffer] };
   }
 }

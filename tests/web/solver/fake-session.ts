@@ -221,8 +221,9 @@ export class FakeSession implements Session {
     this.evaluations = 0;
     return '';
   }
+  isOnlyLayout = false; // nothing is left to be tried
   advance(evaluations: number) {
-    this.evaluations += evaluations;
+    if (!this.isOnlyLayout) this.evaluations += evaluations;
     this.clock.now += evaluations / this.evaluationsPerMillisecond;
     const found = this.improvesAt.filter((count) => count <= this.evaluations);
     const foundAt = found.at(-1) ?? 0;

@@ -293,6 +293,14 @@ describe('a photometric file', () => {
   });
 });
 
+test('a search in which there is one layout only settles: as one that was looked at', async () => {
+  await opened();
+  session.isOnlyLayout = true;
+  await driver.receive(solve(2));
+  settle();
+  expect(answers.at(-1)).toMatchObject({ type: 'settled', revision: 2, evaluations: 1 });
+});
+
 const type = luminaireType('t1', 'spot');
 const ofTypes = (more: Partial<LuminaireType> = {}): Intentions => ({
   ...asked,
