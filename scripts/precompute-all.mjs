@@ -12,7 +12,8 @@ import { copyWhole, writeWhole } from '../rooms/whole-files.mjs';
 import { fail, root, runToEnd, say } from './processes.mjs';
 import { hashOf } from './staleness.mjs';
 
-const usage = `node scripts/precompute-all.mjs MODELS -o SCENES [--jobs N] [--sshlogin HOST]... [-- OPTIONS]
+const usage = `node scripts/precompute-all.mjs MODELS -o SCENES [--jobs N] [--sshlogin HOST]...
+     [--program FILE] [-- OPTIONS]
 
 MODELS    folder of .glb and .gltf files
 SCENES    folder of the site that gets the scenes and their list, catalog.json

@@ -1,6 +1,7 @@
 // The only Emscripten code: binds the core's Session as one class for the page's worker. Conversions only;
-// every decision is in core/session.h. The TypeScript face with shapes and units is web/solver/core.ts.
-// Arrays are copied in and come back as fresh copies; an error comes back as one line, '' where all is well.
+// every decision is in core/session/session.h. The TypeScript face with shapes and units is
+// web/solver/core.ts. Arrays are copied in and come back as fresh copies; an error comes back as one line, ''
+// where all is well.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 

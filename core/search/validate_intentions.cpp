@@ -200,12 +200,13 @@ Result<Done> checkDistance(const Scene& scene, const LuminaireRules& rules) {
   const PreparedScene prepared(scene);
   const std::size_t room = packSites(prepared, rules).size();
   if (room >= rules.count) return Done{};
-  const std::string found = "luminaires: found room for only " + text(room) + " of " +
-                            text(std::size_t{rules.count}) + " luminaires ";
+  const std::string found =
+      "luminaires: found room for only " + text(room) + " of " + text(std::size_t{rules.count});
   constexpr double kFelt = 0.01;  // m: less keeps luminaires of types off one site, no more
   if (prepared.hasBodies() && rules.minDistance < kFelt)
-    return Error{found + "that do not run into each other; lower the count or take smaller ones"};
-  return Error{found + text(rules.minDistance) + " m apart; lower the count or the minimum distance"};
+    return Error{found + " luminaires that do not run into each other; lower the count or take smaller ones"};
+  return Error{found + " luminaires " + text(rules.minDistance) +
+               " m apart; lower the count or the minimum distance"};
 }
 
 Result<Done> checkSurfaces(const Scene& scene, const SurfaceSet& surfaces, Quantity quantity,

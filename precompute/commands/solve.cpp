@@ -210,7 +210,7 @@ void addSolveCommand(CLI::App& app) {
       ->check(wholeFrom(1, 4000000000u))
       ->capture_default_str();
   command->add_flag("--bound", options->bound,
-                    "prove how far from the best possible it is at most (takes seconds)");
+                    "prove how far from the best possible it is at most (takes seconds to a minute)");
   command->add_flag("--json", options->json, "one JSON document on standard output");
   command->add_option("-o,--output", options->output, "write the best layout.json here");
   command->callback([options] { solve(*options); });

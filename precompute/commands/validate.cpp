@@ -33,6 +33,13 @@ std::string errorText(const ValidationRow& row, double value) {
   return text;
 }
 
+/// In a cell of a Markdown table.
+std::string inCell(const std::string& name) {
+  std::string escaped;
+  for (const char c : name) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
 void printTable(const std::vector<ValidationRow>& rows, bool markdown) {
   std::string topic;
   for (const ValidationRow& row : rows) {
@@ -45,7 +52,7 @@ void printTable(const std::vector<ValidationRow>& rows, bool markdown) {
                            : "\n%s\n",
                   topic.c_str());
     }
-    std::printf(format, row.name.c_str(), row.expected, row.got, errorText(row, row.error).c_str(),
+    std::printf(format, (markdown ? inCell(row.name) : row.name).c_str(), row.expected, row.got, errorText(row, row.error).c_str(),
                 errorText(row, row.tolerance).c_str(), row.passes() ? "pass" : "FAIL");
   }
 }

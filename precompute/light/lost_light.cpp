@@ -35,7 +35,8 @@ std::string percent(double share) {
 }
 
 /// The sides of the room's bounding box, by which a ray may leave.
-constexpr std::array kWays = {"towards -x", "towards +x", "downward", "upward", "towards -z", "towards +z"};
+constexpr std::array kWays = {"to the west", "to the east",  "downward",
+                              "upward",      "to the north", "to the south"};
 using Ways = std::array<double, kWays.size()>;
 
 struct Lost {

@@ -1,5 +1,5 @@
 /**
- * Light by the exchange of a scene file against the whole solution, four types of luminaires in the sample rooms,
+ * Light by the exchange of a scene file against the whole solution, four types of luminaires in five of the sample rooms,
  * single sites and seeded sums of six in each: the section "Luminaires of photometric files" of docs/fidelity.md, where
  * rooms that are not named keep their rows. Exits with 1 where a promise is missed.
  *
@@ -33,9 +33,9 @@ function quantile(values, share) {
   return values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
 }
 
-/** Median, 95 of 100 and worst, in per cent. */
+/** Median, 95 of 100 and worst, in per cent; a dash where the room has no such surface. */
 const cellOf = (values) =>
-  [0.5, 0.95, 1].map((share) => (100 * quantile(values, share)).toFixed(2)).join(' / ');
+  values.length === 0 ? '–' : [0.5, 0.95, 1].map((share) => (100 * quantile(values, share)).toFixed(2)).join(' / ');
 
 function rowOf(room, { type, errors }) {
   const promise = promises[type];

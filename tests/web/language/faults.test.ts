@@ -62,9 +62,9 @@ test('a fault is told in the language of the page, with what it tells of its own
   ).toMatch(/^Material „Verre“ und 2 weitere: heißt Glas/);
   expect(
     inOurWords(
-      'the room is open: 21.3 % of the light of its luminaires meets nothing and is lost; it leaves upward (97 %), towards +x (20 %)',
+      'the room is open: 21.3 % of the light of its luminaires meets nothing and is lost; it leaves upward (97 %), to the east (20 %)',
     ),
-  ).toMatch(/21,3 % des Lichts .* es entweicht nach oben \(97 %\), nach \+x \(20 %\)$/);
+  ).toMatch(/21,3 % des Lichts .* es entweicht nach oben \(97 %\), nach Osten \(20 %\)$/);
   expect(inOurWords('[r1] Height=high is not a number')).toBe('[r1] Height=high ist keine Zahl');
   expect(inOurWords('something that nobody foresaw')).toBe('something that nobody foresaw');
 });

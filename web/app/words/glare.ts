@@ -1,6 +1,7 @@
 /** What glares for whom, as a row of the verdict and as the worst of all. */
 import type { ObserverResult } from '../../solver/protocol.ts';
 import type { Verdict } from './verdict.ts';
+import { observerText } from './places.ts';
 import { words } from '../../language/language.ts';
 
 const rank = ({ ugr }: ObserverResult) => ugr ?? -Infinity;
@@ -19,7 +20,7 @@ export function glareVerdict(observers: readonly ObserverResult[], target: numbe
   const worst = worstOf(observers);
   const actual = worst && (worst.ugr ?? 0);
   return {
-    where: worst?.name ?? words.value.results.places.task,
+    where: worst ? observerText(worst.name) : words.value.results.places.task,
     what: words.value.values.glareMost,
     target,
     actual,

@@ -25,3 +25,20 @@ export function placesText(names: SurfaceNames): string {
 export function eachText(names: SurfaceNames): string {
   return isWhole(names) ? words.value.values.wholeRoom : names.map(surfaceText).join(', ');
 }
+
+/** The horizontal direction, in the room's axes (x east, z south); null where it is none of the four. */
+export function compassOf(x: number, z: number): string | null {
+  const { east, west, south, north } = words.value.values.compass;
+  if (Math.abs(z) < 1e-6) return x < 0 ? west : east;
+  if (Math.abs(x) < 1e-6) return z < 0 ? north : south;
+  return null;
+}
+
+/** "place 3, looking east" of an observer that the core has placed ("P3 +x"); one that a person has placed has a name. */
+export function observerText(name: string): string {
+  const [, place, sign, axis] = /^P(\d+) ([+-])([xz])$/.exec(name) ?? [];
+  if (place === undefined) return name;
+  const along = sign === '-' ? -1 : 1;
+  const way = compassOf(axis === 'x' ? along : 0, axis === 'z' ? along : 0);
+  return words.value.values.looking(place, way ?? '');
+}

@@ -107,7 +107,11 @@ export function roomFacts(scene: SceneInfo): [string, string][] {
     [words.value.results.room.facts.places, shortest(scene.sites.size.length)],
     [
       words.value.results.room.facts.rays,
-      options && words.value.results.room.facts.raysOf(shortest(options.rays), options.refine),
+      options &&
+        words.value.results.room.facts.raysOf(
+          shortest(options.rays),
+          residuals ? residuals.length - 1 : options.refine,
+        ),
     ],
     [words.value.results.room.facts.residual, residual === undefined ? null : fine(residual)],
     [

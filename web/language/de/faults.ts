@@ -5,7 +5,10 @@ import { photometricFaults } from './photometric-faults.ts';
 /** Ways by which light leaves. */
 const inGerman = (ways: string): string =>
   ways
-    .replaceAll('towards', 'nach')
+    .replaceAll('to the west', 'nach Westen')
+    .replaceAll('to the east', 'nach Osten')
+    .replaceAll('to the north', 'nach Norden')
+    .replaceAll('to the south', 'nach Süden')
     .replaceAll('upward', 'nach oben')
     .replaceAll('downward', 'nach unten')
     .replaceAll('in all directions', 'nach allen Seiten');
@@ -56,8 +59,6 @@ export const faults: Words['faults'] = {
   sceneDamaged: (where) => `Die Datei ist beschädigt: mit fiatlux precompute neu erzeugen (${where})`,
   glbCut: 'Die GLB-Datei ist abgeschnitten; noch einmal exportieren',
   glbEmpty: 'Die Datei ist leer; noch einmal exportieren',
-  tableEmpty: 'Die Datei ist leer; noch einmal herunterladen',
-  tableDark: 'Die Tabelle enthält kein Licht, alle Lichtstärken sind 0; die Datei noch einmal exportieren',
   noGltf: 'Das ist weder GLB noch glTF-JSON in UTF-8; den Raum als .glb oder .gltf exportieren',
   extension: (name) =>
     `Die Datei verlangt die Erweiterung „${name}“, die hier nicht gelesen wird; ohne sie exportieren`,
@@ -222,6 +223,25 @@ export const faults: Words['faults'] = {
     `Auf den freien Plätzen gibt es ${noKindOf(what)} von ${luminaires(count)}: die Anzahl ändern, einen Bereich angeben oder die Anordnung freigeben`,
   noRows: (what, count, least) =>
     `Auf den freien Plätzen gibt es ${noKindOf(what)} von ${luminaires(count)}, mindestens ${least} in jeder: die Anzahl ändern, einen Bereich angeben oder die Anordnung freigeben`,
+  fewSites: (count, free) =>
+    `Für ${luminaires(count)} sind ${free} Plätze frei: die Anzahl senken oder weniger Flächen frei halten`,
+  roomForOnly: (found, count, apart) =>
+    `Mit ${apart} m Abstand finden nur ${found} von ${luminaires(count)} Platz: die Anzahl oder den Mindestabstand senken`,
+  roomForBodies: (found, count) =>
+    `Nur ${found} von ${luminaires(count)} finden Platz, ohne aneinander zu stoßen: die Anzahl senken oder kleinere nehmen`,
+  pinnedNear: (one, other, apart, least) =>
+    `Die Leuchten, die auf den Plätzen ${one} und ${other} festgehalten werden, hängen ${apart} m auseinander, verlangt sind mindestens ${least} m: eine lösen oder den Mindestabstand senken`,
+  pinnedMore: (pinned, count) =>
+    `${luminaires(pinned)} werden festgehalten, die Anzahl ist aber ${count}: die Anzahl erhöhen oder welche lösen`,
+  typesAskMore: (asked, count) =>
+    `Die Typen verlangen zusammen ${asked}, die Anzahl ist aber ${count}: sie erhöhen oder von einem Typ weniger verlangen`,
+  typesAskFirst: (asked, count, least) =>
+    `Die Typen verlangen zusammen ${asked}, die Anzahl ist aber ${count}: ihren Bereich bei ${least} beginnen`,
+  typesAllowFewer: (allowed, count) =>
+    `Die Typen erlauben zusammen ${allowed}, die Anzahl ist aber ${count}: sie senken oder von einem Typ mehr erlauben`,
+  typesNoPlaces: (count) =>
+    `Es gibt keine ${count} Plätze mit so vielen Leuchten jedes Typs, wie verlangt sind: die Anzahl senken oder die Bereiche erweitern`,
+  typeFitsNowhere: (which, type) => `${which} soll vom Typ ${type} sein, der nirgends in diesen Raum passt`,
   alphaStopped: (promise) => `Angehalten, bevor ein Alpha gefunden war für ${promise}.`,
   alphaAtLeast: (value, unit, surface) => `mindestens ${value} ${unit} auf jeder Teilfläche von ${surface}`,
   alphaAtMost: (value, unit, surface) => `höchstens ${value} ${unit} auf jeder Teilfläche von ${surface}`,

@@ -112,7 +112,7 @@ export const intentions: Words['intentions'] = {
       everywhere: 'Jeder Punkt mindestens',
       least: (name) => `${name}: jeder Punkt mindestens`,
       faces: 'Blickrichtung der Ebene',
-      ways: { east: '+x', west: '−x', south: '+z', north: '−z', other: 'wie sie ist' },
+      asItIs: 'wie sie ist',
     },
   },
   now: (value) => `jetzt ${value}`,

@@ -10,7 +10,7 @@ export const results: Words['results'] = {
     least: 'Minimum',
     cylindrical: (name) => `${name}, zylindrisch`,
     modelling: (name) => `${name}, Modelling`,
-    vertical: (name, way) => `${name}, vertikal ${way}`,
+    vertical: (name, way) => `${name}, vertikal nach ${way}`,
   },
   room: {
     about: 'Über diesen Raum',

@@ -9,6 +9,8 @@ export const values: Words['values'] = {
   points: (n) => counted(n, 'Punkt', 'Punkte'),
   unmet: 'nicht erfüllt',
   wholeRoom: 'der ganze Raum',
+  compass: { east: 'Osten', west: 'Westen', south: 'Süden', north: 'Norden' },
+  looking: (place, way) => `Platz ${place}, Blick nach ${way}`,
   atMost: (value) => `Höchstens ${value}`,
   atLeast: (value) => `Mindestens ${value}`,
   readAs: (value) => `Gelesen als ${value}`,

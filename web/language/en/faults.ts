@@ -23,8 +23,6 @@ export const faults = {
   sceneDamaged: (where: string) => `${where}; the file is damaged: make it again with fiatlux precompute`,
   glbCut: 'the GLB is cut off; export it again',
   glbEmpty: 'the file is empty; export it again',
-  tableEmpty: 'the file is empty; fetch it again',
-  tableDark: 'the table holds no light: every intensity is 0; export the file again',
   noGltf: 'this is neither a GLB nor glTF JSON in UTF-8; export the room as .glb or .gltf',
   extension: (name: string) =>
     `it requires the extension '${name}', which is not understood; export without it`,
@@ -197,6 +195,26 @@ export const faults = {
     `arrangement: found no ${what} of ${count} luminaires on the free sites; change the count, give it a range, or free the arrangement`,
   noRows: (what: string, count: string, least: string) =>
     `arrangement: found no ${what} of ${count} luminaires, at least ${least} in each, on the free sites; change the count, give it a range, or free the arrangement`,
+  fewSites: (count: string, free: string) =>
+    `luminaires: ${count} luminaires on ${free} free sites; lower the count or exclude fewer sites`,
+  roomForOnly: (found: string, count: string, apart: string) =>
+    `luminaires: found room for only ${found} of ${count} luminaires ${apart} m apart; lower the count or the minimum distance`,
+  roomForBodies: (found: string, count: string) =>
+    `luminaires: found room for only ${found} of ${count} luminaires that do not run into each other; lower the count or take smaller ones`,
+  pinnedNear: (one: string, other: string, apart: string, least: string) =>
+    `luminaires: pinned sites ${one} and ${other} are ${apart} m apart, closer than the minimum distance of ${least} m`,
+  pinnedMore: (pinned: string, count: string) =>
+    `luminaires: ${pinned} are pinned but the count is ${count}; raise the count or unpin`,
+  typesAskMore: (asked: string, count: string) =>
+    `luminaires: the types ask for ${asked} together, but the count is ${count}; raise it or ask for fewer of a type`,
+  typesAskFirst: (asked: string, count: string, least: string) =>
+    `luminaires: the types ask for ${asked} together, but the count is ${count}; begin its range at ${least}`,
+  typesAllowFewer: (allowed: string, count: string) =>
+    `luminaires: the types allow ${allowed} together, but the count is ${count}; lower it or allow more of a type`,
+  typesNoPlaces: (count: string) =>
+    `luminaires: found no ${count} places with as many of each type as is asked for; lower the count or widen the ranges`,
+  typeFitsNowhere: (which: string, type: string) =>
+    `luminaires: ${which} must be of ${type}, which fits nowhere in this room`,
   alphaNoLayout: (promise: string) => `No layout found can give ${promise}: even the means fall short.`,
   alphaTwoEmpty: (promise: string) =>
     `No alpha leads to ${promise}: with a small one some patches miss it, with a larger one no layout meets the margin.`,

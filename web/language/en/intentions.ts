@@ -113,7 +113,7 @@ export const intentions = {
       everywhere: 'Every point at least',
       least: (name: string) => `${name}: every point at least`,
       faces: 'The plane faces',
-      ways: { east: '+x', west: '−x', south: '+z', north: '−z', other: 'as it is' },
+      asItIs: 'as it is',
     },
   },
   now: (value: string) => `now ${value}`,

@@ -21,7 +21,7 @@ export const pageFaults: Partial<typeof faults> = {
     `only the place around ${where} stays, ${sizes}: ${kept} of ${all} rooms, and the rest is left out`,
   tooLarge: faults.tooLarge, // the option before it is left out
   noSuchPlace: (where) =>
-    `${where}: there is no air that belongs to a room; click on a floor or a wall within the room`,
+    `${where}: this point is not inside a room; click on a floor or a wall within the room`,
   manyCells: (patch, cells) =>
     `patches of ${patch} m need ${cells} grid cells, more than memory allows; take larger patches`,
   roomMemory: 'not enough memory for this room; take larger patches',
@@ -36,13 +36,29 @@ export const pageFaults: Partial<typeof faults> = {
   noSuchName: faults.noSuchName,
   noSuchMaterial: faults.noSuchMaterial,
   unbalanced: (share) =>
-    `the balance of light does not close (${share} of what is emitted is absorbed): are faces drawn twice?`,
+    `surfaces take up more light than the luminaires give (${share} of it): two faces probably lie on each other; remove one`,
   notSettled: (share) =>
     `reflected light has not settled (${share} is missing): light passes too many rooms; choose one of them (How it was understood)`,
   noArrangement: (what, count) =>
     `there is no ${what} of ${luminaires(count)} on the free places: change their number, give it a range, or free the arrangement`,
   noRows: (what, count, least) =>
     `there is no ${what} of ${luminaires(count)}, at least ${least} in each, on the free places: change their number, give it a range, or free the arrangement`,
+  fewSites: (count, free) =>
+    `${luminaires(count)} ${count === '1' ? 'has' : 'have'} ${free === '0' ? 'no free place' : `${free} free places`}: lower the number or keep fewer areas free`,
+  roomForOnly: (found, count, apart) =>
+    `only ${found} of ${luminaires(count)} find room ${apart} m apart: lower the number or the minimum distance`,
+  roomForBodies: (found, count) =>
+    `only ${found} of ${luminaires(count)} find room without running into each other: lower the number or take smaller ones`,
+  pinnedNear: (_one, _other, apart, least) =>
+    `two pinned luminaires hang ${apart} m apart, and at least ${least} m are asked for: unpin one or lower the minimum distance`,
+  typeFitsNowhere: (which, type) => `${which} must be of ${type}, which fits nowhere in this room`,
+  roomOpen: (share, ways) =>
+    `the room is open: ${share} of the light of its luminaires finds no surface and is lost; it leaves ${ways}`,
+  skinned: 'the file holds figures with a skeleton: they stand in their basic pose',
+  backsNear: (share, names) =>
+    `${names} are seen from behind and take up ${share} of the light: they lie close over something and hide it; cut away what is hidden, or it counts as dark`,
+  backs: (share, names) =>
+    `${names} are seen from behind and take up ${share} of the light: turn their faces, or make their material double-sided`,
   settledOnly: (share) => `reflected light is settled to ${share} only, 0.1 % is usual`,
   numbersOff: (share) =>
     `the file's numbers are off by up to ${share}: surfaces that are nearly dark are too large a part of it; choose fewer mounts (How it was understood)`,
@@ -55,7 +71,7 @@ export const pageFaults: Partial<typeof faults> = {
   lightLost:
     'nearly all light is lost: the luminaires hang outdoors or look at backs; choose other mounts, a plane, or two-sided faces (How it was understood)',
   staysDark: (share) =>
-    `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a cavity; choose other mounts or a plane (How it was understood)`,
+    `the room stays dark: no surface gets more than ${share} of the light; the luminaires hang in a closed hollow, as above a suspended ceiling; choose other mounts or a plane (How it was understood)`,
   black: (share) =>
     `everything is black: surfaces reflect ${share} of the light, as where colours were lost on export; enter reflectances (How it was understood)`,
   foreseenLoss: (share) =>

@@ -9,7 +9,7 @@ export const results = {
     least: 'Least',
     cylindrical: (name: string) => `${name}, cylindrical`,
     modelling: (name: string) => `${name}, modelling`,
-    vertical: (name: string, way: string) => `${name}, vertical ${way}`,
+    vertical: (name: string, way: string) => `${name}, vertical, facing ${way}`,
   },
   room: {
     about: 'About this room',

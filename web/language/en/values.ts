@@ -8,6 +8,8 @@ export const values = {
   points: (n: number) => counted(n, 'point', 'points'),
   unmet: 'not met',
   wholeRoom: 'the whole room',
+  compass: { east: 'east', west: 'west', south: 'south', north: 'north' },
+  looking: (place: string, way: string) => `place ${place}, looking ${way}`,
   atMost: (value: string) => `At most ${value}`,
   atLeast: (value: string) => `At least ${value}`,
   readAs: (value: string) => `Read as ${value}`,

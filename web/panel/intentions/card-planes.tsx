@@ -160,10 +160,10 @@ function Direction({ card, direction }: CardProps & { direction: Point }) {
           );
         }}
       >
-        {chosen === undefined && <option value="other">{text.ways.other}</option>}
+        {chosen === undefined && <option value="other">{text.asItIs}</option>}
         {(Object.keys(ways) as (keyof typeof ways)[]).map((way) => (
           <option key={way} value={way}>
-            {text.ways[way]}
+            {words.value.values.compass[way]}
           </option>
         ))}
       </select>

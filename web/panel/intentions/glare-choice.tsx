@@ -2,6 +2,7 @@
 import { Eye, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { worstOf } from '../../app/words/glare.ts';
+import { observerText } from '../../app/words/places.ts';
 import { glareLimits, observerOfView, ugrText } from '../../document/glare.ts';
 import { mostObservers } from '../../document/schema.ts';
 import type { Glare, Observer } from '../../document/types.ts';
@@ -78,7 +79,9 @@ function Observers({ glare, set }: { glare: Glare; set: (label: string, next: Gl
   return (
     <>
       {worst && (
-        <p class="field-note">{words.value.intentions.glare.worst(worst.name, ugrText(worst.ugr))}</p>
+        <p class="field-note">
+          {words.value.intentions.glare.worst(observerText(worst.name), ugrText(worst.ugr))}
+        </p>
       )}
       {observers.map(({ name }) => (
         <div key={name} class="setting-row">

@@ -2,6 +2,7 @@
 import { useApp } from '../../app/app.ts';
 import { byGlare } from '../../app/words/glare.ts';
 import { compact } from '../../app/words/format.ts';
+import { observerText } from '../../app/words/places.ts';
 import { glareColor, ugrText } from '../../document/glare.ts';
 import type { ObserverResult } from '../../solver/protocol.ts';
 import { words } from '../../language/language.ts';
@@ -49,7 +50,8 @@ function Rows({ observers, isFirst }: { observers: readonly ObserverResult[]; is
         {observers.map(({ name, ugr, background }) => (
           <tr key={name}>
             <th scope="row">
-              <span class="glare-dot" style={{ background: glareColor(ugr) }} aria-hidden /> {name}
+              <span class="glare-dot" style={{ background: glareColor(ugr) }} aria-hidden />{' '}
+              {observerText(name)}
             </th>
             <td class="number strong">{ugrText(ugr)}</td>
             <td class="number">{compact(background)}</td>

@@ -1,6 +1,8 @@
 /** What is told at the points of the measuring planes that are asked about; empty where none is. */
 import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
+import { compassOf } from '../../app/words/places.ts';
+import { fixed } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';
 import type { PlaneResult } from '../../solver/protocol.ts';
 
@@ -52,10 +54,6 @@ function rowsOf({ name, cylindrical, modelling, verticals }: PlaneResult) {
   ];
 }
 
-/** "+x", "−z", "(0.71, 0.71)". */
-function wayOf([x, , z]: readonly [number, number, number]): string {
-  const sign = (value: number) => (value < 0 ? '−' : '+');
-  if (Math.abs(z) < 1e-6) return `${sign(x)}x`;
-  if (Math.abs(x) < 1e-6) return `${sign(z)}z`;
-  return `(${x.toFixed(2)}, ${z.toFixed(2)})`;
-}
+/** "east", "(0.71, 0.71)": to the east and to the north. */
+const wayOf = ([x, , z]: readonly [number, number, number]): string =>
+  compassOf(x, z) ?? `(${fixed(x, 2)}, ${fixed(-z, 2)})`;

@@ -61,7 +61,7 @@ describe('the room', () => {
     ...fakeScene(),
     provenance: {
       patchSize: 0.1875,
-      options: { rays: 1024, refine: 2 },
+      options: { rays: 1024, refine: 24 }, // at most
       residuals: [0.05, 0.007, 0.0012],
       lost: 0.02,
       warnings: ['no mount is marked'],
