@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseSync, Visitor } from 'rolldown/utils';
+import { modelExtensions } from '../../../web/app/importing/model-files.ts';
 import { de } from '../../../web/language/de.ts';
 import { en } from '../../../web/language/en.ts';
 
@@ -62,6 +63,13 @@ test('nothing was left in English', () => {
     ([key, leaf]) => /\p{L}/u.test(told(leaf)) && told(leaf) === told(german.get(key)!),
   );
   expect(same.map(([key]) => key).sort()).toEqual([...alike].sort());
+});
+
+test('what may be opened is told with every kind of model that is read', () => {
+  const families = ['gltf', ...modelExtensions, 'stf', 'zip', 'flux'];
+  for (const { bars, dialogs } of [en, de])
+    for (const told of [bars.drop.takes, dialogs.gallery.ownFileHint])
+      expect(families.filter((each) => !told.toLowerCase().includes(each))).toEqual([]);
 });
 
 /** Attributes and props that a person reads or hears. */

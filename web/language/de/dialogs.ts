@@ -48,7 +48,7 @@ export const dialogs: Words['dialogs'] = {
     newHint: 'Aus Maßen oder Grundriss: Wände, Fenster, Möbel, Plätze für Leuchten.',
     ownFile: 'Eine eigene Datei',
     ownFileHint:
-      'Ein Modell (.glb, .gltf), eine Szene (.flux) oder ein Projekt. Es bleibt auf diesem Rechner.',
+      'Ein Modell (glTF, OBJ, FBX, DAE, 3DS, STL), ein Gebäude (IFC), ein Raum aus DIALux oder Relux (STF), eine ZIP davon, eine Szene (.flux) oder ein Projekt. Es bleibt auf diesem Rechner.',
     experiments: 'Experimente des Artikels, im E-Flur',
   },
   luminaires: {

@@ -46,7 +46,8 @@ export const dialogs = {
   gallery: {
     newHint: 'From its size or its plan: walls, windows, furniture, where luminaires hang.',
     ownFile: 'A file of your own',
-    ownFileHint: 'A model (.glb, .gltf), a scene (.flux) or a project. It stays on this computer.',
+    ownFileHint:
+      'A model (glTF, OBJ, FBX, DAE, 3DS, STL), a building (IFC), a room of DIALux or Relux (STF), a ZIP of them, a scene (.flux) or a project. It stays on this computer.',
     experiments: 'Experiments of the paper, on the E corridor',
   },
   luminaires: {
