@@ -126,7 +126,7 @@ test('surfaces and luminaires are found by name; Delete takes a luminaire away',
   await expect.poll(() => places(page)).toHaveLength(4);
 });
 
-test('a number field says how it read a comma, and what it cut', async ({ page }) => {
+test('a number field says how it read a comma, what is no number, and what it cut', async ({ page }) => {
   await openRoom(page, 'Box');
   const field = page.getByRole('textbox', { name: /aim at a mean/ });
   const hint = page.getByText('Drag the slider');
@@ -139,6 +139,13 @@ test('a number field says how it read a comma, and what it cut', async ({ page }
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(hint).toHaveCount(0);
   await tab(page, 'Luminaires');
-  await page.getByRole('textbox', { name: 'Luminaires', exact: true }).fill('5000');
+  const count = page.getByRole('textbox', { name: 'Luminaires', exact: true });
+  const before = await count.inputValue();
+  await count.focus();
+  await page.keyboard.type('1e9'); // its 1 is taken back
+  await count.press('Enter');
+  await expect(page.getByRole('status').filter({ hasText: /^Not a plain number$/ })).toBeVisible();
+  await expect(count).toHaveValue(before);
+  await count.fill('5000');
   await expect(page.getByRole('status').filter({ hasText: /^At most/ })).toBeVisible();
 });

@@ -13,6 +13,7 @@ export const values: Words['values'] = {
   looking: (place, way) => `Platz ${place}, Blick nach ${way}`,
   atMost: (value) => `Höchstens ${value}`,
   atLeast: (value) => `Mindestens ${value}`,
+  noNumber: 'Keine einfache Zahl',
   readAs: (value) => `Gelesen als ${value}`,
   labelAtLeast: (label) => `${label} mindestens`,
   noLower: 'keine untere Grenze',

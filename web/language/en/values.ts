@@ -12,6 +12,7 @@ export const values = {
   looking: (place: string, way: string) => `place ${place}, looking ${way}`,
   atMost: (value: string) => `At most ${value}`,
   atLeast: (value: string) => `At least ${value}`,
+  noNumber: 'Not a plain number',
   readAs: (value: string) => `Read as ${value}`,
   labelAtLeast: (label: string) => `${label} at least`,
   noLower: 'no lower bound',

@@ -50,7 +50,7 @@ export function readNumber(text: string, unit = '', sign = decimalSign()): numbe
   return Number.isFinite(value) ? value : null;
 }
 
-/** What a person is told of what was typed: how it was read where that is not plain, and that it was cut. */
+/** What a person is told of what was typed: that it is no number or was cut, or how it was read where that is not plain. */
 export function remarkOn(
   text: string,
   unit: string,
@@ -58,7 +58,7 @@ export function remarkOn(
   whyLeast?: string,
 ): string | null {
   const value = readNumber(text, unit);
-  if (value === null) return null;
+  if (value === null) return text.trim() === '' ? null : words.value.values.noNumber;
   if (value > max) return words.value.values.atMost(shortest(max));
   if (value < min) return whyLeast ?? words.value.values.atLeast(shortest(min));
   return isAmbiguous(bareOf(text, unit)) ? words.value.values.readAs(shortest(value)) : null;
@@ -81,30 +81,37 @@ function useRemark(isTyping: boolean) {
 }
 
 export function NumberField(props: NumberFieldProps) {
-  const { label, value, unit, step, min = 0, max = 1e7, placeholder, whole, waits, onInput, onEnd } = props;
+  const { label, value, unit = '', step, min = 0, max = 1e7, placeholder, whole, waits } = props;
+  const { onInput, onEnd } = props;
+  const range = [min, max] as const;
   const [draft, setDraft] = useState<string | null>(null);
   const [before, setBefore] = useState(value); // the typing began
   const [remark, setRemark] = useRemark(draft !== null);
   const fit = (next: number) => Math.min(max, Math.max(min, whole ? Math.round(next) : next));
-  const isWrong = draft !== null && draft !== '' && readNumber(draft, unit) === null;
+  const isWrong = draft !== null && draft.trim() !== '' && readNumber(draft, unit) === null;
   const take = (text: string) => {
     if (draft === null) setBefore(value);
     setDraft(text);
-    setRemark(remarkOn(text, unit ?? '', [min, max], props.whyLeast));
     const next = readNumber(text, unit);
+    // note: what cannot be read may be on its way to a number, and is told when the typing ends
+    setRemark(next === null ? null : remarkOn(text, unit, range, props.whyLeast));
     if (next !== null && !waits?.(next)) onInput(fit(next));
     else if (next !== null) return;
     else if (text.trim() === '' && placeholder !== undefined) onInput(undefined);
   };
-  const end = () => {
-    const waiting = draft === null ? null : readNumber(draft, unit);
-    if (waiting !== null && waits?.(waiting)) onInput(fit(waiting));
-    setDraft(null);
-    onEnd?.();
-  };
   const takeBack = () => {
     setDraft(null);
     if (value !== before) onInput(before);
+    onEnd?.();
+  };
+  const end = () => {
+    if (isWrong) {
+      setRemark(remarkOn(draft, unit, range));
+      return takeBack();
+    }
+    const waiting = draft === null ? null : readNumber(draft, unit);
+    if (waiting !== null && waits?.(waiting)) onInput(fit(waiting));
+    setDraft(null);
     onEnd?.();
   };
   return (

@@ -43,5 +43,10 @@ test('what was read unexpectedly, or cut, is told', () => {
   expect(remarkOn('2', '', [4, 60])).toBe('At least 4');
   expect(remarkOn('2', '', [4, 60], 'No fewer: 4 are pinned.')).toBe('No fewer: 4 are pinned.');
   expect(remarkOn('-5', '', [0, 60])).toBe('At least 0');
-  expect(remarkOn('abc', '', [0, 60])).toBeNull();
+});
+
+test('what is no number is told, what is empty is not', () => {
+  for (const text of ['abc', 'NaN', '1e9', '-', '300 m'])
+    expect(remarkOn(text, 'lx', [0, 60])).toBe('Not a plain number');
+  expect(remarkOn(' ', 'lx', [0, 60])).toBeNull();
 });
