@@ -30,7 +30,15 @@ async function drawn(page: Page) {
 test('a room is typed, furnished, seen, saved and opened again', async ({ page }) => {
   await newRoom(page);
   const plan = page.getByRole('group', { name: 'Plan of the room' });
-  await page.getByLabel('Width × depth × height').fill('7 x 4 x 2.8');
+  const size = page.getByLabel('Width × depth × height');
+  await test.step('a size that is none is told, and the room of another size is not lit', async () => {
+    await size.fill('12,5 x abc');
+    await maker(page).getByRole('button', { name: 'Light it' }).click();
+    await expect(maker(page).getByRole('alert')).toContainText('“12,5 x abc” is not a size');
+    await expect(size).toBeFocused();
+  });
+  await size.fill('7 x 4 x 2.8');
+  await expect(maker(page).getByRole('alert')).toHaveCount(0);
   await expect(plan.getByRole('button', { name: 'wall north, 7 m' })).toBeVisible();
   const empty = await drawn(page);
 

@@ -7,7 +7,7 @@ import { glbOf } from '../room-maker/make-room.mjs';
 import { canonicalPlan, packedPlan, unpackedPlan } from '../room-maker/plan-code.mjs';
 import { withoutCorner } from '../room-maker/plan-edits.ts';
 import { planFaults } from '../room-maker/plan-faults.mjs';
-import { outlines } from '../room-maker/plan-shapes.mjs';
+import { outlines, type SizeFault } from '../room-maker/plan-shapes.mjs';
 import { planOf, readPlan, type RoomPlan } from '../room-maker/room-plan.mjs';
 import type { PackedPlan } from '../document/made-room.ts';
 import type { App } from './app.ts';
@@ -33,6 +33,8 @@ export class Making {
   readonly plan = signal<RoomPlan>(planOf(outlines.rectangle(6, 4), 2.8));
   readonly selected = signal<Selected | null>(null);
   readonly isPlaneDrawn = signal(false); // the next drag in the plan makes a measuring plane
+  readonly sizeFault = signal<SizeFault | null>(null); // of what stands in the field for the size: the plan is another
+  readonly refusals = signal(0); // how often the room was asked for in spite of it
   readonly past = signal<readonly Step[]>([]);
   readonly future = signal<readonly RoomPlan[]>([]);
   readonly faults = computed(() => planFaults(this.plan.value));
@@ -105,14 +107,22 @@ export class Making {
     if (selected && this.edit((plan) => without(plan, selected))) this.selected.value = null;
   }
 
-  /** The room as a file, called as one types it. */
-  file(): Promise<File> {
-    return this.#named(this.title.peek().replace(/×/g, 'x'));
+  /** The room as a file, called as one types it; null while its size is not understood. */
+  async file(): Promise<File | null> {
+    return this.#isRefused() ? null : this.#named(this.title.peek().replace(/×/g, 'x'));
   }
 
   /** Opens the made room the way a file is opened; it goes on being called what it was while it was made. */
   async light(): Promise<void> {
+    if (this.#isRefused()) return;
     await this.#app.opening.files([await this.#named(this.title.peek())]);
+  }
+
+  /** A room of another size than the one that was typed would go unnoticed. */
+  #isRefused(): boolean {
+    if (this.sizeFault.peek() === null) return false;
+    this.refusals.value++;
+    return true;
   }
 
   async #named(title: string): Promise<File> {

@@ -16,25 +16,37 @@ export const outlines = {
 const units = { m: 1, cm: 0.01, mm: 0.001 };
 const usualHeight = 2.8;
 
-/**
- * "6 x 4 x 2.8", "6 × 4", "600 x 400 x 280 cm", "6,5 by 4 m" -> { width, depth, height } in metres; null where it is none.
- * Without a height it is 2.8 m; without a unit metres, or centimetres where metres would be no room.
- */
-export function readSize(text) {
+/** m, of rooms that are typed: the shortest side or height, the longest side, the tallest. */
+export const sizeBounds = { least: 0.5, longest: 500, tallest: 50 };
+
+/** Three lengths as they were typed, in metres; null where they cannot be understood. */
+function readLengths(text) {
   const clean = text.trim().toLowerCase().replace(/,/g, '.');
   const found = /^([\d.]+)\s*(mm|cm|m)?\s*(?:x|×|\*|by)\s*([\d.]+)\s*(mm|cm|m)?(?:\s*(?:x|×|\*|by)\s*([\d.]+)\s*(mm|cm|m)?)?$/.exec(clean); // prettier-ignore
   if (!found) return null;
   const [, w, wUnit, d, dUnit, h, hUnit] = found;
   const unit = hUnit ?? dUnit ?? wUnit;
   const [width, depth, height] = [w, d, h ?? 'none'].map((each) => (each === 'none' ? null : Number(each)));
-  if ([width, depth, height].some((each) => each !== null && !(each > 0))) return null;
+  if ([width, depth, height].some(Number.isNaN)) return null;
   const factor = unit ? units[unit] : width >= 100 && depth >= 100 ? 0.01 : 1;
   const metres = (value) => Math.round(value * factor * 1000) / 1000;
-  const size = {
+  return {
     width: metres(width),
     depth: metres(depth),
     height: height === null ? usualHeight : metres(height),
   };
-  const fits = size.width >= 0.5 && size.depth >= 0.5 && size.height >= 0.5;
-  return fits && size.width <= 500 && size.depth <= 500 && size.height <= 50 ? size : null;
+}
+
+/**
+ * "6 x 4 x 2.8", "6 × 4", "600 x 400 x 280 cm", "6,5 by 4 m" -> { size: { width, depth, height } } in metres, or
+ * { fault }: 'unread', or 'outside' of what a room may be. Without a height it is 2.8 m; without a unit metres, or
+ * centimetres where metres would be no room.
+ */
+export function readSize(text) {
+  const size = readLengths(text);
+  if (!size) return { fault: 'unread' };
+  const { least, longest, tallest } = sizeBounds;
+  const { width, depth, height } = size;
+  const fits = Math.min(width, depth, height) >= least && Math.max(width, depth) <= longest;
+  return fits && height <= tallest ? { size } : { fault: 'outside' };
 }

@@ -124,12 +124,16 @@ test.each([
   ['600 x 400 x 280', [6, 4, 2.8]],
   ['6000 mm * 4000 mm * 2800 mm', [6, 4, 2.8]],
 ])('%s is read as a room', (text, size) => {
-  expect(Object.values(readSize(text))).toEqual(size);
+  expect(Object.values(readSize(text).size)).toEqual(size);
 });
 
-test.each(['', '6', 'six by four', '6 x 0 x 3', '6 x 4 x 3 x 2', '1e9 x 2', '0.1 x 4'])(
-  '%s is none',
+test.each(['', '6', '20', 'abc', 'six by four', '12,5 x abc', '6 x 4 x 3 x 2', '1e9 x 2', '1.2.3 x 4'])(
+  '“%s” is no size',
   (text) => {
-    expect(readSize(text)).toBeNull();
+    expect(readSize(text)).toEqual({ fault: 'unread' });
   },
 );
+
+test.each(['0x0x0', '6 x 0 x 3', '0.1 x 4', '6 x 501', '6 x 4 x 51'])('%s is the size of no room', (text) => {
+  expect(readSize(text)).toEqual({ fault: 'outside' });
+});

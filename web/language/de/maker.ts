@@ -144,6 +144,12 @@ export const maker: Words['maker'] = {
     height: 'Höhe',
     nameOf: 'Name',
     size: 'Breite × Tiefe × Höhe',
+    sizeFaults: {
+      unread: (typed, example) =>
+        `„${typed}“ ist keine Größe: Breite x Tiefe x Höhe in Metern eingeben, wie ${example}.`,
+      outside: (least, longest, tallest) =>
+        `Kein Raum dieser Größe: ${least} bis ${longest} m breit und tief, ${least} bis ${tallest} m hoch.`,
+    },
     about: (walls, area) =>
       `${walls} Wände, ${area} m² Boden. Ecken und Wände im Grundriss ziehen oder eine Wand wählen, um ihre Länge einzugeben und Türen und Fenster einzusetzen.`,
   },

@@ -144,6 +144,12 @@ export const maker = {
     height: 'Height',
     nameOf: 'Name',
     size: 'Width × depth × height',
+    sizeFaults: {
+      unread: (typed: string, example: string) =>
+        `“${typed}” is not a size: type width x depth x height in metres, such as ${example}.`,
+      outside: (least: string, longest: string, tallest: string) =>
+        `No room of this size: ${least} to ${longest} m wide and deep, ${least} to ${tallest} m high.`,
+    },
     about: (walls: number, area: string) =>
       `${walls} walls, ${area} m² floor. Drag corners and walls in the plan, or choose a wall to type its length and to put doors and windows in it.`,
   },

@@ -2,6 +2,7 @@
 import { words } from '../../language/language.ts';
 import { shortest } from '../../language/numbers.ts';
 import type { PlanFault } from '../../room-maker/plan-faults.mjs';
+import { sizeBounds, type SizeFault } from '../../room-maker/plan-shapes.mjs';
 import { wallName, type ItemKind, type OpeningKind, type RoomPlan } from '../../room-maker/room-plan.mjs';
 
 const capital = (text: string) => (text[0] ?? '').toUpperCase() + text.slice(1);
@@ -35,4 +36,13 @@ export function faultText(fault: PlanFault, plan: RoomPlan): string {
       if (!('kind' in fault)) return faults[fault.fault];
       return faults[fault.fault](`${kindTitle(fault.kind)} ${fault.number}`);
   }
+}
+
+/** Why a typed size was not taken, and how it is typed. */
+export function sizeFaultText(fault: SizeFault, typed: string, example: string): string {
+  const { sizeFaults } = words.value.maker.shape;
+  const { least, longest, tallest } = sizeBounds;
+  return fault === 'unread'
+    ? sizeFaults.unread(typed, example)
+    : sizeFaults.outside(shortest(least), shortest(longest), shortest(tallest));
 }

@@ -124,7 +124,7 @@ function Footer({ making }: { making: Making }) {
       <div class="row">
         <button
           class="button grow"
-          onClick={() => void making.file().then((file) => download(file.name, file))}
+          onClick={() => void making.file().then((file) => file && download(file.name, file))}
         >
           <Download size={15} aria-hidden />
           <span>{words.value.maker.save}</span>

@@ -1,14 +1,15 @@
 /** Where a room begins: its size as one types it, the shape of its plan, its height and its name. */
 import { PencilRuler } from 'lucide-preact';
-import { useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { extentOf, resized, withNewOutline } from '../../room-maker/plan-edits.ts';
-import { outlines, readSize, type ShapeName } from '../../room-maker/plan-shapes.mjs';
+import { outlines, readSize, type ShapeName, type SizeFault } from '../../room-maker/plan-shapes.mjs';
 import { signedArea } from '../../room-maker/polygon.mjs';
 import type { RoomPlan } from '../../room-maker/room-plan.mjs';
 import { Choice, Field, Section } from './field.tsx';
 import { useMaking } from './making-context.ts';
 import { words } from '../../language/language.ts';
 import { fixed, shortest } from '../../language/numbers.ts';
+import { sizeFaultText } from './names.ts';
 
 const shapes: readonly (readonly [ShapeName, () => string])[] = [
   ['rectangle', () => words.value.maker.shape.rectangle],
@@ -84,41 +85,79 @@ export function ShapeSection({ draw }: { draw: () => void }) {
   );
 }
 
+/** What is wrong with what stands in the field for the size is told when the typing has ended, or the room is asked for. */
+function useSizeFault() {
+  const making = useMaking();
+  const field = useRef<HTMLInputElement>(null);
+  const [isTold, setTold] = useState(false);
+  const fault = making.sizeFault.value;
+  const refusals = making.refusals.value;
+  useEffect(() => {
+    if (making.sizeFault.peek() === null) return;
+    setTold(true);
+    field.current?.scrollIntoView({ block: 'center' });
+    field.current?.focus({ preventScroll: true });
+  }, [refusals]);
+  useEffect(() => () => void (making.sizeFault.value = null), [making]);
+  const setFault = (next: SizeFault | null) => {
+    making.sizeFault.value = next;
+    if (next === null) setTold(false);
+  };
+  return { field, fault, told: isTold ? fault : null, setFault, tell: () => setTold(fault !== null) };
+}
+
 /** "6 x 4 x 2.8" */
 function SizeField() {
   const making = useMaking();
   const [text, setText] = useState('');
   const [shape, setShape] = useState<RoomPlan['outline'] | null>(null); // as it was before anything was typed
-  const isWrong = text.trim() !== '' && readSize(text) === null;
+  const { field, fault, told, setFault, tell } = useSizeFault();
+  const example = `6 x 4 x ${shortest(2.8)}`;
   const take = (typed: string) => {
     setText(typed);
-    const size = readSize(typed);
-    if (!size) return;
+    if (typed.trim() === '') return setFault(null);
+    const read = readSize(typed);
+    if (!read.size) return setFault(read.fault);
+    const { width, depth, height } = read.size;
     const before = shape ?? making.plan.peek().outline;
     setShape(before);
-    making.edit(
-      (plan) => ({ ...plan, outline: resized(before, [size.width, size.depth]), height: size.height }),
+    const isTaken = making.edit(
+      (plan) => ({ ...plan, outline: resized(before, [width, depth]), height }),
       'size',
     );
+    setFault(isTaken ? null : 'outside');
+  };
+  const end = () => {
+    tell();
+    setShape(null);
+    making.endGesture();
   };
   return (
-    <label class="maker-field wide">
-      <span>{words.value.maker.shape.size}</span>
-      <input
-        type="text"
-        class="maker-text"
-        autoFocus
-        spellcheck={false}
-        autoComplete="off"
-        placeholder={`6 x 4 x ${shortest(2.8)}`}
-        aria-invalid={isWrong}
-        value={text}
-        onInput={(event) => take(event.currentTarget.value)}
-        onBlur={() => {
-          setShape(null);
-          making.endGesture();
-        }}
-      />
-    </label>
+    <div>
+      <label class="maker-field wide">
+        <span>{words.value.maker.shape.size}</span>
+        <input
+          ref={field}
+          type="text"
+          class="maker-text"
+          autoFocus
+          maxLength={60}
+          spellcheck={false}
+          autoComplete="off"
+          placeholder={example}
+          aria-invalid={fault !== null}
+          aria-describedby="maker-size-fault"
+          value={text}
+          onInput={(event) => take(event.currentTarget.value)}
+          onBlur={end}
+          onKeyDown={(event) => event.key === 'Enter' && tell()}
+        />
+      </label>
+      {told && (
+        <p class="fault" id="maker-size-fault" role="alert">
+          {sizeFaultText(told, text.trim(), example)}
+        </p>
+      )}
+    </div>
   );
 }
