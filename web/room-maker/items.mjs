@@ -9,6 +9,13 @@ import { rotated } from './polygon.mjs';
 const gap = 0.001; // m between solids, so that no ray slips into one
 const columnSegments = 24;
 const board = 'oak board';
+const chairOut = 0.25; // m from the edge of a workplace to the centre of its chair
+
+/** m, of the circle on the floor around a swivel chair. */
+export const chairRadius = 0.33;
+
+/** m by which a piece reaches beyond its size [at its back, at its front]: by a chair, a leaning back, grips. */
+const beyond = { workplace: [0, chairOut + chairRadius], chair: [0.05, 0], cupboard: [0, 0.02] };
 
 /** A part: `surface` groups it with others of that name; a part without one is a surface of its own, for intentions. */
 const part = (shape, surface, suffix = '') => ({ shape, surface, suffix });
@@ -23,7 +30,7 @@ const makers = {
       moved(0, 0, 0.26),
     );
     const onDesk = new Shape().add(computer, moved(0, h, -d / 2 + 0.2));
-    const chair = new Shape().add(swivelChair('charcoal fabric', 'black plastic'), (p) => [-p[0], p[1], d / 2 + 0.25 - p[2]]); // prettier-ignore
+    const chair = new Shape().add(swivelChair('charcoal fabric', 'black plastic'), (p) => [-p[0], p[1], d / 2 + chairOut - p[2]]); // prettier-ignore
     return [
       ...makers.desk([w, d, h]),
       part(onDesk, 'computers', ' computer'),
@@ -74,12 +81,34 @@ export class ItemShapes {
   }
 }
 
-/** Corners of what an item covers of the floor, in the sense of outlines. */
-export function footprint({ kind, x, z, turn, size: [w, d] }) {
-  const corners = kind.startsWith('round')
+const rectangle = (x0, z0, x1, z1) => [[x0, z0], [x1, z0], [x1, z1], [x0, z1]]; // prettier-ignore
+
+/** From an item's own axes to the plan. */
+const placed = (points, { x, z, turn }) => rotated(points, turn).map(([px, pz]) => [px + x, pz + z]);
+
+/** Corners of an item's own size, in the sense of outlines. */
+export function footprint(item) {
+  const [w, d] = item.size;
+  const corners = item.kind.startsWith('round')
     ? circle(w / 2, 0, columnSegments)
         .map(([cx, , cz]) => [cx, cz])
         .reverse()
-    : [[-w / 2, -d / 2], [w / 2, -d / 2], [w / 2, d / 2], [-w / 2, d / 2]]; // prettier-ignore
-  return rotated(corners, turn).map(([cx, cz]) => [cx + x, cz + z]);
+    : rectangle(-w / 2, -d / 2, w / 2, d / 2);
+  return placed(corners, item);
+}
+
+/** [left, back, right, front] m in an item's own axes, of all that is modelled: with a workplace's chair. */
+export function reachOf({ kind, size: [w, d] }) {
+  const [back, front] = beyond[kind] ?? [0, 0];
+  return [-w / 2, -d / 2 - back, w / 2, d / 2 + front];
+}
+
+/** Corners of the floor that an item needs: its footprint and what reaches beyond it. */
+export function floorOf(item) {
+  return item.kind in beyond ? placed(rectangle(...reachOf(item)), item) : footprint(item);
+}
+
+/** Where the chair of a workplace stands; null where an item has none of its own. */
+export function chairOf(item) {
+  return item.kind === 'workplace' ? placed([[0, item.size[1] / 2 + chairOut]], item)[0] : null;
 }

@@ -1,4 +1,5 @@
 /** Changes of a plan by hand: pure functions, a new plan each. Where a change would break the outline it is null. */
+import { reachOf } from './items.mjs';
 import { contains, distance, holds, isSimple } from './polygon.mjs';
 import { mostCorners, mostItems, type Item, type Opening, type Point, type RoomPlan } from './room-plan.mjs';
 
@@ -170,10 +171,11 @@ function midway(from: Point, [u, v]: Point, fits: (way: Point) => boolean): Poin
 }
 
 /** The shortest way by which rows come to stand in the room, midway between its walls; none where they do, or cannot. */
-function wayIntoRoom({ outline }: RoomPlan, { x, z, turn, size: [w, d] }: Item, rows: Rows): Point {
-  const [left, far] = [-w / 2, -d / 2];
-  const right = (rows.across - 1) * rows.acrossPitch + w / 2;
-  const near = (rows.down - 1) * rows.downPitch + d / 2;
+function wayIntoRoom({ outline }: RoomPlan, item: Item, rows: Rows): Point {
+  const { x, z, turn } = item;
+  const [left, far, firstRight, firstNear] = reachOf(item);
+  const right = (rows.across - 1) * rows.acrossPitch + firstRight;
+  const near = (rows.down - 1) * rows.downPitch + firstNear;
   const corners: Point[] = [[left, far], [right, far], [right, near], [left, near]]; // prettier-ignore
   const block = corners.map(turnedBy(turn));
   if (block.every(([u, v]) => contains(outline, [x + u, z + v]))) return [0, 0];

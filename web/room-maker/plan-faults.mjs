@@ -1,6 +1,6 @@
 // What of a plan cannot be built as it stands: it stays in the plan, and the rest is built. Each fault is told by its
 // name and by what it is about; the page has the sentences.
-import { footprint, isColumn } from './items.mjs';
+import { floorOf, footprint, isColumn } from './items.mjs';
 import { builtOpenings, clearColumns, planeOutline } from './make-room.mjs';
 import { mostTiles, railLines, tileCount } from './mounts.mjs';
 import { contains } from './polygon.mjs';
@@ -26,7 +26,7 @@ function itemFaults(plan) {
   return plan.items.flatMap((item) => {
     numbers.set(item.kind, (numbers.get(item.kind) ?? 0) + 1);
     const about = { kind: item.kind, number: numbers.get(item.kind) };
-    const base = footprint(item);
+    const base = floorOf(item);
     if (!base.every((corner) => contains(plan.outline, corner)) && !clear.includes(item))
       return [{ fault: 'outside', ...about }];
     if (isColumn(item) && !clear.includes(item)) return [{ fault: 'touches', ...about }];

@@ -5,7 +5,7 @@ import { readRoom } from '../../rooms/read-room.mjs';
 import { areaOf, doubleSurfaceArea, normalOf, openEdgeLength, volumeOf } from '../../rooms/geometry.mjs';
 import { luminance } from '../../../web/document/linear-colour.mjs';
 import { tintOf } from '../../../web/room-maker/colour.mjs';
-import { footprint } from '../../../web/room-maker/items.mjs';
+import { ItemShapes, floorOf, footprint, isColumn } from '../../../web/room-maker/items.mjs';
 import {
   builtOpenings,
   clearColumns,
@@ -15,7 +15,14 @@ import {
 } from '../../../web/room-maker/make-room.mjs';
 import { railLines } from '../../../web/room-maker/mounts.mjs';
 import { planFaults } from '../../../web/room-maker/plan-faults.mjs';
-import { contains, distance, inset, signedArea } from '../../../web/room-maker/polygon.mjs';
+import {
+  contains,
+  distance,
+  distanceToOutline,
+  inset,
+  rotated,
+  signedArea,
+} from '../../../web/room-maker/polygon.mjs';
 import { itemKinds, planOf, usualItem, usualOpening } from '../../../web/room-maker/room-plan.mjs';
 import { outlines } from '../../../web/room-maker/plan-shapes.mjs';
 
@@ -104,6 +111,21 @@ test.each(itemKinds)('a %s is made of closed solids above the floor', async (kin
   expect(openEdgeLength(room.triangles)).toBeLessThan(1e-6);
   expect(doubleSurfaceArea(room.triangles)).toBeLessThan(1e-6);
   expect(volumeOf(room.triangles)).toBeGreaterThan(-2.8 * 24 - 1e-4);
+});
+
+test.each(itemKinds)('a %s stands within the floor that is kept for it', (kind) => {
+  const plan = rectangle();
+  plan.items = [usualItem(kind, [3, 2], 2.8, 30)];
+  const [item] = plan.items;
+  const floor = floorOf(item);
+  const shapes = isColumn(item) ? [] : new ItemShapes().of(item).map(({ shape }) => shape);
+  const corners = shapes.flatMap(({ triangles }) => triangles.flatMap(({ points }) => points));
+  const places = rotated(corners.map(([x, , z]) => [x, z]), item.turn); // prettier-ignore
+  // a round footprint has fewer corners than its table, and lies up to 5 mm within
+  const beyond = places
+    .map(([x, z]) => [x + item.x, z + item.z])
+    .filter((place) => !contains(floor, place) && distanceToOutline(floor, place) > 0.006);
+  expect(beyond).toEqual([]);
 });
 
 test('rows of the same furniture share their meshes', () => {

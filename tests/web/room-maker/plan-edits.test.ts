@@ -25,6 +25,15 @@ test('rows that would leave the room move into it as one, midway between the wal
   expect(planFaults(rowsFrom([2.5, 2], 90, outlines.L(9, 8)))).toEqual([]);
 });
 
+test('rows of workplaces move into the room with their chairs', () => {
+  const workplace = usualItem('workplace', [1, 2.5], 2.8);
+  const plan = { ...planOf(outlines.rectangle(6, 4), 2.8), items: [workplace] };
+  const { items } = withRows(plan, 0, { across: 2, down: 1, acrossPitch: 2, downPitch: 1 });
+  expect(items[0]!.z).toBe(2.5); // its chair still fits
+  const late = withRows({ ...plan, items: [{ ...workplace, z: 3.4 }] }, 0, { across: 2, down: 1, acrossPitch: 2, downPitch: 1 }); // prettier-ignore
+  expect(planFaults(late)).toEqual([]);
+});
+
 test('rows for which the room is too small stay where they were asked for', () => {
   expect(places(rowsFrom([1, 1], 0, outlines.rectangle(3, 2)))[0]).toEqual([1, 1]);
 });

@@ -1,6 +1,6 @@
 /** What can be put into the room, and the list of what is in it: the plan's twin for the keyboard. */
 import { useState } from 'preact/hooks';
-import { footprint } from '../../room-maker/items.mjs';
+import { floorOf } from '../../room-maker/items.mjs';
 import { areApart, contains, distanceToOutline, holds } from '../../room-maker/polygon.mjs';
 import {
   itemKinds,
@@ -19,15 +19,15 @@ const step = 0.25; // m between the places that are tried
 const mostTries = 4000;
 
 /** The free place for a new piece nearest to where the room is widest; that place where none is free. */
-function placeFor(kind: ItemKind, plan: RoomPlan): Point {
+export function placeFor(kind: ItemKind, plan: RoomPlan): Point {
   const along = (axis: 0 | 1) => plan.outline.map((corner) => corner[axis]);
   const [low, high] = [
     [Math.min(...along(0)), Math.min(...along(1))] as const,
     [Math.max(...along(0)), Math.max(...along(1))] as const,
   ];
-  const taken = plan.items.map(footprint);
+  const taken = plan.items.map(floorOf);
   const isFree = (at: Point) => {
-    const base = footprint(usualItem(kind, at, plan.height));
+    const base = floorOf(usualItem(kind, at, plan.height));
     return holds(plan.outline, base, 0.05) && taken.every((other) => areApart(base, other, 0.1));
   };
   const places: Point[] = [];

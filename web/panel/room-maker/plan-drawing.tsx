@@ -2,7 +2,7 @@
 import type { SVGAttributes } from 'preact';
 import { useRef, useState } from 'preact/hooks';
 import type { Selected } from '../../app/making.ts';
-import { footprint, isColumn } from '../../room-maker/items.mjs';
+import { chairOf, chairRadius, footprint, isColumn } from '../../room-maker/items.mjs';
 import { builtOpenings, clearColumns, planeOutline } from '../../room-maker/make-room.mjs';
 import { railLines } from '../../room-maker/mounts.mjs';
 import { toMillimetres, wallLength, withWallLength } from '../../room-maker/plan-edits.ts';
@@ -236,8 +236,10 @@ function Plane({ plan }: { plan: RoomPlan }) {
 function Furniture({ item, handle }: { item: Item; handle: Handle }) {
   const [w, d] = item.size;
   const front = rotated([[-w / 2, d / 2], [w / 2, d / 2]], item.turn).map(([x, z]): Point => [x + item.x, z + item.z]); // prettier-ignore
+  const chair = chairOf(item);
   return (
     <g class={isColumn(item) ? 'plan-item plan-column' : 'plan-item'} {...handle}>
+      {chair && <circle cx={chair[0]} cy={chair[1]} r={chairRadius} />}
       <polygon points={pointsOf(footprint(item))} />
       {!isColumn(item) && !item.kind.startsWith('round') && (
         <line
