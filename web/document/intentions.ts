@@ -56,6 +56,9 @@ export const metWithin = 0.001;
 export const isOfPatches = ({ statistic }: Pick<Constraint, 'statistic'>): boolean =>
   statistic === 'minimum' || statistic === 'maximum' || statistic === 'uniformity';
 
+/** Whether a bound is the most that there may be. */
+export const isUpper = (field: BoundField): boolean => field.endsWith('.max');
+
 /** Where a constraint comes from: one field of one card, so that constraint i answers origins[i]. */
 export interface Origin {
   readonly card: string;

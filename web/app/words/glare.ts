@@ -25,6 +25,7 @@ export function glareVerdict(observers: readonly ObserverResult[], target: numbe
     target,
     actual,
     unit: 'UGR',
+    isMost: true,
     margin: null,
     met: actual === null ? null : actual < target + margin,
     alone: { ugr: target },

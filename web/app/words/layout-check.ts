@@ -1,5 +1,5 @@
 /** "Check this layout": what recomputing every surface from its patches has shown, as one sentence. */
-import { boundOf, type Origin } from '../../document/intentions.ts';
+import { boundOf, isUpper, type Origin } from '../../document/intentions.ts';
 import type { FiatLuxDocument, Layout } from '../../document/types.ts';
 import { fieldText } from './explain.ts';
 import { placesText } from './places.ts';
@@ -41,7 +41,7 @@ export function checkText(
     if (!card || bound === undefined) return [];
     const unit = ` ${unitOfBound(origin.field, document.quantity)}`.trimEnd();
     const what = `${placesText(card.surfaces)}: ${fieldText(card, origin.field)} ${compact(bound)}${unit}`;
-    return [`${what}, ${marginText(margin)}`];
+    return [`${what}, ${marginText(margin, { isMost: isUpper(origin.field) })}`];
   });
   const more = tight.length > 3 ? words.value.results.check.more(tight.length - 3) : '';
   return words.value.results.check.little(difference, named.join('; '), more);
@@ -50,11 +50,15 @@ export function checkText(
 // Rounding of the sums, and of bounds that are met exactly.
 const exactly = 1e-6;
 
-/** "3.0 % to spare", "0.4 % short", "within 0.02 %" where that counts as met. */
-export function marginText(margin: number, isMet = false): string {
+interface OfBound {
+  readonly isMost?: boolean; // it is an upper one
+  readonly isMet?: boolean; // what is missed by next to nothing is, too
+}
+
+/** "3.0 % to spare", "0.4 % short" of a lower bound, "0.4 % over" an upper one, "within 0.02 %" where that counts as met. */
+export function marginText(margin: number, { isMost = false, isMet = false }: OfBound = {}): string {
   if (Math.abs(margin) <= exactly) return words.value.values.exactly;
   if (isMet && margin < 0) return words.value.values.within(fine(-margin));
-  return margin > 0
-    ? words.value.values.toSpare(percent(margin))
-    : words.value.values.short(percent(-margin));
+  if (margin > 0) return words.value.values.toSpare(percent(margin));
+  return words.value.values[isMost ? 'over' : 'short'](percent(-margin));
 }

@@ -70,10 +70,8 @@ function emergencyVerdicts(
     const margin = ratio === null ? null : 1 - ratio / largestDiversity;
     const met = margin === null ? null : margin >= -rounding;
     const what = atMostOf(diversity);
-    return [
-      ...rows,
-      { where: surfaceText(name), what, target: largestDiversity, actual: ratio, unit: '', margin, met },
-    ];
+    const asked = { where: surfaceText(name), what, target: largestDiversity, unit: '', isMost: true };
+    return [...rows, { ...asked, actual: ratio, margin, met }];
   });
 }
 

@@ -1,6 +1,6 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
 import { leastTold, ugrText } from '../../document/glare.ts';
-import { boundOf, type TracedIntentions } from '../../document/intentions.ts';
+import { boundOf, isUpper, type TracedIntentions } from '../../document/intentions.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
 import type { Card, Constraint, FiatLuxDocument, Quantity, SceneInfo } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
@@ -19,7 +19,8 @@ export interface Verdict {
   readonly target: number | null; // null: as much, as little or as even as can be
   readonly actual: number | null; // null: nobody has computed it
   readonly unit: string; // of both; '' for a ratio
-  readonly margin: number | null; // relative, negative = short; null where nothing is to be met
+  readonly isMost?: boolean; // the target is the most that there may be; absent: it is not
+  readonly margin: number | null; // relative, negative = missed; null where nothing is to be met
   readonly met: boolean | null; // null = a wish without a bound
   readonly alone?: Alone; // how the row could be asked for by itself; absent: it cannot
 }
@@ -53,6 +54,7 @@ export function verdicts(
           target,
           actual: result.value,
           unit: unitOfBound(origin.field, document.quantity),
+          isMost: isUpper(origin.field),
           margin: result.margin,
           met: result.met,
           ...(alone && { alone }),
@@ -79,15 +81,15 @@ export function valueText(value: number | null, unit: string): string {
 }
 
 /** How far within its bound a row is, or beyond; null where nothing is to be met, or where that cannot be told. */
-export function spareText({ margin, actual, target, unit }: Verdict): string | null {
+export function spareText({ margin, actual, target, unit, isMost = false }: Verdict): string | null {
   if (unit === 'UGR' && actual !== null && target !== null) {
     const spare = Math.round(10 * target) / 10 - Math.round(10 * actual) / 10; // of what is read
     if (actual < leastTold) return null;
     if (spare === 0) return words.value.values.exactly;
-    const { toSpare, short } = words.value.values;
-    return spare > 0 ? toSpare(fixed(spare, 1)) : short(fixed(-spare, 1));
+    const { toSpare, over } = words.value.values;
+    return spare > 0 ? toSpare(fixed(spare, 1)) : over(fixed(-spare, 1));
   }
-  return margin !== null && Number.isFinite(margin) ? marginText(margin) : null;
+  return margin !== null && Number.isFinite(margin) ? marginText(margin, { isMost }) : null;
 }
 
 export function targetText({ target, unit }: Verdict): string {

@@ -23,6 +23,7 @@ export const values: Words['values'] = {
   within: (share) => `bis auf ${share}`,
   toSpare: (share) => `${share} Reserve`,
   short: (share) => `${share} zu wenig`,
+  over: (share) => `${share} zu viel`,
   notComputed: 'nicht berechnet',
   best: {
     illuminate: 'Mittelwert so hoch wie möglich',

@@ -22,6 +22,7 @@ export const values = {
   within: (share: string) => `within ${share}`,
   toSpare: (share: string) => `${share} to spare`,
   short: (share: string) => `${share} short`,
+  over: (share: string) => `${share} over`,
   notComputed: 'not computed',
   best: {
     illuminate: 'mean as high as can be',

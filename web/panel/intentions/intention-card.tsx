@@ -9,7 +9,7 @@ import { marginText } from '../../app/words/layout-check.ts';
 import { missesAim } from '../../document/aim.ts';
 import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
-import { keepRange, withOptional } from '../../document/intentions.ts';
+import { isUpper, keepRange, withOptional } from '../../document/intentions.ts';
 import type { Card, SurfaceNames, Verb } from '../../document/types.ts';
 import { AimField } from './aim-field.tsx';
 import { CardGuarantee } from './card-guarantee.tsx';
@@ -81,21 +81,21 @@ export function reachedText(mean: number, aim: number | undefined, unit: string)
 
 interface Status {
   readonly met: boolean;
-  readonly margin: number; // the least of the card's bounds, relative
+  readonly text: string; // how far within its bound the tightest one is, or beyond
 }
 
 function useStatus(card: Card): Status | null {
   const { store } = useApp();
   const results = store.shown.value?.constraints;
-  const mine = store.traced.value.origins.flatMap((origin, i) =>
-    origin.card === card.id ? [results?.[i] ?? null] : [],
+  const mine = store.traced.value.origins.flatMap(({ card: id, field }, i) =>
+    id === card.id ? [{ field, result: results?.[i] }] : [],
   );
-  const known = mine.filter((result) => result !== null);
-  if (known.length === 0 || known.length < mine.length) return null;
-  return {
-    met: known.every((result) => result.met),
-    margin: Math.min(...known.map((result) => result.margin)),
-  };
+  const known = mine.flatMap(({ field, result }) => (result ? [{ field, ...result }] : []));
+  const [tightest] = [...known].sort((a, b) => a.margin - b.margin);
+  if (!tightest || known.length < mine.length) return null;
+  const met = known.every((result) => result.met);
+  const text = marginText(tightest.margin, { isMost: isUpper(tightest.field), isMet: met });
+  return { met, text };
 }
 
 function Met({ status }: { status: Status | null }) {
@@ -107,7 +107,7 @@ function Met({ status }: { status: Status | null }) {
       aria-label={status.met ? words.value.intentions.card.isMet : words.value.values.unmet}
       title={words.value.intentions.card.status(
         status.met ? words.value.intentions.card.met : words.value.intentions.card.unmet,
-        marginText(status.margin, status.met),
+        status.text,
       )}
     >
       {status.met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}

@@ -40,7 +40,7 @@ describe('the check', () => {
   });
   test('names the bounds with little to spare, the worst first', () => {
     expect(checked(0.01, -0.05)).toMatch(
-      /Little margin: floor: mean at most 200 lx, 5\.0 % short; floor: mean at least 100 lx, 1\.0 % to spare\.$/,
+      /Little margin: floor: mean at most 200 lx, 5\.0 % over; floor: mean at least 100 lx, 1\.0 % to spare\.$/,
     );
   });
   test('says so where every bound has room', () => {
@@ -52,7 +52,8 @@ describe('the check', () => {
       '0.4 % to spare',
       '20 % short',
     ]);
-    expect(marginText(-0.0004, true)).toBe('within 0.04 %');
+    expect(marginText(-0.2, { isMost: true })).toBe('20 % over');
+    expect(marginText(-0.0004, { isMost: true, isMet: true })).toBe('within 0.04 %');
   });
 });
 
