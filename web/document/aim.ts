@@ -1,5 +1,7 @@
 /** A mean that is aimed at and not reached, and the one change of the luminaires that brings it within reach. */
-import type { Luminaires } from './types.ts';
+import { metWithin } from './intentions.ts';
+import { isRatio } from './statistics.ts';
+import type { Constraint, Luminaires } from './types.ts';
 
 const near = 0.01; // of the aim
 const dimmest = 0.1; // as dimming is when it is switched on
@@ -26,4 +28,15 @@ export function wayToAim(
   if (share > furthest || (types?.length ?? 0) > 0) return null;
   const unit = flux * share >= 1000 ? 100 : 10;
   return { flux: Math.ceil((flux * share) / unit) * unit };
+}
+
+/**
+ * Whether a bound pulls the other way: it is missed, or would be, once there is `share` times the light everywhere.
+ * Ratios stay as they are.
+ */
+export function pullsBack({ statistic, min, max }: Constraint, value: number, share: number): boolean {
+  if (isRatio(statistic)) return false;
+  const then = statistic === 'ugr' ? value + 8 * Math.log10(share) : share * value;
+  if (share < 1) return min !== undefined && then < (1 - metWithin) * min;
+  return max !== undefined && then > (1 + metWithin) * max;
 }

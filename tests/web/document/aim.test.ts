@@ -1,7 +1,7 @@
 /** What is offered where a card's slider asks for more or less light than there is. */
 import { expect, test } from '@jest/globals';
-import { missesAim, wayToAim } from '../../../web/document/aim.ts';
-import type { Luminaires } from '../../../web/document/types.ts';
+import { missesAim, pullsBack, wayToAim } from '../../../web/document/aim.ts';
+import type { Constraint, Luminaires } from '../../../web/document/types.ts';
 
 const four: Luminaires = {
   count: 4,
@@ -31,4 +31,17 @@ test('more is reached by flux, unless types have fluxes of their own', () => {
   expect(wayToAim({ ...four, flux: 300 }, 100, 150)).toEqual({ flux: 450 });
   expect(wayToAim(four, 300, 10_000)).toBeNull();
   expect(wayToAim({ ...four, types: [{ id: 'a' } as never] }, 326, 400)).toBeNull();
+});
+
+test('a bound that is broken, or would be, pulls the other way', () => {
+  const mean = (bound: object): Constraint => ({ statistic: 'mean', surfaces: ['floor'], ...bound });
+  expect(pullsBack(mean({ min: 5000 }), 350, 250 / 350)).toBe(true); // dimmed it is missed by more
+  expect(pullsBack(mean({ min: 300 }), 350, 250 / 350)).toBe(true); // met now, and then no longer
+  expect(pullsBack(mean({ min: 250 }), 350, 250 / 350)).toBe(false);
+  expect(pullsBack(mean({ max: 200 }), 233, 250 / 233)).toBe(true);
+  expect(pullsBack(mean({ max: 200 }), 350, 250 / 350)).toBe(false); // less light is what it asks for, too
+  expect(pullsBack({ statistic: 'uniformity', min: 0.6, surfaces: ['floor'] }, 0.5, 0.5)).toBe(false);
+  const glare: Constraint = { statistic: 'ugr', max: 19, surfaces: [] };
+  expect([1.1, 2].map((share) => pullsBack(glare, 18, share))).toEqual([false, true]);
+  expect(pullsBack(mean({ min: 300 }), NaN, 0.5)).toBe(false); // nobody has told what is reached
 });

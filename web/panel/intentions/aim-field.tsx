@@ -7,9 +7,9 @@ import { compact, niceStep, unitOf } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { wayToAim } from '../../document/aim.ts';
-import { withOptional } from '../../document/intentions.ts';
-import type { Verb } from '../../document/types.ts';
+import { pullsBack, wayToAim } from '../../document/aim.ts';
+import { boundedBy, withOptional } from '../../document/intentions.ts';
+import type { Constraint, Verb } from '../../document/types.ts';
 import type { Axis, CardProps } from './card-hooks.ts';
 import { useReached } from './use-reached.ts';
 import { words } from '../../language/language.ts';
@@ -76,14 +76,21 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
   );
 }
 
-/** Where the slider asks for more or less than these luminaires give: one click that brings it within reach. */
+/**
+ * Where the slider asks for more or less than these luminaires give: one click that brings it within reach, unless that
+ * would break a bound, or break it further.
+ */
 function Beyond({ card }: CardProps) {
   const { store } = useApp();
   const reached = useReached(card);
   const { luminaires } = store.document.value;
   const isSettled = store.progress.value.state === 'settled';
   const way = reached && isSettled ? wayToAim(luminaires, reached.mean, card.aim) : null;
-  if (!way) return null;
+  if (!way || !reached || card.aim === undefined) return null;
+  const share = card.aim / reached.mean;
+  const results = store.shown.value?.constraints ?? [];
+  const isAgainst = (bound: Constraint, i: number) => pullsBack(bound, results[i]?.value ?? NaN, share);
+  if (boundedBy(store.traced.value.intentions).some(isAgainst)) return null;
   const { aim } = words.value.intentions;
   const { steps } = words.value;
   const isDimmed = 'dimming' in way;
