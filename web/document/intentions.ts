@@ -331,15 +331,21 @@ function endsOf({ min, max }: { min?: number; max?: number }): Range {
   return { ...(min !== undefined && { min }), ...(max !== undefined && { max }) };
 }
 
-/** withBound, where an end that passes the other one pushes it along. */
-export function withPushedBound(card: Card, field: BoundField, value: number | undefined): Card {
+/** The statistics of which a card may bound both ends. */
+const ranges = ['mean', 'spread', 'guarantee', ...planeStatistics] as const;
+export type RangeName = (typeof ranges)[number];
+
+/** The ends of a range whose least is above its most, as a person may ask and no layout can meet; null where it is not so. */
+export function crossedEnds(card: Card, range: RangeName): { min: number; max: number } | null {
+  const [min, max] = [boundOf(card, `${range}.min`), boundOf(card, `${range}.max`)];
+  return min !== undefined && max !== undefined && min > max ? { min, max } : null;
+}
+
+/** A value for an end of a range that is dragged: it stops at the other end. */
+export function upToOther(card: Card, field: BoundField, value: number): number {
   const [group, end] = field.split('.');
-  const next = withBound(card, field, value);
-  if (!end || end === 'least' || value === undefined) return next;
-  const other = `${group}.${end === 'min' ? 'max' : 'min'}` as BoundField;
-  const limit = boundOf(card, other);
-  if (limit === undefined) return next;
-  return (end === 'min' ? value > limit : value < limit) ? withBound(next, other, value) : next;
+  if (end === 'min') return Math.min(value, boundOf(card, `${group}.max` as BoundField) ?? Infinity);
+  return end === 'max' ? Math.max(value, boundOf(card, `${group}.min` as BoundField) ?? 0) : value;
 }
 
 /** Sets an optional property of a card, or takes it away (never stores `undefined`). */

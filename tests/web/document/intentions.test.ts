@@ -3,10 +3,11 @@ import { documentFrom } from '../../../web/app/rooms/opening-wish.ts';
 import {
   asksForDirect,
   boundOf,
+  crossedEnds,
   intentionsOf,
   keepRange,
+  upToOther,
   withBound,
-  withPushedBound,
   type BoundField,
 } from '../../../web/document/intentions.ts';
 import type { Card, FiatLuxDocument } from '../../../web/document/types.ts';
@@ -160,11 +161,23 @@ describe('bounds of a card', () => {
     expect(Object.values(withBound(set, field, undefined))).not.toContain(undefined);
   });
 
-  test('an end that passes the other one pushes it along', () => {
-    const both = { ...wall, mean: { min: 1, max: 2 } };
-    expect(withPushedBound(both, 'mean.min', 5).mean).toEqual({ min: 5, max: 5 });
-    expect(withPushedBound(both, 'mean.max', 0.5).mean).toEqual({ min: 0.5, max: 0.5 });
-    expect(withPushedBound(both, 'mean.max', 3).mean).toEqual({ min: 1, max: 3 });
+  test('an end that passes the other one leaves it as it is, and both are asked for', () => {
+    const crossed = withBound(withBound(wall, 'mean.min', 5000), 'mean.max', 200);
+    expect(crossed.mean).toEqual({ min: 5000, max: 200 });
+    expect(crossedEnds(crossed, 'mean')).toEqual({ min: 5000, max: 200 });
+    const { constraints } = intentionsOf(documentOf([crossed])).intentions;
+    expect(constraints).toMatchObject([{ min: 5000 }, { max: 200 }]); // one each, as the core takes them
+    expect(crossedEnds({ ...wall, mean: { min: 2, max: 2 } }, 'mean')).toBeNull();
+    expect(crossedEnds({ ...wall, mean: { min: 2 } }, 'mean')).toBeNull();
+    expect(crossedEnds({ ...wall, modelling: { min: 0.6, max: 0.3 } }, 'modelling')).not.toBeNull();
+  });
+
+  test('an end that is dragged stops at the other one', () => {
+    const both = { ...wall, mean: { min: 1, max: 2 }, uniformity: 0.5 };
+    expect(upToOther(both, 'mean.min', 5)).toBe(2);
+    expect(upToOther(both, 'mean.max', 0.5)).toBe(1);
+    expect(upToOther(both, 'mean.max', 3)).toBe(3);
+    expect(upToOther(both, 'uniformity', 0.7)).toBe(0.7);
   });
 
   test('taking away one end leaves the other', () => {

@@ -221,6 +221,7 @@ export const intentions: Words['intentions'] = {
     of: (name) => `${name}: Mittelwert`,
     min: (name) => `${name}: Mittelwert mindestens`,
     max: (name) => `${name}: Mittelwert höchstens`,
+    crossed: (min, max) => `Mindestens ${min} und höchstens ${max}: Keine Anordnung kann beides erfüllen.`,
   },
   picker: {
     find: 'Fläche suchen',

@@ -224,6 +224,7 @@ export const intentions = {
     of: (name: string) => `${name}: mean`,
     min: (name: string) => `${name}: mean at least`,
     max: (name: string) => `${name}: mean at most`,
+    crossed: (min: string, max: string) => `At least ${min} and at most ${max}: no layout can meet both.`,
   },
   picker: {
     find: 'Find a surface',

@@ -6,6 +6,7 @@ import { intentionsOf, withBound, withOptional } from '../../document/intentions
 import type { Card } from '../../document/types.ts';
 import { AlphaPlot } from './alpha-plot.tsx';
 import { useBound, type CardProps } from './card-hooks.ts';
+import { CrossedNote } from './crossed-note.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { namesText } from '../../app/words/places.ts';
@@ -105,6 +106,7 @@ function GuaranteeFields({ card, guarantee, change }: FieldsProps) {
           onEnd={end}
         />
       </div>
+      <CrossedNote card={card} range="guarantee" />
       {guarantee.by === 'chebyshev' && (
         <NumberRow
           name={words.value.intentions.guarantee.alpha}

@@ -3,7 +3,7 @@ import { useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { niceCeiling } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
-import { withPushedBound, type BoundField } from '../../document/intentions.ts';
+import { withBound, type BoundField } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
 
@@ -32,7 +32,7 @@ export function useBound(card: Card) {
       app.changeCard(
         card.id,
         words.value.steps.bound(namesText(card.surfaces)),
-        (each) => withPushedBound(each, field, value),
+        (each) => withBound(each, field, value),
         `${card.id} ${field}`,
       ),
     end: () => app.store.endGesture(),

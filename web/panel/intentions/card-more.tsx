@@ -6,6 +6,7 @@ import { withOptional } from '../../document/intentions.ts';
 import type { Card } from '../../document/types.ts';
 import { useBound, type CardProps } from './card-hooks.ts';
 import { CardPlanes } from './card-planes.tsx';
+import { CrossedNote } from './crossed-note.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { SurfacePicker } from './surface-picker.tsx';
@@ -129,6 +130,7 @@ function SpreadFields({ card, reached }: FieldsProps) {
           onEnd={end}
         />
       </div>
+      <CrossedNote card={card} range="spread" />
     </fieldset>
   );
 }

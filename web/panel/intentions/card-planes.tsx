@@ -11,6 +11,7 @@ import type { MeanAndLeast, PlaneResult } from '../../solver/protocol.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { useBound, type CardProps } from './card-hooks.ts';
+import { CrossedNote } from './crossed-note.tsx';
 
 const firstAsked = {
   cylindrical: { min: 150 },
@@ -121,6 +122,7 @@ function Ends({ card, statistic }: FieldsProps) {
           onEnd={end}
         />
       </div>
+      <CrossedNote card={card} range={statistic} />
       <NumberRow
         name={text.everywhere}
         label={text.least(name)}

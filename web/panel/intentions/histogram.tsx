@@ -7,7 +7,7 @@ import { useApp } from '../../app/app.ts';
 import { compact, niceStep, percent, unitOf } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
 import { histogram, promises, shareBelow, type AreaSample } from '../../app/state/statistics.ts';
-import { boundOf, type BoundField } from '../../document/intentions.ts';
+import { boundOf, upToOther, type BoundField } from '../../document/intentions.ts';
 import { useBound, usePaperWords, type Axis, type CardProps } from './card-hooks.ts';
 import { stepped } from '../controls/slider.tsx';
 import { useSample } from './use-reached.ts';
@@ -87,7 +87,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
               kind={field.startsWith('mean') ? 'mean' : 'guarantee'}
               label={`${namesText(card.surfaces)}: ${title()}`}
               text={`${compact(value)} ${unit}`}
-              set={(next) => bound.set(field, next)}
+              set={(next) => bound.set(field, upToOther(card, field, next))}
             />
           );
         })}

@@ -3,6 +3,7 @@ import { useApp } from '../../app/app.ts';
 import { compact, niceStep, unitOf } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
 import { useBound, type Axis, type CardProps } from './card-hooks.ts';
+import { CrossedNote } from './crossed-note.tsx';
 import { NumberField } from '../controls/number-field.tsx';
 import { RangeSlider } from '../controls/slider.tsx';
 import { useReached } from './use-reached.ts';
@@ -65,6 +66,7 @@ export function MeanRange({ card, axis }: CardProps & { axis: Axis }) {
           onEnd={end}
         />
       </div>
+      <CrossedNote card={card} range="mean" />
     </div>
   );
 }
