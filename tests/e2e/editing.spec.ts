@@ -230,6 +230,18 @@ test('what cannot be met is named, and one click asks for what can', async ({ pa
   await expect(page.getByText('not met')).toHaveCount(0);
 });
 
+test('bounds that cannot both be met stay as typed, and that is said', async ({ page }) => {
+  await openRoom(page, 'Box');
+  await boundTheMean(page);
+  const [least, most] = [/mean at least/, /mean at most/].map((name) => page.getByRole('textbox', { name }));
+  await least!.fill('5000');
+  await most!.fill('200');
+  await most!.press('Enter');
+  await expect(least!).toHaveValue('5000');
+  await expect(most!).toHaveValue('200');
+  await expect(page.getByText('no layout can meet both')).toBeVisible();
+});
+
 test('a bound far beyond the light leaves the histogram its shape', async ({ page }) => {
   await openRoom(page, 'Box');
   const bars = page.locator('.histogram .bar');
@@ -240,6 +252,7 @@ test('a bound far beyond the light leaves the histogram its shape', async ({ pag
   await page.getByRole('textbox', { name: /mean at most/ }).press('Enter');
   await settled(page);
   expect(await bars.count()).toBeGreaterThan(before / 3);
+  await expect(page.locator('.bound-handle text')).toHaveText(/^≤ 9.000.000$/);
 });
 
 test('a surface is painted by its slider, and undo takes the paint off again', async ({ page }) => {

@@ -47,6 +47,8 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
     },
     valueAt: (clientX) => valueAt(svg.current, clientX, scale),
   };
+  const isBeyond = (field: BoundField) => (boundOf(card, field) ?? 0) > scale;
+  const beyond = handles.map(({ field }) => field).filter(isBeyond);
   return (
     <figure class="histogram">
       <svg
@@ -84,6 +86,7 @@ export function Histogram({ card, axis }: CardProps & { axis: Axis }) {
               key={field}
               {...{ value, mark, drag, scale }}
               at={x(value)}
+              beyond={beyond.indexOf(field)}
               kind={field.startsWith('mean') ? 'mean' : 'guarantee'}
               label={`${namesText(card.surfaces)}: ${title()}`}
               text={`${compact(value)} ${unit}`}
@@ -147,6 +150,7 @@ interface Drag {
 interface HandleProps {
   readonly value: number;
   readonly at: number;
+  readonly beyond: number; // which of those beyond the end of the axis it is; -1: none
   readonly scale: number;
   readonly kind: 'mean' | 'guarantee';
   readonly mark: string;
@@ -156,7 +160,7 @@ interface HandleProps {
   readonly set: (value: number) => void;
 }
 
-function Handle({ value, at, scale, kind, mark, label, text, drag, set }: HandleProps) {
+function Handle({ value, at, beyond, scale, kind, mark, label, text, drag, set }: HandleProps) {
   return (
     <g
       class={`bound-handle ${kind}`}
@@ -164,7 +168,7 @@ function Handle({ value, at, scale, kind, mark, label, text, drag, set }: Handle
       tabIndex={0}
       aria-label={label}
       aria-valuemin={0}
-      aria-valuemax={scale}
+      aria-valuemax={Math.max(scale, value)}
       aria-valuenow={value}
       aria-valuetext={text}
       onPointerDown={(event) => {
@@ -187,10 +191,29 @@ function Handle({ value, at, scale, kind, mark, label, text, drag, set }: Handle
       }}
     >
       <rect class="grab" x={at - 9} y="0" width="18" height={base + 4} />
-      <line x1={at} x2={at} y1="2" y2={base} />
-      <path d={`M${at - 5} 2h10l-5 7z`} />
+      {beyond < 0 ? (
+        <>
+          <line x1={at} x2={at} y1="2" y2={base} />
+          <path d={`M${at - 5} 2h10l-5 7z`} />
+        </>
+      ) : (
+        <Beyond at={at} row={beyond} text={`${mark} ${compact(value)}`} />
+      )}
       <title>{`${label} ${mark} ${text}`}</title>
     </g>
+  );
+}
+
+/** A bound that the axis does not reach: an arrow that says how far it is; several stand below each other. */
+function Beyond({ at, row, text }: { at: number; row: number; text: string }) {
+  const y = 7 + 13 * row;
+  return (
+    <>
+      <path d={`M${at - 14} ${y - 1}h7v-4l7 5l-7 5v-4h-7z`} />
+      <text x={at - 18} y={y + 4} text-anchor="end">
+        {text}
+      </text>
+    </>
   );
 }
 
