@@ -521,6 +521,7 @@ export class Solving {
     else {
       const resume = { label: words.value.steps.resume, run: () => void this.resume() };
       this.#forgetRefusal();
+      this.#store.announcement.value = ''; // what was told of the wish before holds no longer
       this.#refusal = this.#store.say('error', sentence(message), fatal ? resume : this.#wayBack());
       if (!fatal) void this.#easeAxis(this.#refusal, message);
     }

@@ -358,3 +358,11 @@ export function withOptional<
 
 /** Whether no type may be used: luminaires are plain squares of light then. */
 export const isOfSquares = ({ types }: Luminaires): boolean => !types?.some(({ isAllowed }) => isAllowed);
+
+/** How many luminaires the types that may be used allow together; null where luminaires are squares of light. */
+export function typeLimits(luminaires: Luminaires): readonly [least: number, most: number] | null {
+  if (isOfSquares(luminaires)) return null;
+  const used = (luminaires.types ?? []).filter(({ isAllowed }) => isAllowed);
+  const sum = (end: 0 | 1) => used.reduce((all, { count }) => all + count[end], 0);
+  return [sum(0), sum(1)];
+}

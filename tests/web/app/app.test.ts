@@ -78,7 +78,9 @@ test('a count that its arrangement has no middle for is asked for with less of a
   app.comparing.arrange({ rule: 'field', axis: 'both' });
   settle();
   const { revision } = solver.last('solve')!;
+  expect(app.store.announcement.value).toMatch(/^Settled/);
   solver.say({ type: 'failed', revision, message: 'found no regular field of 9', fatal: false });
+  expect(app.store.announcement.value).toBe(''); // it told of what was asked before
   const refusals = () => app.store.messages.value.filter(({ kind }) => kind === 'error');
   const offered = () => refusals().map(({ action }) => action?.label);
   expect(offered()).toEqual([undefined]);

@@ -6,11 +6,13 @@ import {
   crossedEnds,
   intentionsOf,
   keepRange,
+  typeLimits,
   upToOther,
   withBound,
   type BoundField,
 } from '../../../web/document/intentions.ts';
 import type { Card, FiatLuxDocument } from '../../../web/document/types.ts';
+import { luminaireType, photometricText } from './luminaire-type.ts';
 
 const wall: Card = { id: 'w', surfaces: ['wall'], verb: 'homogenize', weight: 1 };
 const documentOf = (cards: readonly Card[], more: Partial<FiatLuxDocument> = {}): FiatLuxDocument => ({
@@ -184,4 +186,15 @@ describe('bounds of a card', () => {
     const both = withBound(withBound(wall, 'mean.min', 1), 'mean.max', 2);
     expect(withBound(both, 'mean.min', undefined).mean).toEqual({ max: 2 });
   });
+});
+
+test('types that may be used allow so many luminaires together', () => {
+  const { luminaires } = documentOf([]);
+  const type = (id: string, count: readonly [number, number], isAllowed = true) =>
+    luminaireType(id, photometricText(), { count, isAllowed });
+  const limits = (...types: ReturnType<typeof type>[]) => typeLimits({ ...luminaires, types });
+  expect(limits(type('a', [9, 9]), type('b', [2, 2]))).toEqual([11, 11]);
+  expect(limits(type('a', [1, 4]), type('b', [2, 2], false))).toEqual([1, 4]);
+  expect(limits(type('b', [2, 2], false))).toBeNull(); // squares of light
+  expect(typeLimits(luminaires)).toBeNull();
 });

@@ -4,8 +4,11 @@ import { useApp } from '../../app/app.ts';
 import { fewestMet, knownOf } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
+import { typeLimits } from '../../document/intentions.ts';
+import { mostLuminaires } from '../../document/schema.ts';
 import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
+import { numbersOf } from './other-ways.tsx';
 import { words } from '../../language/language.ts';
 
 export function CountStrip() {
@@ -29,12 +32,15 @@ export function CountStrip() {
       delete luminaires.most;
     });
   const { counts, arrangement } = words.value.luminaires;
+  const limits = typeLimits(comparison.of.luminaires);
+  const isOutside = (count: number) => limits !== null && (count < limits[0] || count > limits[1]);
   return (
     <div class="field count-strip" data-current={isCurrent}>
       <div ref={strip} class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
           const watts = outcome && compact(wattsOf(outcome.layout, store.efficacy.value, types));
-          const cost = watts === null ? arrangement.noRoom : `${watts} W`;
+          const why = isOutside(count) ? counts.typesLimits : arrangement.noRoom;
+          const cost = watts === null ? why : `${watts} W`;
           const judged = outcome && isBounded ? counts[outcome.met ? 'allMet' : 'notMet'](cost) : cost;
           return (
             <button
@@ -53,6 +59,9 @@ export function CountStrip() {
         })}
       </div>
       <p class="fine-print">{isBounded ? counts.key : counts.keyOfWatts}</p>
+      {limits && comparison.counts.some(({ count }) => isOutside(count)) && (
+        <p class="field-note">{counts.typesAllow(limitsText(limits))}</p>
+      )}
       {isBounded ? (
         <Fewest comparison={comparison} take={take} />
       ) : (
@@ -60,6 +69,12 @@ export function CountStrip() {
       )}
     </div>
   );
+}
+
+/** "11", "5–11"; "5 or more" where no type has a most. */
+function limitsText([least, most]: readonly [number, number]): string {
+  const { orMore } = words.value.luminaires.counts;
+  return most >= mostLuminaires ? orMore(least) : numbersOf({ count: least, most });
 }
 
 /** Whether there is anything that a number of luminaires could miss. */
