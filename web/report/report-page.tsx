@@ -6,7 +6,7 @@ import { useApp } from '../app/app.ts';
 import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.ts';
 import type { BestFigure } from '../app/best-figures.ts';
 import { bestText, impossibleText } from '../app/words/best-text.ts';
-import { nameOf, spareText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
+import { nameOf, singlesText, spareText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { chainOf } from '../document/dimension-chain.ts';
 import { placeText } from '../document/plan-frame.ts';
@@ -187,7 +187,10 @@ function Verdicts({ report: { verdicts, best } }: Props) {
             <th scope="row">{row.where}</th>
             <td>{row.what}</td>
             <td class="number">{targetText(row)}</td>
-            <td class="number">{valueText(row.actual, row.unit)}</td>
+            <td class="number">
+              {valueText(row.actual, row.unit)}
+              {singlesText(row) && <small>, {singlesText(row)}</small>}
+            </td>
             <td>
               {row.met === null
                 ? words.value.report.verdicts.wish

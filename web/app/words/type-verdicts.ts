@@ -10,7 +10,7 @@ import type { Store } from '../state/store.ts';
 import { glareVerdict } from './glare.ts';
 import { askedOfGrids, cardsOf, placesOf, roomTypes, type RoomType } from './room-types.ts';
 import { largestDiversity } from './standards.ts';
-import { verdicts, type Verdict } from './verdict.ts';
+import { rangeOf, verdicts, type Verdict } from './verdict.ts';
 
 const rounding = 1e-6; // what is met exactly may be less by that
 
@@ -126,7 +126,10 @@ export function typeVerdicts(type: RoomType, scene: SceneInfo, shown: Shown): Ve
     const readings = shown.surfaces.filter(({ name }) => names.includes(name));
     const mean = readings.length > 0 ? unionOf(readings).mean : null;
     if (target !== undefined)
-      rows.push(atLeast(where, 'Ēₘ', mean, target, 'lx', { statistic: 'mean', surfaces: names }));
+      rows.push({
+        ...atLeast(where, 'Ēₘ', mean, target, 'lx', { statistic: 'mean', surfaces: names }),
+        ...rangeOf(readings.map((reading) => reading.mean)),
+      });
   }
   if (cylindrical !== undefined)
     rows.push(

@@ -1,10 +1,11 @@
 /** What was asked beside what is reached: a row for each wish and each bound, in the order of the cards. */
 import { leastTold, ugrText } from '../../document/glare.ts';
-import { boundOf, isUpper, type TracedIntentions } from '../../document/intentions.ts';
+import { boundOf, isUpper, type BoundField, type TracedIntentions } from '../../document/intentions.ts';
 import { withTaskAreas } from '../../document/task-areas.ts';
 import type { Card, Constraint, FiatLuxDocument, Quantity, SceneInfo } from '../../document/types.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import type { Shown, SurfaceResult } from '../../solver/protocol.ts';
+import { gridLightOf } from '../state/grid-light.ts';
 import { patchesOf, sampleOf } from '../state/statistics.ts';
 import { fieldText } from './explain.ts';
 import { compact, ratio, unitOf, unitOfBound } from './format.ts';
@@ -18,7 +19,8 @@ export interface Verdict {
   readonly what: string; // "mean at least"
   readonly target: number | null; // null: as much, as little or as even as can be
   readonly actual: number | null; // null: nobody has computed it
-  readonly unit: string; // of both; '' for a ratio
+  readonly each?: readonly [low: number, high: number]; // of single surfaces; absent: it is of one
+  readonly unit: string; // of all; '' for a ratio
   readonly isMost?: boolean; // the target is the most that there may be; absent: it is not
   readonly margin: number | null; // relative, negative = missed; null where nothing is to be met
   readonly met: boolean | null; // null = a wish without a bound
@@ -36,11 +38,13 @@ type Asked = Pick<FiatLuxDocument, 'cards' | 'quantity' | 'taskAreas'>;
 export function verdicts(
   document: Asked,
   { origins, intentions }: Pick<TracedIntentions, 'origins' | 'intentions'>,
-  shown: Pick<Shown, 'constraints' | 'surfaces' | 'illuminance' | 'direct'>,
+  shown: Pick<Shown, 'constraints' | 'grids'> & Lit,
   scene: SceneInfo,
 ): Verdict[] {
   const unit = unitOf(document.quantity);
+  const whole = withTaskAreas(scene, document.taskAreas);
   return document.cards.flatMap((card) => {
+    const singles = singlesOf(card, shown, whole, document.quantity);
     const where = placesText(card.surfaces);
     const bounds = origins.flatMap((origin, i): Verdict[] => {
       const target = boundOf(card, origin.field);
@@ -53,6 +57,7 @@ export function verdicts(
           what: fieldText(card, origin.field),
           target,
           actual: result.value,
+          ...rangeOf(singles.map((single) => boundedOn(card, origin.field, single, shown))),
           unit: unitOfBound(origin.field, document.quantity),
           isMost: isUpper(origin.field),
           margin: result.margin,
@@ -62,10 +67,10 @@ export function verdicts(
       ];
     });
     const told = (what: string) => (card.direct ? words.value.values.direct(what) : what);
-    const wishes = wishesOf(
-      card,
-      reachedOn(card, shown, withTaskAreas(scene, document.taskAreas), document.quantity),
-    );
+    const wishes = wishesOf(card, reachedOn(card, shown, whole, document.quantity)).map((wish, i) => ({
+      ...wish,
+      ...rangeOf(singles.map((single) => wishesOf(card, single)[i]?.actual ?? null)),
+    }));
     return [
       ...wishes.map((wish) => ({ where, unit, margin: null, met: null, ...wish, what: told(wish.what) })),
       ...bounds,
@@ -78,6 +83,13 @@ export function valueText(value: number | null, unit: string): string {
   if (value === null) return words.value.values.notComputed;
   if (unit === 'UGR') return ugrText(value);
   return unit === '' ? ratio(value) : `${compact(value)} ${unit}`;
+}
+
+/** "10.0 to 30.8 each": what the surfaces of a row have one by one; null where it is of one, or they read alike. */
+export function singlesText({ each, unit }: Verdict): string | null {
+  if (!each) return null;
+  const [low, high] = [each[0], each[1]].map((value) => (unit === '' ? ratio(value) : compact(value)));
+  return low === undefined || high === undefined || low === high ? null : words.value.values.each(low, high);
 }
 
 /** How far within its bound a row is, or beyond; null where nothing is to be met, or where that cannot be told. */
@@ -96,9 +108,61 @@ export function targetText({ target, unit }: Verdict): string {
   return target === null ? '–' : valueText(target, unit);
 }
 
-type Readings = Pick<SurfaceResult, 'mean' | 'sigma'>;
+type Readings = Pick<SurfaceResult, 'mean' | 'sigma' | 'min' | 'max'>;
+type Lit = Pick<Shown, 'surfaces' | 'illuminance' | 'direct'>;
 
-function wishesOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 'target' | 'actual'>[] {
+/** The least and the most of the values of single surfaces. */
+export function rangeOf(values: readonly (number | null)[]): Pick<Verdict, 'each'> {
+  const known = values.filter((value) => value !== null && Number.isFinite(value)) as number[];
+  return known.length > 1 ? { each: [Math.min(...known), Math.max(...known)] } : {};
+}
+
+interface Single extends Readings {
+  readonly name: string;
+}
+
+/** Each surface of a card that names several: they may all miss what they have together. */
+function singlesOf({ surfaces, direct }: Card, shown: Lit, scene: SceneInfo, quantity: Quantity): Single[] {
+  const leaves = surfaces.includes('all') ? [] : leavesOf(surfaces, scene.surfaces);
+  if (leaves.length < 2) return [];
+  return leaves.flatMap((leaf) => {
+    const { name } = scene.surfaces[leaf]!;
+    const reached = reachedOn({ surfaces: [name], ...(direct && { direct }) }, shown, scene, quantity);
+    return reached ? [{ ...reached, name }] : [];
+  });
+}
+
+/** What one surface has of that which a field of its card bounds; null of what is no reading of a single one. */
+function boundedOn(
+  { guarantee, onGrid }: Card,
+  field: BoundField,
+  { name, mean, sigma, min, max }: Single,
+  shown: Pick<Shown, 'grids'>,
+): number | null {
+  const read = onGrid ? gridLightOf(shown, name) : { mean, uniformity: min / mean };
+  const alphaSigma = guarantee?.by === 'chebyshev' ? guarantee.alpha * sigma : null;
+  switch (field) {
+    case 'mean.min':
+    case 'mean.max':
+      return read?.mean ?? null;
+    case 'uniformity':
+      return read?.uniformity ?? null;
+    case 'spread.min':
+    case 'spread.max':
+      return sigma;
+    case 'guarantee.min':
+      return alphaSigma === null ? min : mean - alphaSigma;
+    case 'guarantee.max':
+      return alphaSigma === null ? max : mean + alphaSigma;
+    default:
+      return null;
+  }
+}
+
+function wishesOf(
+  card: Card,
+  reached: Pick<Readings, 'mean' | 'sigma'> | null,
+): Pick<Verdict, 'what' | 'target' | 'actual'>[] {
   if (!reached || !(card.weight > 0) || card.verb === 'keep') return [];
   const { mean, sigma } = reached;
   const best = {
@@ -114,8 +178,8 @@ function wishesOf(card: Card, reached: Readings | null): Pick<Verdict, 'what' | 
 
 /** The readings of a set of surfaces: the solver's where it is one leaf or the whole room, else those of its patches. */
 function reachedOn(
-  { surfaces: names, direct }: Card,
-  shown: Pick<Shown, 'surfaces' | 'illuminance' | 'direct'>,
+  { surfaces: names, direct }: Pick<Card, 'surfaces' | 'direct'>,
+  shown: Lit,
   scene: SceneInfo,
   quantity: Quantity,
 ): Readings | null {

@@ -24,6 +24,7 @@ export const values: Words['values'] = {
   toSpare: (share) => `${share} Reserve`,
   short: (share) => `${share} zu wenig`,
   over: (share) => `${share} zu viel`,
+  each: (low, high) => `einzeln ${low} bis ${high}`,
   notComputed: 'nicht berechnet',
   best: {
     illuminate: 'Mittelwert so hoch wie möglich',

@@ -23,6 +23,7 @@ export const values = {
   toSpare: (share: string) => `${share} to spare`,
   short: (share: string) => `${share} short`,
   over: (share: string) => `${share} over`,
+  each: (low: string, high: string) => `${low} to ${high} each`,
   notComputed: 'not computed',
   best: {
     illuminate: 'mean as high as can be',

@@ -5,7 +5,14 @@ import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
 import type { BestFigure } from '../../app/best-figures.ts';
 import { bestText, impossibleText } from '../../app/words/best-text.ts';
 import { everyVerdict } from '../../app/words/type-verdicts.ts';
-import { nameOf, spareText, targetText, valueText, type Verdict } from '../../app/words/verdict.ts';
+import {
+  nameOf,
+  singlesText,
+  spareText,
+  targetText,
+  valueText,
+  type Verdict,
+} from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';
 
@@ -62,6 +69,7 @@ interface RowProps {
 function Row({ row, best }: RowProps) {
   const { where, what, actual, unit, met } = row;
   const spare = spareText(row);
+  const singles = singlesText(row);
   const impossible = met === false && best ? impossibleText(row, best) : null;
   return (
     <>
@@ -76,6 +84,7 @@ function Row({ row, best }: RowProps) {
           ) : (
             <strong>{valueText(actual, unit)}</strong>
           )}
+          {singles && <small class="verdict-margin">{singles}</small>}
           {spare && <small class="verdict-margin">{spare}</small>}
           {met === false && best !== undefined && (
             <small class="verdict-margin verdict-best">{bestText(row, best)}</small>
