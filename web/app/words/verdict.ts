@@ -93,7 +93,7 @@ export function singlesText({ each, unit }: Verdict): string | null {
 }
 
 /** How far within its bound a row is, or beyond; null where nothing is to be met, or where that cannot be told. */
-export function spareText({ margin, actual, target, unit, isMost = false }: Verdict): string | null {
+export function spareText({ margin, actual, target, unit, isMost = false, met }: Verdict): string | null {
   if (unit === 'UGR' && actual !== null && target !== null) {
     const spare = Math.round(10 * target) / 10 - Math.round(10 * actual) / 10; // of what is read
     if (actual < leastTold) return null;
@@ -101,7 +101,9 @@ export function spareText({ margin, actual, target, unit, isMost = false }: Verd
     const { toSpare, over } = words.value.values;
     return spare > 0 ? toSpare(fixed(spare, 1)) : over(fixed(-spare, 1));
   }
-  return margin !== null && Number.isFinite(margin) ? marginText(margin, { isMost }) : null;
+  return margin !== null && Number.isFinite(margin)
+    ? marginText(margin, { isMost, isMet: met === true })
+    : null;
 }
 
 export function targetText({ target, unit }: Verdict): string {

@@ -23,8 +23,10 @@ const seen = (ugr: number) => glareVerdict([{ name: 'P1', ugr } as ObserverResul
 test('light has a share to spare, glare as many units as its figures differ by', () => {
   expect(spareText(row(0.1))).toBe('10 % to spare');
   expect(spareText(row(null))).toBeNull();
-  expect(spareText(row(-0.1))).toBe('10 % short');
-  expect(spareText({ ...row(-0.1), isMost: true })).toBe('10 % over');
+  const missed = { ...row(-0.1), met: false };
+  expect(spareText(missed)).toBe('10 % short');
+  expect(spareText({ ...missed, isMost: true })).toBe('10 % over');
+  expect(spareText({ ...row(-0.0005), isMost: true })).toBe('within 0.05 %'); // counts as met
   expect(spareText(seen(18.64))).toBe('0.4 to spare');
   expect(spareText(seen(19.62))).toBe('0.6 over');
   expect(spareText(seen(19.04))).toBe(spareText(row(0)));
