@@ -35,7 +35,9 @@ function quantile(values, share) {
 
 /** Median, 95 of 100 and worst, in per cent; a dash where the room has no such surface. */
 const cellOf = (values) =>
-  values.length === 0 ? '–' : [0.5, 0.95, 1].map((share) => (100 * quantile(values, share)).toFixed(2)).join(' / ');
+  values.length === 0
+    ? '–'
+    : [0.5, 0.95, 1].map((share) => (100 * quantile(values, share)).toFixed(2)).join(' / ');
 
 function rowOf(room, { type, errors }) {
   const promise = promises[type];
