@@ -187,6 +187,18 @@ export function hangable(state: Understood, most: number): readonly SurveyedSurf
   return [...shown, ...others.slice(0, Math.max(0, most - shown.length))];
 }
 
+/** How high a surface lies over the nearest floor below it, m; null where there is none. */
+export function overFloor({ high }: SurveyedSurface, { survey }: Understood): number | null {
+  const below = largeLevels(survey?.surfaces ?? []).filter((floor) => floor.high < high - headroom);
+  return below.length > 0 ? high - Math.max(...below.map((floor) => floor.high)) : null;
+}
+
+/** What faces up and is large enough for a floor, the largest first. */
+function largeLevels(all: readonly SurveyedSurface[]): readonly SurveyedSurface[] {
+  const level = all.filter(({ facing }) => facing === facings.up);
+  return level.filter(({ area }) => area >= aPart * level[0]!.area);
+}
+
 /** A storey of a model: its floor, and what luminaires would hang on there. */
 export interface ModelStorey {
   readonly floor: number; // m, over the lowest point of the model
@@ -202,10 +214,8 @@ const aShare = 0.02; // of its storey's floor: what is smaller is no ceiling
 /** From below to above; one that has no ceiling is left out. What is proposed there comes before what only faces down. */
 export function storeysIn({ survey }: Understood): readonly ModelStorey[] {
   const all = survey?.surfaces ?? [];
-  const level = all.filter(({ facing }) => facing === facings.up);
   const floors: SurveyedSurface[] = [];
-  for (const surface of level) {
-    if (surface.area < aPart * level[0]!.area) break;
+  for (const surface of largeLevels(all)) {
     if (floors.every((other) => Math.abs(other.high - surface.high) >= storeyHeight)) floors.push(surface);
   }
   floors.sort((one, other) => one.high - other.high);

@@ -38,7 +38,7 @@ export const sheet: Words['sheet'] = {
     title: 'Leuchten hängen an',
     none: 'Nichts hier ist eine Decke: sie hängen in einer Ebene über dem größten Boden.',
     pick: 'Ein Klick auf eine Fläche im Bild nimmt sie dazu oder wieder weg.',
-    surface: (area, height) => `${area} m², in ${height} m Höhe`,
+    surfaceOver: (area, height) => `${area} m², ${height} m über dem Boden`,
     plane: 'Stattdessen Ebene über dem Boden',
     planeHeight: 'Höhe der Ebene über dem Boden',
     proposed: 'Wie vorgeschlagen',

@@ -37,7 +37,7 @@ export const sheet = {
     title: 'Luminaires hang on',
     none: 'Nothing here is a ceiling: they hang in a plane over the largest floor.',
     pick: 'A click on a surface of the picture adds it, or takes it away.',
-    surface: (area: string, height: string) => `${area} m², at ${height} m`,
+    surfaceOver: (area: string, height: string) => `${area} m², ${height} m over the floor`,
     plane: 'Plane over the floor instead',
     planeHeight: 'Height of the plane over the floor',
     proposed: 'As proposed',

@@ -1,5 +1,6 @@
 /** Where luminaires hang: surfaces, which are outlined in the picture, or a plane where nothing is a ceiling. */
-import { hangable, mountsIn, storeysIn } from '../../app/importing/model-choices.ts';
+import { hangable, mountsIn, overFloor, storeysIn } from '../../app/importing/model-choices.ts';
+import type { SurveyedSurface } from '../../builder/builder.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
@@ -29,10 +30,14 @@ export function MountsSection({ state, sheet }: Props) {
       {hung.length === 0 && !isPlane && <p class="fine-print">{text.none}</p>}
       {!isPlane && (
         <ul class="sheet-list">
-          {hangable(state, most).map(({ name, area, high }) => (
-            <li key={name}>
-              <Check label={surfaceText(name)} checked={hung.includes(name)} set={() => sheet.hang(name)} />
-              <span class="fine-print">{text.surface(fixed(area, 1), fixed(high, 2))}</span>
+          {hangable(state, most).map((surface) => (
+            <li key={surface.name}>
+              <Check
+                label={surfaceText(surface.name)}
+                checked={hung.includes(surface.name)}
+                set={() => sheet.hang(surface.name)}
+              />
+              <span class="fine-print">{sizeOf(surface, state)}</span>
             </li>
           ))}
         </ul>
@@ -62,6 +67,14 @@ export function MountsSection({ state, sheet }: Props) {
       )}
     </Section>
   );
+}
+
+/** "36.0 m², 2.50 m over the floor". */
+function sizeOf(surface: SurveyedSurface, state: SheetState): string {
+  const text = words.value.sheet.mounts;
+  const area = fixed(surface.area, 1);
+  const over = overFloor(surface, state);
+  return over === null ? `${area} m²` : text.surfaceOver(area, fixed(over, 2));
 }
 
 /** Of a building: luminaires hang in one storey, and the working plane follows them. */

@@ -16,6 +16,7 @@ import {
   keptChoices,
   materialsOf,
   mountsIn,
+  overFloor,
   storeysIn,
   usualChoices,
 } from '../../../../web/app/importing/model-choices.ts';
@@ -157,11 +158,18 @@ test('storeys are told by their floors, each with the ceilings that belong to it
     surface('lintel', 0.3, 2.4, down),
     surface('desk below', 5, 1, down),
   ];
-  const told = (of: readonly SurveyedSurface[]) =>
-    storeysIn({ choices: usualChoices, survey: { surfaces: of } as unknown as Survey });
+  const within = (of: readonly SurveyedSurface[]) => ({
+    choices: usualChoices,
+    survey: { surfaces: of } as unknown as Survey,
+  });
+  const told = (of: readonly SurveyedSurface[]) => storeysIn(within(of));
   expect(told(surfaces)).toEqual([
     { floor: 0.3, ceilings: ['slab below', 'lowered ceiling'] },
     { floor: 3.3, ceilings: ['roof below'] },
   ]);
   expect(told([])).toEqual([]);
+  const over = (high: number) => overFloor(surface('any', 1, high, down), within(surfaces));
+  expect(over(6)).toBeCloseTo(2.7);
+  expect(over(2.6)).toBeCloseTo(2.29); // over the carpet
+  expect(over(1)).toBeNull();
 });
