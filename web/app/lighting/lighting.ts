@@ -36,7 +36,6 @@ const coarser = 1.6; // times as long are patches then: their number, and the me
 export const lessWork = 1 / coarser ** 2; // then, of the work
 
 const toldEvery = 200; // ms: each time the page is drawn, of which 20 a second take a fifth of two cores without a graphics card
-const mostWarnings = 3; // that are told at once; all of them stand in Results, about this room
 
 export type CreatePool = () => Promise<BuilderPool>;
 
@@ -264,7 +263,7 @@ export class Lighting {
       if (signal.aborted) return;
       begun = { ...begun, secondsForeseen: secondsForeseen({ work }) };
       if (pass === 'full' || isTold || this.#store.sheet.peek()) return;
-      for (const warning of warnings.slice(0, mostWarnings)) this.#warn(titleOf(model.name), warning);
+      this.#warn(titleOf(model.name), warnings);
     };
     const options = chosenOptions(this.#choices);
     return pass === 'draft'
@@ -387,9 +386,13 @@ export class Lighting {
     }
   }
 
-  #warn(title: string, warning: string): void {
-    const said = words.value.opening.about(shortName(title), sentence(warning));
-    this.#warnings.push(this.#store.say('warning', said));
+  /** The first alone, so that the picture stays in sight; the sheet has the others, as has Results, about this room. */
+  #warn(title: string, [first, ...others]: readonly string[]): void {
+    if (first === undefined) return;
+    const { about, moreRemarks } = words.value.opening;
+    const said = about(shortName(title), sentence(first));
+    const show = { label: moreRemarks(others.length), run: () => void this.adjust() };
+    this.#warnings.push(this.#store.say('warning', said, others.length > 0 ? show : undefined));
   }
 
   /** They were of a room, or of a choice, that is left behind. */

@@ -11,6 +11,7 @@ export const opening: Words['opening'] = {
   lit: (title) => `„${title}“ hat Licht und steht unter den eigenen Räumen.`,
   asLastTime: (title) => `„${title}“ wird so verstanden wie beim letzten Mal.`,
   litFully: (title) => `${title} hat Licht in voller Qualität.`,
+  moreRemarks: (count) => (count === 1 ? 'Noch ein Hinweis' : `Noch ${count} Hinweise`),
   about: (title, warning) => `„${title}“: ${warning}`,
   roomOffline: (room) =>
     `der Raum „${room}“ konnte nicht geladen werden: keine Verbindung; noch einmal versuchen`,

@@ -8,6 +8,7 @@ export const opening = {
   lit: (title: string) => `“${title}” is lit: it is among your rooms.`,
   asLastTime: (title: string) => `“${title}” is understood as it was last time.`,
   litFully: (title: string) => `${title} is lit in full quality.`,
+  moreRemarks: (count: number) => (count === 1 ? 'One more remark' : `${count} more remarks`),
   about: (title: string, warning: string) => `“${title}”: ${warning}`,
   roomOffline: (room: string) => `the room "${room}" could not be loaded: no connection; try again`,
   roomMissing: (room: string) => `the room "${room}" is not on this server; build it with: npm run build`,
