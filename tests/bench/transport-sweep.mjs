@@ -1,6 +1,7 @@
 /**
  * Where the defaults of the precompute come from: error against time for rays and refinement steps on the E corridor, and
- * cost against the number of patches. Writes docs/transport.md with its charts and the raw rows beside it.
+ * cost against the number of patches. Writes the last two sections of docs/transport.md with their charts and the raw rows
+ * beside it.
  *   node tests/bench/transport-sweep.mjs       after `npm run build`; takes about fifteen minutes on 2 cores; needs /usr/bin/time
  */
 import { spawnSync } from 'node:child_process';
@@ -12,6 +13,7 @@ import { logChart } from './svg-chart.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const docs = path.join(root, 'docs', 'transport');
+const ownSections = '## Rays and refinement'; // and what follows it; above stands what no run knows
 const work = mkdtempSync(path.join(tmpdir(), 'fiatlux-sweep-'));
 const room = path.join(work, 'room.glb');
 const rayCounts = [64, 256, 1024, 4096, 16384];
@@ -203,46 +205,13 @@ try {
       ],
     }),
   );
+  const page = path.join(root, 'docs', 'transport.md');
+  const [written] = readFileSync(page, 'utf8').split(`${ownSections}\n`);
   writeFileSync(
-    path.join(root, 'docs', 'transport.md'),
-    `# What the precompute's defaults cost and gain
+    page,
+    `${written}${ownSections}
 
 Made by \`node tests/bench/transport-sweep.mjs\` on ${cpus().length} cores (${cpus()[0].model.trim()}).
-
-## What needs no rays, and what few
-
-Before any shadow ray is cast, the convex hull of its two ends (a cluster and a luminaire, two clusters; where that is in doubt,
-a patch and a luminaire) is tried against the room's flat pieces. Where none of them reaches into it, everything is seen; where one of
-them cuts it, nothing. What else reaches between a patch and a luminaire is gathered, and rays are tested against that alone, not
-against the room, unless it is more than 128 pieces. A distant luminaire without shadow takes 2 x 2 points of a whole patch instead of 4 x 4 (at most 5e-5 of
-its light), and 2 x 2 of its own (1e-4). A hull for each patch and cluster was tried, too: in a furnished room it costs more
-than the rays that it saves.
-
-From patch to cluster go rays in proportion to the form factor that there would be without shadow, one for each 5e-4 of it, but at least one:
-more to clusters that a luminaire may make bright, more from surfaces of few patches. All are cast at once. A second look only where a
-first one had found that some is hidden took three times as long, and counted for nothing what the first one missed.
-
-Seconds of \`precompute\` on 2 cores of a quiet machine, one run after the other, before all this and now: E corridor 24.1 and 9.1, office 68.8 and 32.3
-(\`--no-exchange\`). With what light of photometric files needs (visible shares, exchange) they take 17.9 and 40.8.
-
-## Against rays alone
-
-Kernels and clusters are held against form factors that know neither: rays from every patch to every patch, as many as time
-allows. \`rays_bench ROOM.glb PATCH 4096\` solves the direct light of eight single luminaires with both to the end; differences are those of
-mean illuminance over surfaces and luminaires, on average and as root mean squares, in which the rays' own noise is.
-
-| room | patches | on average % | RMS % | noise % |
-| --- | --- | --- | --- | --- |
-| office | 19385 | -0.02 | 0.41 | 0.37 |
-| gallery | 13780 | +0.03 | 0.27 | 0.16 |
-| E corridor | 24736 | +0.03 | 0.09 | 0.04 |
-| box | 11904 | -0.01 | 0.06 | 0.02 |
-
-What remains is hardly more than the rays' own noise. Before patches of a cluster counted by how open they lie, before narrow gaps
-were looked through and before the visible rays told where in a cluster they end, the office was 0.93 % too dark on average, its
-ceiling 1.4 %, its bookcases more than 4 %.
-
-## Rays and refinement
 
 E corridor, ${errors[0].patches} patches in clusters of 2 x 2, every fourth of its sites. Errors are root mean squares of relative differences over 20 layouts of six luminaires
 and 4 surfaces, against 16384 rays of another seed refined until it had settled. Seconds are those of the transport, rays to statistics.
