@@ -24,10 +24,4 @@ inline std::uint32_t firstZone(const Scene& scene) {
   return static_cast<std::uint32_t>(scene.surfaces.size() - scene.zones.size());
 }
 
-/// The leaf whose responses a surface shares: itself, unless it is a zone.
-inline std::uint32_t leafBehind(const Scene& scene, std::uint32_t surface) {
-  const std::uint32_t first = firstZone(scene);
-  return surface < first ? surface : scene.zones[surface - first].leaf;
-}
-
 }  // namespace fiatlux

@@ -48,8 +48,10 @@ RoomOptions roomOptions(const LightOptions& options, const LayoutFile& file) {
 void warnOf(const LightOptions& options, const ForwardLight& light) {
   if (light.residual > options.forward.tolerance) {
     char line[120];
-    std::snprintf(line, sizeof line, "warning: not converged, residual %.2g after %u steps", light.residual,
-                  light.steps);
+    std::snprintf(line, sizeof line,
+                  "warning: %.2g %% of the reflected light is still missing after %u steps, and results are "
+                  "off by about as much",
+                  100 * light.residual, light.steps);
     printNote(line);
   }
   if (light.energy.lostDirect > kMuchLost * light.energy.emitted)

@@ -320,14 +320,6 @@ void divide(const Scene& room, const JsonField& json, Scene& divided) {
   if (auto ok = takeZones(divided, *zones); !ok) json.fail(ok.error().message);
 }
 
-/// Only what is asked of squares of light.
-Result<Intentions> ofSquares(const Result<IntentionsFile>& asked) {
-  if (!asked) return asked.error();
-  if (!asked->paint.empty()) return Error{"paint: it is for fiatlux solve and alpha; leave it out"};
-  if (asked->types.empty()) return asked->intentions;
-  return Error{"luminaires.types: photometric files are for fiatlux solve and alpha; give a flux instead"};
-}
-
 }  // namespace
 
 Result<IntentionsFile> parseIntentionsFile(const Scene& room, const std::string& text,
@@ -348,10 +340,6 @@ Result<IntentionsFile> readIntentionsFile(const Scene& room, const std::string& 
   return parsedFile(path, kLongestJson, [&](const std::string& text) {
     return parseIntentionsFile(room, text, filesBeside(path, "intentions file"));
   });
-}
-
-Result<Intentions> parseIntentions(const Scene& scene, const std::string& text) {
-  return ofSquares(parseIntentionsFile(scene, text));
 }
 
 }  // namespace fiatlux

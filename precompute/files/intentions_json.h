@@ -32,13 +32,11 @@ struct IntentionsFile {
 };
 
 /// The intentions in `text` for this room. Those without types are checked by checkIntentions too; of those
-/// with types that is left to their candidates (asked_search.h). Without `read`, photometric files are refused.
+/// with types that is left to their candidates (asked_search.h). Without `read`, photometric files are
+/// refused.
 Result<IntentionsFile> parseIntentionsFile(const Scene& room, const std::string& text,
                                            const ReadNamed& read = {});
 /// The same from a file, which may name others in its folder and below; errors begin with the path.
 Result<IntentionsFile> readIntentionsFile(const Scene& room, const std::string& path);
-
-/// Intentions that know no types and no paint, for what is about squares in the room as it is.
-Result<Intentions> parseIntentions(const Scene& scene, const std::string& text);
 
 }  // namespace fiatlux

@@ -32,7 +32,7 @@ TEST(Zones, HaveTheStatisticsOfTheirRows) {
   const Zone left = zoneBetween(scene, "task 1", 0, 1), rest = zoneBetween(scene, "background", 1, 9);
   ASSERT_TRUE(takeZones(scene, {left, rest}));
   EXPECT_EQ(firstZone(scene), first);
-  EXPECT_EQ(leafBehind(scene, first + 1), kPlane);
+  EXPECT_EQ(scene.zones[1].leaf, kPlane);
   EXPECT_NEAR(scene.surfaces[first].area + scene.surfaces[first + 1].area, scene.surfaces[kPlane].area, 1e-9);
 
   const std::vector<float> light = illuminanceOf(scene, kLayout);

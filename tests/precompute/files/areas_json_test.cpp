@@ -11,6 +11,7 @@
 #include "precompute/files/layout_json.h"
 #include "precompute/files/light_results.h"
 #include "tests/core/synthetic_scene.h"
+#include "tests/precompute/files/intentions_in.h"
 
 namespace fiatlux {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kDesk =
 
 TEST(AreasJson, TaskAreasAreNamedLikeSurfaces) {
   const Scene scene = syntheticScene(16, 8);
-  const Result<Intentions> asked = parseIntentions(scene, std::string(R"({"taskAreas": [)") + kDesk + R"(],
+  const Result<Intentions> asked = intentionsIn(scene, std::string(R"({"taskAreas": [)") + kDesk + R"(],
       "constraints": [{"statistic": "uniformity", "surface": "desk 1", "min": 0.6, "on": "grid"},
                       {"statistic": "mean", "surface": "desk 1 surround", "min": 300}]})");
   ASSERT_TRUE(asked) << asked.error().message;
@@ -60,7 +61,7 @@ TEST(AreasJson, TheirLightFollowsThatOfTheSurfaces) {
 TEST(AreasJson, SitesOutsideAreExcludedButForPinnedOnes) {
   const Scene scene = syntheticScene(16, 8);
   const auto excludedBy = [&](const std::string& areas) {
-    const Result<Intentions> asked = parseIntentions(
+    const Result<Intentions> asked = intentionsIn(
         scene, R"({"luminaires": {"count": 1, "flux": 900, "pinned": [0], "areas": )" + areas + "}}");
     EXPECT_TRUE(asked) << asked.error().message;
     return asked->luminaires.excluded;
@@ -78,7 +79,7 @@ TEST(AreasJson, SitesOutsideAreExcludedButForPinnedOnes) {
 TEST(AreasJson, AnOutlineLeavesOutWhatItsRectangleDoes) {
   const Scene scene = syntheticScene(16, 8);
   const auto excludedBy = [&](const std::string& areas) {
-    return parseIntentions(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": )" + areas + "}}")
+    return intentionsIn(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": )" + areas + "}}")
         ->luminaires.excluded;
   };
   EXPECT_EQ(excludedBy(R"({"keepOut": [[[-9, -9], [1, -9], [1, 9], [-9, 9]]]})"),
@@ -93,7 +94,7 @@ TEST(AreasJson, AnOutlineLeavesOutWhatItsRectangleDoes) {
 TEST(AreasJson, LuminairesKeepTheirDistanceFromWalls) {
   const Scene scene = syntheticScene(16, 8);
   const Result<Intentions> asked =
-      parseIntentions(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": {"fromWalls": 0.8}}})");
+      intentionsIn(scene, R"({"luminaires": {"count": 1, "flux": 900, "areas": {"fromWalls": 0.8}}})");
   ASSERT_TRUE(asked) << asked.error().message;
   double farX = 0, farZ = 0;  // the floor begins at the origin
   for (std::uint32_t p = 0; p < scene.patches.rows(); ++p) {
@@ -113,7 +114,7 @@ TEST(AreasJson, LuminairesKeepTheirDistanceFromWalls) {
 
 TEST(AreasJson, SayWhatIsWrong) {
   const Scene scene = syntheticScene(16, 8);
-  const auto refused = [&](const std::string& text) { return parseIntentions(scene, text).error().message; };
+  const auto refused = [&](const std::string& text) { return intentionsIn(scene, text).error().message; };
   EXPECT_THAT(refused(R"({"taskAreas": [{"name": "a", "surface": "dsk", "outline": [[0,0],[1,0],[1,1]]}]})"),
               HasSubstr("there is no surface"));
   EXPECT_THAT(

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/corridor_scene.h"
+#include "tests/precompute/files/intentions_in.h"
 
 namespace fiatlux {
 namespace {
@@ -20,14 +21,14 @@ Scene namedRoom() {
 }
 
 void expectRefusal(const std::string& text, const std::string& part) {
-  const Result<Intentions> result = parseIntentions(namedRoom(), text);
+  const Result<Intentions> result = intentionsIn(namedRoom(), text);
   ASSERT_FALSE(result) << text.substr(0, 200);
   EXPECT_NE(result.error().message.find(part), std::string::npos) << result.error().message;
   EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
 }
 
 TEST(IntentionsJson, ReadsEverything) {
-  const Result<Intentions> result = parseIntentions(namedRoom(), R"({
+  const Result<Intentions> result = intentionsIn(namedRoom(), R"({
     "luminaires": {"count": 3, "flux": [100, 200, 300], "dimming": [0.1, 1], "pinned": [2], "excluded": [5, 6], "minDistance": 0.5},
     "goals": [{"surface": "yellow wall", "statistic": "sigma", "sense": "min", "weight": 2},
               {"surface": "room", "over": "plane", "statistic": "contrast", "sense": "max"}],
@@ -51,7 +52,7 @@ TEST(IntentionsJson, ReadsEverything) {
 }
 
 TEST(IntentionsJson, ReadsAnArrangementAndARangeOfCounts) {
-  const Result<Intentions> result = parseIntentions(
+  const Result<Intentions> result = intentionsIn(
       namedRoom(),
       R"({"luminaires": {"count": [3, 8]}, "arrangement": {"rule": "symmetric", "axis": "both"}})");
   ASSERT_TRUE(result) << result.error().message;
@@ -61,7 +62,7 @@ TEST(IntentionsJson, ReadsAnArrangementAndARangeOfCounts) {
   EXPECT_EQ(result->luminaires.arrangement.axis, PlanAxis::kBoth);
   expectRefusal(R"({"luminaires": {"count": [3]}})", "luminaires.count: a range of counts is [least, most]");
   expectRefusal(R"({"luminaires": {"count": [8, 3]}})", "luminaires.count: a range of counts");
-  const Result<Intentions> rows = parseIntentions(
+  const Result<Intentions> rows = intentionsIn(
       namedRoom(), R"({"luminaires": {"count": 8}, "arrangement": {"rule": "rows", "leastInRow": 4}})");
   ASSERT_TRUE(rows) << rows.error().message;
   EXPECT_EQ(rows->luminaires.arrangement.leastInRow, 4u);
@@ -73,7 +74,7 @@ TEST(IntentionsJson, ReadsAnArrangementAndARangeOfCounts) {
 }
 
 TEST(IntentionsJson, ReadsAnAim) {
-  const Result<Intentions> result = parseIntentions(
+  const Result<Intentions> result = intentionsIn(
       namedRoom(),
       R"({"goals": [{"surface": "room", "statistic": "mean", "sense": "near", "target": 500, "weight": 2}]})");
   ASSERT_TRUE(result) << result.error().message;
@@ -108,11 +109,11 @@ TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
     if (traits.statistic == Statistic::kVertical) asked += R"(, "direction": [0, 0, 2])";
     if (traits.needsOver) asked += ", \"over\": \"plane\"";
     const Result<Intentions> bound =
-        parseIntentions(seeingRoom(), "{" + look + "\"constraints\": [{" + asked + ", \"max\": 1}]}");
+        intentionsIn(seeingRoom(), "{" + look + "\"constraints\": [{" + asked + ", \"max\": 1}]}");
     ASSERT_TRUE(bound) << bound.error().message;
     EXPECT_EQ(bound->constraints[0].statistic, traits.statistic);
     const Result<Intentions> goal =
-        parseIntentions(seeingRoom(), "{" + look + "\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
+        intentionsIn(seeingRoom(), "{" + look + "\"goals\": [{" + asked + ", \"sense\": \"min\"}]}");
     EXPECT_EQ(bool(goal), traits.mayBeGoal) << traits.name;
     if (goal) {
       EXPECT_EQ(goal->goals[0].statistic, traits.statistic);
@@ -123,7 +124,7 @@ TEST(IntentionsJson, EveryStatisticOfTheTableIsAConstraintAndTheGoalsAreGoals) {
 TEST(IntentionsJson, ReadsObserversAndWhatGlareIsAskedOfThem) {
   const std::string look = R"("observers": [{"name": "desk", "position": [1, 1.2, 1], "direction": [0, 0, 2]},
       {"position": [2, 1.2, 1], "direction": [1, 0, 0]}])";
-  const Result<Intentions> result = parseIntentions(namedRoom(), "{" + look + R"(,
+  const Result<Intentions> result = intentionsIn(namedRoom(), "{" + look + R"(,
       "constraints": [{"statistic": "ugr", "max": 19}, {"statistic": "ugr", "max": 16, "observer": "desk"}]})");
   ASSERT_TRUE(result) << result.error().message;
   ASSERT_EQ(result->observers.size(), 2u);
@@ -147,7 +148,7 @@ TEST(IntentionsJson, DirectLightMayBeAskedForApart) {
       {"statistic": "minimum", "surface": "plane", "min": 1, "quantity": "direct"},
       {"statistic": "mean", "surface": "plane", "min": 300}]})";
   expectRefusal(asked, "constraint 1 (minimum): this room's file does not tell direct light apart");
-  const Result<Intentions> result = parseIntentions(seeingRoom(), asked);
+  const Result<Intentions> result = intentionsIn(seeingRoom(), asked);
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(quantityOf(*result, result->constraints[0]), Quantity::kDirect);
   EXPECT_EQ(quantityOf(*result, result->constraints[1]), Quantity::kIlluminance);
@@ -159,7 +160,7 @@ TEST(IntentionsJson, DirectLightMayBeAskedForApart) {
 }
 
 TEST(IntentionsJson, PlanesAreAskedForTheirMeanOrTheirLeastPoint) {
-  const Result<Intentions> result = parseIntentions(seeingRoom(), R"({"constraints": [
+  const Result<Intentions> result = intentionsIn(seeingRoom(), R"({"constraints": [
       {"statistic": "cylindrical", "surface": "plane", "min": 150, "of": "minimum"},
       {"statistic": "vertical", "surface": "plane", "min": 200, "direction": [-3, 0, 0]}]})");
   ASSERT_TRUE(result) << result.error().message;
@@ -179,8 +180,7 @@ TEST(IntentionsJson, PlanesAreAskedForTheirMeanOrTheirLeastPoint) {
 }
 
 TEST(IntentionsJson, WithoutDimmingItIsOne) {
-  const Result<Intentions> result =
-      parseIntentions(namedRoom(), R"({"luminaires": {"count": 1, "flux": 5}})");
+  const Result<Intentions> result = intentionsIn(namedRoom(), R"({"luminaires": {"count": 1, "flux": 5}})");
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(result->luminaires.dimmingLow, 1);
   EXPECT_EQ(result->luminaires.dimmingHigh, 1);

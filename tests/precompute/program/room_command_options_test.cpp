@@ -111,5 +111,14 @@ TEST_F(Options, SensibleNumbersAreTaken) {
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
+TEST_F(Options, AWordThatIsNoCommandIsNamedWithThoseThereAre) {
+  const CommandRun run = runFiatlux(*folder_, "bound box.flux");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("there is no command \"bound\"; the commands are "));
+  EXPECT_THAT(run.err, HasSubstr("precompute"));
+  EXPECT_THAT(run.err, HasSubstr("solve"));
+}
+
 }  // namespace
 }  // namespace fiatlux
