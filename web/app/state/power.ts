@@ -37,8 +37,7 @@ export function powerOf(
 export function floorArea({ surfaces, surfaceOfPatch, patchArea }: Floors): number | null {
   const isFloor = surfaces.map(({ name }) => /(^|\/)floor\b/i.test(name));
   let area = 0;
-  for (let row = 0; row < patchArea.length; row++)
-    if (isFloor[surfaceOfPatch[row]!]) area += patchArea[row]!;
+  for (let row = 0; row < patchArea.length; row++) if (isFloor[surfaceOfPatch[row]!]) area += patchArea[row]!;
   return area > 0 ? area : null;
 }
 
