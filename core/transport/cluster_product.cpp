@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/transport/column_block.h"
+
 namespace fiatlux {
 
 namespace {
@@ -34,6 +36,25 @@ void productOfRows(const float* u, std::size_t clusters, const float* x, float* 
   std::memcpy(out, sums, sizeof sums);
 }
 
+/// out (clusters x kColumnBlock) += u^T (clusters x kRows) x (kRows x kColumnBlock): `out`, which is larger
+/// than a row of `u` by far, is gone through once for all rows.
+template <std::uint32_t kRows>
+void addTransposedRows(const float* u, std::size_t clusters, const float* x, float* out) {
+  constexpr std::uint32_t kBlocks = kColumnBlock / 8;
+  Columns8 from[kRows][kBlocks];
+  std::memcpy(from, x, sizeof from);
+  for (std::size_t c = 0; c < clusters; ++c) {
+    while (c % 8 == 0 && c + 8 <= clusters && areZero<kRows>(u + c, clusters)) c += 8;
+    if (c == clusters) break;
+    for (std::uint32_t i = 0; i < kBlocks; ++i) {
+      Columns8& to = *reinterpret_cast<Columns8*>(out + c * kColumnBlock + 8 * std::size_t{i});
+      Columns8 sum = to;
+      for (std::uint32_t row = 0; row < kRows; ++row) sum += u[row * clusters + c] * from[row][i];
+      to = sum;
+    }
+  }
+}
+
 constexpr std::size_t kMostRows = 4;
 
 /// Of at least kMostRows rows.
@@ -60,6 +81,14 @@ void clusterProduct(const float* u, std::size_t rows, std::size_t clusters, cons
   Eigen::Map<Matrix>(out, size(rows), width).noalias() =
       Eigen::Map<const Matrix>(u, size(rows), size(clusters)) *
       Eigen::Map<const Matrix>(x, size(clusters), width);
+}
+
+void addTransposedProduct(const float* u, std::size_t rows, std::size_t clusters, const float* x,
+                          float* out) {
+  std::size_t p = 0;
+  for (; p + kMostRows <= rows; p += kMostRows)
+    addTransposedRows<kMostRows>(u + p * clusters, clusters, x + p * kColumnBlock, out);
+  for (; p < rows; ++p) addTransposedRows<1>(u + p * clusters, clusters, x + p * kColumnBlock, out);
 }
 
 }  // namespace fiatlux

@@ -16,4 +16,7 @@ inline const Columns8& columns8(const float* at) { return *reinterpret_cast<cons
 void clusterProduct(const float* u, std::size_t rows, std::size_t clusters, const float* x,
                     std::uint32_t width, float* out);
 
+/// out (clusters x kColumnBlock) += u^T (clusters x rows) x (rows x kColumnBlock), all row-major.
+void addTransposedProduct(const float* u, std::size_t rows, std::size_t clusters, const float* x, float* out);
+
 }  // namespace fiatlux

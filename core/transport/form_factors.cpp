@@ -115,11 +115,10 @@ void transposedIrradiance(const FormFactors& factors, const float* w, float* out
   const std::size_t clusters = factors.clusters;
   std::vector<float> whole(clusters * kWidth, 0.0f), leaning(clusters * 2 * kWidth, 0.0f);
   std::fill(out, out + std::size_t{factors.count} * kWidth, 0.0f);
+  addTransposedProduct(factors.u.data(), factors.rows, clusters, w, whole.data());
   for (std::size_t p = 0; p < factors.rows; ++p) {
     const float *row = w + p * kWidth, *u = factors.u.data() + p * clusters;
     if (std::all_of(row, row + kWidth, [](float value) { return value == 0; })) continue;
-    for (std::size_t c = 0; c < clusters; ++c)
-      if (u[c] != 0) addScaled(&whole[c * kWidth], u[c], row, kWidth);
     for (const NearPatch& near : factors.near[p])
       addScaled(out + std::size_t{near.patch} * kWidth, near.factor, row, kWidth);
     for (const ClusterSlope& slope : factors.slopes[p]) {

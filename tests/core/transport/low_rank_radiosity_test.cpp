@@ -83,18 +83,20 @@ TEST(FormFactors, IrradianceIsTheFullMatrixTimesExitance) {
 }
 
 TEST(FormFactors, TransposedIrradianceIsTheFullMatrixFromTheOtherSide) {
-  const RandomRoom room(60, 12, 64);
   constexpr std::uint32_t kWidth = kColumnBlock;
-  Random random(3);
-  std::vector<float> w(60 * kWidth), out(60 * kWidth);
-  for (float& value : w) value = static_cast<float>(random.unit());
-  for (std::uint32_t j = 0; j < kWidth; ++j) w[7 * kWidth + j] = 0;
-  transposedIrradiance(room.factors, w.data(), out.data());
-  for (std::uint32_t q = 0; q < 60; ++q) {
-    for (std::uint32_t j = 0; j < kWidth; ++j) {
-      double expected = 0;
-      for (std::uint32_t p = 0; p < 60; ++p) expected += room.full[p * 60 + q] * w[p * kWidth + j];
-      EXPECT_NEAR(out[q * kWidth + j], expected, 2e-5);
+  for (const std::uint32_t n : {60u, 63u}) {  // whole fours of rows, and not
+    const RandomRoom room(n, 12, 64);
+    Random random(3);
+    std::vector<float> w(n * kWidth), out(n * kWidth);
+    for (float& value : w) value = static_cast<float>(random.unit());
+    for (std::uint32_t j = 0; j < kWidth; ++j) w[7 * kWidth + j] = 0;
+    transposedIrradiance(room.factors, w.data(), out.data());
+    for (std::uint32_t q = 0; q < n; ++q) {
+      for (std::uint32_t j = 0; j < kWidth; ++j) {
+        double expected = 0;
+        for (std::uint32_t p = 0; p < n; ++p) expected += room.full[p * n + q] * w[p * kWidth + j];
+        EXPECT_NEAR(out[q * kWidth + j], expected, 2e-5);
+      }
     }
   }
 }
