@@ -1,6 +1,5 @@
 /** Where luminaires hang: surfaces, which are outlined in the picture, or a plane where nothing is a ceiling. */
 import { hangable, mountsIn, overFloor, storeysIn } from '../../app/importing/model-choices.ts';
-import type { SurveyedSurface } from '../../builder/builder.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
@@ -12,6 +11,8 @@ import { Section } from '../room-maker/field.tsx';
 
 const most = 10; // surfaces in the list
 const usualPlane = 2.7; // m
+
+type Surface = ReturnType<typeof hangable>[number];
 
 interface Props {
   readonly state: SheetState;
@@ -70,7 +71,7 @@ export function MountsSection({ state, sheet }: Props) {
 }
 
 /** "36.0 m², 2.50 m over the floor". */
-function sizeOf(surface: SurveyedSurface, state: SheetState): string {
+function sizeOf(surface: Surface, state: SheetState): string {
   const text = words.value.sheet.mounts;
   const area = fixed(surface.area, 1);
   const over = overFloor(surface, state);
