@@ -25,7 +25,7 @@ class LowRankRadiosity {
   void solve(const float* e, std::uint32_t width, float* b) const;
   /// The same, and F b (rows x width, as irradiance()) beside it: V^T b is known on the way, so that both
   /// need one product with U.
-  void solve(const float* e, std::uint32_t width, float* b, float* irradiance) const;
+  void solve(const float* e, std::uint32_t width, float* b, float* gathered) const;
   /// (I - V^T R U)^-1, k x k row-major.
   std::vector<double> coreInverse() const;
   /// The n x k matrix Y, row-major.

@@ -299,9 +299,16 @@ export class Solving {
 
   /** Takes the search, or the proof of what it has found, up again after something that has ended it came to nothing. */
   goOn(): void {
-    const { state } = this.#store.progress.peek();
-    const isProving = state === 'settled' && this.#store.bound.peek()?.done !== true;
+    const { progress, shown, bound } = this.#store;
+    const { state } = progress.peek();
+    const found = state === 'settled' ? shown.peek() : null;
+    const isProving = found !== null && this.#mayBeProved(found) && bound.peek()?.done !== true;
     if (state === 'improving' || isProving) this.solve();
+  }
+
+  /** Whether there is anything that could be better, and every bound is met. */
+  #mayBeProved({ constraints }: Shown): boolean {
+    return this.#store.traced.peek().intentions.goals.length > 0 && constraints.every(({ met }) => met);
   }
 
   /** The layout whose light came with the scene, now on the screen, where what is asked is as it was then. */
@@ -459,7 +466,7 @@ export class Solving {
     );
     const lighting = this.#store.lighting.peek();
     const isLighting = lighting !== null && lighting.fault === null; // wants the processor, and will change the light
-    if (intentions.goals.length > 0 && unmet === 0) this.#client.bound(this.#intentions(), isLighting);
+    if (this.#mayBeProved(shown)) this.#client.bound(this.#intentions(), isLighting);
   }
 
   #alphaStepped({ step }: Answer<'alphaStep'>): void {

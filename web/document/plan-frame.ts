@@ -7,6 +7,23 @@ import { fixed, listed } from '../language/numbers.ts';
 export type Point2 = readonly [x: number, y: number]; // m, in plan
 export type Point3 = readonly [x: number, y: number, z: number]; // m
 
+/** The sides of a room, as directions in its own axes. */
+export const compass = {
+  east: [1, 0, 0],
+  west: [-1, 0, 0],
+  south: [0, 0, 1],
+  north: [0, 0, -1],
+} as const satisfies Record<string, Point3>;
+export type Side = keyof typeof compass;
+export const sides = Object.keys(compass) as Side[];
+
+export const isSameWay = (a: Point3, b: Point3): boolean =>
+  a.every((value, i) => Math.abs(value - (b[i] ?? 0)) < 1e-6);
+
+/** Towards which side a unit vector points; null where between two. */
+export const sideOf = (direction: Point3): Side | null =>
+  sides.find((side) => isSameWay(compass[side], direction)) ?? null;
+
 /** Where the corner of the floor lies in the room's own axes, and how far the room reaches from it. */
 export interface PlanFrame {
   readonly west: number; // x of the west side, m

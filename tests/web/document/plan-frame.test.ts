@@ -1,6 +1,13 @@
 /** The one mapping between the room's axes and a designer's coordinates. */
 import { expect, test } from '@jest/globals';
-import { inPlan, inRoom, placeText, twiceArea, type PlanFrame } from '../../../web/document/plan-frame.ts';
+import {
+  inPlan,
+  inRoom,
+  placeText,
+  twiceArea,
+  type PlanFrame,
+  sideOf,
+} from '../../../web/document/plan-frame.ts';
 
 const frame: PlanFrame = { west: -2, south: 5, floor: 0.5, size: [6, 8, 3] };
 
@@ -26,4 +33,10 @@ test('a loop that runs counter-clockwise has a positive area', () => {
   ] as const;
   expect(twiceArea(square)).toBe(12);
   expect(twiceArea([...square].reverse())).toBe(-12);
+});
+
+test('a side of the room is told of a direction that points straight to it', () => {
+  expect(sideOf([1, 0, 0])).toBe('east');
+  expect(sideOf([0, 0, -1])).toBe('north');
+  expect(sideOf([Math.SQRT1_2, 0, Math.SQRT1_2])).toBeNull();
 });

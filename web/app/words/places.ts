@@ -26,19 +26,12 @@ export function eachText(names: SurfaceNames): string {
   return isWhole(names) ? words.value.values.wholeRoom : names.map(surfaceText).join(', ');
 }
 
-/** The horizontal direction, in the room's axes (x east, z south); null where it is none of the four. */
-export function compassOf(x: number, z: number): string | null {
-  const { east, west, south, north } = words.value.values.compass;
-  if (Math.abs(z) < 1e-6) return x < 0 ? west : east;
-  if (Math.abs(x) < 1e-6) return z < 0 ? north : south;
-  return null;
-}
+const sideOfAxis = { '+x': 'east', '-x': 'west', '+z': 'south', '-z': 'north' } as const;
 
 /** "place 3, looking east" of an observer that the core has placed ("P3 +x"); one that a person has placed has a name. */
 export function observerText(name: string): string {
-  const [, place, sign, axis] = /^P(\d+) ([+-])([xz])$/.exec(name) ?? [];
+  const [, place, axis] = /^P(\d+) ([+-][xz])$/.exec(name) ?? [];
   if (place === undefined) return name;
-  const along = sign === '-' ? -1 : 1;
-  const way = compassOf(axis === 'x' ? along : 0, axis === 'z' ? along : 0);
-  return words.value.values.looking(place, way ?? '');
+  const { looking, compass } = words.value.values;
+  return looking(place, compass[sideOfAxis[axis as keyof typeof sideOfAxis]]);
 }

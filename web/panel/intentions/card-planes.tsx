@@ -4,6 +4,7 @@ import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { planeStatistics, withOptional } from '../../document/intentions.ts';
+import { compass, isSameWay, sideOf, sides } from '../../document/plan-frame.ts';
 import { isRatio } from '../../document/statistics.ts';
 import type { Card, PlaneStatistic, Point } from '../../document/types.ts';
 import { words } from '../../language/language.ts';
@@ -135,37 +136,28 @@ function Ends({ card, statistic }: FieldsProps) {
   );
 }
 
-const ways = {
-  east: [1, 0, 0],
-  west: [-1, 0, 0],
-  south: [0, 0, 1],
-  north: [0, 0, -1],
-} as const satisfies Record<string, Point>;
-
-const isSame = (a: Point, b: Point) => a.every((value, i) => Math.abs(value - (b[i] ?? 0)) < 1e-6);
-
 /** Towards which side of the room the vertical planes face. */
 function Direction({ card, direction }: CardProps & { direction: Point }) {
   const app = useApp();
   const text = words.value.intentions.more.planes;
-  const chosen = (Object.keys(ways) as (keyof typeof ways)[]).find((way) => isSame(ways[way], direction));
+  const chosen = sideOf(direction);
   return (
     <label class="setting-row">
       <span>{text.faces}</span>
       <select
         value={chosen ?? 'other'}
         onChange={(event) => {
-          const way = ways[event.currentTarget.value as keyof typeof ways];
-          if (!way) return;
+          const side = sides.find((each) => each === event.currentTarget.value);
+          if (!side) return;
           app.changeCard(card.id, words.value.steps.direction, (each) =>
-            each.vertical ? { ...each, vertical: { ...each.vertical, direction: way } } : each,
+            each.vertical ? { ...each, vertical: { ...each.vertical, direction: compass[side] } } : each,
           );
         }}
       >
-        {chosen === undefined && <option value="other">{text.asItIs}</option>}
-        {(Object.keys(ways) as (keyof typeof ways)[]).map((way) => (
-          <option key={way} value={way}>
-            {words.value.values.compass[way]}
+        {chosen === null && <option value="other">{text.asItIs}</option>}
+        {sides.map((side) => (
+          <option key={side} value={side}>
+            {words.value.values.compass[side]}
           </option>
         ))}
       </select>
@@ -183,7 +175,8 @@ function reachedBy(
   if (!plane) return null;
   if (statistic !== 'vertical') return plane[statistic];
   return (
-    plane.verticals.find(({ direction }) => vertical && isSame(direction, unit(vertical.direction))) ?? null
+    plane.verticals.find(({ direction }) => vertical && isSameWay(direction, unit(vertical.direction))) ??
+    null
   );
 }
 

@@ -1,7 +1,7 @@
 /** What is told at the points of the measuring planes that are asked about; empty where none is. */
 import { useApp } from '../../app/app.ts';
 import { compact, ratio } from '../../app/words/format.ts';
-import { compassOf } from '../../app/words/places.ts';
+import { sideOf, type Point3 } from '../../document/plan-frame.ts';
 import { fixed } from '../../language/numbers.ts';
 import { words } from '../../language/language.ts';
 import type { PlaneResult } from '../../solver/protocol.ts';
@@ -55,5 +55,8 @@ function rowsOf({ name, cylindrical, modelling, verticals }: PlaneResult) {
 }
 
 /** "east", "(0.71, 0.71)": to the east and to the north. */
-const wayOf = ([x, , z]: readonly [number, number, number]): string =>
-  compassOf(x, z) ?? `(${fixed(x, 2)}, ${fixed(-z, 2)})`;
+function wayOf(direction: Point3): string {
+  const side = sideOf(direction);
+  const [x, , z] = direction;
+  return side ? words.value.values.compass[side] : `(${fixed(x, 2)}, ${fixed(-z, 2)})`;
+}

@@ -146,7 +146,7 @@ function SizeField() {
           autoComplete="off"
           placeholder={example}
           aria-invalid={fault !== null}
-          aria-describedby="maker-size-fault"
+          aria-describedby={told ? 'maker-size-fault' : undefined}
           value={text}
           onInput={(event) => take(event.currentTarget.value)}
           onBlur={end}
