@@ -114,8 +114,8 @@ export class Mounts {
     if (typeof description !== 'string') this.#files.set(hash, { file, description });
   }
 
-  /** Another room, or none. */
-  setScene(scene: SceneInfo | null): void {
+  /** Another room. */
+  setScene(scene: SceneInfo): void {
     this.#scene = scene;
     for (const made of [this.#few, this.#all]) made?.session.delete();
     this.#few = this.#all = this.#listed = null;

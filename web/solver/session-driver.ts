@@ -202,14 +202,15 @@ export class SessionDriver {
     this.#compare = null;
     this.#waiting = [];
     this.#reads = [];
-    this.#mounts.setScene(null);
     let isTold = false;
     try {
       const isOpen = await openScene(this.#session, file, isCurrent, {
         room: (room) => this.#post({ type: 'room', revision, room }, [room]),
         scene: (scene, light) => {
           this.#scene = scene;
+          // note: not before, for a file that proves wrong leaves the room that is there, with all that was made for it
           this.#mounts.setScene(scene);
+          this.#asked = this.#session;
           this.#color.clear();
           this.#searched = null;
           isTold = true;
@@ -239,7 +240,6 @@ export class SessionDriver {
       if (isTold && this.#isOpening) this.#scene = null;
       if (isTold) this.#lost = reasonOf(error);
       if (isTold) this.#waiting = [];
-      else this.#mounts.setScene(this.#scene); // the session has kept it
     }
     if (!isCurrent()) return;
     this.#isOpening = this.#preparesRoom = false;

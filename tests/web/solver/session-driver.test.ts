@@ -332,14 +332,19 @@ test('of a task area, too, light may be asked of types', async () => {
   expect(kinds().at(-1)).toBe('settled 2');
 });
 
-test('types are asked about in the room that stays where another file is no scene', async () => {
+test('where another file is no scene the room stays, with what types have made of it', async () => {
   await openedForTypes();
-  await driver.receive(open(2, 0, 7));
-  expect(kinds()).toEqual(['failed 2']);
-  await driver.receive(solve(3, { intentions: ofTypes() }));
+  await driver.receive(solve(2, { intentions: ofTypes() }));
   settle();
-  expect(kinds().at(-1)).toBe('settled 3');
-  expect(mounted.calls).toEqual(['adopt 0 0 1 0', 'start 3']);
+  await driver.receive(open(3, 0, 7));
+  expect(kinds().at(-1)).toBe('failed 3');
+  await driver.receive(solve(4, { intentions: ofTypes() }));
+  settle();
+  expect(kinds().at(-1)).toBe('settled 4');
+  expect(mounted.calls).toEqual(['adopt 0 0 1 0', 'start 3', 'start 3']);
+  await driver.receive(open(5, 1, 7));
+  expect(kinds().at(-1)).toBe('opened 5');
+  expect(mounted.calls.at(-1)).toBe('delete');
 });
 
 test('types are asked about before the statistics are there, squares are not', async () => {
