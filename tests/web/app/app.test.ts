@@ -42,18 +42,23 @@ async function openRoom(): Promise<void> {
   settle();
 }
 
-beforeEach(async () => {
-  frames = [];
-  host = fakeHost();
-  globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
+function newApp(): App {
   const fake = fakeViewer();
-  app = new App(new Store(), {
+  const made = new App(new Store(), {
     canvas: null as unknown as HTMLCanvasElement,
     labels: null as unknown as HTMLElement,
     createViewer: fake.create,
     createWorker: () => (solver = new FakeSolver()),
   });
   viewer = fake.viewer();
+  return made;
+}
+
+beforeEach(async () => {
+  frames = [];
+  host = fakeHost();
+  globalThis.requestAnimationFrame = (action) => frames.push(() => action(0));
+  app = newApp();
   await openRoom();
 });
 
@@ -572,6 +577,34 @@ describe('rooms of the site', () => {
     expect(app.store.roomTitle.value).toBe('Attic');
     expect(app.store.document.value.room).toBe('My_attic.v2');
     expect(host.asked.filter((name) => name === 'My_attic.v2.flux')).toHaveLength(2);
+  });
+
+  test('none comes where a person began a room of their own before it was asked for, until that is closed', async () => {
+    app = newApp();
+    let answer: (work: null) => void = () => {};
+    const starting = app.opening.start('', () => new Promise((resolve) => (answer = resolve)));
+    await turn();
+    app.opening.make(null);
+    answer(null);
+    await opened(starting);
+    expect(app.store.making.value).not.toBeNull();
+    expect(host.asked).toEqual([]);
+    await opened(app.opening.endMaking());
+    expect(app.store.roomTitle.value).toBe('Open office');
+  });
+
+  test('a link that waits for their list does not close what a person opened meanwhile', async () => {
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    const hash = app.keeping.link().address.split('/').at(-1)!;
+    app = newApp();
+    const starting = app.opening.start(hash, async () => null);
+    app.opening.make(null);
+    await opened(starting);
+    expect(app.store.making.value).not.toBeNull();
+    expect(app.store.scene.value).toBeNull();
   });
 
   test('without their list one sentence offers to try again', async () => {

@@ -95,7 +95,7 @@ export class Opening {
     if (this.#isTaken()) return;
     if (last && (await this.#openOwnWork(last))) return;
     const again = () => void this.start(hash, async () => last, wished);
-    if (!(await this.#hasRooms(again)) || this.#isTaken()) return;
+    if ((await this.#findRooms(again)) !== 'found' || this.#isTaken()) return;
     if (last && this.#rooms.has(last.project.document.room) && (await this.#openWork(last))) return;
     await this.#openFirst(wished);
   }
@@ -217,13 +217,15 @@ export class Opening {
     this.lighting.cancel();
     this.lighting.closeSheet();
     const isBack = await this.#placing.restore();
-    if (!isBack && this.#store.scene.peek() === null) await this.#openFirst();
+    if (isBack || this.#store.scene.peek() !== null) return;
+    const again = () => void this.endPreview();
+    if ((await this.#findRooms(again)) === 'found') await this.#openFirst();
   }
 
   /** Whether something is on the screen, or on its way there: a person was faster than what the page wanted to show. */
   #isTaken(): boolean {
-    const { loading, scene, preview } = this.#store;
-    return [loading, scene, preview].some((each) => each.peek() !== null);
+    const { loading, scene, preview, making } = this.#store;
+    return [loading, scene, preview, making].some((each) => each.peek() !== null);
   }
 
   /** Whether a room of the gallery is on the screen already: opened again, it would lose what is edited meanwhile. */
@@ -233,16 +235,21 @@ export class Opening {
     return isShown && [loading, preview, making].every((each) => each.peek() === null);
   }
 
-  /** Waits for the list of rooms; where there is none to be had, one sentence offers to try again. */
-  async #hasRooms(again: () => void): Promise<boolean> {
-    if (this.#rooms.isThere) return true;
-    let isThere = false;
-    await this.#placing.attempt(words.value.opening.lookingForRooms, async () => {
-      isThere = await this.#rooms.load();
+  /**
+   * Waits for the list of rooms; where there is none to be had, one sentence offers to try again. Overtaken: a person opened
+   * something meanwhile, which what waited must not close.
+   */
+  async #findRooms(again: () => void): Promise<'found' | 'missing' | 'overtaken'> {
+    if (this.#rooms.isThere) return 'found';
+    let found: 'found' | 'missing' | 'overtaken' = 'missing';
+    await this.#placing.attempt(words.value.opening.lookingForRooms, async (isCurrent) => {
+      if (await this.#rooms.load()) found = 'found';
+      if (!isCurrent()) found = 'overtaken';
     });
     const fault = this.#rooms.fault.peek();
-    if (!isThere && fault) this.#store.say('error', fault, { label: words.value.opening.again, run: again });
-    return isThere;
+    if (found === 'missing' && fault)
+      this.#store.say('error', fault, { label: words.value.opening.again, run: again });
+    return found;
   }
 
   async #openFirst(wished: string | null = null): Promise<void> {
@@ -307,10 +314,11 @@ export class Opening {
 
   /** Shows a link; where the room is another version of the one it names, only when `exact` is not insisted on. */
   async #openLink(link: Link, exact: boolean): Promise<boolean> {
-    const hasRooms = await this.#hasRooms(() => void this.#openLink(link, exact));
+    const rooms = await this.#findRooms(() => void this.#openLink(link, exact));
+    if (rooms === 'overtaken') return true;
     if (!this.#rooms.has(link.room)) this.#store.pendingLink.value = link;
     if (link.plan && !this.#rooms.has(link.room)) return this.#openMade(link.room, link.plan);
-    if (!hasRooms) return false;
+    if (rooms === 'missing') return false;
     if (!this.#rooms.has(link.room)) {
       this.#store.say('warning', words.value.opening.linkOfFile(link.room));
       return false;
