@@ -505,11 +505,11 @@ async function opened(opening: Promise<unknown>): Promise<void> {
   settle();
 }
 
-describe('rooms of the site', () => {
+describe('the first room of a visit', () => {
   beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
   afterEach(() => void jest.useRealTimers());
 
-  test('open with what the list asks of them', async () => {
+  test('opens with what the list asks of it', async () => {
     app.store.scene.value = null; // as on the first screen
     await opened(app.opening.start('', async () => null, 'e-corridor'));
     expect(host.asked).toEqual(['catalog.json', 'e-corridor.flux']);
@@ -518,11 +518,56 @@ describe('rooms of the site', () => {
     expect(solver.last('solve')?.intentions.goals[0]).toMatchObject({ surfaces: ['yellow wall'] });
   });
 
-  test('the first of them opens with the luminaires that it names, asked for on the site', async () => {
+  test('opens with the luminaires that it names, asked for on the site', async () => {
     app.store.scene.value = null;
     await opened(app.opening.start('', async () => null));
     expect(host.asked).toEqual(['catalog.json', 'office.flux', '/sub/luminaires/panel.ldt']);
   });
+
+  test('does not come where a person began a room of their own before, until that is closed', async () => {
+    app = newApp();
+    let answer: (work: null) => void = () => {};
+    const starting = app.opening.start('', () => new Promise((resolve) => (answer = resolve)));
+    await turn();
+    app.opening.make(null);
+    answer(null);
+    await opened(starting);
+    expect(app.store.making.value).not.toBeNull();
+    expect(host.asked).toEqual([]);
+    await opened(app.opening.endMaking());
+    expect(app.store.roomTitle.value).toBe('Open office');
+  });
+
+  test('a link that waits for the list of rooms does not close what a person opened meanwhile', async () => {
+    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
+    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    const hash = app.keeping.link().address.split('/').at(-1)!;
+    app = newApp();
+    const starting = app.opening.start(hash, async () => null);
+    app.opening.make(null);
+    await opened(starting);
+    expect(app.store.making.value).not.toBeNull();
+    expect(app.store.scene.value).toBeNull();
+  });
+
+  test('without the list of rooms one sentence offers to try again', async () => {
+    host.catalog = 'offline';
+    app.store.scene.value = null; // as on the first screen
+    await opened(app.opening.start('', async () => null));
+    const message = app.store.messages.value.at(-1)!;
+    expect(message.text).toBe('The list of rooms could not be loaded: no connection.');
+    host = fakeHost();
+    message.action?.run();
+    await opened(Promise.resolve());
+    expect(app.store.roomTitle.value).toBe('Open office');
+  });
+});
+
+describe('rooms of the site', () => {
+  beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
+  afterEach(() => void jest.useRealTimers());
 
   test('an experiment finds out first what its bounds are shares of', async () => {
     const bound = { min: { illuminate: 0.5 } };
@@ -577,46 +622,6 @@ describe('rooms of the site', () => {
     expect(app.store.roomTitle.value).toBe('Attic');
     expect(app.store.document.value.room).toBe('My_attic.v2');
     expect(host.asked.filter((name) => name === 'My_attic.v2.flux')).toHaveLength(2);
-  });
-
-  test('none comes where a person began a room of their own before it was asked for, until that is closed', async () => {
-    app = newApp();
-    let answer: (work: null) => void = () => {};
-    const starting = app.opening.start('', () => new Promise((resolve) => (answer = resolve)));
-    await turn();
-    app.opening.make(null);
-    answer(null);
-    await opened(starting);
-    expect(app.store.making.value).not.toBeNull();
-    expect(host.asked).toEqual([]);
-    await opened(app.opening.endMaking());
-    expect(app.store.roomTitle.value).toBe('Open office');
-  });
-
-  test('a link that waits for their list does not close what a person opened meanwhile', async () => {
-    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
-    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
-    await app.rooms.load();
-    await opened(app.opening.entry('box'));
-    const hash = app.keeping.link().address.split('/').at(-1)!;
-    app = newApp();
-    const starting = app.opening.start(hash, async () => null);
-    app.opening.make(null);
-    await opened(starting);
-    expect(app.store.making.value).not.toBeNull();
-    expect(app.store.scene.value).toBeNull();
-  });
-
-  test('without their list one sentence offers to try again', async () => {
-    host.catalog = 'offline';
-    app.store.scene.value = null; // as on the first screen
-    await opened(app.opening.start('', async () => null));
-    const message = app.store.messages.value.at(-1)!;
-    expect(message.text).toBe('The list of rooms could not be loaded: no connection.');
-    host = fakeHost();
-    message.action?.run();
-    await opened(Promise.resolve());
-    expect(app.store.roomTitle.value).toBe('Open office');
   });
 });
 
