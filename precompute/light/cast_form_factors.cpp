@@ -31,13 +31,15 @@ void castRays(const Room& room, const RayTracer& tracer, const PatchSampler& sam
   Vec3 origin[RayPacket::kSize], direction[RayPacket::kSize];
   for (std::uint32_t first = 0; first < rays; first += RayPacket::kSize) {
     RayPacket packet;
-    const std::uint32_t last = std::min(first + RayPacket::kSize, rays);
-    for (std::uint32_t i = first; i < last; ++i) {
-      const auto sample = sequence.point(i, scramble);
-      const PatchPoint point = sampler.at(sample[2], sample[3]);
-      origin[i - first] = point.position + tracer.offset() * point.normal;
-      direction[i - first] = cosineDirection(Frame(point.normal), sample[0], sample[1]);
-      tracer.aim(packet, origin[i - first], direction[i - first], std::numeric_limits<float>::infinity());
+    const std::uint32_t count = std::min(rays - first, RayPacket::kSize);
+    const auto sample = sequence.eightPoints(first, scramble);
+    const EightDirections way = cosineDirections(sample[0], sample[1]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const PatchPoint point = sampler.at(sample[2][i], sample[3][i]);
+      const Frame frame(point.normal);
+      origin[i] = point.position + tracer.offset() * point.normal;
+      direction[i] = double{way.x[i]} * frame.x + double{way.y[i]} * frame.y + double{way.z[i]} * frame.z;
+      tracer.aim(packet, origin[i], direction[i], std::numeric_limits<float>::infinity());
     }
     HitPacket found;
     tracer.intersect(packet, found);

@@ -18,20 +18,15 @@ ClusterParts::ClusterParts(const Room& room) {
   slopeShare_.resize(std::size_t{patches.count} * 2);
   for (std::uint32_t c = 0; c < patches.clusterCount; ++c) {
     firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    measure(patches, c);
+    measure(room, c);
     addParts(room, c);
     addSlopeShares(room, c);
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
 }
 
-ClusterParts::Place ClusterParts::placeAt(const Room& room, std::uint32_t cluster, const Vec3& point) const {
-  const Chart& chart = room.charts[room.chartOfPatch[members_[cluster][0]]];
-  const Vec3 d = point - center_[cluster];
-  return {dot(d, chart.uAxis) / reach_[cluster], dot(d, chart.vAxis) / reach_[cluster]};
-}
-
-void ClusterParts::measure(const Patches& patches, std::uint32_t cluster) {
+void ClusterParts::measure(const Room& room, std::uint32_t cluster) {
+  const Patches& patches = room.patches;
   Vec3 center;
   double area = 0, radius = 0;
   for (const std::uint32_t q : members_[cluster]) {
@@ -43,6 +38,8 @@ void ClusterParts::measure(const Patches& patches, std::uint32_t cluster) {
     radius = std::max(radius, length(patches.center[q] - center));
   center_.push_back(center);
   reach_.push_back(squareReach(area, radius));
+  const Chart& chart = room.charts[room.chartOfPatch[members_[cluster][0]]];
+  axes_.push_back({(1 / reach_.back()) * chart.uAxis, (1 / reach_.back()) * chart.vAxis});
 }
 
 void ClusterParts::addParts(const Room& room, std::uint32_t cluster) {

@@ -2,6 +2,7 @@
 // that is too far away to be seen patch by patch.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,9 +34,12 @@ class ClusterParts {
     double u, v;
   };
   Place placeOf(const Room& room, std::uint32_t patch) const {
-    return placeAt(room, room.patches.cluster[patch], room.patches.center[patch]);
+    return placeAt(room.patches.cluster[patch], room.patches.center[patch]);
   }
-  Place placeAt(const Room& room, std::uint32_t cluster, const Vec3& point) const;
+  Place placeAt(std::uint32_t cluster, const Vec3& point) const {
+    const Vec3 d = point - center_[cluster];
+    return {dot(d, axes_[cluster][0]), dot(d, axes_[cluster][1])};
+  }
 
   /// Of all clusters.
   const std::vector<ClusterPart>& parts() const { return parts_; }
@@ -46,12 +50,13 @@ class ClusterParts {
   const std::vector<float>& slopeShare() const { return slopeShare_; }
 
  private:
-  void measure(const Patches& patches, std::uint32_t cluster);
+  void measure(const Room& room, std::uint32_t cluster);
   void addParts(const Room& room, std::uint32_t cluster);
   void addSlopeShares(const Room& room, std::uint32_t cluster);
 
   std::vector<std::vector<std::uint32_t>> members_;  // k: patches, ascending
   std::vector<Vec3> center_;                         // k, m
+  std::vector<std::array<Vec3, 2>> axes_;            // k, of the chart, over the cluster's edge
   std::vector<double> reach_;                        // k, m
   std::vector<ClusterPart> parts_;                   // by cluster
   std::vector<std::uint32_t> firstPart_;             // k + 1

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
-#include "core/base/random.h"
 #include "core/transport/polygon_form_factor.h"
 #include "precompute/base/parallel.h"
 #include "precompute/light/emission.h"
 #include "precompute/light/photometric_shadow.h"
 #include "precompute/rays/effort.h"
+#include "precompute/rays/float8.h"
 #include "precompute/rays/places.h"
 #include "precompute/rays/ray_sequence.h"
 
@@ -105,34 +106,56 @@ double partWeight(const Emission& source, const Vec3& position, const Vec3& norm
   return area * incidence * dot(d, source.normal()) / (std::numbers::pi * squared * squared);
 }
 
-/// Shadow rays from some points of one patch to split x split parts of the source.
+/// Well-spread places on sources: for each shadow ray of a patch one, over and over from so many on.
+constexpr std::uint32_t kPlaces = 4096;
+const RaySequence& placesOnSources() {
+  static const RaySequence sequence(kPlaces);
+  return sequence;
+}
+
+void put(const Vec3& from, float* to) {
+  to[0] = static_cast<float>(from.x), to[1] = static_cast<float>(from.y), to[2] = static_cast<float>(from.z);
+}
+
+/// How shadow rays go to a source from each point of a patch; one alone to a point source.
+struct Probe {
+  std::uint32_t rays;  // 1, 2, 4, 8, ... are spread evenly, those of a point and those of neighbours together
+  std::uint32_t split;  // light is told by split x split parts of the source
+};
+
+/// Shadow rays from some points of one patch to all over the source.
 class Shadow {
  public:
   /// Rays end on the source, or `lower` m before it. `blockers`: all that may stand there, where that is
   /// known.
-  Shadow(const RayTracer& tracer, const Emission& source, const Blockers* blockers, double lower = 0)
-      : tracer_(tracer), source_(source), blockers_(blockers), lower_(lower * source.normal()) {}
+  Shadow(const RayTracer& tracer, const Emission& source, Blockers* blockers, Probe probe, double lower = 0)
+      : tracer_(tracer), source_(source), blockers_(blockers), probe_(probe) {
+    if (source.isPoint()) probe_ = {1, 1};
+    put(source.startAt(0, 0) + lower * source.normal() - tracer.center(), corner_);
+    put(source.startAt(1, 0) - source.startAt(0, 0), along_);
+    put(source.startAt(0, 1) - source.startAt(0, 0), across_);
+  }
 
-  /// visible[i * split^2 + part] for each point i that faces the source; true elsewhere. `untilMixed`: no
-  /// further than it takes to see that the verdict is 0.
-  void cast(const std::vector<PatchPoint>& points, const std::vector<char>& facing, std::uint32_t split,
-            bool untilMixed, Random random) {
-    split_ = source_.isPoint() ? 1 : split;
-    const std::uint32_t parts = split_ * split_;
-    visible_.assign(points.size() * parts, 1);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!facing[i]) continue;
-      if (untilMixed && cast_ > 0 && verdict() == 0) return;
-      const Vec3 origin = points[i].position + tracer_.offset() * points[i].normal;
-      for (std::uint32_t part = 0; part < parts; ++part) {
-        const double u = (part % split_ + random.unit()) / split_,
-                     v = (part / split_ + random.unit()) / split_;
-        tracer_.aim(packet_, origin, source_.startAt(u, v) + lower_ - origin, 1);
-        lane_[packet_.count - 1] = i * parts + part;
-        if (packet_.count == RayPacket::kSize) flush();
-      }
+  /// The first `rays` from each point that faces the source; no further than it takes to see that the verdict
+  /// is 0.
+  void begin(const std::vector<PatchPoint>& points, const std::vector<char>& facing, std::uint32_t rays,
+             std::uint64_t seed) {
+    seed_ = seed;
+    visible_.assign(points.size() * probe_.rays, 1);
+    part_.resize(visible_.size());
+    begunRays_ = std::min(rays, probe_.rays);
+    for (begunPoints_ = 0; begunPoints_ < points.size(); ++begunPoints_) {
+      if (cast_ > 0 && verdict() == 0) break;
+      if (facing[begunPoints_]) castFrom(points[begunPoints_], begunPoints_, 0, begunRays_);
     }
-    if (packet_.count > 0) flush();
+    flush();
+  }
+
+  /// All others.
+  void complete(const std::vector<PatchPoint>& points, const std::vector<char>& facing) {
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (facing[i]) castFrom(points[i], i, i < begunPoints_ ? begunRays_ : 0, probe_.rays);
+    flush();
   }
 
   /// Whether what was cast is all visible (+1), all blocked (-1) or mixed (0).
@@ -146,44 +169,77 @@ class Shadow {
 
   /// Share of the light of the whole source that reaches point i.
   double visibleShare(const PatchPoint& point, std::size_t i) const {
-    const std::uint32_t parts = split_ * split_;
-    if (parts == 1) return visible_[i];
+    const std::size_t first = i * probe_.rays, end = first + probe_.rays;
+    const auto own = visible_.begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::all_of(own, own + probe_.rays, [&](char is) { return is == *own; })) return *own;
     double all = 0, seen = 0;
-    for (std::uint32_t part = 0; part < parts; ++part) {
-      const double edge = 1.0 / split_;
-      const double weight =
-          partWeight(source_, point.position, point.normal, part % split_ * edge, part / split_ * edge, edge);
+    const double edge = 1.0 / probe_.split;
+    for (std::size_t ray = first; ray < end; ++ray) {
+      const double u = part_[ray] % probe_.split * edge, v = part_[ray] / probe_.split * edge;
+      const double weight = partWeight(source_, point.position, point.normal, u, v, edge);
       all += weight;
-      if (visible_[i * parts + part]) seen += weight;
+      if (visible_[ray]) seen += weight;
     }
     return all > 0 ? seen / all : 0;
   }
 
  private:
+  /// Rays `first` to before `last` of point i.
+  void castFrom(const PatchPoint& point, std::uint32_t i, std::uint32_t first, std::uint32_t last) {
+    float origin[3];
+    put(point.position + tracer_.offset() * point.normal - tracer_.center(), origin);
+    for (std::uint32_t ray = first; ray < last; ++ray) {
+      const std::uint32_t lane = rays_.count++;
+      rays_.originX[lane] = origin[0], rays_.originY[lane] = origin[1], rays_.originZ[lane] = origin[2];
+      rays_.reach[lane] = 1;
+      index_[lane] = i * probe_.rays + ray;
+      if (rays_.count == RayPacket::kSize) flush();
+    }
+  }
+
   void flush() {
+    if (rays_.count == 0) return;
+    std::uint32_t place[RayPacket::kSize]{};
+    for (std::uint32_t i = 0; i < rays_.count; ++i) place[i] = index_[i] % kPlaces;
+    const auto [u, v] =
+        placesOnSources().eightPairs(place, RaySequence::scramble(seed_ + index_[0] / kPlaces));
+    aim(0, u, v, rays_.originX, rays_.directionX);
+    aim(1, u, v, rays_.originY, rays_.directionY);
+    aim(2, u, v, rays_.originZ, rays_.directionZ);
     bool blocked[RayPacket::kSize];
     if (blockers_) {
-      blockers_->occluded(packet_, blocked);
+      blockers_->occluded(rays_, blocked);
     } else {
-      tracer_.occluded(packet_, blocked, true);  // from one patch to one source
+      tracer_.occluded(rays_, blocked, true);  // from one patch to one source
     }
-    for (std::uint32_t i = 0; i < packet_.count; ++i) {
-      visible_[lane_[i]] = !blocked[i];
+    const auto split = static_cast<float>(probe_.split);
+    for (std::uint32_t i = 0; i < rays_.count; ++i) {
+      visible_[index_[i]] = !blocked[i];
+      part_[index_[i]] =
+          static_cast<std::uint32_t>(v[i] * split) * probe_.split + static_cast<std::uint32_t>(u[i] * split);
       blocked_ += blocked[i];
     }
-    cast_ += packet_.count;
-    packet_.count = 0;
+    cast_ += rays_.count;
+    rays_.count = 0;
+  }
+
+  void aim(int axis, Float8 u, Float8 v, const float* origin, float* direction) const {
+    const Float8 way = corner_[axis] + u * along_[axis] + v * across_[axis] - load8(origin);
+    std::memcpy(direction, &way, sizeof way);
   }
 
   const RayTracer& tracer_;
   const Emission& source_;
-  const Blockers* blockers_;
-  Vec3 lower_;  // m
-  std::uint32_t split_ = 1;
+  Blockers* blockers_;
+  Probe probe_;
+  float corner_[3], along_[3], across_[3];  // m, of where rays end, from the tracer's centre
+  std::uint64_t seed_ = 0;
+  std::uint32_t begunPoints_ = 0, begunRays_ = 0;
   std::size_t cast_ = 0, blocked_ = 0;
-  std::vector<char> visible_;
-  RayPacket packet_;
-  std::size_t lane_[RayPacket::kSize];
+  std::vector<char> visible_;        // points x rays; true where none was cast
+  std::vector<std::uint32_t> part_;  // points x rays: of the source, where the ray goes
+  RayPacket rays_;
+  std::uint32_t index_[RayPacket::kSize];  // points x rays
 };
 
 /// What a source does to a patch: lx, and the share 0..1 that arrives of what would without any shadow.
@@ -213,24 +269,23 @@ bool isEven(const Emission& source, const PatchPoints& points, const std::vector
 /// there, or of the room.
 struct Shade {
   Between between = Between::kUnknown;
-  const Blockers* blockers = nullptr;
+  Blockers* blockers = nullptr;
 };
 
 /// Mean illuminance over one patch by its points, of which the many that are `facing` see the source: where
-/// it is not known what stands between, shadow rays go to split x split parts of the source from each, and
-/// to penumbra x penumbra, if these are more, where a shadow's edge crosses the patch. `edge`: of the patch,
-/// m.
+/// it is not known what stands between, `few` shadow rays go to the source from each, and all of the probe's
+/// where a shadow's edge crosses the patch. `edge`: of the patch, m.
 PatchLight patchLight(const RayTracer& tracer, const Emission& source, const PatchPoints& points,
-                      const std::vector<char>& facing, const Shade& shade, double edge, std::uint32_t split,
-                      std::uint32_t penumbra, std::uint64_t seed) {
+                      const std::vector<char>& facing, const Shade& shade, double edge, std::uint32_t few,
+                      Probe probe, std::uint64_t seed) {
   if (shade.between == Between::kWall) return {};
   bool isClear = shade.between == Between::kNothing;
-  Shadow shadow(tracer, source, shade.blockers);
+  Shadow shadow(tracer, source, shade.blockers, probe);
   if (!isClear) {
-    shadow.cast(points.many, facing, split, penumbra > split, Random(seed));
+    shadow.begin(points.many, facing, few, seed);
     if (shadow.verdict() < 0) return {};
     isClear = shadow.verdict() > 0;
-    if (!isClear && penumbra > split) shadow.cast(points.many, facing, penumbra, false, Random(seed, 1));
+    if (!isClear) shadow.complete(points.many, facing);
   }
   const bool isFew = isClear && isEven(source, points, facing, edge);
   const std::vector<PatchPoint>& used = isFew ? points.few : points.many;
@@ -257,8 +312,9 @@ double shareFromBehind(const RayTracer& tracer, const Emission& source, const st
     any |= facing.back() != 0;
   }
   if (!any) return 0;
-  Shadow shadow(tracer, source, nullptr, kTilted);
-  shadow.cast(points, facing, 1, false, Random(seed, 2));
+  Shadow shadow(tracer, source, nullptr, {1, 1}, kTilted);
+  shadow.begin(points, facing, 0, seed + 2);
+  shadow.complete(points, facing);
   return shadow.openShare();
 }
 
@@ -272,7 +328,7 @@ class RowLight {
         luminaires_(luminaires),
         sources_(luminaires.begin(), luminaires.end()),
         split_(options.draft ? 1 : options.split),
-        finer_(options.draft ? 1 : 2),
+        isDraft_(options.draft),
         seed_(mixBits(options.seed ^ 0xd1ec7u)),
         effort_(effortOfRows(room.patches, options.draft)),
         between_(tracer, placesOfClusters(room, tracer), placesOf(tracer, sources_)) {}
@@ -287,7 +343,10 @@ class RowLight {
     if (sampler.isFullCell()) points.few = sampler.quadrature(2);
     const double edge = std::sqrt(room_.patches.area[p]);
     const bool isSmall = effort_[p] >= 2;
-    const std::uint32_t split = (isSmall ? 2 : 1) * split_, penumbra = finer_ * split;
+    const std::uint32_t split = (isSmall ? 2 : 1) * split_, finer = isDraft_ ? split : 2 * split;
+    // Spread so well, three rays tell a shadow's edge as four parts would; on surfaces of few patches, which
+    // average over little, there is one to each part.
+    const Probe probe{isSmall || isDraft_ ? finer * finer : finer * finer * 3 / 4, finer};
     const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
     std::vector<char> facing;
     Blockers blockers;
@@ -300,8 +359,8 @@ class RowLight {
       }
       PatchLight lit;
       if (findFacing(sources_[j], points.many, facing))
-        lit = patchLight(tracer_, sources_[j], points, facing, shadeOf(p, place, j, blockers), edge, split,
-                         penumbra, own);
+        lit = patchLight(tracer_, sources_[j], points, facing, shadeOf(p, place, j, blockers), edge,
+                         split * split, probe, own);
       light[j * stride] = static_cast<float>(lit.illuminance);
       if (visible && lit.visible == 0)
         lit.visible = shareFromBehind(tracer_, sources_[j], points.many, own, facing);
@@ -325,7 +384,8 @@ class RowLight {
   const RayTracer& tracer_;
   const std::vector<Luminaire>& luminaires_;
   std::vector<Emission> sources_;
-  std::uint32_t split_, finer_;  // times as many parts at a shadow's edge
+  std::uint32_t split_;
+  bool isDraft_;
   std::uint64_t seed_;
   std::vector<std::uint32_t> effort_;  // rows
   BetweenPlaces between_;              // clusters x sources
@@ -373,8 +433,8 @@ double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const 
   const Emission source(luminaire);
   if (source.isPhotometric()) return photometricPointLight(tracer, receiver, luminaire, split, mixBits(seed));
   if (!faces(source, receiver.position, receiver.normal)) return 0;
-  Shadow shadow(tracer, source, nullptr);
-  shadow.cast({receiver}, {1}, split, false, Random(mixBits(seed)));
+  Shadow shadow(tracer, source, nullptr, {split * split, split});
+  shadow.begin({receiver}, {1}, split * split, mixBits(seed));
   const double lit = unshadowed(source, receiver.position, receiver.normal);
   return shadow.verdict() > 0 ? lit : lit * shadow.visibleShare(receiver, 0);
 }

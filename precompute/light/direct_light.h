@@ -16,13 +16,14 @@
 namespace fiatlux {
 
 struct DirectLightOptions {
-  // Parts of the source's edge that shadow rays probe, twice as many on small surfaces; and to look closer,
-  // where a shadow's edge is found, twice as many again.
+  // Parts of the source's edge, to each of which a shadow ray goes from each point of a patch; twice as many
+  // on small surfaces. Where a shadow's edge is found twice as many again, and on others than small surfaces
+  // three rays for four parts.
   std::uint32_t split = 2;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: all cores
   std::function<void(double)> progress;
-  // One ray from each point of a patch to anywhere on the source, four where a shadow's edge is found.
+  // One ray from each point of a patch to anywhere on the source.
   bool draft = false;
 };
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
 #include "precompute/light/brightest.h"
 #include "precompute/rays/effort.h"
+#include "precompute/rays/float8.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
@@ -51,7 +53,10 @@ KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uin
       clusters_(room),
       brightness_(brightestByMean(room, clusters_)),
       between_(tracer, placesOfClusters(room, tracer), placesOfClusters(room, tracer)),
+      partKernels_(clusters_),
+      points_(room, tracer.center()),
       firstPatch_(static_cast<std::uint32_t>(clusters_.parts().size())) {
+  for (const ClusterPart& part : clusters_.parts()) points_.add(part.members);
   const Patches& patches = room.patches;
   for (std::uint32_t p = 0; p < patches.rows(); ++p) {
     double radius = 0;
@@ -59,18 +64,19 @@ KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uin
       for (const Vec3& corner : fragment.corner)
         radius = std::max(radius, length(corner - patches.center[p]));
     }
+    edge_.push_back(std::sqrt(patches.area[p]));
     patchReach_.push_back(squareReach(patches.area[p], radius));
+    points_.add({&p, 1});
     if (p >= patches.count) continue;
-    samplers_.emplace_back(room, p);
-    const std::vector<PatchPoint> points = samplers_[p].quadrature(2);
+    const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(2);
     std::copy_n(points.begin(), kGauss, gauss_.emplace_back().begin());
   }
 }
 
-double KernelFactors::edgesTo(std::uint32_t p, std::uint32_t cluster) const {
-  const Patches& patches = room_.patches;
-  return length(clusters_.centerOf(cluster) - patches.center[p]) /
-         (clusters_.reachOf(cluster) + std::sqrt(patches.area[p]));
+bool KernelFactors::isWithin(double edges, std::uint32_t p, std::uint32_t cluster) const {
+  const Vec3 d = clusters_.centerOf(cluster) - room_.patches.center[p];
+  const double reach = edges * (clusters_.reachOf(cluster) + edge_[p]);
+  return dot(d, d) < reach * reach;
 }
 
 bool KernelFactors::areWithin(double edges, std::uint32_t p, std::uint32_t q) const {
@@ -80,21 +86,7 @@ bool KernelFactors::areWithin(double edges, std::uint32_t p, std::uint32_t q) co
 }
 
 bool KernelFactors::tooClose(std::uint32_t p, std::uint32_t q) const {
-  return edgesTo(p, room_.patches.cluster[q]) < kNearEdges && areWithin(kCloseEdges, p, q);
-}
-
-/// A point of a part or patch, uniform by area: the first number chooses the patch of a part, what is left of
-/// it the place there.
-PatchPoint KernelFactors::pointOn(std::uint32_t item, double u, double v) const {
-  if (item >= firstPatch_) return samplers_[item - firstPatch_].at(u, v);
-  const ClusterPart& part = clusters_.parts()[item];
-  const std::vector<double>& area = room_.patches.area;
-  double along = u * part.area;
-  std::size_t chosen = 0;
-  while (chosen + 1 < part.members.size() && along >= area[part.members[chosen]])
-    along -= area[part.members[chosen++]];
-  const std::uint32_t q = part.members[chosen];
-  return samplers_[q].at(std::min(along / area[q], 1 - 1e-9), v);
+  return isWithin(kNearEdges, p, room_.patches.cluster[q]) && areWithin(kCloseEdges, p, q);
 }
 
 /// What is known of all rays from a row's cluster to another. note: a shaft of the row's own costs more than
@@ -107,16 +99,13 @@ Between KernelFactors::between(std::uint32_t p, std::uint32_t cluster) const {
 
 /// Adds the parts of a distant cluster, or the patches of another one that are not too close, that the row
 /// can see at all.
-void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points, std::uint32_t c,
+void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points,
+                                  const std::vector<float>& ofParts, std::uint32_t c,
                                   std::vector<Candidate>& candidates) const {
   const Patches& patches = room_.patches;
-  if (edgesTo(p, c) >= kNearEdges) {
-    for (std::uint32_t i = clusters_.firstOf(c); i < clusters_.firstOf(c + 1); ++i) {
-      const ClusterPart& part = clusters_.parts()[i];
-      const double factor =
-          part.area * kernel(part.center - patches.center[p], patches.normal[p], part.normal);
-      if (factor > 0) candidates.push_back({i, factor});
-    }
+  if (!isWithin(kNearEdges, p, c)) {
+    for (std::uint32_t i = clusters_.firstOf(c); i < clusters_.firstOf(c + 1); ++i)
+      if (ofParts[i] > 0) candidates.push_back({i, ofParts[i]});
     return;
   }
   for (const std::uint32_t q : clusters_.membersOf(c)) {
@@ -131,7 +120,7 @@ void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>
       factor = kernel(patches.center[q] - patches.center[p], patches.normal[p], patches.normal[q]);
     }
     factor *= patches.area[q];
-    if (factor > 0) candidates.push_back({firstPatch_ + q, factor});
+    if (factor > 0) candidates.push_back({firstPatch_ + q, static_cast<float>(factor)});
   }
 }
 
@@ -145,10 +134,14 @@ std::uint32_t KernelFactors::raysTo(const Group& group, std::uint32_t effort) co
 KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effort,
                                             const PatchSampler& sampler) const {
   const std::vector<PatchPoint> points = sampler.quadrature(2);
+  std::vector<float> ofParts;
+  partKernels_.at(room_.patches.center[p], room_.patches.normal[p], ofParts);
   Faced faced;
+  faced.candidates.reserve(firstPatch_);
+  faced.groups.reserve(room_.patches.clusterCount);
   for (std::uint32_t c = 0; c < room_.patches.clusterCount; ++c) {
     Group group{c, faced.candidates.size(), 0};
-    addCandidates(p, points, c, faced.candidates);
+    addCandidates(p, points, ofParts, c, faced.candidates);
     group.last = faced.candidates.size();
     if (group.last == group.first) continue;
     const Between known = between(p, c);
@@ -163,58 +156,102 @@ KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effor
   return faced;
 }
 
+/// Eight shadow rays at a time, of whichever clusters they are, and what of their light arrives.
+class KernelFactors::ShadowRays {
+ public:
+  explicit ShadowRays(const KernelFactors& of)
+      : of_(of), offset_(static_cast<float>(of.tracer_.offset())), center_(of.tracer_.center()) {}
+
+  void add(Candidate& candidate, std::uint32_t cluster, const PatchSets::Point& from,
+           const PatchSets::Point& to) {
+    const std::uint32_t i = rays_.count++;
+    float* const origin[3]{rays_.originX, rays_.originY, rays_.originZ};
+    float* const direction[3]{rays_.directionX, rays_.directionY, rays_.directionZ};
+    for (int axis = 0; axis < 3; ++axis) {
+      from_[axis][i] = from.normal[axis];
+      to_[axis][i] = to.normal[axis];
+      origin[axis][i] = from.position[axis] + offset_ * from.normal[axis];
+      direction[axis][i] = to.position[axis] + offset_ * to.normal[axis] - origin[axis][i];
+    }
+    rays_.reach[i] = 1;
+    candidate_[i] = &candidate;
+    cluster_[i] = cluster;
+    if (rays_.count == RayPacket::kSize) flush();
+  }
+
+  void flush() {
+    if (rays_.count == 0) return;
+    bool blocked[RayPacket::kSize];
+    of_.tracer_.occluded(rays_, blocked);
+    alignas(32) float kernel[RayPacket::kSize];
+    const Float8 each = kernels();
+    std::memcpy(kernel, &each, sizeof kernel);
+    for (std::uint32_t i = 0; i < rays_.count; ++i)
+      if (!blocked[i]) arrive(i, kernel[i]);
+    rays_.count = 0;
+  }
+
+ private:
+  /// Of a unit of area.
+  Float8 kernels() const {
+    const Float8 x = load8(rays_.directionX) + offset_ * (load8(from_[0]) - load8(to_[0])),
+                 y = load8(rays_.directionY) + offset_ * (load8(from_[1]) - load8(to_[1])),
+                 z = load8(rays_.directionZ) + offset_ * (load8(from_[2]) - load8(to_[2]));
+    const Float8 out = x * load8(from_[0]) + y * load8(from_[1]) + z * load8(from_[2]),
+                 in = -(x * load8(to_[0]) + y * load8(to_[1]) + z * load8(to_[2])),
+                 squared = x * x + y * y + z * z;
+    return max8(out, all8(0)) * max8(in, all8(0)) / (std::numbers::pi_v<float> * squared * squared);
+  }
+
+  void arrive(std::uint32_t i, float kernel) {
+    Candidate& candidate = *candidate_[i];
+    const float factor = static_cast<float>(of_.areaOf(candidate.item)) * kernel;  // that the ray stands for
+    ++candidate.visible;
+    candidate.arrived += factor;
+    if (candidate.item >= of_.firstPatch_) return;
+    const Vec3 met{rays_.originX[i] + rays_.directionX[i], rays_.originY[i] + rays_.directionY[i],
+                   rays_.originZ[i] + rays_.directionZ[i]};
+    const ClusterParts::Place place = of_.clusters_.placeAt(cluster_[i], center_ + met);
+    candidate.leanU += factor * static_cast<float>(place.u);
+    candidate.leanV += factor * static_cast<float>(place.v);
+  }
+
+  const KernelFactors& of_;
+  float offset_;  // m
+  Vec3 center_;   // m
+  RayPacket rays_;
+  alignas(32) float from_[3][RayPacket::kSize], to_[3][RayPacket::kSize];  // normals
+  Candidate* candidate_[RayPacket::kSize];
+  std::uint32_t cluster_[RayPacket::kSize];
+};
+
 /// Rays from all over the patch to all over each cluster, to each part of it as many as it would give light:
 /// both ends share a four-dimensional sequence, so few rays already cover both, and what hides a cluster from
 /// one side of the patch only (a picture's frame) is not mistaken.
 /// note: no second look where a first one finds that some is hidden. What is seen a little would often be
 /// missed by the first, and counted for nothing: deep shelves were 4 % too dark.
-void KernelFactors::castShadows(std::uint64_t seed, const PatchSampler& sampler, Faced& faced) const {
-  RayPacket packet;
-  struct Sent {
-    Candidate* candidate;
-    std::uint32_t cluster;
-    PatchPoint from, to;
-  } sent[RayPacket::kSize];
-  const auto flush = [&] {
-    bool blocked[RayPacket::kSize];
-    tracer_.occluded(packet, blocked);
-    for (std::uint32_t i = 0; i < packet.count; ++i) {
-      if (blocked[i]) continue;
-      const auto& [candidate, cluster, from, to] = sent[i];
-      const double factor =  // that the ray stands for
-          areaOf(candidate->item) * kernel(to.position - from.position, from.normal, to.normal);
-      ++candidate->visible;
-      candidate->arrived += factor;
-      if (candidate->item >= firstPatch_) continue;
-      const ClusterParts::Place place = clusters_.placeAt(room_, cluster, to.position);
-      candidate->leanU += factor * place.u;
-      candidate->leanV += factor * place.v;
-    }
-    packet.count = 0;
-  };
-
-  // Eight rays go together, of whichever clusters they are.
-  for (const Group& group : faced.groups) {
+void KernelFactors::castShadows(std::uint32_t p, Faced& faced) const {
+  const std::uint64_t seed = mixBits(seed_ ^ (std::uint64_t{p} << 32));
+  ShadowRays rays(*this);
+  for (Group& group : faced.groups) {
     const auto scramble = RaySequence::scramble(mixBits(seed ^ group.cluster));
     // Equal steps from a random first one: no candidate gets a ray more or less than it should.
     const double step = group.rays > 0 ? group.kernel / group.rays : 0;
     double along = step * (scramble[0] ^ scramble[3]) * 0x1p-32;
     std::size_t chosen = group.first;
-    for (std::uint32_t ray = 0; ray < group.rays; ++ray, along += step) {
-      while (chosen + 1 < group.last && along >= faced.candidates[chosen].kernel)
-        along -= faced.candidates[chosen++].kernel;
-      Candidate& candidate = faced.candidates[chosen];
-      const auto sample = sequence_.point(ray, scramble);
-      const PatchPoint from = sampler.at(sample[2], sample[3]),
-                       to = pointOn(candidate.item, sample[0], sample[1]);
-      const Vec3 origin = from.position + tracer_.offset() * from.normal;
-      ++candidate.asked;
-      sent[packet.count] = {&candidate, group.cluster, from, to};
-      tracer_.aim(packet, origin, to.position + tracer_.offset() * to.normal - origin, 1);
-      if (packet.count == RayPacket::kSize) flush();
+    for (std::uint32_t first = 0; first < group.rays; first += 8) {
+      const auto sample = sequence_.eightPoints(first, scramble);
+      for (std::uint32_t i = 0; i < std::min(group.rays - first, 8u); ++i, along += step) {
+        while (chosen + 1 < group.last && along >= faced.candidates[chosen].kernel)
+          along -= faced.candidates[chosen++].kernel;
+        Candidate& candidate = faced.candidates[chosen];
+        ++candidate.asked;
+        rays.add(candidate, group.cluster, points_.at(firstPatch_ + p, sample[2][i], sample[3][i]),
+                 points_.at(candidate.item, sample[0][i], sample[1][i]));
+      }
     }
   }
-  if (packet.count > 0) flush();
+  rays.flush();
 
   for (Group& group : faced.groups) {
     group.isHidden =
@@ -262,7 +299,7 @@ void KernelFactors::write(const Faced& faced, const Group& group, std::uint32_t 
   }
   if (!(sum > 0)) return;
   row.u[group.cluster] = static_cast<float>(sum);
-  if (group.cluster <= kLastSlope && edgesTo(p, group.cluster) < kFarEdges)
+  if (group.cluster <= kLastSlope && isWithin(kFarEdges, p, group.cluster))
     row.slopes.push_back(
         {static_cast<std::uint16_t>(group.cluster), inSlopeUnits(leanU / sum), inSlopeUnits(leanV / sum)});
 }
@@ -273,7 +310,7 @@ void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSample
   row.slopes.clear();
   row.near.clear();
   Faced faced = facedBy(p, effort, sampler);
-  castShadows(mixBits(seed_ ^ (std::uint64_t{p} << 32)), sampler, faced);
+  castShadows(p, faced);
   for (const Group& group : faced.groups) write(faced, group, p, row);
   row.open = openOf(faced);
 }

@@ -11,7 +11,9 @@
 
 #include "core/transport/form_factors.h"
 #include "precompute/light/cluster_parts.h"
+#include "precompute/light/part_kernels.h"
 #include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/patch_sets.h"
 #include "precompute/rays/places.h"
 #include "precompute/rays/ray_sequence.h"
 #include "precompute/rays/ray_tracer.h"
@@ -46,13 +48,13 @@ class KernelFactors {
  private:
   static constexpr std::uint32_t kGauss = 4;  // points of a patch for the kernel
 
-  struct Candidate {              // a part or a patch that faces the row
-    std::uint32_t item;           // part, or firstPatch_ + patch
-    double kernel;                // form factor if nothing is between
-    std::uint32_t asked = 0;      // shadow rays
-    std::uint32_t visible = 0;    // of these arrived
-    double arrived = 0;           // sum of the form factors that these stand for
-    double leanU = 0, leanV = 0;  // of these, times where in the cluster they come from
+  struct Candidate {             // a part or a patch that faces the row
+    std::uint32_t item;          // part, or firstPatch_ + patch
+    float kernel;                // form factor if nothing is between
+    std::uint32_t asked = 0;     // shadow rays
+    std::uint32_t visible = 0;   // of these arrived
+    float arrived = 0;           // sum of the form factors that these stand for
+    float leanU = 0, leanV = 0;  // of these, times where in the cluster they come from
   };
   struct Group {  // what of one cluster faces the row
     std::uint32_t cluster;
@@ -61,29 +63,30 @@ class KernelFactors {
     std::uint32_t rays = 0;   // to them; 0 where nothing is between
     bool isHidden = false;    // in part
   };
+  class ShadowRays;
   struct Faced {
     std::vector<Candidate> candidates;
     std::vector<Group> groups;
   };
 
   Between between(std::uint32_t p, std::uint32_t cluster) const;
-  void addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points, std::uint32_t c,
+  void addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points,
+                     const std::vector<float>& ofParts, std::uint32_t c,
                      std::vector<Candidate>& candidates) const;
   std::uint32_t raysTo(const Group& group, std::uint32_t effort) const;
   Faced facedBy(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler) const;
-  void castShadows(std::uint64_t seed, const PatchSampler& sampler, Faced& faced) const;
+  void castShadows(std::uint32_t p, Faced& faced) const;
   static double factorOf(const Candidate& candidate, const Group& group);
   void write(const Faced& faced, const Group& group, std::uint32_t p, Row& row) const;
   float openOf(const Faced& faced) const;
 
-  /// Distance of a row from a cluster, in edges of both.
-  double edgesTo(std::uint32_t p, std::uint32_t cluster) const;
+  /// Whether a row is nearer to a cluster than this, in edges of both.
+  bool isWithin(double edges, std::uint32_t p, std::uint32_t cluster) const;
   /// Of two patches, in edges of both.
   bool areWithin(double edges, std::uint32_t p, std::uint32_t q) const;
   double areaOf(std::uint32_t item) const {
     return item < firstPatch_ ? clusters_.parts()[item].area : room_.patches.area[item - firstPatch_];
   }
-  PatchPoint pointOn(std::uint32_t item, double u, double v) const;
 
   const Room& room_;
   const RayTracer& tracer_;
@@ -91,11 +94,13 @@ class KernelFactors {
   double ofRay_;
   RaySequence sequence_;
   ClusterParts clusters_;
-  std::vector<double> brightness_;                     // k, that may be, relative to the mean
-  BetweenPlaces between_;                              // clusters
+  std::vector<double> brightness_;  // k, that may be, relative to the mean
+  BetweenPlaces between_;           // clusters
+  PartKernels partKernels_;
+  PatchSets points_;                                   // items, then receivers
   std::uint32_t firstPatch_;                           // items: parts, from here on patches
+  std::vector<double> edge_;                           // rows, m: of a square as large
   std::vector<double> patchReach_;                     // rows, m: squareReach of patches
-  std::vector<PatchSampler> samplers_;                 // n
   std::vector<std::array<PatchPoint, kGauss>> gauss_;  // n, points for the kernel
 };
 

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "precompute/rays/ray_tracer.h"
 
@@ -31,7 +32,7 @@ void Blockers::add(const Quads& quads, std::uint32_t lane, float slack) {
   }
 }
 
-void Blockers::occluded(const RayPacket& rays, bool* blocked) const {
+void Blockers::occluded(const RayPacket& rays, bool* blocked) {
   const Float8 ox = load8(rays.originX), oy = load8(rays.originY), oz = load8(rays.originZ),
                dx = load8(rays.directionX), dy = load8(rays.directionY), dz = load8(rays.directionZ),
                reach = load8(rays.reach);
@@ -47,6 +48,7 @@ void Blockers::occluded(const RayPacket& rays, bool* blocked) const {
     const Float8 x = ox + at * dx, y = oy + at * dy, z = oz + at * dz;
     for (const auto& edge : blocker.edge) met &= x * edge[0] + y * edge[1] + z * edge[2] >= all8(edge[3]);
     stopped |= bitsOf(met) & all;
+    if (b > 0 && stopped == all) std::swap(blockers_[0], blockers_[b]);
   }
   for (std::uint32_t i = 0; i < rays.count; ++i) blocked[i] = (stopped >> i & 1) != 0;
 }

@@ -22,7 +22,8 @@ class Blockers {
   void add(const Quads& quads, std::uint32_t lane, float slack);
 
   /// blocked[i]: one of them crosses ray i, which must go from the one place to the other.
-  void occluded(const RayPacket& rays, bool* blocked) const;
+  /// note: what stops all of them comes first for the next, which go nearly the same way.
+  void occluded(const RayPacket& rays, bool* blocked);
 
  private:
   struct Blocker {

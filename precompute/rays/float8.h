@@ -16,8 +16,12 @@ namespace fiatlux {
 using Float8 = float __attribute__((vector_size(32)));
 using Mask8 = std::int32_t __attribute__((vector_size(32)));  // -1 where true, as comparisons give it
 
+using Bits8 = std::uint32_t __attribute__((vector_size(32)));
+
 /// `from`: eight floats, aligned to 32 bytes.
 inline Float8 load8(const float* from) { return *reinterpret_cast<const Float8*>(from); }
+
+inline Bits8 loadBits8(const std::uint32_t* from) { return *reinterpret_cast<const Bits8*>(from); }
 
 inline Float8 all8(float value) { return Float8{} + value; }
 

@@ -32,6 +32,8 @@ class PatchSampler {
 
   /// Whether it is a whole cell: then quadrature(2) is Gauss's.
   bool isFullCell() const { return fullCell_; }
+  /// Its triangles that have area.
+  const AreaSampler& fragments() const { return fragments_; }
 
   /// edge x edge points whose weights sum to 1: of Gauss-Legendre on full cells where edge is 2 or 4, of
   /// equal strata elsewhere.

@@ -122,6 +122,7 @@ Between RayTracer::between(const Place& from, const Place& to, Blockers& found) 
   return parts_->blockers.between(from, to, found);
 }
 
+const Vec3& RayTracer::center() const { return parts_->center; }
 double RayTracer::offset() const { return parts_->offset; }
 
 }  // namespace fiatlux

@@ -69,6 +69,8 @@ class RayTracer {
   /// that.
   Between between(const Place& from, const Place& to, Blockers& found) const;
 
+  /// m, world coordinates: what those of a packet are told from.
+  const Vec3& center() const;
   /// How far off a surface rays should start, m: beyond the rounding of coordinates, far below any detail.
   double offset() const;
 

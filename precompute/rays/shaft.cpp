@@ -38,6 +38,7 @@ Shaft::Shaft(const Place& from, const Place& to, float touch) : touch_(touch) {
     low_[axis] = leastOf(corner_[axis]) + touch;
     high_[axis] = mostOf(corner_[axis]) - touch;
   }
+  diagonal_ = std::hypot(high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]);
   addSides(0, 4);
   addSides(4, 0);
 }
@@ -135,27 +136,29 @@ bool Shaft::isCutBy(const Quads& quads, std::uint32_t lane) const {
   const unsigned above = bitsOf(over > all8(touch_)), below = bitsOf(over < all8(-touch_));
   const bool down = above == 0x0f && below == 0xf0;
   if (!down && !(above == 0xf0 && below == 0x0f)) return false;
-  const float diagonal = std::hypot(high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]);
   const std::uint32_t a = down ? 0 : 4, b = 4 - a;  // lanes above and below
-  Float8 end[3];                                    // below, twice
-  for (int axis = 0; axis < 3; ++axis)
-    for (std::uint32_t i = 0; i < 8; ++i) end[axis][i] = corner_[axis][b + i % 4];
+  Float8 start[2][3], ray[2][3];                    // from two corners above to the four below
+  for (std::uint32_t pair = 0; pair < 2; ++pair)
+    for (int axis = 0; axis < 3; ++axis) {
+      const Float8& corner = corner_[axis];
+      const float one = corner[a + 2 * pair], two = corner[a + 2 * pair + 1];
+      start[pair][axis] = Float8{one, one, one, one, two, two, two, two};
+      const Float8 end{corner[b], corner[b + 1], corner[b + 2], corner[b + 3],
+                       corner[b], corner[b + 1], corner[b + 2], corner[b + 3]};
+      ray[pair][axis] = end - start[pair][axis];
+    }
   for (int side = 0; side < 4; ++side) {
     const auto& one = quads.corner[side];
     const auto& two = quads.corner[(side + 1) % 4];
     const float ex = two[0][lane] - one[0][lane], ey = two[1][lane] - one[1][lane],
                 ez = two[2][lane] - one[2][lane];
-    const Float8 margin = all8(touch_ * std::sqrt(ex * ex + ey * ey + ez * ez) * diagonal);
-    for (std::uint32_t pair = 0; pair < 4; pair += 2) {
-      Float8 from[3], ray[3];  // the corner from its start; the rays
-      for (int axis = 0; axis < 3; ++axis) {
-        Float8 start;
-        for (std::uint32_t i = 0; i < 8; ++i) start[i] = corner_[axis][a + pair + i / 4];
-        from[axis] = all8(one[axis][lane]) - start;
-        ray[axis] = end[axis] - start;
-      }
-      const Float8 volume = (from[1] * ez - from[2] * ey) * ray[0] + (from[2] * ex - from[0] * ez) * ray[1] +
-                            (from[0] * ey - from[1] * ex) * ray[2];
+    const Float8 margin = all8(touch_ * std::sqrt(ex * ex + ey * ey + ez * ez) * diagonal_);
+    for (std::uint32_t pair = 0; pair < 2; ++pair) {
+      Float8 from[3];  // the corner from its start
+      for (int axis = 0; axis < 3; ++axis) from[axis] = all8(one[axis][lane]) - start[pair][axis];
+      const Float8 volume = (from[1] * ez - from[2] * ey) * ray[pair][0] +
+                            (from[2] * ex - from[0] * ez) * ray[pair][1] +
+                            (from[0] * ey - from[1] * ex) * ray[pair][2];
       if (bitsOf(volume <= margin) != 0xff) return false;
     }
   }

@@ -51,6 +51,7 @@ class Shaft {
   Float8 corner_[3];  // axis; lanes 0 to 3 of the first place, then those of the other
   float touch_;
   float low_[3], high_[3];
+  float diagonal_;
   Plane planes_[kMostPlanes];
   std::uint32_t count_ = 0;
 };

@@ -1,5 +1,5 @@
-// Points and directions that rays start with (ray_sequence, area_sampler, patch_sampler, hemisphere), and how
-// many (effort).
+// Points and directions that rays start with (ray_sequence, area_sampler, patch_sampler, patch_sets,
+// hemisphere), and how many (effort).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "precompute/rays/effort.h"
 #include "precompute/rays/hemisphere.h"
 #include "precompute/rays/patch_sampler.h"
+#include "precompute/rays/patch_sets.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
@@ -36,6 +37,35 @@ TEST(RaySequence, EveryScrambleFillsTheSquareEvenlyInEachPairOfDimensions) {
   }
   EXPECT_NE(sequence.point(0, RaySequence::scramble(1)), sequence.point(0, RaySequence::scramble(2)));
   EXPECT_EQ(sequence.point(9, RaySequence::scramble(3)), sequence.point(9, RaySequence::scramble(3)));
+}
+
+TEST(RaySequence, EightPointsAtOnceAreThose) {
+  const RaySequence sequence(40);
+  const auto scramble = RaySequence::scramble(5);
+  const auto together = sequence.eightPoints(16, scramble);
+  constexpr std::uint32_t kAny[8]{3, 39, 0, 7, 7, 20, 11, 16};
+  const auto pairs = sequence.eightPairs(kAny, scramble);
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    for (std::uint32_t d = 0; d < 4; ++d) {
+      EXPECT_NEAR(together[d][i], sequence.point(16 + i, scramble)[d], 0x1p-24);
+      EXPECT_LT(together[d][i], 1);
+    }
+    for (std::uint32_t d = 0; d < 2; ++d)
+      EXPECT_NEAR(pairs[d][i], sequence.point(kAny[i], scramble)[d], 0x1p-24);
+  }
+}
+
+TEST(Hemisphere, EightDirectionsAtOnceAreThose) {
+  const Frame axes({0, 0, 1});
+  const Float8 u{0.0f, 0.5f, 0.75f, 0.1f, 0.9f, 0.5f, 0.25f, 0.999f},
+      v{0.0f, 0.5f, 0.2f, 0.8f, 0.9f, 0.01f, 0.25f, 0.5f};
+  const EightDirections together = cosineDirections(u, v);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 one = cosineDirection(axes, u[i], v[i]);
+    EXPECT_NEAR(dot(one, axes.x), together.x[i], 1e-6) << i;
+    EXPECT_NEAR(dot(one, axes.y), together.y[i], 1e-6) << i;
+    EXPECT_NEAR(one.z, together.z[i], 4e-4) << i;  // at the horizon the root of a rounding
+  }
 }
 
 TEST(Hemisphere, DirectionsFollowTheCosine) {
@@ -112,6 +142,58 @@ TEST(PatchSampler, QuadratureIsExactOnWholeCellsAndItsWeightsSumToOne) {
     }
     EXPECT_NEAR(weight, 1, 1e-12);
   }
+}
+
+/// Two whole cells side by side, the lower triangle of a third, and a patch without area.
+Room fourPatches() {
+  Room room = onePatch(true);
+  const auto add = [&](std::vector<Fragment> fragments, double area, const Vec3& center) {
+    room.fragments.insert(room.fragments.end(), fragments.begin(), fragments.end());
+    room.fragmentOffset.push_back(static_cast<std::uint32_t>(room.fragments.size()));
+    room.chartOfPatch.push_back(0);
+    room.patches.area.push_back(area);
+    room.patches.center.push_back(center);
+    room.patches.normal.push_back({0, 1, 0});
+    ++room.patches.count;
+  };
+  const Vec3 a{0.5, 0, 0}, b{1, 0, 0}, c{1, 0, -0.25}, d{0.5, 0, -0.25}, right{0.5, 0, 0};
+  add({{{a, b, c}}, {{a, c, d}}}, 0.125, 0.5 * (a + c));
+  add({{{a + right, b + right, c + right}}}, 0.0625, (1.0 / 3) * (a + b + c) + right);
+  add({{{a, a, c}}}, 1e-9, a);
+  return room;
+}
+
+TEST(PatchSets, PointsLieOnTheirPatchesByArea) {
+  const Room room = fourPatches();
+  const Vec3 center{2, 3, 4};
+  PatchSets sets(room, center);
+  const std::uint32_t cells[]{0, 1}, mixed[]{0, 2}, thin[]{3};
+  sets.add(cells);
+  sets.add(mixed);
+  sets.add(thin);
+  int onTriangle = 0;
+  constexpr int kEdge = 30;
+  for (int i = 0; i < kEdge; ++i)
+    for (int j = 0; j < kEdge; ++j) {
+      const float u = (i + 0.5f) / kEdge, v = (j + 0.5f) / kEdge;
+      const auto [on, normal] = sets.at(0, u, v);
+      EXPECT_NEAR(on[0] + center.x, u, 1e-6);  // one rectangle of 1 x 0.25 m
+      EXPECT_NEAR(on[1] + center.y, 0, 1e-6);
+      EXPECT_NEAR(on[2] + center.z, -0.25 * v, 1e-6);
+      EXPECT_EQ(normal[1], 1);
+      const auto [other, ignored] = sets.at(1, u, v);
+      const double x = other[0] + center.x, z = other[2] + center.z;
+      if (x > 0.75) {
+        ++onTriangle;
+        EXPECT_GE((x - 1) * 0.5 + z, -1e-6);  // below the diagonal
+      } else {
+        EXPECT_LE(x, 0.5 + 1e-6);
+      }
+    }
+  EXPECT_EQ(onTriangle, kEdge * kEdge / 3);
+  const auto [alone, upwards] = sets.at(2, 0.3f, 0.7f);
+  EXPECT_NEAR(alone[0] + center.x, 0.5, 1e-6);
+  EXPECT_EQ(upwards[1], 1);
 }
 
 TEST(Effort, SmallSurfacesGetMoreButAllTogetherAtMostTwice) {

@@ -1,0 +1,76 @@
+// Points on sets of patches, uniform by area. Rays go to another set every time, so all that tells where its
+// points are lies in one row of memory.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "precompute/rays/patch_sampler.h"
+#include "precompute/room/room.h"
+
+namespace fiatlux {
+
+class PatchSets {
+ public:
+  /// In single precision, m, from `center`: as the tracer's packets have them.
+  struct Point {
+    float position[3], normal[3];
+  };
+
+  PatchSets(const Room& room, const Vec3& center);
+
+  /// The next set, of patches of one chart; they must not be none.
+  void add(std::span<const std::uint32_t> patches);
+
+  /// For (u, v) in [0, 1)^2; stratified where these are, on a rectangle of full cells that is one square.
+  Point at(std::uint32_t set, float u, float v) const;
+
+ private:
+  /// A triangle by a corner and the edges from there, or a parallelogram.
+  struct alignas(64) Piece {
+    float corner[3], first[3], second[3], normal[3];  // m; unit
+    float before = 0, perShare = 0;                   // of the set's area; 1 over the share
+    bool isTriangle = false;
+  };
+
+  bool addRectangle(std::span<const std::uint32_t> patches);
+  void addPatch(std::uint32_t patch, double before, double share);
+  void addPiece(const Vec3& corner, const Vec3& first, const Vec3& second, const Vec3& normal, double before,
+                double share, bool isTriangle);
+
+  const Room& room_;
+  Vec3 center_;                              // m
+  std::vector<Piece> pieces_;                // by set
+  std::vector<std::uint32_t> firstOf_{{0}};  // sets + 1
+};
+
+inline PatchSets::Point PatchSets::at(std::uint32_t set, float u, float v) const {
+  const Piece* piece = &pieces_[firstOf_[set]];
+  const Piece* const end = pieces_.data() + firstOf_[set + 1];
+  if (end - piece > 8) {
+    piece = std::upper_bound(piece + 1, end, u,
+                             [](float value, const Piece& each) { return value < each.before; }) -
+            1;
+  } else {
+    std::ptrdiff_t past = 0;
+    for (const Piece* each = piece + 1; each < end; ++each) past += u >= each->before;
+    piece += past;
+  }
+  float along = std::clamp((u - piece->before) * piece->perShare, 0.0f, 1.0f), across = v;
+  if (piece->isTriangle) {
+    const float root = std::sqrt(along);
+    along = root * (1 - v);
+    across = root * v;
+  }
+  Point point;
+  for (int axis = 0; axis < 3; ++axis) {
+    point.position[axis] = piece->corner[axis] + along * piece->first[axis] + across * piece->second[axis];
+    point.normal[axis] = piece->normal[axis];
+  }
+  return point;
+}
+
+}  // namespace fiatlux
