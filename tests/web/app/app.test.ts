@@ -505,9 +505,23 @@ async function opened(opening: Promise<unknown>): Promise<void> {
   settle();
 }
 
-describe('the first room of a visit', () => {
+/** For the tests of a describe: the list of rooms is looked at again from time to time. */
+function fakeTimers(): void {
   beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
   afterEach(() => void jest.useRealTimers());
+}
+
+/** The hash of a link to a room of the site, which has no other. */
+async function hashOf(id: string, title: string, file: string): Promise<string> {
+  host.catalog = { rooms: [{ id, title, file }] };
+  globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
+  await app.rooms.load();
+  await opened(app.opening.entry(id));
+  return app.keeping.link().address.split('/').at(-1)!;
+}
+
+describe('the first room of a visit', () => {
+  fakeTimers();
 
   test('opens with what the list asks of it', async () => {
     app.store.scene.value = null; // as on the first screen
@@ -539,11 +553,7 @@ describe('the first room of a visit', () => {
   });
 
   test('a link that waits for the list of rooms does not close what a person opened meanwhile', async () => {
-    host.catalog = { rooms: [{ id: 'box', title: 'Box', file: 'box.flux' }] };
-    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
-    await app.rooms.load();
-    await opened(app.opening.entry('box'));
-    const hash = app.keeping.link().address.split('/').at(-1)!;
+    const hash = await hashOf('box', 'Box', 'box.flux');
     app = newApp();
     const starting = app.opening.start(hash, async () => null);
     app.opening.make(null);
@@ -566,8 +576,7 @@ describe('the first room of a visit', () => {
 });
 
 describe('rooms of the site', () => {
-  beforeEach(() => void jest.useFakeTimers({ doNotFake: ['setImmediate', 'performance'] }));
-  afterEach(() => void jest.useRealTimers());
+  fakeTimers();
 
   test('an experiment finds out first what its bounds are shares of', async () => {
     const bound = { min: { illuminate: 0.5 } };
@@ -613,11 +622,7 @@ describe('rooms of the site', () => {
   });
 
   test("a room of the site's owner opens by a link, too", async () => {
-    host.catalog = { rooms: [{ id: 'attic', title: 'Attic', file: 'My_attic.v2.flux' }] };
-    globalThis.location = { href: 'https://example.test/sub/', hash: '' } as Location;
-    await app.rooms.load();
-    await opened(app.opening.entry('attic'));
-    const hash = app.keeping.link().address.split('/').at(-1)!;
+    const hash = await hashOf('attic', 'Attic', 'My_attic.v2.flux');
     await opened(app.opening.link(hash));
     expect(app.store.roomTitle.value).toBe('Attic');
     expect(app.store.document.value.room).toBe('My_attic.v2');

@@ -45,6 +45,9 @@ const everything = `.flux,.glb,.gltf,.bin,.mtl,${ofPrograms},.ifczip,.stf,.json,
 
 const deskHeight = 0.75; // m
 
+/** Of the list of rooms. Overtaken: a person opened something meanwhile, which what waited for the list must not close. */
+type Found = 'found' | 'missing' | 'overtaken';
+
 export class Opening {
   readonly #store: Store;
   readonly #solving: Solving;
@@ -236,12 +239,11 @@ export class Opening {
   }
 
   /**
-   * Waits for the list of rooms; where there is none to be had, one sentence offers to try again. Overtaken: a person opened
-   * something meanwhile, which what waited must not close.
+   * Waits for the list of rooms; where there is none to be had, one sentence offers to try again.
    */
-  async #findRooms(again: () => void): Promise<'found' | 'missing' | 'overtaken'> {
+  async #findRooms(again: () => void): Promise<Found> {
     if (this.#rooms.isThere) return 'found';
-    let found: 'found' | 'missing' | 'overtaken' = 'missing';
+    let found: Found = 'missing';
     await this.#placing.attempt(words.value.opening.lookingForRooms, async (isCurrent) => {
       if (await this.#rooms.load()) found = 'found';
       if (!isCurrent()) found = 'overtaken';
