@@ -1,6 +1,7 @@
 // Points and directions in metres, y up, right-handed, as in glTF.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 namespace fiatlux {
@@ -24,6 +25,10 @@ inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 inline Vec3 normalized(const Vec3& a) {
   const double l = length(a);
   return l > 0 ? (1 / l) * a : a;
+}
+/// In single precision.
+inline std::array<float, 3> inFloats(const Vec3& a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
 }  // namespace fiatlux

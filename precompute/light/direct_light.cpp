@@ -113,13 +113,9 @@ const RaySequence& placesOnSources() {
   return sequence;
 }
 
-void put(const Vec3& from, float* to) {
-  to[0] = static_cast<float>(from.x), to[1] = static_cast<float>(from.y), to[2] = static_cast<float>(from.z);
-}
-
 /// How shadow rays go to a source from each point of a patch; one alone to a point source.
 struct Probe {
-  std::uint32_t rays;  // 1, 2, 4, 8, ... are spread evenly, those of a point and those of neighbours together
+  std::uint32_t rays;   // multiples of 4 are spread evenly, those of a point and those of neighbours together
   std::uint32_t split;  // light is told by split x split parts of the source
 };
 
@@ -129,12 +125,13 @@ class Shadow {
   /// Rays end on the source, or `lower` m before it. `blockers`: all that may stand there, where that is
   /// known.
   Shadow(const RayTracer& tracer, const Emission& source, Blockers* blockers, Probe probe, double lower = 0)
-      : tracer_(tracer), source_(source), blockers_(blockers), probe_(probe) {
-    if (source.isPoint()) probe_ = {1, 1};
-    put(source.startAt(0, 0) + lower * source.normal() - tracer.center(), corner_);
-    put(source.startAt(1, 0) - source.startAt(0, 0), along_);
-    put(source.startAt(0, 1) - source.startAt(0, 0), across_);
-  }
+      : tracer_(tracer),
+        source_(source),
+        blockers_(blockers),
+        probe_(source.isPoint() ? Probe{1, 1} : probe),
+        corner_(inFloats(source.startAt(0, 0) + lower * source.normal() - tracer.center())),
+        along_(inFloats(source.startAt(1, 0) - source.startAt(0, 0))),
+        across_(inFloats(source.startAt(0, 1) - source.startAt(0, 0))) {}
 
   /// The first `rays` from each point that faces the source; no further than it takes to see that the verdict
   /// is 0.
@@ -186,11 +183,10 @@ class Shadow {
  private:
   /// Rays `first` to before `last` of point i.
   void castFrom(const PatchPoint& point, std::uint32_t i, std::uint32_t first, std::uint32_t last) {
-    float origin[3];
-    put(point.position + tracer_.offset() * point.normal - tracer_.center(), origin);
+    const auto [x, y, z] = inFloats(point.position + tracer_.offset() * point.normal - tracer_.center());
     for (std::uint32_t ray = first; ray < last; ++ray) {
       const std::uint32_t lane = rays_.count++;
-      rays_.originX[lane] = origin[0], rays_.originY[lane] = origin[1], rays_.originZ[lane] = origin[2];
+      rays_.originX[lane] = x, rays_.originY[lane] = y, rays_.originZ[lane] = z;
       rays_.reach[lane] = 1;
       index_[lane] = i * probe_.rays + ray;
       if (rays_.count == RayPacket::kSize) flush();
@@ -232,7 +228,7 @@ class Shadow {
   const Emission& source_;
   Blockers* blockers_;
   Probe probe_;
-  float corner_[3], along_[3], across_[3];  // m, of where rays end, from the tracer's centre
+  std::array<float, 3> corner_, along_, across_;  // m, of where rays end, from the tracer's centre
   std::uint64_t seed_ = 0;
   std::uint32_t begunPoints_ = 0, begunRays_ = 0;
   std::size_t cast_ = 0, blocked_ = 0;

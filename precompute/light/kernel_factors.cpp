@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 
 #include "precompute/light/brightest.h"
+#include "precompute/light/kernel.h"
 #include "precompute/rays/effort.h"
-#include "precompute/rays/float8.h"
 #include "precompute/rays/ray_sequence.h"
 
 namespace fiatlux {
@@ -28,15 +27,6 @@ constexpr std::uint32_t kLastSlope = std::numeric_limits<std::uint16_t>::max();
 
 std::int8_t inSlopeUnits(double slope) {
   return static_cast<std::int8_t>(std::lround(kSlopeUnit * std::clamp(slope, -1.0, 1.0)));
-}
-
-/// Power that a small piece of surface at one end of d, from `leaving` to `arriving`, sends to a unit of area
-/// at the other: cos cos / (pi r^2), 0 where they face away.
-double kernel(const Vec3& d, const Vec3& leaving, const Vec3& arriving) {
-  const double out = dot(d, leaving), in = -dot(d, arriving);
-  if (out <= 0 || in <= 0) return 0;
-  const double squared = dot(d, d);
-  return out * in / (std::numbers::pi * squared * squared);
 }
 
 /// How many times as many rays a row of some effort gets: surfaces of few patches average over little.
@@ -194,13 +184,12 @@ class KernelFactors::ShadowRays {
  private:
   /// Of a unit of area.
   Float8 kernels() const {
-    const Float8 x = load8(rays_.directionX) + offset_ * (load8(from_[0]) - load8(to_[0])),
-                 y = load8(rays_.directionY) + offset_ * (load8(from_[1]) - load8(to_[1])),
-                 z = load8(rays_.directionZ) + offset_ * (load8(from_[2]) - load8(to_[2]));
-    const Float8 out = x * load8(from_[0]) + y * load8(from_[1]) + z * load8(from_[2]),
-                 in = -(x * load8(to_[0]) + y * load8(to_[1]) + z * load8(to_[2])),
-                 squared = x * x + y * y + z * z;
-    return max8(out, all8(0)) * max8(in, all8(0)) / (std::numbers::pi_v<float> * squared * squared);
+    const EightVectors leaving{load8(from_[0]), load8(from_[1]), load8(from_[2])},
+        arriving{load8(to_[0]), load8(to_[1]), load8(to_[2])};
+    const EightVectors d{load8(rays_.directionX) + offset_ * (leaving.x - arriving.x),
+                         load8(rays_.directionY) + offset_ * (leaving.y - arriving.y),
+                         load8(rays_.directionZ) + offset_ * (leaving.z - arriving.z)};
+    return eightKernels(d, leaving, arriving);
   }
 
   void arrive(std::uint32_t i, float kernel) {

@@ -16,7 +16,7 @@ class PartKernels {
   void at(const Vec3& position, const Vec3& normal, std::vector<float>& kernels) const;
 
  private:
-  enum Column { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kArea, kColumns };  // m, from base_; m2 / pi
+  enum Column { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kArea, kColumns };  // m, from base_; m2
   struct alignas(32) Eight {
     float value[kColumns][8];
   };

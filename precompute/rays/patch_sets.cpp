@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace fiatlux {
 namespace {
@@ -72,19 +71,8 @@ void PatchSets::addPatch(std::uint32_t patch, double before, double share) {
 
 void PatchSets::addPiece(const Vec3& corner, const Vec3& first, const Vec3& second, const Vec3& normal,
                          double before, double share, bool isTriangle) {
-  Piece piece;
-  const auto put = [](const Vec3& from, float* to) {
-    to[0] = static_cast<float>(from.x), to[1] = static_cast<float>(from.y),
-    to[2] = static_cast<float>(from.z);
-  };
-  put(corner - center_, piece.corner);
-  put(first, piece.first);
-  put(second, piece.second);
-  put(normal, piece.normal);
-  piece.before = static_cast<float>(before);
-  piece.perShare = static_cast<float>(1 / std::max(share, 1e-12));
-  piece.isTriangle = isTriangle;
-  pieces_.push_back(piece);
+  pieces_.push_back({inFloats(corner - center_), inFloats(first), inFloats(second), inFloats(normal),
+                     static_cast<float>(before), static_cast<float>(1 / std::max(share, 1e-12)), isTriangle});
 }
 
 }  // namespace fiatlux

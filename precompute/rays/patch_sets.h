@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -17,7 +18,7 @@ class PatchSets {
  public:
   /// In single precision, m, from `center`: as the tracer's packets have them.
   struct Point {
-    float position[3], normal[3];
+    std::array<float, 3> position, normal;
   };
 
   PatchSets(const Room& room, const Vec3& center);
@@ -31,9 +32,9 @@ class PatchSets {
  private:
   /// A triangle by a corner and the edges from there, or a parallelogram.
   struct alignas(64) Piece {
-    float corner[3], first[3], second[3], normal[3];  // m; unit
-    float before = 0, perShare = 0;                   // of the set's area; 1 over the share
-    bool isTriangle = false;
+    std::array<float, 3> corner, first, second, normal;  // m; unit
+    float before, perShare;                              // of the set's area; 1 over the share
+    bool isTriangle;
   };
 
   bool addRectangle(std::span<const std::uint32_t> patches);
@@ -65,10 +66,9 @@ inline PatchSets::Point PatchSets::at(std::uint32_t set, float u, float v) const
     along = root * (1 - v);
     across = root * v;
   }
-  Point point;
+  Point point{{}, piece->normal};
   for (int axis = 0; axis < 3; ++axis) {
     point.position[axis] = piece->corner[axis] + along * piece->first[axis] + across * piece->second[axis];
-    point.normal[axis] = piece->normal[axis];
   }
   return point;
 }

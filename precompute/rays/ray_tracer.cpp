@@ -47,10 +47,7 @@ Result<RayTracer> RayTracer::build(std::span<const Vec3> positions, std::span<co
   const Vec3 center = bounds.empty() ? Vec3{} : 0.5 * (bounds.low + bounds.high);
   std::vector<Geometry::Position> local;
   local.reserve(positions.size());
-  for (const Vec3& p : positions) {
-    const Vec3 d = p - center;
-    local.push_back({static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
-  }
+  for (const Vec3& p : positions) local.push_back(inFloats(p - center));
   Result<Geometry> geometry = Geometry::build(local, triangles);
   if (!geometry) return geometry.error();
   const double diagonal = bounds.diagonal();
