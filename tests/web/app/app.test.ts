@@ -552,6 +552,23 @@ describe('the first room of a visit', () => {
     expect(app.store.roomTitle.value).toBe('Open office');
   });
 
+  test('is that of the last work, too, where a room maker was opened and closed before the list of rooms came', async () => {
+    await app.rooms.load();
+    await opened(app.opening.entry('box'));
+    app.addCard('illuminate', ['wall']);
+    const work = { project: app.keeping.project(), past: [], future: [] };
+    app = newApp();
+    const starting = app.opening.start('', async () => work);
+    await turn();
+    app.opening.make(null);
+    await app.opening.showMaking('6 × 4 m', new ArrayBuffer(4), true);
+    await opened(starting);
+    await opened(app.opening.endMaking());
+    expect(app.store.roomTitle.value).toBe('Box');
+    expect(app.store.document.value.cards.at(-1)).toMatchObject({ surfaces: ['wall'] });
+    expect(app.store.preview.value).toBeNull();
+  });
+
   test('a link that waits for the list of rooms does not close what a person opened meanwhile', async () => {
     const hash = await hashOf('box', 'Box', 'box.flux');
     app = newApp();
@@ -560,6 +577,8 @@ describe('the first room of a visit', () => {
     await opened(starting);
     expect(app.store.making.value).not.toBeNull();
     expect(app.store.scene.value).toBeNull();
+    await opened(app.opening.endMaking());
+    expect(app.store.roomTitle.value).toBe('Box');
   });
 
   test('without the list of rooms one sentence offers to try again', async () => {

@@ -59,6 +59,7 @@ export class Opening {
   readonly #own: OwnRooms;
   readonly #types: LuminaireTypes;
   readonly lighting: Lighting;
+  #openAtFirst: () => Promise<void> = () => this.#openFirst(); // what the visit began with
 
   constructor(
     store: Store,
@@ -93,11 +94,18 @@ export class Opening {
     wished: string | null = null,
   ): Promise<void> {
     if (isFirstVisit(hash)) this.#viewer.arrive();
+    let last: Promise<Work | null> | null = null;
+    const once = () => (last ??= lastWork()); // what a reload has left is there for the first who asks
+    this.#openAtFirst = () => this.#openAsked(hash, once, wished);
+    await this.#openAtFirst();
+  }
+
+  async #openAsked(hash: string, lastWork: () => Promise<Work | null>, wished: string | null): Promise<void> {
     if (hash.length > 1 && (await this.link(hash))) return;
     const last = await lastWork();
     if (this.#isTaken()) return;
     if (last && (await this.#openOwnWork(last))) return;
-    const again = () => void this.start(hash, async () => last, wished);
+    const again = () => void this.#openAsked(hash, lastWork, wished);
     if ((await this.#findRooms(again)) !== 'found' || this.#isTaken()) return;
     if (last && this.#rooms.has(last.project.document.room) && (await this.#openWork(last))) return;
     await this.#openFirst(wished);
@@ -215,14 +223,17 @@ export class Opening {
     await this.endPreview();
   }
 
-  /** Leaves the preview of a model, and computes its light no further: the room that was open is shown again. */
+  /**
+   * Leaves the preview of a model, and computes its light no further: the room that was open is shown again, or, where the
+   * preview was faster than any, what the visit began with.
+   */
   async endPreview(): Promise<void> {
     this.lighting.cancel();
     this.lighting.closeSheet();
     const isBack = await this.#placing.restore();
     if (isBack || this.#store.scene.peek() !== null) return;
-    const again = () => void this.endPreview();
-    if ((await this.#findRooms(again)) === 'found') await this.#openFirst();
+    this.#store.preview.value = null;
+    await this.#openAtFirst();
   }
 
   /** Whether something is on the screen, or on its way there: a person was faster than what the page wanted to show. */
