@@ -274,7 +274,7 @@ export class SolverClient {
           const said = words.value.opening.solver;
           const why = error instanceof WorkerEnded ? stopped(error.message) : said.lost;
           const message = said.notArrived(why);
-          this.#take({ type: 'failed', revision, message, fatal: false });
+          this.#tell({ type: 'failed', revision, message, fatal: false });
         },
       );
       return;
@@ -323,6 +323,10 @@ export class SolverClient {
     if (message.type === 'gained') return this.#gained(message);
     if (message.type === 'fitted') return this.#fitted(message);
     if (message.type !== 'ready' && message.type !== 'room') this.#deaths = 0;
+    this.#tell(message);
+  }
+
+  #tell(message: FromWorker): void {
     if (this.#isCurrent(message)) this.#receive(message);
   }
 

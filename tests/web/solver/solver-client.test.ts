@@ -211,6 +211,18 @@ describe('a worker that dies', () => {
     ]);
   });
 
+  test('again and again is said where the room had not all arrived, too: that it is lost is no answer of a worker', async () => {
+    const arriving = Promise.reject(new WorkerEnded('no memory'));
+    const revision = client.open(arriving);
+    worker().answer(opened(revision));
+    for (let i = 0; i < 3; ++i) {
+      worker().die('no memory');
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    expect(workers).toHaveLength(3);
+    expect(received.at(-1)).toMatchObject({ type: 'failed', fatal: true });
+  });
+
   test('is told in its own words, without those of the browser', () => {
     for (let i = 0; i < 3; ++i) worker().die('Uncaught Error: core.wasm does not fit this page');
     const message = 'the solver stopped (core.wasm does not fit this page); reload the page to go on';
