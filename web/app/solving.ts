@@ -292,8 +292,7 @@ export class Solving {
       await this.#open(this.#file);
       this.solve();
     } catch (error) {
-      if (error instanceof Superseded) return;
-      this.#store.say('error', sentence(reasonOf(error)));
+      if (!(error instanceof Superseded)) this.#refuse(reasonOf(error), this.#wayOn());
     }
   }
 
@@ -524,13 +523,11 @@ export class Solving {
     if (fatal && !wasOpening && !this.#file) return;
     if (this.#opening) this.#opening.reject(new Error(message));
     else if (this.#probing) this.#probing.reject(new Error(message));
-    else if (message === this.#lost) this.#sayLost(message);
+    else if (this.#lost !== null && (fatal || message === this.#lost)) this.#sayLost(this.#lost);
     else {
-      const resume = { label: words.value.steps.resume, run: () => void this.resume() };
-      this.#forgetRefusal();
       this.#store.announcement.value = ''; // what was told of the wish before holds no longer
-      this.#refusal = this.#store.say('error', sentence(message), fatal ? resume : this.#wayBack());
-      if (!fatal) void this.#easeAxis(this.#refusal, message);
+      const refusal = this.#refuse(message, fatal ? this.#wayOn() : this.#wayBack());
+      if (!fatal) void this.#easeAxis(refusal, message);
     }
     this.#opening = this.#probing = this.#arrived = null;
     // A file that cannot be opened takes nothing from what is shown.
@@ -539,13 +536,21 @@ export class Solving {
     if (this.#store.alphaRun.peek()?.done === null) this.#store.alphaRun.value = null;
   }
 
-  /** What comes of the room's first part takes this not away: the page has to be loaded again to have the rest. */
+  /**
+   * What comes of the room's first part takes this not away: the page has to be loaded again to have the rest. So it has
+   * where the solver died, too: it would have nothing to resume with.
+   */
   #sayLost(message: string): void {
     const again = { label: words.value.opening.again, run: () => globalThis.location.reload() };
     this.#store.say('error', sentence(message), again);
   }
 
-  /** A refused wish is told once: the next refusal replaces the message, an answer takes it away. */
+  /** A refused wish, or a solver that has ended, is told once: the next refusal replaces the message, an answer takes it away. */
+  #refuse(message: string, action: Message['action']): number {
+    this.#forgetRefusal();
+    return (this.#refusal = this.#store.say('error', sentence(message), action));
+  }
+
   #forgetRefusal(): void {
     if (this.#refusal !== null) this.#store.dismiss(this.#refusal);
     this.#refusal = null;
@@ -561,8 +566,11 @@ export class Solving {
     if (!arrangement || this.#refusal !== refusal) return;
     const ease = (draft: Draft<FiatLuxDocument>) => void (draft.luminaires.arrangement = arrangement);
     const run = () => this.#store.edit(words.value.steps.arrangement, ease, null, { by: 'search' });
-    this.#forgetRefusal();
-    this.#refusal = this.#store.say('error', sentence(message), { label: words.value.steps.easeAxis, run });
+    this.#refuse(message, { label: words.value.steps.easeAxis, run });
+  }
+
+  #wayOn(): Message['action'] {
+    return { label: words.value.steps.resume, run: () => void this.resume() };
   }
 
   /** One click back to what could be solved, where an edit asked for what cannot. */

@@ -6,9 +6,11 @@ import { App } from '../../../web/app/app.ts';
 import { usualChoices } from '../../../web/app/importing/model-choices.ts';
 import { keyOf } from '../../../web/app/keyboard.ts';
 import { Store, type SheetState } from '../../../web/app/state/store.ts';
+import { expectScene } from '../../../web/app/opening/first-scene.ts';
 import { outlineOf } from '../../../web/document/areas.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
 import type { ToWorker } from '../../../web/solver/protocol.ts';
+import { WorkerEnded } from '../../../web/solver/worker-ended.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
 import { FakeSolver, fakeShown } from '../fake-solver.ts';
 import { fakeHost, type FakeHost } from '../fake-host.ts';
@@ -594,6 +596,16 @@ describe('the first room of a visit', () => {
   });
 });
 
+const faults = () => app.store.messages.value.filter(({ kind }) => kind === 'error');
+
+/** The worker dies, and those that take its place, until there is no other try. */
+async function die(): Promise<void> {
+  for (let deaths = 0; deaths < 3; deaths++) {
+    solver.onerror?.({ message: 'gone' } as ErrorEvent);
+    await turn();
+  }
+}
+
 describe('rooms of the site', () => {
   fakeTimers();
 
@@ -640,6 +652,25 @@ describe('rooms of the site', () => {
     expect(app.store.document.value.cards.at(-1)).toMatchObject({ surfaces: ['floor'] });
   });
 
+  test('one that was not all there when the solver died says so once, with what helps', async () => {
+    let lose: (error: Error) => void = () => {};
+    const bytes = new Promise<ArrayBuffer>((_, reject) => (lose = reject));
+    const opens = (revision: number) => {
+      solver.say({ type: 'room', revision, room: new ArrayBuffer(8) });
+      solver.say({ type: 'opened', revision, scene: solver.scene, light: null });
+      return true;
+    };
+    await app.rooms.load();
+    expectScene('box', { begun: Promise.resolve(), bytes, abandon: () => {} });
+    Object.assign(solver, { adopt: (_: unknown, revision: number) => opens(revision) });
+    await opened(app.opening.entry('box'));
+    lose(new WorkerEnded('gone'));
+    await die();
+    expect(faults().map(({ text, action }) => [text, action?.label])).toEqual([
+      ['The room could not be loaded: the solver stopped (gone); try again.', 'Try again'],
+    ]);
+  });
+
   test("a room of the site's owner opens by a link, too", async () => {
     const hash = await hashOf('attic', 'Attic', 'My_attic.v2.flux');
     await opened(app.opening.link(hash));
@@ -666,6 +697,22 @@ describe('when things go wrong', () => {
     solver.flush();
     await turn();
     expect(solver.last('solve')?.start?.sites).toEqual(shown?.layout.sites);
+  });
+
+  test('a solver that dies again when it is resumed is told once, and may be resumed once more', async () => {
+    await die();
+    faults()[0]!.action!.run();
+    await turn();
+    await die();
+    expect(faults().map(({ text, action }) => [text, action?.label])).toEqual([
+      ['The solver stopped (gone); reload the page to go on.', 'Resume'],
+    ]);
+    faults()[0]!.action!.run();
+    for (let i = 0; i < 3; i++) {
+      await turn();
+      settle();
+    }
+    expect(faults()).toEqual([]);
   });
 
   test('files that are nothing are named', async () => {
