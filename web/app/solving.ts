@@ -363,7 +363,8 @@ export class Solving {
     this.#probing?.reject(new Superseded());
     this.#probing = null;
     for (const { dropped } of this.#comparing.splice(0)) dropped();
-    if (this.#store.bound.peek()) this.#store.bound.value = null;
+    const { bound, alphaRun, check } = this.#store;
+    bound.value = alphaRun.value = check.value = null; // they tell of what was asked before
     return this.#intentions();
   }
 
@@ -483,10 +484,10 @@ export class Solving {
     const bound = feasibleBound === null ? null : feasibleBound * factor;
     const told =
       alpha !== null && shown ? words.value.steps.alphaFound(shortest(alpha)) : this.#whyNoAlpha(verdict);
-    this.#store.alphaRun.value = { ...run, done: { alpha, verdict: told, feasibleBound: bound } };
     this.#store.announcement.value = told;
     if (alpha !== null && shown) this.#alphaFound(run.card, alpha, shown);
     else this.solve();
+    this.#store.alphaRun.value = { ...run, done: { alpha, verdict: told, feasibleBound: bound } };
   }
 
   /** The sentences are the core's, which knows no maintenance. */
