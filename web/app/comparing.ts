@@ -4,7 +4,7 @@
  */
 import { effect, signal, untracked } from '@preact/signals';
 import type { Arrangement, Intentions, Layout, Luminaires, Rule } from '../document/types.ts';
-import { easedAxes } from '../document/ties.ts';
+import { easedAxes, typesRuleOut } from '../document/ties.ts';
 import { words } from '../language/language.ts';
 import type { Outcome, Shown } from '../solver/protocol.ts';
 import { findRelief } from './relief.ts';
@@ -67,6 +67,10 @@ export function arrangementsOf(rule: Rule, luminaires: Luminaires): readonly [Ar
   const has = rule === 'symmetric' || (rule === 'rows' ? axis !== 'both' : had !== 'rows');
   return [has ? { rule, axis } : { rule }];
 }
+
+/** Whether the numbers of the luminaire types leave a rule no layout. */
+export const typesRuleOutAs = (rule: Rule, luminaires: Luminaires): boolean =>
+  typesRuleOut({ ...luminaires, arrangement: arrangementsOf(rule, luminaires)[0] });
 
 /**
  * What each rule reaches. A free layout may also be what a stricter rule found, so it is shown as costing no more; the
@@ -136,7 +140,8 @@ export function knownOf(store: Store): Comparison | null {
   const tried = comparison.value;
   if (tried?.of !== intentions) return tried;
   const rule = intentions.luminaires.arrangement?.rule ?? 'free';
-  const settled = ['settled', 'shown'].includes(progress.value.state) ? shown.value : null;
+  const isAtRest = ['settled', 'shown'].includes(progress.value.state);
+  const settled = isAtRest && !typesRuleOut(intentions.luminaires) ? shown.value : null;
   const cost = (layout: Layout) => wattsOf(layout, efficacy.value, document.value.luminaires.types);
   const counts = countsKnown(tried, rule, settled);
   return { ...tried, counts, rules: rulesKnown(tried, rule, settled, cost) };
@@ -290,15 +295,19 @@ export class Comparing {
     if (this.#store.traced.peek().intentions === of) this.#store.relief.value = relief;
   }
 
-  /** Tells all outcomes once they are there; what is dropped before, as by the same search begun anew, is asked again. */
+  /**
+   * Tells all outcomes once they are there, none where the numbers of the types are against it; what is dropped before, as by the same search begun anew, is
+   * asked again.
+   */
   #try(variants: readonly Intentions[], evaluations: number, told: (outcomes: (Outcome | null)[]) => void) {
     const outcomes: (Outcome | null)[] = [];
     if (variants.length === 0) return told(outcomes);
     this.#solving.compare(
       variants,
       evaluations,
-      ({ outcome, done }) => {
-        outcomes.push(outcome);
+      ({ variant, outcome, done }) => {
+        const asked = variants[variant]?.luminaires;
+        outcomes.push(asked && typesRuleOut(asked) ? null : outcome);
         if (done) told(outcomes);
       },
       () => void (this.#asked.value = null),

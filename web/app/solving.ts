@@ -6,7 +6,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import type { Draft } from 'immer';
 import { readingOrder, renumbered } from '../document/reading-order.ts';
 import type { PhotometricDescription } from '../document/photometry.ts';
-import { easedAxes } from '../document/ties.ts';
+import { easedAxes, typesRuleOut } from '../document/ties.ts';
 import { asNew, maintained, maintenanceOf } from '../document/maintenance.ts';
 import type {
   FiatLuxDocument,
@@ -527,8 +527,9 @@ export class Solving {
     else if (this.#lost !== null && (fatal || message === this.#lost)) this.#sayLost(this.#lost);
     else {
       this.#store.announcement.value = ''; // what was told of the wish before holds no longer
-      const refusal = this.#refuse(message, fatal ? this.#wayOn() : this.#wayBack());
-      if (!fatal) void this.#easeAxis(refusal, message);
+      const why = this.#whyNoLayout(message);
+      const refusal = this.#refuse(why, fatal ? this.#wayOn() : this.#wayBack());
+      if (!fatal) void this.#easeAxis(refusal, why);
     }
     this.#opening = this.#probing = this.#arrived = null;
     // A file that cannot be opened takes nothing from what is shown.
@@ -555,6 +556,13 @@ export class Solving {
   #forgetRefusal(): void {
     if (this.#refusal !== null) this.#store.dismiss(this.#refusal);
     this.#refusal = null;
+  }
+
+  /** That no places were found for an arrangement is told of the numbers of types where they leave none anywhere. */
+  #whyNoLayout(message: string): string {
+    const { luminaires } = this.#store.traced.peek().intentions;
+    const isOfTypes = message.startsWith('arrangement: found no ') && typesRuleOut(luminaires);
+    return isOfTypes ? words.value.luminaires.arrangement.ofOneType : message;
   }
 
   /** One click on, where no more than the axis of the arrangement leaves no layout: a count that has no middle. */

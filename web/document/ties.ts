@@ -2,7 +2,8 @@
  * Luminaires that move together: rows and fields as they are, without turning, a mirrored pair in the mirror; and those
  * that are selected together with all that are tied to them.
  */
-import type { Arrangement, Layout, PlanAxis, Rule } from './types.ts';
+import { isOfSquares } from './intentions.ts';
+import type { Arrangement, Layout, Luminaires, PlanAxis, Rule } from './types.ts';
 
 /** What a row has at least where nothing is said of it, as in intentions.json. */
 export const usualInRow = 3;
@@ -16,6 +17,40 @@ export function easedAxes(arrangement: Arrangement | undefined): readonly Arrang
   const single = axis === 'both' ? (['x', 'z'] as const).map((one) => ({ ...anyhow, axis: one })) : [];
   return [...single, anyhow];
 }
+
+/**
+ * Whether the numbers that are asked for of luminaire types leave no layout under the rule, wherever luminaires may hang: a
+ * row, or a field as a whole, is of one type, so each type has some whole rows within its numbers.
+ */
+export function typesRuleOut(luminaires: Luminaires): boolean {
+  if (isOfSquares(luminaires)) return false;
+  const { types = [], ofType = [], count, most = count, arrangement } = luminaires;
+  const ranges = types
+    .filter(({ isAllowed }) => isAllowed)
+    .map(({ id, count: [least, high] }) => [
+      Math.max(least, ofType.filter((each) => each === id).length),
+      high,
+    ]);
+  const isPossible = (number: number, tied: number) => {
+    if (number % tied !== 0) return false;
+    const whole = ranges.map(([low = 0, high = 0]) => [
+      tied * Math.ceil(low / tied),
+      tied * Math.floor(Math.min(high, number) / tied),
+    ]);
+    const sum = (end: 0 | 1) => whole.reduce((all, ends) => all + ends[end]!, 0);
+    const fits = whole.every(([low = 0, high = 0]) => low <= high);
+    return fits && sum(0) <= number && number <= sum(1);
+  };
+  const least = Math.min(arrangement?.leastInRow ?? usualInRow, most);
+  const tiedIn = (number: number): readonly number[] => {
+    if (arrangement?.rule === 'field') return [number];
+    return arrangement?.rule === 'rows' ? countedFrom(least, number) : [1];
+  };
+  return !countedFrom(count, most).some((number) => tiedIn(number).some((tied) => isPossible(number, tied)));
+}
+
+const countedFrom = (low: number, high: number): number[] =>
+  Array.from({ length: Math.max(0, high - low + 1) }, (_, i) => low + i);
 
 type Tied = Pick<Layout, 'sites' | 'ties'>;
 

@@ -1,5 +1,15 @@
 import { expect, test } from '@jest/globals';
-import { axisAfter, easedAxes, heldTogether, movedSites, tieOf } from '../../../web/document/ties.ts';
+import {
+  axisAfter,
+  easedAxes,
+  heldTogether,
+  movedSites,
+  tieOf,
+  typesRuleOut,
+} from '../../../web/document/ties.ts';
+import type { Luminaires } from '../../../web/document/types.ts';
+import { sixLuminaires } from '../six-luminaires.ts';
+import { luminaireType, photometricText } from './luminaire-type.ts';
 
 // A line of five places, 0.6 m apart, and one of them 2 m beside it.
 const positions = Float32Array.from([0, 1, 2, 3, 4].flatMap((i) => [0.6 * i, 3, 0]).concat([0, 3, 2]));
@@ -63,4 +73,22 @@ test('less is asked of an axis: one of two, then none; of no axis there is nothi
   expect(easedAxes({ rule: 'rows', axis: 'x', leastInRow: 2 })).toEqual([{ rule: 'rows', leastInRow: 2 }]);
   expect(easedAxes({ rule: 'field' })).toEqual([]);
   expect(easedAxes(undefined)).toEqual([]);
+});
+
+test.each<[ruled: 'out' | 'in', counts: [number, number][], more: Partial<Luminaires>]>([
+  ['in', [], { arrangement: { rule: 'field' } }], // squares
+  ['in', [[0, 6], [0, 6]], { arrangement: { rule: 'field' } }], // prettier-ignore
+  ['out', [[1, 6], [1, 6]], { arrangement: { rule: 'field' } }], // prettier-ignore
+  ['out', [[0, 5], [0, 5]], { arrangement: { rule: 'field' } }], // prettier-ignore
+  ['in', [[0, 5], [0, 5]], { arrangement: { rule: 'field' }, count: 4, most: 6 }], // prettier-ignore
+  ['out', [[0, 6], [0, 6]], { arrangement: { rule: 'field' }, ofType: ['0', null, '1'] }], // prettier-ignore
+  ['in', [[1, 6], [1, 6]], { arrangement: { rule: 'rows' } }], // prettier-ignore
+  ['out', [[1, 2], [1, 6]], { arrangement: { rule: 'rows' } }], // prettier-ignore
+  ['in', [[1, 2], [1, 6]], { arrangement: { rule: 'rows', leastInRow: 2 } }], // prettier-ignore
+  ['out', [[1, 6], [1, 6]], { arrangement: { rule: 'rows' }, count: 7 }], // prettier-ignore
+  ['in', [[1, 6], [1, 6]], { arrangement: { rule: 'symmetric' }, count: 7 }], // prettier-ignore
+  ['out', [[0, 2], [0, 3]], {}], // prettier-ignore
+])('numbers of types rule a layout %s: %j, %j', (ruled, counts, more) => {
+  const types = counts.map((count, i) => luminaireType(`${i}`, photometricText(), { count }));
+  expect(typesRuleOut({ ...sixLuminaires, types, ...more })).toBe(ruled === 'out');
 });

@@ -16,6 +16,9 @@ export const luminaires: Words['luminaires'] = {
   arrangement: {
     name: 'Anordnung',
     noRoom: 'kein Platz',
+    typesLimits: 'Typgrenzen',
+    ofOneType:
+      'Eine Reihe ist von einem Typ, auch ein ganzes Raster: Die verlangten Zahlen der Typen lassen keine zu.',
     about: (cost) => `etwa ${cost}`,
     rowsRun: 'Reihen verlaufen',
     mirrored: 'Gespiegelt an',

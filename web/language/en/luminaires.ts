@@ -15,6 +15,9 @@ export const luminaires = {
   arrangement: {
     name: 'Arrangement',
     noRoom: 'no room',
+    typesLimits: 'types’ limits',
+    ofOneType:
+      'A row is of one type, and so is a whole field: the numbers asked for of the types leave none.',
     about: (cost: string) => `about ${cost}`,
     rowsRun: 'Rows run',
     mirrored: 'Mirrored about',

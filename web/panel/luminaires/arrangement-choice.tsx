@@ -1,6 +1,6 @@
 /** How the luminaires hang together: four little drawings, and what each would cost for the same intentions. */
 import { useApp } from '../../app/app.ts';
-import { isTrial, knownOf, rules } from '../../app/comparing.ts';
+import { isTrial, knownOf, rules, typesRuleOutAs } from '../../app/comparing.ts';
 import { compact } from '../../app/words/format.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Store } from '../../app/state/store.ts';
@@ -37,14 +37,17 @@ export function ArrangementChoice() {
   const asked = luminaires.arrangement?.rule ?? 'free';
   const comparison = knownOf(store);
   const isCurrent = comparison?.of === store.traced.value.intentions;
+  const said = words.value.luminaires.arrangement;
+  const ruledOut = rules.filter((rule) => typesRuleOutAs(rule, luminaires));
   return (
     <fieldset class="field arrangement">
-      <legend class="field-name">{words.value.luminaires.arrangement.name}</legend>
+      <legend class="field-name">{said.name}</legend>
       <div class="drawings" data-current={isCurrent}>
         {rules.map((rule) => {
           const tried = comparison?.rules.find((each) => each.rule === rule);
+          const cost = tried ? costText(tried.outcome, store, isTrial(rule, asked)) : '\u00a0';
           return (
-            <label key={rule} class="drawing" title={words.value.luminaires.arrangement.rules[rule].hint}>
+            <label key={rule} class="drawing" title={said.rules[rule].hint}>
               <input
                 type="radio"
                 name="arrangement"
@@ -52,12 +55,13 @@ export function ArrangementChoice() {
                 onChange={() => void comparing.choose(rule)}
               />
               <Drawing rule={rule} />
-              <span>{words.value.luminaires.arrangement.rules[rule].name}</span>
-              <small>{tried ? costText(tried.outcome, store, isTrial(rule, asked)) : '\u00a0'}</small>
+              <span>{said.rules[rule].name}</span>
+              <small>{ruledOut.includes(rule) ? said.typesLimits : cost}</small>
             </label>
           );
         })}
       </div>
+      {ruledOut.length > 0 && !ruledOut.includes('free') && <p class="field-note">{said.ofOneType}</p>}
       {asked !== 'free' && (
         <Axis
           rule={asked}

@@ -1,10 +1,11 @@
 /** How many luminaires: what each number would cost, and whether it meets every bound. A click takes the number. */
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
-import { fewestMet, knownOf } from '../../app/comparing.ts';
+import { fewestMet, knownOf, withCount } from '../../app/comparing.ts';
 import { wattsOf } from '../../app/state/power.ts';
 import type { Comparison } from '../../app/state/store.ts';
 import { typeLimits } from '../../document/intentions.ts';
+import { typesRuleOut } from '../../document/ties.ts';
 import { mostLuminaires } from '../../document/schema.ts';
 import type { Intentions } from '../../document/types.ts';
 import { compact } from '../../app/words/format.ts';
@@ -39,7 +40,8 @@ export function CountStrip() {
       <div ref={strip} class="strip" role="group" aria-label={words.value.luminaires.counts.name}>
         {comparison.counts.map(({ count, outcome }) => {
           const watts = outcome && compact(wattsOf(outcome.layout, store.efficacy.value, types));
-          const why = isOutside(count) ? counts.typesLimits : arrangement.noRoom;
+          const isRuledOut = typesRuleOut(withCount(comparison.of, count).luminaires);
+          const why = isRuledOut ? counts.typesLimits : arrangement.noRoom;
           const cost = watts === null ? why : `${watts} W`;
           const judged = outcome && isBounded ? counts[outcome.met ? 'allMet' : 'notMet'](cost) : cost;
           return (
