@@ -63,6 +63,7 @@ export function ReportPage({ close }: { close: () => void }) {
         <Surfaces report={report} />
         <Basis report={report} />
         <Signature />
+        <Record report={report} />
       </article>
     </section>
   );
@@ -89,7 +90,7 @@ interface Props {
   readonly report: Report;
 }
 
-function Head({ report: { title, date, link, plan, power, identity } }: Props) {
+function Head({ report: { title, date, link, plan, power } }: Props) {
   const [east, north, up] = plan.frame.size;
   return (
     <header class="report-head">
@@ -105,7 +106,6 @@ function Head({ report: { title, date, link, plan, power, identity } }: Props) {
           <Fact name={words.value.report.head.power}>
             {compact(power.watts)} W{power.floor ? `, ${compact(power.watts / power.floor)} W/m²` : ''}
           </Fact>
-          <Fact name={words.value.report.head.scene}>{identity}</Fact>
         </dl>
       </div>
       {link ? (
@@ -349,7 +349,7 @@ function Places({ report: { luminaires } }: Props) {
   );
 }
 
-function Basis({ report: { assumptions, facts } }: Props) {
+function Basis({ report: { assumptions } }: Props) {
   return (
     <section class="basis">
       <h2>{words.value.report.basis}</h2>
@@ -358,8 +358,17 @@ function Basis({ report: { assumptions, facts } }: Props) {
           <li key={text}>{text}</li>
         ))}
       </ul>
+    </section>
+  );
+}
+
+/** In small print below what is signed: nobody needs it to read the report, and whoever repeats it does. */
+function Record({ report: { record } }: Props) {
+  return (
+    <section class="record">
+      <h2>{words.value.report.record}</h2>
       <dl>
-        {facts.map(([name, value]) => (
+        {record.map(([name, value]) => (
           <Fact key={name} name={name}>
             {value}
           </Fact>

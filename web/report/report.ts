@@ -7,7 +7,7 @@ import { powerOf, type Power } from '../app/state/power.ts';
 import { maintenanceText } from '../app/words/room-types.ts';
 import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
 import type { BestFigure } from '../app/best-figures.ts';
-import { compact } from '../app/words/format.ts';
+import { compact, sentence } from '../app/words/format.ts';
 import { everyVerdict } from '../app/words/type-verdicts.ts';
 import type { Verdict } from '../app/words/verdict.ts';
 import { leni } from '../document/energy.ts';
@@ -39,9 +39,8 @@ export interface Report {
   /** The light in plan: of which surface, and how it is coloured. */
   readonly light: { readonly name: string; readonly field: LightField; readonly scale: Scale } | null;
   readonly assumptions: readonly string[];
-  readonly facts: readonly (readonly [string, string])[];
+  readonly record: readonly (readonly [string, string])[]; // how it was computed
   readonly link: string | null; // null where it does not fit one
-  readonly identity: string;
 }
 
 /** Throws one readable line where nothing is shown yet. */
@@ -82,9 +81,8 @@ export function reportOf(app: App): Report {
       ...energyText(power, store.energy.peek()),
       ...assumptionsOf(scene, types !== undefined && types.length > 0, efficacy),
     ],
-    facts: roomFacts(scene),
+    record: [...roomFacts(scene), [words.value.results.room.identity, scene.identity]],
     link: linkOf(app),
-    identity: scene.identity,
   };
 }
 
@@ -118,7 +116,7 @@ function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): 
     words.value.report.assumptions.power(shortest(efficacy)),
     words.value.report.assumptions.patches(fixed(patchSize(scene), 2)),
     words.value.report.assumptions.ownCopy,
-    ...roomWarnings(scene),
+    ...roomWarnings(scene).map(sentence),
   ];
 }
 

@@ -1,8 +1,12 @@
-/** What the report says of the rules that luminaires hang by, and of energy. */
-import { expect, test } from '@jest/globals';
-import { energyText, rulesText } from '../../../web/report/report.ts';
+/** What the report says of the rules that luminaires hang by, of energy, and of how it was computed. */
+import { afterEach, expect, jest, test } from '@jest/globals';
+import { energyText, reportOf, rulesText } from '../../../web/report/report.ts';
 import { usualEnergy } from '../../../web/document/energy.ts';
+import { appInRoom } from '../app-in-room.ts';
+import { fakeScene } from '../fake-solver.ts';
 import { sixLuminaires as free } from '../six-luminaires.ts';
+
+afterEach(() => void jest.useRealTimers());
 
 test('the rules that luminaires hang by are one sentence, and none where there are none', () => {
   expect(rulesText(free)).toEqual([]);
@@ -21,4 +25,22 @@ test('energy is told with what it is reckoned by, where there is a floor', () =>
     'LENI 12.8 kWh/(m² a) by EN 15193-1: 2250 + 250 h by day and night; Fₒ, F_c, F_D 0.90, 1.00, 1.00; standby 1.5 kWh/(m² a).',
   ]);
   expect(energyText({ ...power, floor: null }, usualEnergy)).toEqual([]);
+});
+
+test('how it was computed stands by itself, and what the figures rest on is sentences', async () => {
+  const provenance = {
+    source: { file: 'room.glb' },
+    warnings: ['a wall has one side only'],
+    residuals: [0.2, 1e-3],
+  };
+  const { app } = await appInRoom({ ...fakeScene(), provenance });
+  const { assumptions, record } = reportOf(app);
+  expect(Object.fromEntries(record)).toMatchObject({
+    'Made from': 'room.glb',
+    'Groups of patches that reflect to each other': '4',
+    'Reflected light left out': '0.1 %',
+    Identity: '0123456789abcdef',
+  });
+  expect(assumptions.at(-1)).toBe('A wall has one side only.');
+  expect(assumptions.filter((text) => !/^[^a-z].*\.$/.test(text))).toEqual([]);
 });

@@ -11,7 +11,6 @@ export const report: Words['report'] = {
     room: 'Raum',
     flux: 'Lichtstrom',
     power: 'Leistung',
-    scene: 'Szene',
     live: 'Diese Anordnung, live',
     noLink: 'Diese Anordnung passt nicht in einen Link.',
     code: 'QR-Code des Links',
@@ -60,6 +59,7 @@ export const report: Words['report'] = {
     areas: 'wo Flächen im Grundriss es zulassen',
   },
   basis: 'Worauf die Zahlen beruhen',
+  record: 'Zum Nachvollziehen: wie gerechnet wurde',
   signature: { designed: 'Geplant von', checked: 'Geprüft von', place: 'Ort und Datum' },
   places: (corner) => `Orte der Leuchten: x, y, z in m ab ${corner}`,
   light: {

@@ -10,7 +10,6 @@ export const report = {
     room: 'Room',
     flux: 'Flux',
     power: 'Power',
-    scene: 'Scene',
     live: 'This layout, live',
     noLink: 'This layout is more than a link can carry.',
     code: 'QR code of the link',
@@ -59,6 +58,7 @@ export const report = {
     areas: 'as areas in plan leave them room',
   },
   basis: 'What the figures rest on',
+  record: 'For the record: how it was computed',
   signature: { designed: 'Designed by', checked: 'Checked by', place: 'Place and date' },
   places: (corner: string) => `Places of the luminaires: x, y, z in m from the ${corner}`,
   light: {

@@ -75,10 +75,10 @@ describe('the room', () => {
     const facts = new Map(roomFacts(scene));
     expect(facts.get('Patches')).toBe('16 of 0.19 m');
     expect(facts.get('Rays from each patch')).toMatch(/1.024, refined 2 times/);
-    expect(facts.get('Bounced light not settled')).toBe('0.12 %');
+    expect(facts.get('Reflected light left out')).toBe('0.12 %');
     expect(facts.get('Light lost')).toBe('2 %');
     expect(facts.get('Spread uncertain by over 1 %, of few patches')).toBe('floor, wall');
-    expect([...facts.keys()].some((name) => name.startsWith('Error'))).toBe(false);
+    expect([...facts.keys()].some((name) => name.startsWith('Changed'))).toBe(false);
   });
   test('tells warnings, and surfaces that lose more than a hundredth of their light', () => {
     const [floor, wall] = scene.surfaces.map((surface, s) => ({ ...surface, lost: [0.008, 0.3][s] ?? 0 }));
