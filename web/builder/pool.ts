@@ -43,8 +43,8 @@ export interface BuildWish {
   /** Whoever makes the file goes on living, for the light of luminaires in that room. */
   readonly isKept?: boolean;
   readonly signal: AbortSignal;
-  /** Hears what the room consists of before anything is computed. */
-  readonly opened?: (room: RoomCounts) => void;
+  /** Hears what the room consists of before anything is computed, which waits for it; its rejection ends all. */
+  readonly opened?: (room: RoomCounts) => void | Promise<void>;
   readonly tell: (progress: BuildProgress) => void;
 }
 
@@ -88,6 +88,16 @@ export class BuilderPool {
     const member = new Member(this.#startWorker(), await this.#compiled());
     try {
       return (await member.ask({ type: 'survey', model, options }, 'surveyed')).survey;
+    } finally {
+      member.end();
+    }
+  }
+
+  /** Reads a room and computes nothing. Rejects with one readable line, or TooLarge. */
+  async open(model: Model, options: BuildOptions): Promise<RoomCounts> {
+    const member = new Member(this.#startWorker(), await this.#compiled());
+    try {
+      return (await member.ask({ type: 'open', model, options }, 'opened')).room;
     } finally {
       member.end();
     }
@@ -138,7 +148,7 @@ class Run {
     for (const each of rooms) each.catch(() => undefined); // told by the waits
     const [first, ...others] = rooms;
     const room = await first!;
-    this.#wish.opened?.(room);
+    await this.#wish.opened?.(room);
     this.#solvers = [this.#chief, ...this.#others.slice(0, mostSolvers(this.#wish.options, room) - 1)];
     await this.#cast(room.rows, others);
     await this.#solve();

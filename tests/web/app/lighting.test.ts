@@ -4,7 +4,7 @@ import { outlineOf } from '../../../web/document/areas.ts';
 import { readContainer, writeGlb } from '../../../web/document/gltf-container.ts';
 import { startHistory, edit } from '../../../web/document/history.ts';
 import type { Card, FiatLuxDocument, SceneInfo } from '../../../web/document/types.ts';
-import type { BuildOptions } from '../../../web/builder/builder.ts';
+import type { BuildOptions, RoomCounts } from '../../../web/builder/builder.ts';
 import { TooLarge, type BuilderPool, type BuildWish } from '../../../web/builder/pool.ts';
 import type { Model } from '../../../web/builder/protocol.ts';
 import { Lighting, type Shelf } from '../../../web/app/lighting/lighting.ts';
@@ -12,7 +12,7 @@ import type { Placement, Placing } from '../../../web/app/opening/placing.ts';
 import type { Solving } from '../../../web/app/solving.ts';
 import { firstDisplay, Store } from '../../../web/app/state/store.ts';
 import { areSameSites, carriedOver, fitting } from '../../../web/app/lighting/carried-over.ts';
-import { long, secondsForeseen } from '../../../web/app/lighting/foreseen.ts';
+import { isBeyondMemory, long, secondsForeseen } from '../../../web/app/lighting/foreseen.ts';
 import { usualChoices } from '../../../web/app/importing/model-choices.ts';
 import { TimeLeft } from '../../../web/app/lighting/time-left.ts';
 import { askedOfUnknown, documentFrom } from '../../../web/app/rooms/opening-wish.ts';
@@ -71,6 +71,7 @@ function lightingOf(first: SceneInfo) {
   const room = {
     next: first,
     isFullTooLarge: false,
+    counts: {} as Pick<RoomCounts, 'rows' | 'patchSize'>, // of its draft
     warnings: [] as string[],
     told: [] as string[],
     work: 3,
@@ -96,10 +97,13 @@ function lightingOf(first: SceneInfo) {
   const models: Model[] = [];
   const pool = {
     survey: async () => ({ scale: 0.5, patch: 0.1 }),
+    open: async (_: Model, { patch }: BuildOptions) => {
+      if (patch < 0.4) throw new TooLarge('this would need 2 GB');
+    },
     build: async ({ options, model, opened, tell }: BuildWish) => {
       built.push(options);
       if (room.why) throw new Error(room.why);
-      opened?.({ warnings: room.warnings, work: room.work } as never);
+      await opened?.({ ...room.counts, warnings: room.warnings, work: room.work } as never);
       tell({ stage: 'casting', share: 0 });
       room.foreseen.push(store.lighting.peek()?.secondsForeseen);
       tell({ stage: 'casting', share: 0.1 });
@@ -213,6 +217,41 @@ test('where memory runs out the preview stays, and larger patches are offered un
   await lighting.coarser();
   expect(built.at(-1)?.patch).toBe(0.26);
   expect(store.lighting.value).toBeNull();
+});
+
+test('a model that is too large for memory is refused before its draft is computed, until its patches are', async () => {
+  const { store, placed, room, built, models, lighting } = lightingOf(draft);
+  room.counts = { rows: 20_000, patchSize: 1 };
+  const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  store.preview.value = 'a.glb';
+  await lighting.light(model, { ...usualChoices, patch: 0.3 });
+  expect([built.length, models, placed]).toEqual([1, [], []]);
+  const fault = 'This would need 2 GB.';
+  expect(store.lighting.value).toMatchObject({ pass: 'draft', fault, isTooLarge: true });
+  await lighting.coarser();
+  expect(models).toHaveLength(2);
+  expect(store.lighting.value).toBeNull();
+});
+
+test('a room that is on the screen stays where it is too large in another way, and larger patches are offered', async () => {
+  const { store, room, models, lighting } = lightingOf(draft);
+  const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  await lighting.light(model, usualChoices);
+  room.counts = { rows: 20_000, patchSize: 1 };
+  await lighting.light(model, { ...usualChoices, patch: 0.3 });
+  const message = store.messages.value.at(-1)!;
+  expect(message).toMatchObject({ text: '“a.glb”: This would need 2 GB.' });
+  message.action!.run();
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(models).toHaveLength(4);
+});
+
+test('what a draft foresees is beyond memory where the command says so, and no sample room is', () => {
+  // By the builder: an office in patches of 5 cm needs 4.4 GB, a home 8.7; as they are 0.8.
+  expect(isBeyondMemory({ rows: 9810, patchSize: 0.3 }, 0.05)).toBe(true);
+  expect(isBeyondMemory({ rows: 12_049, patchSize: 0.3 }, 0.05)).toBe(true);
+  expect(isBeyondMemory({ rows: 2243, patchSize: 0.73 }, 0)).toBe(false);
+  expect(isBeyondMemory({ rows: 3021, patchSize: 0.62 }, 0)).toBe(false);
 });
 
 test('steps that follow closely are not each drawn, but stages are', async () => {

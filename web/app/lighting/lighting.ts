@@ -27,7 +27,7 @@ import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { siteModel } from './site-model.ts';
-import { secondsForeseen } from './foreseen.ts';
+import { isBeyondMemory, secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -230,10 +230,9 @@ export class Lighting {
       this.#store.lighting.value = null;
       this.#solving.goOn(); // with the room before
       const isNamed = why.startsWith(state.name);
-      this.#store.say(
-        'error',
-        isNamed ? why : words.value.opening.about(shortName(state.name), sentence(why)),
-      );
+      const told = isNamed ? why : words.value.opening.about(shortName(state.name), sentence(why));
+      const coarser = { label: words.value.opening.preview.coarser, run: () => void this.coarser() };
+      this.#store.say('error', told, isTooLarge ? coarser : undefined);
     } else if (state)
       this.#store.lighting.value = { ...state, fault: sentence(why), isTooLarge, secondsLeft: null };
   }
@@ -259,13 +258,15 @@ export class Lighting {
       lighting.value = { ...begun, stage, share: furthest, secondsLeft };
     };
     const wish = { model, signal, tell };
-    const opened = ({ warnings, work }: RoomCounts) => {
-      if (signal.aborted) return;
-      begun = { ...begun, secondsForeseen: secondsForeseen({ work }) };
-      if (pass === 'full' || isTold || this.#store.sheet.peek()) return;
-      this.#warn(titleOf(model.name), warnings);
-    };
     const options = chosenOptions(this.#choices);
+    const opened = async (room: RoomCounts) => {
+      if (signal.aborted) return;
+      // Whether it is too much, and of what, the pipeline tells as soon as it has foreseen it.
+      if (pass === 'draft' && isBeyondMemory(room, options.patch)) await pool.open(model, options);
+      begun = { ...begun, secondsForeseen: secondsForeseen(room) };
+      if (signal.aborted || pass === 'full' || isTold || this.#store.sheet.peek()) return;
+      this.#warn(titleOf(model.name), room.warnings);
+    };
     return pass === 'draft'
       ? pool.build({ ...wish, options: { ...options, draft: true }, opened })
       : pool.build({ ...wish, options, isKept: true, opened });
